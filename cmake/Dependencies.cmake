@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+# Every third-party package. Names of the Debian packages stand in scripts/setup.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Boost 1.74 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(TBB REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(benchmark REQUIRED)
+find_package(Threads REQUIRED)
+if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3) # the one that sees the packages of the system; another may be on PATH
+endif()
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+if(BEZIERBENCH_TESTS)
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+endif()
+
+# Packages without a CMake configuration of their own.
+function(bezierbench_system_library target header)
+  add_library(${target} INTERFACE)
+  find_path(${target}_INCLUDE ${header} REQUIRED)
+  target_include_directories(${target} SYSTEM INTERFACE ${${target}_INCLUDE})
+  foreach(name ${ARGN})
+    find_library(${target}_${name} ${name} REQUIRED)
+    target_link_libraries(${target} INTERFACE ${${target}_${name}})
+  endforeach()
+endfunction()
+bezierbench_system_library(gmp gmpxx.h gmpxx gmp)
+bezierbench_system_library(random123 Random123/philox.h)

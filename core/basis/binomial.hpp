@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// C(n,i) for one n and all i, by C(n,i) = C(n,i-1) (n-i+1) / i and symmetry.
+//
+// Exact in double while every intermediate product stays below 2^53, that is for n <= 54; beyond that each of the at
+// most n/2 steps rounds twice. `binomial_roundings` counts them for the error bounds.
+#pragma once
+
+#include "core/curve.hpp"
+
+namespace bezierbench {
+
+/// The row C(n,0..n), formed in double and rounded once to Scalar.
+template <class Scalar, int Degree>
+PerCoefficient<Scalar, Degree> binomials(int n) {
+  auto row = per_coefficient<Scalar, Degree>(n);
+  double value = 1;
+  for (int i = 0; 2 * i <= n; ++i) {
+    if (i > 0) value = value * (n - i + 1) / i;
+    row[i] = static_cast<Scalar>(value);
+    row[n - i] = row[i];
+  }
+  return row;
+}
+
+/// Largest n for which `binomials<double>` is exact.
+inline constexpr int exact_binomial_degree = 54;
+
+/// Most roundings in any C(n,i): those of the recurrence, and the one to float.
+constexpr double binomial_roundings(int n, double u) {
+  return (n > exact_binomial_degree ? n : 0) + (u > 0x1p-53 ? 1 : 0);
+}
+
+}  // namespace bezierbench

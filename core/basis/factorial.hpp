@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// 0!, 1!, ..., n! by running product, as the source report tabulates them.
+//
+// In double they are exact through 22! and finite through 170!; in float exact through 13! and finite through 34!.
+#pragma once
+
+#include "core/curve.hpp"
+
+namespace bezierbench {
+
+inline constexpr int max_factorial = 170;
+inline constexpr int max_factorial_float = 34;
+
+/// The factorials 0! .. n! in Scalar; finite for n up to max_factorial (max_factorial_float).
+template <class Scalar, int Degree>
+PerCoefficient<Scalar, Degree> factorials(int n) {
+  auto row = per_coefficient<Scalar, Degree>(n);
+  row[0] = Scalar(1);
+  for (int k = 1; k <= n; ++k) row[k] = row[k - 1] * static_cast<Scalar>(k);
+  return row;
+}
+
+/// Most roundings in any of 0! .. n!.
+constexpr double factorial_roundings(int n, double u) {
+  const int exact_through = u > 0x1p-53 ? 13 : 22;
+  return n > exact_through ? n - exact_through : 0;
+}
+
+}  // namespace bezierbench

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// q_j = C(n,j) D^j b_0 with the forward differences D^j b_i = D^(j-1) b_(i+1) - D^(j-1) b_i.
+//
+// Source: Farin, Curves and Surfaces for CAGD, 5th ed., section 5.8 (monomial form by differences).
+// Cost: d n(n+1)/2 + d (n+1) + 3n/2 flops.
+// Bound: one rounding a level, n in all, one product and the roundings of C(n,j).
+// Fails: the power coefficients themselves grow like 3^n.
+#pragma once
+
+#include "core/basis/binomial.hpp"
+#include "core/convert/conversion.hpp"
+
+namespace bezierbench {
+
+struct Differences {
+  static constexpr MethodInfo info{
+      .id = "differences",
+      .label = "Forward differences",
+      .problem = Problem::conversion,
+      .form = Form::bernstein,
+      .max_degree_float = 131,
+      .bound = ErrorBound{.text = "gamma_(n+1) sum |b_i| C(n,i) t^i (1+t)^(n-i), and n more roundings past n = 54",
+                          .amplification = Amplification::bernstein_to_power,
+                          .factor = [](int n,
+                                       double u) { return gamma_over_u(n + 1 + binomial_roundings(n, u), u); },
+                          .underflow = conversion_underflow,
+                          .underflow_scales_with_coefficients = true},
+      .flops = "d n(n+1)/2 + d(n+1) + 3n/2",
+      .citation = "Farin 2002, section 5.8"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::power, Scalar, Dimension, Degree> convert(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& b) {
+    const int n = b.degree();
+    const auto binomial = binomials<Scalar, Degree>(n);
+    auto difference = b;
+    Curve<Form::power, Scalar, Dimension, Degree> q(n);
+    for (int j = 0; j <= n; ++j) {
+      for (int axis = 0; axis < Dimension; ++axis) q(axis, j) = binomial[j] * difference(axis, 0);
+      for (int i = 0; i < n - j; ++i)
+        for (int axis = 0; axis < Dimension; ++axis)
+          difference(axis, i) = difference(axis, i + 1) - difference(axis, i);
+    }
+    return q;
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "core/convert/exact.hpp"
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <vector>
+
+namespace bezierbench {
+namespace {
+
+using boost::multiprecision::cpp_int;
+
+constexpr int double_mantissa_bits = 53;
+
+/// The inputs as integers over one power of two: in[i] = integers[i] 2^exponent.
+struct Aligned {
+  std::vector<cpp_int> integers;
+  int exponent = 0;
+};
+
+Aligned align(std::span<const double> in) {
+  Aligned aligned;
+  aligned.integers.resize(in.size());
+  std::vector<int> exponents(in.size(), 0);
+  int lowest = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < in.size(); ++i) {
+    if (in[i] == 0) continue;
+    const double mantissa = std::frexp(in[i], &exponents[i]);
+    aligned.integers[i] = static_cast<long long>(std::ldexp(mantissa, double_mantissa_bits));
+    exponents[i] -= double_mantissa_bits;
+    lowest = std::min(lowest, exponents[i]);
+  }
+  if (lowest == std::numeric_limits<int>::max()) return aligned;
+  aligned.exponent = lowest;
+  for (std::size_t i = 0; i < in.size(); ++i)
+    if (in[i] != 0) aligned.integers[i] <<= static_cast<unsigned>(exponents[i] - lowest);
+  return aligned;
+}
+
+/// (numerator / denominator) 2^exponent to nearest, ties to even, with gradual underflow and overflow to infinity.
+double round_quotient(const cpp_int& numerator, const cpp_int& denominator, int exponent, RoundTo target) {
+  if (numerator == 0) return 0;
+  const bool negative = numerator < 0;
+  const int precision = target == RoundTo::binary64 ? 53 : 24;
+  const int lowest_exponent = target == RoundTo::binary64 ? -1074 : -149;
+  const double largest = target == RoundTo::binary64 ? std::numeric_limits<double>::max()
+                                                     : static_cast<double>(std::numeric_limits<float>::max());
+  cpp_int n = abs(numerator);
+  cpp_int d = denominator;
+  // Scale so that the quotient has `precision` or precision + 1 bits, or is in units of the smallest subnormal.
+  int shift = precision - (static_cast<int>(msb(n)) - static_cast<int>(msb(d)));
+  shift = std::min(shift, exponent - lowest_exponent);
+  auto scaled_quotient = [&](int by, cpp_int& remainder) {
+    cpp_int scaled_n = by >= 0 ? cpp_int(n << static_cast<unsigned>(by)) : n;
+    cpp_int scaled_d = by >= 0 ? d : cpp_int(d << static_cast<unsigned>(-by));
+    cpp_int quotient;
+    divide_qr(scaled_n, scaled_d, quotient, remainder);
+    remainder *= 2;
+    const int against_half = remainder.compare(scaled_d);
+    remainder = against_half;
+    return quotient;
+  };
+  cpp_int against_half;
+  cpp_int quotient = scaled_quotient(shift, against_half);
+  if (quotient != 0 && static_cast<int>(msb(quotient)) + 1 > precision)
+    quotient = scaled_quotient(--shift, against_half);
+  if (against_half > 0 || (against_half == 0 && bit_test(quotient, 0))) ++quotient;
+  const double magnitude = std::ldexp(static_cast<double>(quotient), exponent - shift);
+  const double rounded = magnitude > largest ? std::numeric_limits<double>::infinity() : magnitude;
+  return negative ? -rounded : rounded;
+}
+
+/// Row i of Pascal's triangle from row i - 1, in place.
+void next_row(std::vector<cpp_int>& row) {
+  row.emplace_back(1);
+  for (std::size_t k = row.size() - 2; k >= 1; --k) row[k] += row[k - 1];
+}
+
+}  // namespace
+
+void exact_to_power(std::span<const double> in, std::span<double> out, RoundTo target) {
+  const Aligned b = align(in);
+  std::vector<cpp_int> difference = b.integers;
+  cpp_int binomial = 1;
+  const std::size_t n = in.size() - 1;
+  for (std::size_t j = 0; j <= n; ++j) {
+    out[j] = round_quotient(binomial * difference[0], 1, b.exponent, target);
+    for (std::size_t i = 0; i < n - j; ++i) difference[i] = difference[i + 1] - difference[i];
+    binomial = binomial * (n - j) / (j + 1);
+  }
+}
+
+void exact_to_bernstein(std::span<const double> in, std::span<double> out, RoundTo target) {
+  Aligned q = align(in);
+  const std::size_t n = in.size() - 1;
+  std::vector<cpp_int> factorial(n + 1, 1);
+  for (std::size_t k = 1; k <= n; ++k) factorial[k] = factorial[k - 1] * k;
+  for (std::size_t j = 0; j <= n; ++j) q.integers[j] *= factorial[j] * factorial[n - j];
+  std::vector<cpp_int> binomial;
+  for (std::size_t i = 0; i <= n; ++i) {
+    if (i == 0)
+      binomial.assign(1, 1);
+    else
+      next_row(binomial);
+    cpp_int sum = 0;
+    for (std::size_t j = 0; j <= i; ++j) sum += binomial[j] * q.integers[j];
+    out[i] = round_quotient(sum, factorial[n], q.exponent, target);
+  }
+}
+
+}  // namespace bezierbench

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Both conversions in exact integer arithmetic, every coefficient rounded once, correctly.
+//   to power:      q_j = C(n,j) sum_i (-1)^(j-i) C(j,i) b_i, a dyadic rational
+//   to Bernstein:  b_i = (1/n!) sum_j C(i,j) j! (n-j)! q_j, a rational with denominator n!
+//
+// Cost: O(n^2) big-integer operations, far from the flops of the others.
+// Bound: u |coefficient|: one rounding each.
+// Fails: nothing but overflow of the rounded coefficient; yet a correctly rounded power coefficient already carries the
+//   error that ruins power form at high degree.
+#pragma once
+
+#include <span>
+
+#include "core/convert/conversion.hpp"
+
+namespace bezierbench {
+
+/// Rounds into the precision and range of this type (values are handed over as double, which holds any float).
+enum class RoundTo { binary32, binary64 };
+
+/// One axis: `in` and `out` hold the n + 1 coefficients, ascending; all inputs finite. Nearest, ties to even.
+void exact_to_power(std::span<const double> in, std::span<double> out, RoundTo target);
+void exact_to_bernstein(std::span<const double> in, std::span<double> out, RoundTo target);
+
+namespace detail {
+
+template <Form To, Form From, class Scalar, int Dimension, int Degree, class AxisFunction>
+Curve<To, Scalar, Dimension, Degree> convert_axes(const Curve<From, Scalar, Dimension, Degree>& curve,
+                                                  AxisFunction convert_axis) {
+  const int n = curve.degree();
+  auto in = per_coefficient<double, Degree>(n);
+  auto out = per_coefficient<double, Degree>(n);
+  const auto count = static_cast<std::size_t>(n) + 1;
+  Curve<To, Scalar, Dimension, Degree> result(n);
+  for (int axis = 0; axis < Dimension; ++axis) {
+    for (int i = 0; i <= n; ++i) in[i] = static_cast<double>(curve(axis, i));
+    convert_axis(std::span<const double>(in.data(), count), std::span<double>(out.data(), count),
+                 sizeof(Scalar) == sizeof(float) ? RoundTo::binary32 : RoundTo::binary64);
+    for (int i = 0; i <= n; ++i) result(axis, i) = static_cast<Scalar>(out[i]);
+  }
+  return result;
+}
+
+}  // namespace detail
+
+struct ExactToPower {
+  static constexpr MethodInfo info{
+      .id = "exact",
+      .label = "Exact, then rounded",
+      .problem = Problem::conversion,
+      .form = Form::bernstein,
+      .bound = ErrorBound{.text = "u sum |b_i| C(n,i) t^i (1+t)^(n-i)",
+                          .amplification = Amplification::bernstein_to_power,
+                          .factor = [](int, double) { return 1.0; },
+                          .underflow = conversion_underflow,
+                          .underflow_scales_with_coefficients = true},
+      .flops = "big integers",
+      .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::power, Scalar, Dimension, Degree> convert(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    return detail::convert_axes<Form::power>(curve, exact_to_power);
+  }
+};
+
+struct ExactToBernstein {
+  static constexpr MethodInfo info{
+      .id = "exact",
+      .label = "Exact, then rounded",
+      .problem = Problem::conversion,
+      .form = Form::power,
+      .bound = ErrorBound{.text = "u sum |q_j| t^j on [0,1]",
+                          .amplification = Amplification::power_to_bernstein,
+                          .factor = [](int, double) { return 1.0; },
+                          .underflow = conversion_underflow,
+                          .underflow_scales_with_coefficients = true},
+      .flops = "big integers",
+      .citation = "Farouki and Rajan 1987, section 2, in exact arithmetic"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(
+      const Curve<Form::power, Scalar, Dimension, Degree>& curve) {
+    return detail::convert_axes<Form::bernstein>(curve, exact_to_bernstein);
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// q_j = sum_(i<=j) (-1)^(j-i) n!/(i!(n-j)!(j-i)!) b_i, the coefficient formed first, then times b_i, added over i.
+//
+// Source: seed report 001, section 1.1.
+// Cost: 2 (n+1)(n+2) flops for the coefficients, d (n+1)(n+2) more.
+// Bound: the coefficient has 3 roundings (more once factorials are inexact, past n = 22), its product 1, the sum n.
+// Fails: factorials overflow past n = 170 (34 in float); the power coefficients themselves grow like 3^n.
+#pragma once
+
+#include "core/basis/factorial.hpp"
+#include "core/convert/conversion.hpp"
+
+namespace bezierbench {
+
+struct Factorial {
+  static constexpr MethodInfo info{
+      .id = "factorial",
+      .label = "Factorial quotients",
+      .problem = Problem::conversion,
+      .form = Form::bernstein,
+      .max_degree = max_factorial,
+      .max_degree_float = max_factorial_float,
+      .bound = ErrorBound{.text = "gamma_(n+4) sum |b_i| C(n,i) t^i (1+t)^(n-i), and 4(n-22) more roundings past n = 22",
+                          .amplification = Amplification::bernstein_to_power,
+                          .factor = [](int n,
+                                       double u) { return gamma_over_u(n + 4 + 4 * factorial_roundings(n, u), u); },
+                          .underflow = conversion_underflow,
+                          .underflow_scales_with_coefficients = true},
+      .flops = "(n+1)(n+2)(2+d)",
+      .citation = "seed report 001, section 1.1"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::power, Scalar, Dimension, Degree> convert(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& b) {
+    const int n = b.degree();
+    const auto factorial = factorials<Scalar, Degree>(n);
+    Curve<Form::power, Scalar, Dimension, Degree> q(n);
+    for (int j = 0; j <= n; ++j) {
+      Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
+      for (int i = 0; i <= j; ++i) {
+        const Scalar magnitude = factorial[n] / (factorial[i] * factorial[n - j] * factorial[j - i]);
+        const Scalar coefficient = (j - i) % 2 == 0 ? magnitude : -magnitude;
+        for (int axis = 0; axis < Dimension; ++axis) sum[axis] += coefficient * b(axis, i);
+      }
+      for (int axis = 0; axis < Dimension; ++axis) q(axis, j) = sum[axis];
+    }
+    return q;
+  }
+};
+
+}  // namespace bezierbench

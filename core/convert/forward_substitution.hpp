@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Row i of the lower triangular system sum_(k<=i) M_ik b_k = q_i, M_ik = (-1)^(i-k) n!/(k!(n-i)!(i-k)!), solved in
+// order: the sum over k < i first, then subtracted from q_i, then divided by the diagonal.
+//
+// Source: seed report 001, section 1.2.
+// Cost: 2 (n+1)(n+2) flops for the matrix, d (n+1)(n+2) more.
+// Bound: the computed b solves (M + dM) b = q with |dM| <= gamma_(n+5) |M| (Higham, Theorem 8.5, with the roundings of
+//   M), so |b - true| <= gamma |M^-1||M||b|; the amplification grows like 3^n at t = 1. Higher order terms are covered
+//   by doubling the factor while gamma_(n+5) (5/3)^n <= 1/10 (M^-1|M| maps p(t) to (1+2t)^n p(t/(1+2t)), twice to
+//   (1+4t)^n p(t/(1+4t)), and (1+4t)/(1+2t) <= 5/3); void beyond.
+// Fails: exponentially, which is the whole of the report's "error of the conversion": positive_sum does not.
+#pragma once
+
+#include "core/basis/amplification.hpp"
+#include "core/basis/factorial.hpp"
+#include "core/convert/conversion.hpp"
+
+namespace bezierbench {
+
+struct ForwardSubstitution {
+  static constexpr double bound_factor(int n, double u) {
+    const double once = gamma_over_u(n + 5 + 4 * factorial_roundings(n, u), u);
+    const bool first_order_holds = once * u * integer_power(5.0 / 3.0, n) <= 0.1;
+    return first_order_holds ? 2 * once : std::numeric_limits<double>::infinity();
+  }
+
+  static constexpr MethodInfo info{
+      .id = "forward_substitution",
+      .label = "Forward substitution",
+      .problem = Problem::conversion,
+      .form = Form::power,
+      .max_degree = max_factorial,
+      .max_degree_float = max_factorial_float,
+      .bound = ErrorBound{.text = "2 gamma_(n+5) sum |q_j| t^j (1+2t)^(n-j) while gamma (5/3)^n <= 1/10",
+                          .amplification = Amplification::forward_substitution,
+                          .factor = bound_factor,
+                          .underflow = [](int n) { return conversion_underflow(n) * integer_power(3, n); },
+                          .underflow_scales_with_coefficients = true},
+      .flops = "(n+1)(n+2)(2+d)",
+      .citation = "seed report 001, section 1.2; Higham 2002, Theorem 8.5"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(
+      const Curve<Form::power, Scalar, Dimension, Degree>& q) {
+    const int n = q.degree();
+    const auto factorial = factorials<Scalar, Degree>(n);
+    Curve<Form::bernstein, Scalar, Dimension, Degree> b(n);
+    for (int i = 0; i <= n; ++i) {
+      Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
+      for (int k = 0; k < i; ++k) {
+        const Scalar magnitude = factorial[n] / (factorial[k] * factorial[n - i] * factorial[i - k]);
+        const Scalar entry = (i - k) % 2 == 0 ? magnitude : -magnitude;
+        for (int axis = 0; axis < Dimension; ++axis) sum[axis] += entry * b(axis, k);
+      }
+      const Scalar diagonal = factorial[n] / (factorial[i] * factorial[n - i]);
+      for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = (q(axis, i) - sum[axis]) / diagonal;
+    }
+    return b;
+  }
+};
+
+}  // namespace bezierbench

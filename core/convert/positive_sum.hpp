@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// b_i = sum_(j<=i) C(i,j)/C(n,j) q_j: the inverse matrix in closed form; all its weights are positive and at most 1.
+//
+// Source: Farouki and Rajan, CAGD 4 (1987) 191-216, section 2; algorithms survey of Farouki, CAGD 29 (2012), eq. (29).
+// Cost: (n+1)(n+2)/2 (2 + 2d) flops and the binomial rows.
+// Bound: a weight has at most 2 binomials and a quotient rounded, its product 1, the sum n. The sum of the weights over
+//   row i times |q_j| amplifies by p~ of the power form only (core/basis/amplification.hpp), at most n + 1.
+// Fails: C(i,j) as for any binomial past degree 1029 (131 in float).
+#pragma once
+
+#include "core/basis/binomial.hpp"
+#include "core/convert/conversion.hpp"
+
+namespace bezierbench {
+
+struct PositiveSum {
+  static constexpr MethodInfo info{
+      .id = "positive_sum",
+      .label = "Positive sum",
+      .problem = Problem::conversion,
+      .form = Form::power,
+      .max_degree_float = 131,
+      .bound = ErrorBound{.text = "gamma_(n+2) sum |q_j| t^j on [0,1], and 4n more roundings past n = 54",
+                          .amplification = Amplification::power_to_bernstein,
+                          .factor = [](int n,
+                                       double u) { return gamma_over_u(n + 2 + 4 * binomial_roundings(n, u), u); },
+                          .underflow = conversion_underflow,
+                          .underflow_scales_with_coefficients = true},
+      .flops = "(n+1)(n+2)(1+d) + (n+1)(n+2)/2",
+      .citation = "Farouki and Rajan 1987, section 2"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(
+      const Curve<Form::power, Scalar, Dimension, Degree>& q) {
+    const int n = q.degree();
+    const auto of_n = binomials<Scalar, Degree>(n);
+    Curve<Form::bernstein, Scalar, Dimension, Degree> b(n);
+    for (int i = 0; i <= n; ++i) {
+      double of_i = 1;  // C(i, j), updated along the row
+      Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
+      for (int j = 0; j <= i; ++j) {
+        if (j > 0) of_i = of_i * (i - j + 1) / j;
+        const Scalar weight = static_cast<Scalar>(of_i) / of_n[j];
+        for (int axis = 0; axis < Dimension; ++axis) sum[axis] += weight * q(axis, j);
+      }
+      for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = sum[axis];
+    }
+    return b;
+  }
+};
+
+}  // namespace bezierbench

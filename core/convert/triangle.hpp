@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// r_j = q_j / C(n,j); then b_i = sum_j C(i,j) r_j by an additive triangle: level k adds neighbours, n levels.
+//
+// Source: the inverse of the difference triangle (core/convert/differences.hpp): D^j b_0 = r_j, undone by
+//   D^(j-1) b_(i+1) = D^(j-1) b_i + D^j b_i. Farin, Curves and Surfaces for CAGD, 5th ed., section 5.8.
+// Cost: d n(n+1)/2 + d(n+1) + 3n/2 flops.
+// Bound: one quotient, the roundings of C(n,j), at most n additions, all weights positive.
+// Fails: C(n,j) as for any binomial past degree 1029 (131 in float).
+#pragma once
+
+#include "core/basis/binomial.hpp"
+#include "core/convert/conversion.hpp"
+
+namespace bezierbench {
+
+struct Triangle {
+  static constexpr MethodInfo info{
+      .id = "triangle",
+      .label = "Additive triangle",
+      .problem = Problem::conversion,
+      .form = Form::power,
+      .max_degree_float = 131,
+      .bound = ErrorBound{.text = "gamma_(n+1) sum |q_j| t^j on [0,1], and n more roundings past n = 54",
+                          .amplification = Amplification::power_to_bernstein,
+                          .factor = [](int n,
+                                       double u) { return gamma_over_u(n + 1 + binomial_roundings(n, u), u); },
+                          .underflow = conversion_underflow,
+                          .underflow_scales_with_coefficients = true},
+      .flops = "d n(n+1)/2 + d(n+1) + 3n/2",
+      .citation = "Farin 2002, section 5.8"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(
+      const Curve<Form::power, Scalar, Dimension, Degree>& q) {
+    const int n = q.degree();
+    const auto binomial = binomials<Scalar, Degree>(n);
+    Curve<Form::bernstein, Scalar, Dimension, Degree> b(n);
+    for (int j = 0; j <= n; ++j)
+      for (int axis = 0; axis < Dimension; ++axis) b(axis, j) = q(axis, j) / binomial[j];
+    for (int k = 1; k <= n; ++k)
+      for (int i = n; i >= k; --i)
+        for (int axis = 0; axis < Dimension; ++axis) b(axis, i) += b(axis, i - 1);
+    return b;
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The curve under study: its form is part of its type, so power coefficients cannot reach de Casteljau.
+#pragma once
+
+#include <Eigen/Core>
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace bezierbench {
+
+/// Representation of a polynomial curve: sum b_i B_i,n(t) or sum q_j t^j.
+enum class Form { bernstein, power };
+
+/// The word for a form in files and messages.
+constexpr std::string_view name(Form form) { return form == Form::bernstein ? "bernstein" : "power"; }
+
+/// Largest degree that any curve can have: C(n, n/2) must stay finite in double (it does through n = 1029).
+inline constexpr int max_degree = 1023;
+
+/// Degree known only at run time (storage then has room for max_degree).
+inline constexpr int dynamic = Eigen::Dynamic;
+
+/// A point with `Dimension` coordinates.
+template <class Scalar, int Dimension>
+using Point = Eigen::Matrix<Scalar, Dimension, 1>;
+
+/// Room for one value per coefficient, without heap allocation.
+template <class Scalar, int Degree>
+using PerCoefficient = Eigen::Matrix<Scalar, 1, Degree == dynamic ? Eigen::Dynamic : Degree + 1, Eigen::RowMajor, 1,
+                                     Degree == dynamic ? max_degree + 1 : Degree + 1>;
+
+/// Uninitialised room for the n + 1 values that belong to the coefficients of a curve of degree n.
+template <class Scalar, int Degree>
+PerCoefficient<Scalar, Degree> per_coefficient(int degree) {
+  PerCoefficient<Scalar, Degree> row;
+  row.resize(1, degree + 1);
+  return row;
+}
+
+/// The coefficients of one curve. Coefficient i (ascending, in both forms) is column i; axis a is row a.
+template <Form F, class ScalarT, int DimensionT, int DegreeT = dynamic>
+class Curve {
+ public:
+  using Scalar = ScalarT;
+  static constexpr Form form = F;
+  static constexpr int dimension = DimensionT;
+
+  explicit Curve(int degree) {
+    assert(degree >= 0 && degree <= max_degree);
+    coefficients_.resize(DimensionT, degree + 1);  // a sized constructor would mean values for small fixed sizes
+  }
+
+  [[nodiscard]] int degree() const { return static_cast<int>(coefficients_.cols()) - 1; }
+  [[nodiscard]] Scalar operator()(int axis, int i) const { return coefficients_.coeff(axis, i); }
+  [[nodiscard]] Scalar& operator()(int axis, int i) { return coefficients_.coeffRef(axis, i); }
+
+ private:
+  static constexpr int columns = DegreeT == dynamic ? Eigen::Dynamic : DegreeT + 1;
+  static constexpr int max_columns = DegreeT == dynamic ? max_degree + 1 : DegreeT + 1;
+  static constexpr int order = DimensionT == 1 ? Eigen::RowMajor : Eigen::ColMajor;  // Eigen asks it of a single row
+  Eigen::Matrix<Scalar, DimensionT, columns, order, DimensionT, max_columns> coefficients_;
+};
+
+/// A curve behind the erased interfaces: coefficients point by point (x0 y0 x1 y1 ...), not owned.
+template <class Scalar>
+struct CurveView {
+  Form form = Form::bernstein;
+  int dimension = 2;
+  int degree = 0;
+  std::span<const Scalar> coefficients;  ///< (degree + 1) * dimension values
+
+  [[nodiscard]] Scalar operator()(int axis, int i) const {
+    return coefficients[static_cast<std::size_t>(i) * static_cast<std::size_t>(dimension) +
+                        static_cast<std::size_t>(axis)];
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// b_i^k = (1-t) b_i^(k-1) + t b_(i+1)^(k-1), p(t) = b_0^n.
+//
+// Source: de Casteljau 1959; seed report 001, section 1.5; Farin, Curves and Surfaces for CAGD, 5th ed., section 4.2.
+// Cost: 3 d n(n+1)/2 + 1 flops per point.
+// Bound: a level costs at most three roundings (1-t, product, sum), so gamma_3n p~ (gamma_2n where 1-t is exact);
+//   two products a level may underflow, by eta/2 each.
+// Fails: quadratic cost; the rounding of 1-t makes small t three times worse than t near 1.
+#pragma once
+
+#include "core/evaluate/triangle_scheme.hpp"
+
+namespace bezierbench {
+
+struct DeCasteljau {
+  static constexpr MethodInfo info{
+      .id = "de_casteljau",
+      .label = "de Casteljau",
+      .problem = Problem::evaluation,
+      .form = Form::bernstein,
+      .bound = ErrorBound{.text = "gamma_3n p~",
+                          .amplification = Amplification::p_tilde_bernstein,
+                          .factor = [](int n, double u) { return gamma_over_u(3 * n, u); },
+                          .underflow = [](int n) { return 2.0 * n; },
+                          .underflow_scales_with_coefficients = false},
+      .flops = "3d n(n+1)/2 + 1",
+      .citation = "Farin 2002, section 4.2; seed report 001, section 1.5"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    return curve;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
+    const Scalar s = Scalar(1) - t;
+    return run_triangle(curve, [s, t](Scalar a, Scalar b) { return s * a + t * b; });
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// p(t) = sum n!/(i!(n-i)!) t^i (1-t)^(n-i) b_i, terms formed and added in ascending order.
+//
+// Source: seed report 001, section 1.4: tables of 0!..n!, t^0..t^n and (1-t)^0..(1-t)^n, then one sum.
+// Cost: about 4n + d (2n + 1) flops per point.
+// Bound: term i has i-1 and n-i-1 roundings in its powers, n-i in (1-t)^(n-i) through 1-t, 3 products and n additions;
+//   the largest is i = 0 with 3n + 2. Factorials add 2 f(n) + 2 once they are no longer exact. Powers of t that
+//   underflow lose up to C(n,i) max|b| eta.
+// Fails: factorials overflow past n = 170 (34 in float); the rounding of 1-t, common to most methods, is magnified n
+//   times for small t.
+#pragma once
+
+#include "core/basis/factorial.hpp"
+#include "core/basis/amplification.hpp"
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+struct Direct {
+  static constexpr MethodInfo info{
+      .id = "direct",
+      .label = "Direct (Bernstein sum)",
+      .problem = Problem::evaluation,
+      .form = Form::bernstein,
+      .max_degree = max_factorial,
+      .max_degree_float = max_factorial_float,
+      .bound = ErrorBound{.text = "gamma_(3n+2) p~, and 2(n-22)+2 more roundings past n = 22",
+                          .amplification = Amplification::p_tilde_bernstein,
+                          .factor =
+                              [](int n, double u) {
+                                const double f = factorial_roundings(n, u);
+                                return gamma_over_u(3 * n + 2 + (f > 0 ? 2 * f + 2 : 0), u);
+                              },
+                          .underflow = [](int n) { return 2 * (n + 1) * integer_power(2, n); },
+                          .underflow_scales_with_coefficients = true},
+      .flops = "4n + d(2n+1)",
+      .citation = "seed report 001, section 1.4"};
+
+  template <class Scalar, int Dimension, int Degree>
+  struct Prepared {
+    Curve<Form::bernstein, Scalar, Dimension, Degree> curve;
+    PerCoefficient<Scalar, Degree> binomial;
+  };
+
+  template <class Scalar, int Dimension, int Degree>
+  static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    const int n = curve.degree();
+    const auto factorial = factorials<Scalar, Degree>(n);
+    auto binomial = per_coefficient<Scalar, Degree>(n);
+    for (int i = 0; i <= n; ++i) binomial[i] = factorial[n] / (factorial[i] * factorial[n - i]);
+    return {curve, binomial};
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
+    const int n = prepared.curve.degree();
+    const Scalar s = Scalar(1) - t;
+    auto t_power = per_coefficient<Scalar, Degree>(n);
+    auto s_power = per_coefficient<Scalar, Degree>(n);
+    t_power[0] = s_power[0] = Scalar(1);
+    for (int i = 1; i <= n; ++i) {
+      t_power[i] = t_power[i - 1] * t;
+      s_power[i] = s_power[i - 1] * s;
+    }
+    Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
+    for (int i = 0; i <= n; ++i) {
+      const Scalar basis = prepared.binomial[i] * t_power[i] * s_power[n - i];
+      for (int axis = 0; axis < Dimension; ++axis) sum[axis] += basis * prepared.curve(axis, i);
+    }
+    return sum;
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// p = c_0; p = p (1-t) + c_i t^i for i = 1..n, with c_i = C(n,i) b_i kept from `prepare` and t^i running.
+//
+// Source: Farin, Curves and Surfaces for CAGD, 5th ed., section 4.8 (nested multiplication in Bernstein form).
+// Cost: n (1 + 3d) + 1 flops per point.
+// Bound: term i has 1 + binomial roundings in c_i, i-1 in t^i, 1 product, 1 addition and 3 per later step (1-t, product,
+//   sum); the largest is i = 1 with 3n + binomial roundings, for i = 0 it is 3n. A t^i that underflows loses up to
+//   C(n,i) max|b| eta.
+// Fails: C(n,i) b_i overflows for large degrees (past 1029 always, in float past 131); t^i underflows for large n.
+#pragma once
+
+#include "core/basis/amplification.hpp"
+#include "core/basis/binomial.hpp"
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+struct HornerBernstein {
+  static constexpr MethodInfo info{
+      .id = "horner_bernstein",
+      .label = "Horner-Bernstein",
+      .problem = Problem::evaluation,
+      .form = Form::bernstein,
+      .max_degree_float = 131,
+      .bound = ErrorBound{.text = "gamma_(3n+1) p~, and n more roundings past n = 54",
+                          .amplification = Amplification::p_tilde_bernstein,
+                          .factor = [](int n,
+                                       double u) { return gamma_over_u(3 * n + 1 + binomial_roundings(n, u), u); },
+                          .underflow = [](int n) { return 2 * (n + 1) * integer_power(2, n); },
+                          .underflow_scales_with_coefficients = true},
+      .flops = "n(1+3d) + 1",
+      .citation = "Farin 2002, section 4.8"};
+
+  /// Column i holds C(n,i) b_i.
+  template <class Scalar, int Dimension, int Degree>
+  struct Prepared {
+    Curve<Form::bernstein, Scalar, Dimension, Degree> scaled;
+  };
+
+  template <class Scalar, int Dimension, int Degree>
+  static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    const int n = curve.degree();
+    const auto binomial = binomials<Scalar, Degree>(n);
+    Prepared<Scalar, Dimension, Degree> prepared{curve};
+    for (int i = 0; i <= n; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) prepared.scaled(axis, i) *= binomial[i];
+    return prepared;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
+    const int n = prepared.scaled.degree();
+    const Scalar s = Scalar(1) - t;
+    Point<Scalar, Dimension> p;
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] = prepared.scaled(axis, 0);
+    Scalar t_power = Scalar(1);
+    for (int i = 1; i <= n; ++i) {
+      t_power *= t;
+      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * s + prepared.scaled(axis, i) * t_power;
+    }
+    return p;
+  }
+};
+
+}  // namespace bezierbench

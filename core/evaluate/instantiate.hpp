@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Turns the rosters into tables of function pointers; included by one translation unit per scalar type.
+#pragma once
+
+#include <array>
+#include <new>
+#include <type_traits>
+
+#include "core/convert/roster.hpp"
+#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/roster.hpp"
+#include "core/evaluate/via.hpp"
+
+namespace bezierbench::instantiate {
+
+template <Form F, int Dimension, class Scalar>
+Curve<F, Scalar, Dimension> load(const CurveView<Scalar>& view) {
+  Curve<F, Scalar, Dimension> curve(view.degree);
+  for (int i = 0; i <= view.degree; ++i)
+    for (int axis = 0; axis < Dimension; ++axis) curve(axis, i) = view(axis, i);
+  return curve;
+}
+
+template <Evaluator E, class Scalar, int Dimension>
+constexpr Kernel<Scalar> kernel() {
+  using Prepared = PreparedOf<E, Scalar, Dimension>;
+  static_assert(std::is_trivially_destructible_v<Prepared>);
+  return {&E::info, Dimension, sizeof(Prepared), alignof(Prepared),
+          [](const CurveView<Scalar>& view, void* prepared) {
+            ::new (prepared) Prepared(E::prepare(load<E::info.form, Dimension>(view)));
+          },
+          [](const void* prepared, std::span<const Scalar> t, Scalar* points) {
+            const auto& state = *static_cast<const Prepared*>(prepared);
+            for (std::size_t k = 0; k < t.size(); ++k) {
+              const Point<Scalar, Dimension> point = E::evaluate(state, t[k]);
+              for (std::size_t axis = 0; axis < Dimension; ++axis)
+                points[k * Dimension + axis] = point[static_cast<Eigen::Index>(axis)];
+            }
+          }};
+}
+
+template <Conversion C, class Scalar, int Dimension>
+constexpr ConversionKernel<Scalar> conversion_kernel() {
+  return {&C::info, Dimension, [](const CurveView<Scalar>& view, Scalar* coefficients) {
+            const auto converted = C::convert(load<C::info.form, Dimension>(view));
+            for (int i = 0; i <= view.degree; ++i)
+              for (int axis = 0; axis < Dimension; ++axis) *coefficients++ = converted(axis, i);
+          }};
+}
+
+template <class Scalar, int Dimension, class... Es>
+std::span<const Kernel<Scalar>> table_of(TypeList<Es...>) {
+  static constexpr std::array<Kernel<Scalar>, sizeof...(Es)> table{kernel<Es, Scalar, Dimension>()...};
+  return table;
+}
+
+template <class Scalar, int Dimension, class... Cs>
+std::span<const ConversionKernel<Scalar>> conversion_table_of(TypeList<Cs...>) {
+  static constexpr std::array<ConversionKernel<Scalar>, sizeof...(Cs)> table{
+      conversion_kernel<Cs, Scalar, Dimension>()...};
+  return table;
+}
+
+using Methods = typename PathsOf<Conversions, Evaluators>::Type;
+
+}  // namespace bezierbench::instantiate
+
+namespace bezierbench {
+
+template <class Scalar>
+std::span<const Kernel<Scalar>> kernels(int dimension) {
+  using instantiate::Methods;
+  switch (dimension) {
+    case 1: return instantiate::table_of<Scalar, 1>(Methods{});
+    case 2: return instantiate::table_of<Scalar, 2>(Methods{});
+    case 3: return instantiate::table_of<Scalar, 3>(Methods{});
+    default: return {};
+  }
+}
+
+template <class Scalar>
+std::span<const ConversionKernel<Scalar>> conversion_kernels(int dimension) {
+  switch (dimension) {
+    case 1: return instantiate::conversion_table_of<Scalar, 1>(Conversions{});
+    case 2: return instantiate::conversion_table_of<Scalar, 2>(Conversions{});
+    case 3: return instantiate::conversion_table_of<Scalar, 3>(Conversions{});
+    default: return {};
+  }
+}
+
+}  // namespace bezierbench

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Methods behind function pointers: the compile-time concept ends here. What is judged and what is timed is the same
+// instantiated code, in the kernel's own translation unit.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "core/curve.hpp"
+#include "core/method.hpp"
+
+namespace bezierbench {
+
+/// An evaluator or a converted path, instantiated for one scalar type and dimension, degree known at run time.
+template <class Scalar>
+struct Kernel {
+  const MethodInfo* info;
+  int dimension;
+  std::size_t prepared_size;       ///< bytes that `prepare` fills
+  std::size_t prepared_alignment;  ///< of those bytes
+  /// All per-curve work; constructs what `evaluate` reads (trivially destructible) in `prepared`.
+  void (*prepare)(const CurveView<Scalar>& curve, void* prepared);
+  /// Evaluates at every t; points[k * dimension + axis] is the point at t[k].
+  void (*evaluate)(const void* prepared, std::span<const Scalar> t, Scalar* points);
+};
+
+/// A conversion for one scalar type and dimension.
+template <class Scalar>
+struct ConversionKernel {
+  const MethodInfo* info;
+  int dimension;
+  /// Writes the (degree + 1) * dimension coefficients of the other form, point by point.
+  void (*convert)(const CurveView<Scalar>& curve, Scalar* coefficients);
+};
+
+/// All evaluators and converted paths, in roster order. Dimension is 1, 2 or 3.
+template <class Scalar>
+std::span<const Kernel<Scalar>> kernels(int dimension);
+
+/// All conversions, in roster order. Dimension is 1, 2 or 3.
+template <class Scalar>
+std::span<const ConversionKernel<Scalar>> conversion_kernels(int dimension);
+
+/// The entry for a method of this form; nullptr if there is none.
+template <class Scalar>
+const Kernel<Scalar>* find_kernel(std::string_view id, Form form, int dimension) {
+  for (const auto& kernel : kernels<Scalar>(dimension))
+    if (kernel.info->id == id && kernel.info->form == form) return &kernel;
+  return nullptr;
+}
+
+/// The entry for a conversion from this form; nullptr if there is none.
+template <class Scalar>
+const ConversionKernel<Scalar>* find_conversion(std::string_view id, Form from, int dimension) {
+  for (const auto& kernel : conversion_kernels<Scalar>(dimension))
+    if (kernel.info->id == id && kernel.info->form == from) return &kernel;
+  return nullptr;
+}
+
+}  // namespace bezierbench

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#include "core/evaluate/instantiate.hpp"
+
+namespace bezierbench {
+
+template std::span<const Kernel<double>> kernels<double>(int dimension);
+template std::span<const ConversionKernel<double>> conversion_kernels<double>(int dimension);
+
+}  // namespace bezierbench

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The triangle of de Casteljau: b_i^k = step(b_i^(k-1), b_(i+1)^(k-1)), p(t) = b_0^n. Only the step differs between
+// its variants, so they share this loop.
+#pragma once
+
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+/// Runs the triangle in place on a copy of the control points; `step(a, b)` combines two neighbours on one axis.
+template <class Scalar, int Dimension, int Degree, class Step>
+Point<Scalar, Dimension> run_triangle(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Step step) {
+  const int n = curve.degree();
+  auto b = curve;
+  for (int k = 1; k <= n; ++k)
+    for (int i = 0; i <= n - k; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = step(b(axis, i), b(axis, i + 1));
+  Point<Scalar, Dimension> point;
+  for (int axis = 0; axis < Dimension; ++axis) point[axis] = b(axis, 0);
+  return point;
+}
+
+}  // namespace bezierbench

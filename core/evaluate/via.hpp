@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// A converted path is composition: prepare = convert, then the evaluator's prepare; evaluate = the evaluator's.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "core/convert/conversion.hpp"
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+namespace detail {
+
+/// The parts, one after the other, in storage that lives as long as the program.
+template <class... Parts>  // each a captureless lambda that returns a std::string_view
+struct Joined {
+  static constexpr std::size_t size = (Parts{}().size() + ...);
+  static constexpr std::array<char, size> storage = [] {
+    std::array<char, size> text{};
+    auto* end = text.begin();
+    ((end = std::copy(Parts{}().begin(), Parts{}().end(), end)), ...);
+    return text;
+  }();
+};
+
+template <class... Parts>
+constexpr std::string_view join(Parts...) {
+  using Text = Joined<Parts...>;
+  return {Text::storage.data(), Text::size};
+}
+
+}  // namespace detail
+
+/// `Converter` followed by `Method`; exists where the forms meet.
+template <Conversion Converter, Evaluator Method>
+  requires(other(Converter::info.form) == Method::info.form)
+struct Via {
+  /// With |converted| <= (1 + factor u) times its amplification, errors compose as gamma_j + gamma_k + gamma_j gamma_k
+  /// (Higham, Lemma 3.3); the amplification of the conversion is at least that of the evaluation.
+  static constexpr double bound_factor(int n, double u) {
+    const double conversion = Converter::info.bound->factor(n, u);
+    const double evaluation = Method::info.bound->factor(n, u);
+    return conversion + evaluation + conversion * u * evaluation;
+  }
+  static constexpr double bound_underflow(int n) {
+    return Converter::info.bound->underflow(n) + Method::info.bound->underflow(n) * conversion_underflow(n);
+  }
+  static constexpr std::optional<ErrorBound> bound() {
+    if constexpr (Converter::info.bound && Method::info.bound)
+      return ErrorBound{.text = detail::join([] { return std::string_view("conversion "); },
+                                             [] { return Converter::info.bound->text; },
+                                             [] { return std::string_view("; evaluation "); },
+                                             [] { return Method::info.bound->text; }),
+                        .amplification = Converter::info.bound->amplification,
+                        .factor = bound_factor,
+                        .underflow = bound_underflow,
+                        .underflow_scales_with_coefficients = true};
+    else
+      return std::nullopt;
+  }
+
+  static constexpr MethodInfo info{
+      .id = detail::join([] { return Converter::info.id; }, [] { return std::string_view(":"); },
+                         [] { return Method::info.id; }),
+      .label = detail::join([] { return Converter::info.label; }, [] { return std::string_view(" > "); },
+                            [] { return Method::info.label; }),
+      .problem = Problem::evaluation,
+      .form = Converter::info.form,
+      .min_degree = std::max(Converter::info.min_degree, Method::info.min_degree),
+      .max_degree = std::min(Converter::info.max_degree, Method::info.max_degree),
+      .max_degree_float = std::min(Converter::info.max_degree_float, Method::info.max_degree_float),
+      .bound = bound(),
+      .bit_stable = Converter::info.bit_stable && Method::info.bit_stable,
+      .flops = Method::info.flops,
+      .citation = detail::join([] { return Converter::info.citation; }, [] { return std::string_view("; "); },
+                               [] { return Method::info.citation; })};
+
+  template <class Scalar, int Dimension, int Degree>
+  static auto prepare(const Curve<info.form, Scalar, Dimension, Degree>& curve) {
+    return Method::prepare(Converter::convert(curve));
+  }
+
+  template <class Prepared, class Scalar>
+  static auto evaluate(const Prepared& prepared, Scalar t) {
+    return Method::evaluate(prepared, t);
+  }
+};
+
+/// Every conversion in front of every evaluator of its target form.
+template <class ConversionList, class EvaluatorList>
+struct PathsOf;
+
+template <class... Cs, class... Es>
+struct PathsOf<TypeList<Cs...>, TypeList<Es...>> {
+  template <class... Lists>
+  struct Concatenated {
+    using Type = TypeList<>;
+  };
+  template <class... Ts>
+  struct Concatenated<TypeList<Ts...>> {
+    using Type = TypeList<Ts...>;
+  };
+  template <class... Ts, class... Us, class... Rest>
+  struct Concatenated<TypeList<Ts...>, TypeList<Us...>, Rest...> {
+    using Type = typename Concatenated<TypeList<Ts..., Us...>, Rest...>::Type;
+  };
+  template <class C, class E>
+  struct Pair {
+    using Type = TypeList<>;
+  };
+  template <class C, class E>
+    requires(other(C::info.form) == E::info.form)
+  struct Pair<C, E> {
+    using Type = TypeList<Via<C, E>>;
+  };
+  template <class C>
+  using From = typename Concatenated<typename Pair<C, Es>::Type...>::Type;
+  using Type = typename Concatenated<TypeList<Es...>, From<Cs>...>::Type;
+};
+
+}  // namespace bezierbench
