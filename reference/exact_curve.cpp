@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "reference/exact_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace bezierbench::reference {
+namespace {
+
+/// value = mantissa 2^exponent with an integer mantissa of at most 53 bits.
+struct Split {
+  std::int64_t mantissa;
+  int exponent;
+};
+Split split(double value) {
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
+}
+
+void next_binomials(int n, std::vector<mpz_class>& row) {
+  if (row.size() == static_cast<std::size_t>(n) + 1) return;
+  row.assign(static_cast<std::size_t>(n) + 1, 1);
+  for (int i = 1; i <= n; ++i) {
+    auto& entry = row[static_cast<std::size_t>(i)];
+    entry = row[static_cast<std::size_t>(i) - 1] * (n - i + 1);
+    entry /= i;
+  }
+}
+
+}  // namespace
+
+const ExactPoint& ExactCurve::point(const CurveView<double>& curve, double t) {
+  evaluate(curve, t, false);
+  return point_;
+}
+
+const ExactPoint& ExactCurve::p_tilde(const CurveView<double>& curve, double t) {
+  evaluate(curve, t, true);
+  return point_;
+}
+
+void ExactCurve::evaluate(const CurveView<double>& curve, double t, bool magnitudes) {
+  load(curve, magnitudes);
+  set_parameter(t, magnitudes);
+  point_.dimension = curve.dimension;
+  point_.exponent = coefficient_exponent_ - static_cast<long>(t_shift_) * curve.degree;
+  if (curve.form == Form::bernstein)
+    sum_bernstein(curve.degree, curve.dimension);
+  else
+    sum_power(curve.degree, curve.dimension);
+}
+
+void ExactCurve::load(const CurveView<double>& curve, bool magnitudes) {
+  coefficients_.resize(curve.coefficients.size());
+  int lowest = std::numeric_limits<int>::max();
+  for (const double value : curve.coefficients)
+    if (value != 0) lowest = std::min(lowest, split(value).exponent);
+  coefficient_exponent_ = lowest == std::numeric_limits<int>::max() ? 0 : lowest;
+  for (std::size_t k = 0; k < coefficients_.size(); ++k) {
+    const double value = magnitudes ? std::abs(curve.coefficients[k]) : curve.coefficients[k];
+    const auto [mantissa, exponent] = split(value);
+    mpz_set_si(coefficients_[k].get_mpz_t(), mantissa);
+    if (value != 0) coefficients_[k] <<= static_cast<mp_bitcnt_t>(exponent - lowest);
+  }
+}
+
+void ExactCurve::set_parameter(double t, bool magnitudes) {
+  auto [mantissa, exponent] = split(t);
+  if (t == 0) exponent = 0;
+  while (exponent < 0 && mantissa != 0 && mantissa % 2 == 0) {
+    mantissa /= 2;
+    ++exponent;
+  }
+  mpz_set_si(t_numerator_.get_mpz_t(), mantissa);
+  if (exponent > 0) t_numerator_ <<= static_cast<mp_bitcnt_t>(exponent);
+  t_shift_ = exponent < 0 ? static_cast<unsigned long>(-exponent) : 0;
+  one_minus_t_ = 1;
+  one_minus_t_ <<= t_shift_;
+  one_minus_t_ -= t_numerator_;
+  if (magnitudes) {
+    t_numerator_ = ::abs(t_numerator_);
+    one_minus_t_ = ::abs(one_minus_t_);
+  }
+}
+
+void ExactCurve::sum_bernstein(int n, int dimension) {
+  next_binomials(n, binomials_);
+  const auto d = static_cast<std::size_t>(dimension);
+  for (std::size_t axis = 0; axis < d; ++axis) point_.numerator[axis] = coefficients_[axis];
+  t_power_ = 1;
+  for (std::size_t i = 1; i <= static_cast<std::size_t>(n); ++i) {
+    t_power_ *= t_numerator_;
+    mpz_mul(weight_.get_mpz_t(), t_power_.get_mpz_t(), binomials_[i].get_mpz_t());
+    for (std::size_t axis = 0; axis < d; ++axis) {
+      mpz_ptr sum = point_.numerator[axis].get_mpz_t();
+      mpz_mul(sum, sum, one_minus_t_.get_mpz_t());
+      mpz_addmul(sum, weight_.get_mpz_t(), coefficients_[i * d + axis].get_mpz_t());
+    }
+  }
+}
+
+void ExactCurve::sum_power(int n, int dimension) {
+  const auto d = static_cast<std::size_t>(dimension);
+  const auto degree = static_cast<std::size_t>(n);
+  for (std::size_t axis = 0; axis < d; ++axis) point_.numerator[axis] = coefficients_[degree * d + axis];
+  for (std::size_t j = degree; j-- > 0;) {
+    for (std::size_t axis = 0; axis < d; ++axis) {
+      mpz_ptr sum = point_.numerator[axis].get_mpz_t();
+      mpz_mul(sum, sum, t_numerator_.get_mpz_t());
+      mpz_mul_2exp(weight_.get_mpz_t(), coefficients_[j * d + axis].get_mpz_t(), t_shift_ * (degree - j));
+      mpz_add(sum, sum, weight_.get_mpz_t());
+    }
+  }
+}
+
+}  // namespace bezierbench::reference

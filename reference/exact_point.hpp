@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// A point that is known exactly, and how far a computed point is from it.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <span>
+
+#include "reference/rational.hpp"
+
+namespace bezierbench::reference {
+
+inline constexpr int max_dimension = 3;
+
+/// Coordinate a is numerator[a] / denominator 2^exponent.
+struct ExactPoint {
+  int dimension = 0;
+  std::array<mpz_class, max_dimension> numerator;
+  mpz_class denominator = 1;
+  long exponent = 0;
+
+  [[nodiscard]] Rational coordinate(int axis) const {
+    return {numerator[static_cast<std::size_t>(axis)], denominator, exponent};
+  }
+};
+
+/// The coordinates of `point` (finite doubles), exactly.
+ExactPoint exactly(std::span<const double> point);
+
+/// Distances from one exact point. Holds a high-order floating-point expansion of the exact coordinates, good enough
+/// for almost every distance; where rounding to 24 bits would not be certain from it, the integers decide.
+class Distance {
+ public:
+  /// Keeps a reference to `exact`, which must outlive it unchanged.
+  explicit Distance(const ExactPoint& exact);
+  /// From a point with finite double coordinates, which must outlive it unchanged.
+  explicit Distance(std::span<const double> point);
+
+  /// The Euclidean distance of `point` (finite coordinates), rounded once to 24 significant bits (and, below 2^-1051, to
+  /// a multiple of 2^-1074). Inf where it overflows.
+  [[nodiscard]] double to(std::span<const double> point) const;
+
+ private:
+  /// A coordinate as (high + middle + low) 2^exponent with |high| in [1/2, 1], each part at most half an ulp of the one
+  /// before, and what is missing below 2^-155 (nothing, if `complete`).
+  struct Expansion {
+    double high = 0;
+    double middle = 0;
+    double low = 0;
+    long exponent = 0;
+    bool complete = true;
+  };
+  struct Difference {
+    double value = 0;  ///< times 2^exponent
+    long exponent = 0;
+    bool certain = true;  ///< relative error below 2^-48
+  };
+
+  static Expansion expand(const mpz_class& numerator, const mpz_class& denominator, long exponent);
+  static Difference difference(double value, const Expansion& expansion);
+  [[nodiscard]] double exact_distance(std::span<const double> point) const;
+
+  const ExactPoint* exact_ = nullptr;  ///< or else `point_`
+  std::span<const double> point_;
+  std::array<Expansion, max_dimension> expansions_;
+};
+
+}  // namespace bezierbench::reference
