@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Whole files, read and written so that a reader sees the old bytes or the new ones and nothing between.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace bezierbench::bundle {
+
+/// Replaces `path` by `bytes`: temporary file beside it, write, fsync, rename, fsync of the folder. A symbolic link is
+/// followed; a pipe or character device (/dev/stdout) is written directly. Safe from several threads and processes.
+/// Throws Failure(Exit::input_output) with one line; then the old file is untouched and the temporary file removed
+/// (should the folder's own fsync fail, the new file is in place but may not survive a power cut).
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// All bytes of a file. Throws Failure(Exit::input_output) with one line.
+[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// Makes a write beyond the file size limit (`ulimit -f`) fail with EFBIG, which write_file reports, instead of killing
+/// the program. The disposition is the process's: call it first thing in main(), before any thread starts. Programs
+/// started by exec inherit it.
+void ignore_file_size_signal();
+
+/// Whether `name` is that of write_file's temporary files, which stay behind only where the program was killed.
+[[nodiscard]] bool is_temporary_name(std::string_view name);
+
+}  // namespace bezierbench::bundle

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "experiments/bundle/scratch_folder_test.hpp"
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+// The one line of the failure that `call` must end in.
+template <typename Call>
+std::string line_of(Call call) {
+  try {
+    call();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit(), Exit::input_output);
+    EXPECT_THAT(failure.what(), Not(HasSubstr("\n")));
+    return failure.what();
+  }
+  ADD_FAILURE() << "no failure";
+  return {};
+}
+
+TEST(AtomicFile, WritesReplacesAndReadsAllBytes) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "accuracy.csv";
+  std::string bytes(300'000, '\0');
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i * 7 % 256);
+  write_file(path, "old and longer than nothing");
+  write_file(path, bytes);
+  EXPECT_EQ(read_file(path), bytes);
+  write_file(path, "");
+  EXPECT_EQ(read_file(path), "");
+  EXPECT_EQ(folder.names(), std::set<std::string>{"accuracy.csv"});
+}
+
+TEST(AtomicFile, NewFileGetsTheUsersUsualMode) {
+  const ScratchFolder folder;
+  const mode_t before = umask(022);
+  write_file(folder.path() / "a", "x");
+  umask(before);
+  EXPECT_EQ(fs::status(folder.path() / "a").permissions(), fs::perms(0644));
+}
+
+TEST(AtomicFile, ReplacementIsANewFileSoThatAnOpenReaderKeepsTheOldOne) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "a";
+  write_file(path, "old");
+  std::ifstream reader(path);
+  write_file(path, "new");
+  std::string word;
+  reader >> word;
+  EXPECT_EQ(word, "old");
+}
+
+TEST(AtomicFile, FullDeviceIsReportedInOneLine) {
+  EXPECT_EQ(line_of([] { write_file("/dev/full", "x"); }),
+            "/dev/full: cannot be written: No space left on device; free space or choose another --out");
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(AtomicFile, FollowsASymbolicLink) {
+  const ScratchFolder folder;
+  fs::create_directory(folder.path() / "far");
+  write_file(folder.path() / "far/a", "old");
+  fs::create_symlink("far/a", folder.path() / "link");
+  write_file(folder.path() / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
+  EXPECT_EQ(read_file(folder.path() / "far/a"), "new");
+}
+
+TEST(AtomicFile, UnwritableFolderIsReported) {
+  const ScratchFolder folder;
+  write_file(folder.path() / "file", "kept");
+  EXPECT_THAT(line_of([&] { write_file(folder.path() / "file/a.csv", "x"); }),
+              AllOf(StartsWith((folder.path() / "file/a.csv").string() + ": cannot be written: "),
+                    HasSubstr("Not a directory"), HasSubstr("--out")));
+  EXPECT_THAT(line_of([&] { write_file(folder.path() / "absent/a.csv", "x"); }), HasSubstr("No such file"));
+  EXPECT_THAT(line_of([&] { write_file(folder.path(), "x"); }), HasSubstr("Is a directory"));
+  EXPECT_EQ(read_file(folder.path() / "file"), "kept");
+  EXPECT_EQ(folder.names(), std::set<std::string>{"file"});
+}
+
+// In a child, because the limit and the signal's disposition belong to the process. 0: all as promised.
+int write_beyond_the_limit(const fs::path& path) {
+  ignore_file_size_signal();
+  const rlimit limit{1000, 1000};
+  if (setrlimit(RLIMIT_FSIZE, &limit) != 0) return 2;
+  try {
+    write_file(path, std::string(5000, 'n'));
+  } catch (const Failure& failure) {
+    return std::string(failure.what()).find("File too large; raise") != std::string::npos ? 0 : 3;
+  }
+  return 4;
+}
+
+TEST(AtomicFile, FileSizeLimitLeavesTheOldFileAndNoOther) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "a.csv";
+  write_file(path, "old");
+  const pid_t child = fork();
+  ASSERT_NE(child, -1);
+  if (child == 0) _exit(write_beyond_the_limit(path));
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(read_file(path), "old");
+  EXPECT_EQ(folder.names(), std::set<std::string>{"a.csv"});
+}
+
+TEST(AtomicFile, KilledWritersLeaveOldOrNewAndRecognisableNames) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "a";
+  const std::string even(400'000, 'e');
+  const std::string odd(400'000, 'o');
+  for (int round = 0; round < 10; ++round) {
+    write_file(path, even);
+    const pid_t child = fork();
+    ASSERT_NE(child, -1);
+    if (child == 0) {
+      for (;;) write_file(path, odd);
+    }
+    usleep(static_cast<useconds_t>(700 * round));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    const std::string bytes = read_file(path);
+    ASSERT_TRUE(bytes == even || bytes == odd);
+  }
+  for (const std::string& name : folder.names()) EXPECT_TRUE(name == "a" || is_temporary_name(name)) << name;
+  EXPECT_FALSE(is_temporary_name("a"));
+}
+
+TEST(AtomicFile, ThreadsDoNotShareTemporaryFiles) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "a";
+  std::vector<std::thread> threads;
+  for (char letter : {'a', 'b', 'c', 'd'}) {
+    threads.emplace_back([&path, letter] {
+      for (int i = 0; i < 20; ++i) write_file(path, std::string(50'000, letter));
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  const std::string bytes = read_file(path);
+  EXPECT_EQ(bytes, std::string(50'000, bytes.at(0)));
+  EXPECT_EQ(folder.names(), std::set<std::string>{"a"});
+}
+
+void do_nothing(int) {}
+
+// A pipe that nobody empties for a while: writes are short, and a signal without SA_RESTART interrupts them.
+TEST(AtomicFile, SurvivesSignalsAndShortWrites) {
+  const ScratchFolder folder;
+  const fs::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  struct sigaction action {};
+  action.sa_handler = do_nothing;
+  struct sigaction before {};
+  ASSERT_EQ(sigaction(SIGUSR1, &action, &before), 0);
+  const std::string bytes(500'000, 'p');
+  std::string failure;
+  std::thread writer([&] {
+    try {
+      write_file(pipe, bytes);
+    } catch (const Failure& caught) {
+      failure = caught.what();
+      int end = -1;
+      while (end == -1) end = open(pipe.c_str(), O_WRONLY);  // lets the reader below come to an end
+      close(end);
+    }
+  });
+  for (int i = 0; i < 20; ++i) {
+    usleep(500);
+    pthread_kill(writer.native_handle(), SIGUSR1);
+  }
+  std::ifstream reader(pipe, std::ios::binary);
+  for (int i = 0; i < 20; ++i) {
+    usleep(500);
+    pthread_kill(writer.native_handle(), SIGUSR1);
+  }
+  std::string got(bytes.size() + 1, ' ');
+  reader.read(got.data(), static_cast<std::streamsize>(got.size()));
+  got.resize(static_cast<std::size_t>(reader.gcount()));
+  writer.join();
+  sigaction(SIGUSR1, &before, nullptr);
+  EXPECT_EQ(failure, "");
+  EXPECT_TRUE(got == bytes);
+}
+
+TEST(AtomicFile, UnreadableIsReported) {
+  const ScratchFolder folder;
+  EXPECT_EQ(line_of([&] { (void)read_file(folder.path() / "absent"); }),
+            (folder.path() / "absent").string() +
+                ": cannot be read: No such file or directory; check the path and its permissions");
+  EXPECT_THAT(line_of([&] { (void)read_file(folder.path()); }), HasSubstr("Is a directory"));
+}
+
+}  // namespace
+}  // namespace bezierbench::bundle

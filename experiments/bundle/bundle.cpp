@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/bundle.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <system_error>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/folder.hpp"
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, std::string_view what) {
+  throw Failure(Exit::input_output, fmt::format("{}: {}", path.string(), what));
+}
+
+void make_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) fail(path, fmt::format("cannot be created: {}; choose another --out", error.message()));
+}
+
+void remove_entry(const fs::path& path) {
+  std::error_code error;
+  fs::remove_all(path, error);
+  if (error) fail(path, fmt::format("cannot be removed: {}; remove it and run again", error.message()));
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+// blocks/ first: finish() of another process writes bundle.json before it removes blocks/.
+bool is_bundle(const fs::path& path) { return is_there(path / blocks_name) || is_there(path / manifest_name); }
+
+}  // namespace
+
+BundleDirectory BundleDirectory::create(const fs::path& path) {
+  make_folder(path);
+  const Folder folder = list_folder(path);
+  const bool empty = folder.files.empty() && folder.others.empty();
+  if (!empty && !is_bundle(path)) fail(path, "is not empty and not a bundle; choose another --out");
+  // From here on the folder is known as a bundle, also to a run that follows on a killed one.
+  if (!is_there(path / manifest_name)) make_folder(path / blocks_name);
+  return BundleDirectory(path);
+}
+
+BundleDirectory BundleDirectory::open(const fs::path& path) {
+  if (!is_bundle(path)) fail(path, "is not a bundle; give a folder that bezierbench run wrote");
+  return BundleDirectory(path);
+}
+
+void BundleDirectory::write(std::string_view name, std::string_view bytes) const {
+  const bool plain = !name.empty() && name.front() != '.' && name.find('/') == std::string_view::npos;
+  if (!plain || name == manifest_name || name == sums_name || name == blocks_name) {
+    throw std::invalid_argument(fmt::format("'{}' is no name for a bundle's file", name));
+  }
+  make_partial_before_change();
+  write_file(path_ / name, bytes);
+}
+
+std::string BundleDirectory::read(std::string_view name) const { return read_file(path_ / name); }
+
+bool BundleDirectory::has(std::string_view name) const {
+  std::error_code ignored;
+  return fs::is_regular_file(path_ / name, ignored);
+}
+
+Manifest BundleDirectory::manifest() const {
+  return parse_manifest(read(manifest_name), (path_ / manifest_name).string());
+}
+
+void BundleDirectory::make_partial_before_change() const {
+  if (!has(manifest_name)) return;
+  Manifest current = manifest();
+  if (current.state != "complete") return;
+  current.state = "partial";
+  write_file(path_ / manifest_name, manifest_json(current));
+}
+
+void BundleDirectory::write_if_different(std::string_view name, std::string_view bytes) const {
+  if (has(name) && read(name) == bytes) return;
+  make_partial_before_change();
+  write_file(path_ / name, bytes);
+}
+
+void BundleDirectory::finish(Manifest manifest) const {
+  manifest.accuracy_digest = accuracy_digest(path_);
+  const std::string manifest_text = manifest_json(manifest);
+  (void)parse_manifest(manifest_text, (path_ / manifest_name).string());  // what cannot be read is not written
+
+  Folder folder = list_folder(path_);
+  std::erase_if(folder.files, [](const std::string& name) { return name == manifest_name || name == sums_name; });
+  // bundle.json goes last, for it alone says `complete`; its line is made from the bytes that it will have.
+  const auto place = std::ranges::lower_bound(folder.files, manifest_name);
+  const auto before = std::span(folder.files.begin(), place);
+  const auto after = std::span(place, folder.files.end());
+  const std::string sums =
+      sha256sums(path_, before) + sha256sum_line(manifest_name, manifest_text) + sha256sums(path_, after);
+  write_if_different(sums_name, sums);
+  write_if_different(manifest_name, manifest_text);
+
+  if (manifest.state != "complete") return;
+  for (const std::string& name : folder.temporaries) remove_entry(path_ / name);
+  remove_entry(blocks());
+}
+
+}  // namespace bezierbench::bundle

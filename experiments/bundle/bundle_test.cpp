@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/bundle.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/scratch_folder_test.hpp"
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Manifest with_state(const char* state) {
+  return {.schema_version = 1, .suites = {"s"}, .suite_digest = "d", .seed = 1, .state = state, .accuracy_digest = "",
+          .program_version = "0.1.0", .git_commit = "c", .git_clean = true, .fp_flags = "-f"};
+}
+
+BundleDirectory filled(const fs::path& path) {
+  const BundleDirectory bundle = BundleDirectory::create(path);
+  bundle.write("suite.toml", "schema_version = 1\n");
+  bundle.write("machine.json", "{}\n");
+  bundle.write("accuracy.csv", "study,method\n2.1,horner\n");
+  bundle.write("timing.csv", "study,method\n2.4,horner\n");
+  return bundle;
+}
+
+TEST(Bundle, CreateTakesAbsentEmptyAndBundle) {
+  const ScratchFolder folder;
+  (void)BundleDirectory::create(folder.path() / "new/deep");
+  EXPECT_TRUE(fs::is_directory(folder.path() / "new/deep/blocks"));
+  fs::create_directory(folder.path() / "empty");
+  const BundleDirectory bundle = BundleDirectory::create(folder.path() / "empty");
+  bundle.write("suite.toml", "x");  // a run killed here must find its bundle again
+  EXPECT_EQ(BundleDirectory::create(folder.path() / "empty").read("suite.toml"), "x");
+  folder.put("old/bundle.json", "{}");
+  folder.put("old/accuracy.csv", "x\n");
+  EXPECT_TRUE(BundleDirectory::create(folder.path() / "old").has("accuracy.csv"));
+  EXPECT_FALSE(fs::exists(folder.path() / "old/blocks"));
+}
+
+TEST(Bundle, CreateRefusesWhatIsNotItsOwn) {
+  const ScratchFolder folder;
+  folder.put("thesis/chapter.tex", "x");
+  folder.put("file", "x");
+  for (const char* name : {"thesis", "file", "file/below"}) {
+    try {
+      (void)BundleDirectory::create(folder.path() / name);
+      ADD_FAILURE() << name;
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.exit(), Exit::input_output);
+      EXPECT_THAT(failure.what(), HasSubstr(name));
+      EXPECT_THAT(failure.what(), HasSubstr("choose another --out"));
+    }
+  }
+  EXPECT_FALSE(fs::exists(folder.path() / "thesis/blocks"));
+  EXPECT_THROW((void)BundleDirectory::open(folder.path() / "thesis"), Failure);
+  EXPECT_THROW((void)BundleDirectory::open(folder.path() / "absent"), Failure);
+  EXPECT_FALSE(fs::exists(folder.path() / "absent"));
+}
+
+TEST(Bundle, WriteTakesPlainNamesOnly) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = BundleDirectory::create(folder.path() / "b");
+  for (const char* name : {"", ".", "..", "../a", "/a", "a/b", ".hidden", "bundle.json", "SHA256SUMS", "blocks"}) {
+    EXPECT_THROW(bundle.write(name, "x"), std::invalid_argument) << name;
+  }
+  EXPECT_FALSE(bundle.has("a.csv"));
+  EXPECT_FALSE(bundle.has("blocks"));
+  bundle.write("a.csv", "x");
+  EXPECT_TRUE(bundle.has("a.csv"));
+  EXPECT_THROW((void)bundle.read("b.csv"), Failure);
+}
+
+TEST(Bundle, FinishedBundleIsWholeForUsAndForCoreutils) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  folder.put("b/blocks/1.bin", "x");
+  folder.put("b/.bezierbench-1-2.tmp", "left by a killed writer");
+  bundle.finish(with_state("complete"));
+  EXPECT_THAT(verify(bundle.path()), IsEmpty());
+  EXPECT_FALSE(fs::exists(bundle.blocks()));
+  EXPECT_FALSE(bundle.has(".bezierbench-1-2.tmp"));
+  EXPECT_EQ(bundle.manifest().accuracy_digest, accuracy_digest(bundle.path()));
+  const std::string sums = bundle.read("SHA256SUMS");
+  EXPECT_EQ(std::ranges::count(sums, '\n'), 5);
+  const std::string command = "cd '" + bundle.path().string() +
+                              "' && sha256sum --strict --status -c SHA256SUMS && LC_ALL=C sort -c -k2 SHA256SUMS";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+TEST(Bundle, FinishingAgainChangesNothing) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  bundle.finish(with_state("complete"));
+  const auto time = fs::last_write_time(bundle.path() / "bundle.json") - std::chrono::hours(1);
+  fs::last_write_time(bundle.path() / "bundle.json", time);
+  fs::last_write_time(bundle.path() / "SHA256SUMS", time);
+  bundle.finish(with_state("complete"));
+  EXPECT_EQ(fs::last_write_time(bundle.path() / "bundle.json"), time);
+  EXPECT_EQ(fs::last_write_time(bundle.path() / "SHA256SUMS"), time);
+}
+
+TEST(Bundle, ChangeMakesACompleteBundlePartial) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  bundle.finish(with_state("complete"));
+  bundle.write("accuracy.csv", "study,method\n2.1,estrin\n");
+  EXPECT_EQ(bundle.manifest().state, "partial");
+  bundle.finish(with_state("complete"));
+  EXPECT_THAT(verify(bundle.path()), IsEmpty());
+}
+
+TEST(Bundle, PartialKeepsItsBlocks) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  folder.put("b/blocks/1.bin", "x");
+  bundle.finish(with_state("partial"));
+  EXPECT_TRUE(fs::exists(bundle.blocks() / "1.bin"));
+  EXPECT_THAT(verify(bundle.path()), ElementsAre(HasSubstr("bundle.json: state is partial")));
+  EXPECT_THROW(bundle.finish(with_state("done")), Failure);
+}
+
+// SHA256SUMS cannot be written: the old `complete` must not stand, nor a new one appear.
+TEST(Bundle, FailingFinishNeverLeavesComplete) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  bundle.finish(with_state("complete"));
+  folder.put("b/accuracy.csv", "study,method\n");
+  fs::remove(bundle.path() / "SHA256SUMS");
+  fs::create_directory(bundle.path() / "SHA256SUMS");
+  EXPECT_THROW(bundle.finish(with_state("complete")), Failure);
+  EXPECT_EQ(bundle.manifest().state, "partial");
+}
+
+TEST(Bundle, KilledFinishNeverLeavesAFalseComplete) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  for (int round = 0; round < 20; ++round) {
+    const pid_t child = fork();
+    ASSERT_NE(child, -1);
+    if (child == 0) {
+      for (int i = 0;; ++i) {
+        bundle.write("accuracy.csv", "study,n\n2.1," + std::to_string(i) + "\n");
+        bundle.finish(with_state("complete"));
+      }
+    }
+    usleep(static_cast<useconds_t>(2000 + 137 * round));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    if (!bundle.has("bundle.json") || bundle.manifest().state != "complete") continue;
+    for (const std::string& finding : verify(bundle.path())) {
+      EXPECT_TRUE(finding.find("remove it") != std::string::npos) << finding;  // litter, no wrong or missing data
+    }
+  }
+}
+
+class Verify : public testing::Test {
+ protected:
+  Verify() : bundle_(filled(folder_.path() / "b")) { bundle_.finish(with_state("complete")); }
+
+  void put(const std::string& name, std::string_view bytes) { folder_.put("b/" + name, bytes); }
+  void remove(const std::string& name) { fs::remove(bundle_.path() / name); }
+  [[nodiscard]] std::vector<std::string> findings() const { return verify(bundle_.path()); }
+
+  ScratchFolder folder_;
+  BundleDirectory bundle_;
+};
+
+TEST_F(Verify, ChangedNoisyFile) {
+  put("timing.csv", "study,method\n2.4,direct\n");
+  EXPECT_THAT(findings(), ElementsAre(EndsWith("timing.csv: checksum differs from SHA256SUMS")));
+}
+
+TEST_F(Verify, ChangedDeterministicFileShowsInTheDigestToo) {
+  put("accuracy.csv", "study,method\n2.1,direct\n");
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("accuracy_digest"), EndsWith("accuracy.csv: checksum differs from "
+                                                                             "SHA256SUMS")));
+}
+
+TEST_F(Verify, MissingFiles) {
+  remove("timing.csv");
+  remove("suite.toml");
+  EXPECT_THAT(findings(), ElementsAre(EndsWith("suite.toml: is missing"), EndsWith("timing.csv: is missing")));
+  remove("bundle.json");
+  remove("SHA256SUMS");
+  EXPECT_THAT(findings(), ElementsAre(EndsWith("bundle.json: is missing"), EndsWith("suite.toml: is missing"),
+                                      EndsWith("SHA256SUMS: is missing")));
+}
+
+TEST_F(Verify, UnknownFilesFoldersAndLeftovers) {
+  put("notes.txt", "x");
+  put("folder/x", "x");
+  put("blocks/x", "x");
+  put(".bezierbench-1-2.tmp", "x");
+  fs::create_symlink("accuracy.csv", bundle_.path() / "link.csv");
+  EXPECT_THAT(findings(), ElementsAre(EndsWith("notes.txt: is not in SHA256SUMS"), HasSubstr("interrupted write"),
+                                      HasSubstr("b/blocks: left"), HasSubstr("b/folder: "), HasSubstr("b/link.csv: ")));
+}
+
+TEST_F(Verify, DamagedManifest) {
+  put("bundle.json", "{\"schema_version\": 1");
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("malformed JSON"), EndsWith("bundle.json: checksum differs from "
+                                                                            "SHA256SUMS")));
+}
+
+TEST_F(Verify, CutOrDoubledSums) {
+  const std::string sums = bundle_.read("SHA256SUMS");
+  put("SHA256SUMS", std::string_view(sums).substr(0, sums.size() - 1));
+  EXPECT_THAT(findings(), Contains(HasSubstr("SHA256SUMS:5: ")));
+  put("SHA256SUMS", sums + sums.substr(0, sums.find('\n') + 1));
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("SHA256SUMS:6: ")));
+}
+
+TEST_F(Verify, TableThatIsNotCsv) {
+  bundle_.write("audit.csv", "a,b\n1\n");
+  bundle_.finish(with_state("complete"));
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("audit.csv:2: row has 1 field")));
+}
+
+TEST_F(Verify, NoFolder) { EXPECT_THROW((void)verify(folder_.path() / "absent"), Failure); }
+
+}  // namespace
+}  // namespace bezierbench::bundle

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/digest.hpp"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+
+std::string sha256_hex(std::string_view bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+  unsigned int size = 0;
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
+    throw std::runtime_error("OpenSSL refuses to compute SHA-256");
+  }
+  std::string text;
+  for (unsigned int i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
+  return text;
+}
+
+std::string sha256sum_line(std::string_view name, std::string_view bytes) {
+  if (name.find_first_of("\\\r\n") != std::string_view::npos) {
+    std::string printable(name);
+    std::ranges::replace_if(printable, [](char c) { return c == '\r' || c == '\n'; }, '?');  // a message is one line
+    throw Failure(Exit::input_output, printable + ": line end or backslash in a file name; rename the file");
+  }
+  return fmt::format("{}  {}\n", sha256_hex(bytes), name);
+}
+
+std::string sha256sums(const std::filesystem::path& directory, std::span<const std::string> names) {
+  std::vector<std::string> sorted(names.begin(), names.end());
+  std::ranges::sort(sorted);
+  std::string lines;
+  for (const std::string& name : sorted) lines += sha256sum_line(name, read_file(directory / name));
+  return lines;
+}
+
+std::string accuracy_digest(const std::filesystem::path& bundle) {
+  std::vector<std::string> present;
+  for (const std::string_view name : deterministic_files) {
+    // An entry that exists but cannot be read must fail below, not count as absent.
+    std::error_code ignored;
+    if (std::filesystem::symlink_status(bundle / name, ignored).type() != std::filesystem::file_type::not_found) {
+      present.emplace_back(name);
+    }
+  }
+  return sha256_hex(sha256sums(bundle, present));
+}
+
+}  // namespace bezierbench::bundle

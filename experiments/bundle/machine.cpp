@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/machine.hpp"
+
+#include <fmt/format.h>
+#include <sys/utsname.h>
+#ifdef __GLIBC__
+#include <gnu/libc-version.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/number.hpp"
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Text = std::optional<std::string>;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+// The content of a file of the kernel without blanks around it; nothing where it is absent, unreadable or empty.
+Text content(const fs::path& path) {
+  try {
+    const std::string bytes = read_file(path);
+    const std::string_view text = trimmed(bytes);
+    return text.empty() ? Text() : Text(text);
+  } catch (const Failure&) {
+    return std::nullopt;
+  }
+}
+
+// The value of the first "key : value" line.
+Text field(const Text& lines, std::string_view key) {
+  std::string_view rest = lines ? std::string_view(*lines) : std::string_view();
+  while (!rest.empty()) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos || trimmed(line.substr(0, colon)) != key) continue;
+    const std::string_view value = trimmed(line.substr(colon + 1));
+    return value.empty() ? Text() : Text(value);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint64_t> integer(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// Bytes from "48K", "2M" (cache sizes) or "16318480 kB" (memory).
+std::optional<std::uint64_t> bytes(const Text& text) {
+  if (!text) return std::nullopt;
+  std::string_view unit = *text;
+  unit.remove_prefix(std::min(unit.find_first_not_of("0123456789"), unit.size()));
+  const auto count = integer(std::string_view(*text).substr(0, text->size() - unit.size()));
+  unit = trimmed(unit);
+  constexpr std::array<std::pair<std::string_view, int>, 5> shifts{{{"", 0}, {"K", 10}, {"kB", 10}, {"M", 20},
+                                                                    {"G", 30}}};
+  const auto* shift = std::ranges::find(shifts, unit, &std::pair<std::string_view, int>::first);
+  if (!count || shift == shifts.end()) return std::nullopt;
+  return *count << shift->second;
+}
+
+// The processors of a kernel list such as "0-3,8": the first and how many.
+struct Processors {
+  std::uint64_t first;
+  std::uint64_t count;
+};
+
+std::optional<Processors> processors(const Text& list) {
+  if (!list) return std::nullopt;
+  std::optional<Processors> result;
+  std::string_view rest = *list;
+  while (!rest.empty()) {
+    const std::string_view part = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+    const std::size_t dash = part.find('-');
+    const auto low = integer(part.substr(0, dash));
+    const auto high = dash == std::string_view::npos ? low : integer(part.substr(dash + 1));
+    if (!low || !high || *high < *low) return std::nullopt;
+    if (!result) result = Processors{*low, 0};
+    result->count += *high - *low + 1;
+  }
+  return result;
+}
+
+std::optional<bool> flag(const Text& text) {
+  if (text == "1") return true;
+  if (text == "0") return false;
+  return std::nullopt;
+}
+
+std::optional<bool> contains_word(const Text& words, std::string_view word) {
+  if (!words) return std::nullopt;
+  return (' ' + *words + ' ').find(fmt::format(" {} ", word)) != std::string::npos;
+}
+
+template <typename Value>
+Json known(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json("unknown");
+}
+
+Json known(const std::string& value) { return value.empty() ? Json("unknown") : Json(value); }
+
+Json cpu(const Text& information, const fs::path& folder, const Text& allowed, const MachineRoots& roots) {
+  utsname names{};
+  const auto available = processors(allowed);
+  auto smt = flag(content(roots.sys / "devices/system/cpu/smt/active"));
+  if (!smt) {  // kernels before 4.19
+    if (const auto siblings = processors(content(folder / "topology/thread_siblings_list"))) smt = siblings->count > 1;
+  }
+  Json json;
+  json["model_name"] = known(field(information, "model name"));
+  json["vendor"] = known(field(information, "vendor_id"));
+  json["family"] = known(field(information, "cpu family"));
+  json["model"] = known(field(information, "model"));
+  json["stepping"] = known(field(information, "stepping"));
+  json["microcode"] = known(field(information, "microcode"));
+  json["architecture"] = known(uname(&names) == 0 ? std::string(names.machine) : std::string());
+  json["logical_cores_available"] = available ? Json(available->count) : Json("unknown");
+  json["smt"] = known(smt);
+  // Only x86 tells: elsewhere there is no line of flags and the answer is "unknown".
+  json["virtualised"] = known(contains_word(field(information, "flags"), "hypervisor"));
+  return json;
+}
+
+Json caches(const fs::path& folder) {
+  Json json{{"l1d_bytes", "unknown"}, {"l1i_bytes", "unknown"}, {"l2_bytes", "unknown"}, {"l3_bytes", "unknown"}};
+  constexpr int most_indices = 16;  // more than any processor has; absent ones are passed over
+  for (int index = 0; index < most_indices; ++index) {
+    const fs::path cache = folder / fmt::format("cache/index{}", index);
+    const Text level = content(cache / "level");
+    const Text type = content(cache / "type");
+    if (!level || !type) continue;
+    const std::string kind = *type == "Data" ? "d" : (*type == "Instruction" ? "i" : "");
+    const std::string key = fmt::format("l{}{}_bytes", *level, level == "1" ? kind : "");
+    if (json.contains(key)) json[key] = known(bytes(content(cache / "size")));
+  }
+  return json;
+}
+
+Json frequency(const fs::path& folder, const MachineRoots& roots) {
+  const fs::path all = roots.sys / "devices/system/cpu";
+  auto boost = flag(content(all / "cpufreq/boost"));
+  if (const auto no_turbo = flag(content(all / "intel_pstate/no_turbo")); !boost && no_turbo) boost = !*no_turbo;
+  Json json;
+  json["governor"] = known(content(folder / "cpufreq/scaling_governor"));
+  json["boost"] = known(boost);
+  return json;
+}
+
+std::string libc() {
+#ifdef __GLIBC__
+  return fmt::format("glibc {}", gnu_get_libc_version());
+#else
+  return {};
+#endif
+}
+
+Json system_facts(const MachineRoots& roots) {
+  const Text aslr = content(roots.proc / "sys/kernel/randomize_va_space");  // 0 none, 1 all but the heap, 2 all
+  Json json;
+  json["kernel"] = known(content(roots.proc / "sys/kernel/osrelease"));
+  json["libc"] = known(libc());
+  json["aslr"] = known(aslr ? integer(*aslr) : std::nullopt);
+  return json;
+}
+
+Json load_average(const MachineRoots& roots) {
+  const Text text = content(roots.proc / "loadavg");
+  std::string_view rest = text ? std::string_view(*text) : std::string_view();
+  Json json = Json::array();
+  for (int i = 0; i < 3; ++i) {
+    const std::string_view word = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    const auto value = parse_number(word);
+    if (!value) return "unknown";
+    json.push_back(*value);
+  }
+  return json;
+}
+
+// The smallest step seen between two readings, in nanoseconds: resolution and cost of a reading together, which is what
+// limits a measurement. Nothing for a clock that stands still.
+std::optional<std::int64_t> measured_step_ns() {
+  using Clock = std::chrono::steady_clock;
+  constexpr int enough_steps = 10'000;
+  constexpr auto patience = std::chrono::milliseconds(20);
+  // A clock that stands still never reaches its own deadline; a count of readings always ends.
+  constexpr int most_readings = 1'000'000;
+  std::optional<std::int64_t> smallest;
+  const auto start = Clock::now();
+  auto last = start;
+  for (int readings = 0, steps = 0; readings < most_readings && steps < enough_steps; ++readings) {
+    const auto now = Clock::now();
+    if (now == last) continue;
+    const std::int64_t step = std::chrono::duration_cast<std::chrono::nanoseconds>(now - last).count();
+    smallest = std::min(smallest.value_or(step), step);
+    last = now;
+    ++steps;
+    if (now - start > patience) break;
+  }
+  return smallest;
+}
+
+Json clock_facts(const MachineRoots& roots) {
+  const fs::path source = roots.sys / "devices/system/clocksource/clocksource0/current_clocksource";
+  Json json;
+  json["name"] = "std::chrono::steady_clock";
+  json["source"] = known(content(source));
+  json["resolution_ns"] = known(measured_step_ns());
+  return json;
+}
+
+Json build_facts(const BuildFacts& build) {
+  Json json;
+  json["compiler"] = known(build.compiler);
+  json["flags"] = known(build.flags);
+  json["build_type"] = known(build.build_type);
+  json["fp_flags"] = known(build.fp_flags);
+  json["program_version"] = known(build.program_version);
+  return json;
+}
+
+}  // namespace
+
+std::string machine_json(const BuildFacts& build, const MachineRoots& roots) {
+  const Text information = content(roots.proc / "cpuinfo");
+  const Text allowed = field(content(roots.proc / "self/status"), "Cpus_allowed_list");
+  const auto available = processors(allowed);
+  const fs::path folder =
+      roots.sys / fmt::format("devices/system/cpu/cpu{}", available ? available->first : std::uint64_t{0});
+  Json json;
+  json["cpu"] = cpu(information, folder, allowed, roots);
+  json["caches"] = caches(folder);
+  json["frequency"] = frequency(folder, roots);
+  json["memory"] = {{"total_bytes", known(bytes(field(content(roots.proc / "meminfo"), "MemTotal")))}};
+  json["system"] = system_facts(roots);
+  json["load_average"] = load_average(roots);
+  json["clock"] = clock_facts(roots);
+  json["build"] = build_facts(build);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace bezierbench::bundle

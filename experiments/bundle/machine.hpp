@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// machine.json: where and with what build a bundle was made. Timings mean little without it; accuracy must not need it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace bezierbench::bundle {
+
+/// What only the build knows. An empty string is written as "unknown".
+struct BuildFacts {
+  std::string compiler;  ///< id and version
+  std::string flags;     ///< the exact compiler flags
+  std::string build_type;
+  std::string fp_flags;  ///< the floating-point contract's part of the flags
+  std::string program_version;
+};
+
+/// Where Linux describes the machine; another root only in tests.
+struct MachineRoots {
+  std::filesystem::path proc = "/proc";
+  std::filesystem::path sys = "/sys";
+};
+
+/// The text of machine.json, as of now, for the first processor this process may run on: `cpu`, `caches` and `memory`
+/// (bytes), `frequency`, `system`, `load_average` (1, 5 and 15 minutes), `clock` (ns), `build`. Every value that cannot
+/// be read is the string "unknown"; nothing throws for it. The host's name is left out: it says who, not what.
+/// Takes up to 20 ms, to measure the clock.
+[[nodiscard]] std::string machine_json(const BuildFacts& build, const MachineRoots& roots = {});
+
+}  // namespace bezierbench::bundle

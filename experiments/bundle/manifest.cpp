@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/manifest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int known_schema_version = 1;
+
+// Reads typed values out of one object and says which file and key is wrong.
+class Keys {
+ public:
+  Keys(const Json& object, std::string_view file_name) : object_(object), file_name_(file_name) {}
+
+  [[noreturn]] void fail(std::string_view what) const {
+    throw Failure(Exit::input_output,
+                  fmt::format("{}: {}; restore the file or run again with another --out", file_name_, what));
+  }
+
+  [[nodiscard]] const Json& value(const char* key) const {
+    const auto found = object_.find(key);
+    if (found == object_.end()) fail(fmt::format("key '{}' is missing", key));
+    return *found;
+  }
+
+  [[nodiscard]] std::string text(const char* key) const {
+    const Json& found = value(key);
+    if (!found.is_string()) fail(fmt::format("'{}' must be a string", key));
+    return found.get<std::string>();
+  }
+
+  [[nodiscard]] bool truth(const char* key) const {
+    const Json& found = value(key);
+    if (!found.is_boolean()) fail(fmt::format("'{}' must be true or false", key));
+    return found.get<bool>();
+  }
+
+  [[nodiscard]] std::uint64_t unsigned_integer(const char* key) const {
+    const Json& found = value(key);
+    // Integers beyond 64 bits arrive as floating point, negative ones as signed: both are refused here.
+    if (!found.is_number_unsigned()) fail(fmt::format("'{}' must be an unsigned 64-bit integer", key));
+    return found.get<std::uint64_t>();
+  }
+
+  [[nodiscard]] std::vector<std::string> texts(const char* key) const {
+    const Json& found = value(key);
+    if (!found.is_array() || !std::ranges::all_of(found, [](const Json& item) { return item.is_string(); })) {
+      fail(fmt::format("'{}' must be an array of strings", key));
+    }
+    return found.get<std::vector<std::string>>();
+  }
+
+ private:
+  const Json& object_;
+  std::string_view file_name_;
+};
+
+Json parse_object(std::string_view text, std::string_view file_name) {
+  try {
+    Json object = Json::parse(text);
+    if (!object.is_object()) Keys(object, file_name).fail("not a JSON object");
+    return object;
+  } catch (const Json::parse_error& error) {
+    const std::string_view before = text.substr(0, error.byte == 0 ? 0 : error.byte - 1);
+    const auto line = 1 + std::ranges::count(before, '\n');
+    const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;  // npos + 1 is 0: the first line
+    throw Failure(Exit::input_output,
+                  fmt::format("{}:{}:{}: malformed JSON; restore the file or run again with another --out", file_name,
+                              line, column));
+  }
+}
+
+}  // namespace
+
+std::string manifest_json(const Manifest& manifest) {
+  Json json;
+  json["schema_version"] = manifest.schema_version;
+  json["suites"] = {{"ids", manifest.suites}, {"digest", manifest.suite_digest}};
+  json["seed"] = manifest.seed;
+  json["state"] = manifest.state;
+  json["accuracy_digest"] = manifest.accuracy_digest;
+  json["program_version"] = manifest.program_version;
+  json["git_commit"] = manifest.git_commit;
+  json["git_clean"] = manifest.git_clean;
+  json["fp_flags"] = manifest.fp_flags;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Manifest parse_manifest(std::string_view text, std::string_view file_name) {
+  const Json json = parse_object(text, file_name);
+  const Keys keys(json, file_name);
+  if (keys.unsigned_integer("schema_version") != known_schema_version) {
+    throw Failure(Exit::input_output,
+                  fmt::format("{}: schema_version is {}, this program reads {}; use the program that wrote it",
+                              file_name, keys.value("schema_version").dump(), known_schema_version));
+  }
+  const Json& suites = keys.value("suites");
+  if (!suites.is_object()) keys.fail("'suites' must be an object");
+  const Keys suite_keys(suites, file_name);
+
+  Manifest manifest;
+  manifest.schema_version = known_schema_version;
+  manifest.suites = suite_keys.texts("ids");
+  manifest.suite_digest = suite_keys.text("digest");
+  manifest.seed = keys.unsigned_integer("seed");
+  manifest.state = keys.text("state");
+  if (manifest.state != "complete" && manifest.state != "partial") keys.fail("'state' must be complete or partial");
+  manifest.accuracy_digest = keys.text("accuracy_digest");
+  manifest.program_version = keys.text("program_version");
+  manifest.git_commit = keys.text("git_commit");
+  manifest.git_clean = keys.truth("git_clean");
+  manifest.fp_flags = keys.text("fp_flags");
+  return manifest;
+}
+
+}  // namespace bezierbench::bundle

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// bundle.json: what a bundle is of, whether it is whole, and which build made it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bezierbench::bundle {
+
+struct Manifest {
+  int schema_version = 1;           ///< of the bundle's layout; this program reads and writes 1
+  std::vector<std::string> suites;  ///< ids, in the order in which they were given
+  std::string suite_digest;         ///< of the resolved suites
+  std::uint64_t seed = 0;
+  std::string state;                ///< `complete` or `partial`
+  std::string accuracy_digest;      ///< see accuracy_digest(); filled in by BundleDirectory::finish
+  std::string program_version;
+  std::string git_commit;           ///< `unknown` outside a checkout
+  bool git_clean = false;
+  std::string fp_flags;             ///< the floating-point contract's compiler flags
+
+  friend bool operator==(const Manifest&, const Manifest&) = default;
+};
+
+/// The text of bundle.json: indented, keys in a fixed order, a line end at the end; suites as
+/// `"suites": {"ids": [...], "digest": "..."}`.
+[[nodiscard]] std::string manifest_json(const Manifest& manifest);
+
+/// Reads bundle.json; keys it does not know are passed over. Throws Failure(Exit::input_output) with
+/// "FILE_NAME:LINE:COLUMN: ..." for malformed JSON and "FILE_NAME: ..." for a key that is missing or has the wrong
+/// type, an unknown state or schema version, or a seed that is no unsigned 64-bit integer.
+[[nodiscard]] Manifest parse_manifest(std::string_view text, std::string_view file_name);
+
+}  // namespace bezierbench::bundle

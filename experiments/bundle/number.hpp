@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Numbers as text: how every data file and option writes and reads a double. No locale changes a byte.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace bezierbench::bundle {
+
+/// The shortest decimal that reads back to the same bits; `inf`, `-inf`, `nan` (a NaN's sign and payload are dropped).
+[[nodiscard]] std::string decimal(double value);
+
+/// Hexadecimal floating point exactly as C's printf("%a") of glibc writes it, in any locale; non-finite as decimal().
+[[nodiscard]] std::string hexadecimal(double value);
+
+/// Reads what decimal() and hexadecimal() write, with an optional sign: the whole of `text` or nothing, no blanks.
+/// Rounds to nearest, ties to even. nullopt for anything else, and for a magnitude that overflows to infinity or
+/// underflows to zero (1e400, 1e-400).
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+}  // namespace bezierbench::bundle

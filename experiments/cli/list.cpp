@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/vocabulary.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/suite/names.hpp"
+#include "experiments/suite/reader.hpp"
+#include "shipped_suites.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+std::string suites_csv() {
+  const auto known = vocabulary();
+  bundle::CsvTable table({"id", "file", "seed", "studies", "title"});
+  for (const auto& [file_name, text] : shipped_suites)
+    for (const auto& one : suite::parse_suites(text, file_name, known))
+      table.add_row({one.id, std::string(file_name), std::to_string(one.seed), std::to_string(one.studies.size()), one.title});
+  return table.text();
+}
+
+std::string studies_csv() {
+  const auto known = vocabulary();
+  bundle::CsvTable table({"id", "suite", "kind", "curve", "title"});
+  for (const auto& [file_name, text] : shipped_suites)
+    for (const auto& one : suite::parse_suites(text, file_name, known))
+      for (const auto& study : one.studies)
+        table.add_row({study.id, one.id, std::string(suite::name(study.kind)), std::string(suite::name(study.curve)), study.title});
+  return table.text();
+}
+
+std::string generators_csv() {
+  bundle::CsvTable table({"id", "coordinates", "t"});
+  for (const auto& generator : sample::generators())
+    table.add_row({std::string(generator.id), std::string(generator.coordinates), std::string(generator.t)});
+  return table.text();
+}
+
+/// The same table in aligned columns, for people.
+std::string aligned(const std::string& csv) {
+  const auto document = bundle::parse_csv(csv, "list");
+  std::vector<std::vector<std::string>> lines{document.header()};
+  for (std::size_t row = 0; row < document.row_count(); ++row) lines.push_back(document.row(row));
+  std::vector<std::size_t> widths(document.header().size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
+  std::string text;
+  for (const auto& line : lines) {
+    std::string out;
+    for (std::size_t k = 0; k < line.size(); ++k) out += fmt::format("{:<{}}  ", line[k], widths[k]);
+    out.erase(out.find_last_not_of(' ') + 1);
+    text += out + "\n";
+  }
+  return text;
+}
+
+void add_topic(CLI::App& list, const std::string& topic, const std::string& help, std::string (*csv)(),
+               const std::shared_ptr<std::string>& format) {
+  list.add_subcommand(topic, help)->fallthrough()->callback([csv, format] {
+    const auto text = csv();
+    fmt::print("{}", *format == "csv" ? text : aligned(text));
+  });
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Exit& /*exit*/) {
+  auto format = std::make_shared<std::string>("text");
+  auto* list = app.add_subcommand("list", "what there is to run");
+  list->add_option("--format", *format, "text or csv")->check(CLI::IsMember({"text", "csv"}));
+  list->require_subcommand(1);
+  add_topic(*list, "methods", "evaluators, converted paths and conversions", methods_csv, format);
+  add_topic(*list, "suites", "the suites that come with the program", suites_csv, format);
+  add_topic(*list, "studies", "their studies", studies_csv, format);
+  add_topic(*list, "generators", "how random inputs are drawn", generators_csv, format);
+}
+
+}  // namespace bezierbench::cli

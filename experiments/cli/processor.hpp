@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace bezierbench::cli {
+
+/// True where this processor has what the program was compiled for (x86-64-v3 with the presets).
+bool processor_suffices();
+
+}  // namespace bezierbench::cli

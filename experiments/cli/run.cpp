@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "build_facts.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/vocabulary.hpp"
+#include "experiments/studies/interruption.hpp"
+#include "experiments/studies/run.hpp"
+#include "experiments/suite/overrides.hpp"
+#include "experiments/suite/reader.hpp"
+#include "experiments/suite/validate.hpp"
+#include "git_facts.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> suites;
+  std::string out;
+  int jobs = 0;
+  std::uint64_t seed = 0;
+  std::int64_t trials = 0;
+  std::string reference = "exact";
+  bool dry_run = false;
+  bool quiet = false;
+  suite::Overrides overrides;
+};
+
+Exit run(const Options& options) {
+  const auto known = vocabulary();
+  studies::RunRequest request;
+  for (const auto& file : options.suites)
+    for (auto& one : suite::read_suites(file, known)) request.suites.push_back(std::move(one));
+  suite::check_unique_studies(request.suites);
+  suite::apply(options.overrides, request.suites, known);
+  request.out = options.out;
+  request.jobs = options.jobs;
+  request.dry_run = options.dry_run;
+  request.quiet = options.quiet;
+  request.build = {compiler, all_flags, build_type, fp_flags, program_version};
+  request.git_commit = git_commit;
+  request.git_clean = git_clean;
+  request.methods_csv = methods_csv();
+  studies::watch_for_interruption();
+  const auto findings = studies::run(request);
+  for (const auto& finding : findings) fmt::print(stderr, "bezierbench: {}\n", finding);
+  return findings.empty() ? Exit::fine : Exit::finding;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Exit& exit) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("run", "run suites into a bundle");
+  command->add_option("suites", options->suites, "suite files (TOML)")->required();
+  command->add_option("--out", options->out, "folder of the bundle")->required();
+  command->add_option("--jobs", options->jobs, "threads; default: all cores")->check(CLI::Range(1, 4096));
+  auto* seed = command->add_option("--seed", options->seed, "another seed than the suite's");
+  auto* trials = command->add_option("--trials", options->trials, "trials per cell and replicate");
+  command->add_option("--set", options->overrides.set, "axis=v1,v2 for every study; intervals as 0:0.2");
+  command->add_option("--only", options->overrides.only, "only studies whose id matches this glob");
+  command->add_option("--reference", options->reference, "how the truth is computed")->check(CLI::IsMember({"exact"}));
+  command->add_flag("--dry-run", options->dry_run, "say what would be done");
+  command->add_flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
+  command->add_flag("--quiet", options->quiet, "no progress");
+  command->callback([options, seed, trials, &exit] {
+    if (seed->count() > 0) options->overrides.seed = options->seed;
+    if (trials->count() > 0) options->overrides.trials = options->trials;
+    exit = run(*options);
+  });
+}
+
+}  // namespace bezierbench::cli

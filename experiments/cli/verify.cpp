@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "experiments/bundle/bundle.hpp"
+#include "experiments/cli/commands.hpp"
+
+namespace bezierbench::cli {
+
+void add_verify(CLI::App& app, Exit& exit) {
+  auto path = std::make_shared<std::string>();
+  auto* command = app.add_subcommand("verify", "check a bundle: checksums, schema, digest");
+  command->add_option("bundle", *path, "folder of the bundle")->required();
+  command->callback([path, &exit] {
+    const auto findings = bundle::verify(*path);
+    for (const auto& finding : findings) fmt::print(stderr, "bezierbench: {}\n", finding);
+    if (findings.empty()) fmt::print("{}: fine\n", *path);
+    exit = findings.empty() ? Exit::fine : Exit::finding;
+  });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// How anything in experiments says that it cannot go on: the exit code and the one line that the user reads.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace bezierbench {
+
+/// Exit codes that users and scripts rely on.
+enum class Exit : int {
+  fine = 0,
+  finding = 1,        ///< a gate failed, bytes differ, a bound was violated
+  usage = 2,          ///< command line or suite file
+  environment = 3,    ///< processor, floating-point environment, missing package
+  input_output = 4,   ///< no space, no permission, unreadable or malformed data file
+  stopped_early = 5,  ///< resumable
+  interrupted = 130,  ///< resumable
+};
+
+/// Ends the program with `exit` after printing what(), one line that names the file and says what to do.
+class Failure : public std::runtime_error {
+ public:
+  Failure(Exit exit, const std::string& line) : std::runtime_error(line), exit_(exit) {}
+  [[nodiscard]] Exit exit() const { return exit_; }
+
+ private:
+  Exit exit_;
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/metric/order_statistics.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <vector>
+
+namespace bezierbench::metric {
+namespace {
+
+std::vector<double> sorted(std::span<const double> sample) {
+  std::vector<double> values(sample.begin(), sample.end());
+  std::ranges::sort(values);
+  return values;
+}
+
+}  // namespace
+
+double quantile(std::span<const double> sample, double q) {
+  const auto values = sorted(sample);
+  const auto rank = static_cast<std::size_t>(std::ceil(q * static_cast<double>(values.size())));
+  return values[std::clamp<std::size_t>(rank, 1, values.size()) - 1];
+}
+
+Interval median_interval(std::span<const double> sample, double confidence) {
+  const auto values = sorted(sample);
+  const std::size_t count = values.size();
+  const boost::math::binomial_distribution<double> half(static_cast<double>(count), 0.5);
+  std::size_t below = 0;  // order statistics that can be left out at each end
+  while (2 * (below + 1) < count && cdf(half, static_cast<double>(below)) <= (1 - confidence) / 2) ++below;
+  const double median = count % 2 != 0 ? values[count / 2] : (values[count / 2 - 1] + values[count / 2]) / 2;
+  return {median, values[below == 0 ? 0 : below - 1], values[count - (below == 0 ? 1 : below)]};
+}
+
+}  // namespace bezierbench::metric

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/metric/tally.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "reference/rational.hpp"
+
+namespace bezierbench::metric {
+namespace {
+
+constexpr int dropped_bits = 29;  ///< of 53, when 24 are kept
+constexpr int bin_bits = 7;
+constexpr std::uint64_t field_mask = (1ULL << 52U) - 1;
+
+/// A positive double as its fields. The significand of a normal number is cut to 24 bits, of a subnormal it is whole.
+struct Fields {
+  int exponent;  ///< biased
+  std::uint64_t significand;
+  std::uint64_t bin;
+};
+Fields fields_of(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto field = bits & field_mask;
+  const auto exponent = static_cast<int>(bits >> 52U);
+  return {exponent, exponent == 0 ? field : (field | (field_mask + 1)) >> dropped_bits, field >> (52U - bin_bits)};
+}
+
+/// The power of two that the significand counts.
+long unit_exponent(int biased) { return biased == 0 ? -1074 : biased - 1075 + dropped_bits; }
+
+mpz_class to_mpz(Wide value) {
+  mpz_class high = static_cast<std::uint64_t>(value >> 64U);
+  high <<= 64U;
+  return high + static_cast<std::uint64_t>(value);
+}
+
+}  // namespace
+
+Tally::Binade& Tally::at(int exponent) {
+  if (binades_.empty()) first_exponent_ = exponent;
+  if (exponent < first_exponent_) {
+    binades_.insert(binades_.begin(), static_cast<std::size_t>(first_exponent_ - exponent), Binade{});
+    first_exponent_ = exponent;
+  }
+  const auto index = static_cast<std::size_t>(exponent - first_exponent_);
+  if (index >= binades_.size()) binades_.resize(index + 1);
+  return binades_[index];
+}
+
+void Tally::add(double error) {
+  ++finite_;
+  if (error == 0) {
+    ++zeros_;
+    return;
+  }
+  const Fields fields = fields_of(error);
+  Binade& binade = at(fields.exponent);
+  binade.sum += fields.significand;
+  binade.sum_squares += static_cast<Wide>(fields.significand) * fields.significand;
+  ++binade.bins[fields.bin];
+  max_ = std::max(max_, error);
+}
+
+void Tally::merge(const Tally& other) {
+  for (std::size_t k = 0; k < other.binades_.size(); ++k) {
+    const Binade& from = other.binades_[k];
+    if (from.sum == 0) continue;
+    Binade& to = at(other.first_exponent_ + static_cast<int>(k));
+    to.sum += from.sum;
+    to.sum_squares += from.sum_squares;
+    for (std::size_t bin = 0; bin < bins_per_binade; ++bin) to.bins[bin] += from.bins[bin];
+  }
+  zeros_ += other.zeros_;
+  finite_ += other.finite_;
+  infinite_ += other.infinite_;
+  max_ = std::max(max_, other.max_);
+}
+
+double Tally::mean() const {
+  if (infinite_ > 0) return std::numeric_limits<double>::infinity();
+  if (finite_ == 0) return 0;
+  reference::Rational sum;
+  for (std::size_t k = 0; k < binades_.size(); ++k)
+    sum = sum + reference::Rational{to_mpz(binades_[k].sum), 1, unit_exponent(first_exponent_ + static_cast<int>(k))};
+  return reference::quotient(reference::binary64, sum, {mpz_class(finite_), 1, 0});
+}
+
+double Tally::root_mean_square() const {
+  if (infinite_ > 0) return std::numeric_limits<double>::infinity();
+  if (finite_ == 0) return 0;
+  reference::Rational sum;
+  for (std::size_t k = 0; k < binades_.size(); ++k)
+    sum = sum + reference::Rational{to_mpz(binades_[k].sum_squares), 1,
+                                    2 * unit_exponent(first_exponent_ + static_cast<int>(k))};
+  sum.denominator *= mpz_class(finite_);
+  return reference::square_root(reference::binary64, sum);
+}
+
+double Tally::quantile(double q) const {
+  const auto wanted = static_cast<std::uint64_t>(std::ceil(q * static_cast<double>(count())));
+  std::uint64_t seen = zeros_;
+  if (count() == 0 || seen >= wanted) return 0;
+  for (std::size_t k = 0; k < binades_.size(); ++k) {
+    for (std::uint64_t bin = 0; bin < bins_per_binade; ++bin) {
+      seen += binades_[k].bins[bin];
+      if (seen < wanted) continue;
+      const auto exponent = static_cast<std::uint64_t>(first_exponent_) + k;
+      return std::bit_cast<double>((exponent << 52U) | (bin << (52U - bin_bits)));
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+double Tally::max() const { return infinite_ > 0 ? std::numeric_limits<double>::infinity() : max_; }
+
+double to_24_bits(double value) {
+  if (!std::isfinite(value)) return value;
+  constexpr std::uint64_t low = (1ULL << dropped_bits) - 1;
+  auto bits = std::bit_cast<std::uint64_t>(value);
+  const std::uint64_t tie_to_even = (bits >> dropped_bits) & 1U;
+  bits += (low >> 1U) + tie_to_even;
+  return std::bit_cast<double>(bits & ~low);
+}
+
+}  // namespace bezierbench::metric

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The errors of many trials, kept exactly: sums are integers per binade, quantiles come from a histogram of leading bits.
+// Adding and merging are therefore free of order: threads, blocks and shards cannot change a byte of a statistic.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace bezierbench::metric {
+
+/// 128 bits: the sum of 2^40 squared significands of 24 bits still fits. A compiler extension, hence the marker.
+__extension__ using Wide = unsigned __int128;
+
+class Tally {
+ public:
+  /// Adds one error: finite, >= 0, with at most 24 significant bits (as reference::Distance returns it).
+  void add(double error);
+  /// Adds an infinite one: statistics become infinite.
+  void add_infinite() { ++infinite_; }
+  void merge(const Tally& other);
+
+  [[nodiscard]] std::uint64_t count() const { return finite_ + infinite_; }
+  /// Sum over count, correctly rounded; 0 when empty.
+  [[nodiscard]] double mean() const;
+  /// Square root of the mean square, correctly rounded; 0 when empty.
+  [[nodiscard]] double root_mean_square() const;
+  /// The smallest error with at least q count() errors at or below it, its significand cut to 8 bits; 0 < q <= 1.
+  [[nodiscard]] double quantile(double q) const;
+  [[nodiscard]] double max() const;
+
+ private:
+  static constexpr int bins_per_binade = 128;
+  struct Binade {
+    Wide sum = 0;          ///< of significands
+    Wide sum_squares = 0;  ///< of squared significands
+    std::array<std::uint64_t, bins_per_binade> bins{};
+  };
+  Binade& at(int exponent);
+
+  std::vector<Binade> binades_;  ///< of consecutive exponents
+  int first_exponent_ = 0;       ///< biased exponent of binades_[0]
+  std::uint64_t zeros_ = 0;
+  std::uint64_t finite_ = 0;
+  std::uint64_t infinite_ = 0;
+  double max_ = 0;
+};
+
+/// Rounds to 24 significant bits, ties to even: how an error is kept when it was not rounded already.
+double to_24_bits(double value);
+
+}  // namespace bezierbench::metric

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/metric/trial_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/basis/amplification.hpp"
+
+namespace bezierbench::metric {
+
+void TrialScale::set(const CurveView<double>& curve, double t) {
+  form_ = curve.form;
+  t_ = t;
+  dimension_ = curve.dimension;
+  norms_.resize(static_cast<std::size_t>(curve.degree) + 1);
+  largest_ = 0;
+  for (int i = 0; i <= curve.degree; ++i) {
+    double largest = 0;
+    for (int axis = 0; axis < curve.dimension; ++axis) largest = std::max(largest, std::abs(curve(axis, i)));
+    // Squares neither overflow nor vanish after scaling by a power of two.
+    const double scale = largest > 0x1p+500 ? 0x1p-600 : largest < 0x1p-400 ? 0x1p+600 : 1;
+    double sum = 0;
+    for (int axis = 0; axis < curve.dimension; ++axis) {
+      const double scaled = curve(axis, i) * scale;
+      sum += scaled * scaled;
+    }
+    const double norm = std::sqrt(sum) / scale;
+    norms_[static_cast<std::size_t>(i)] = norm;
+    largest_ = std::max(largest_, norm);
+  }
+  amplified_.fill(std::nullopt);
+}
+
+double TrialScale::amplified(Amplification kind) {
+  auto& cached = amplified_[static_cast<std::size_t>(kind)];
+  if (!cached) cached = amplification(kind, norms_, t_);
+  return *cached;
+}
+
+double TrialScale::p_tilde() { return amplified(p_tilde_of(form_)); }
+
+double TrialScale::in_bound_units(double error, const Arithmetic& arithmetic) {
+  if (error == 0) return 0;
+  return error / p_tilde() / arithmetic.unit_roundoff;  // x / 0 is infinite, as defined
+}
+
+double TrialScale::bound(const ErrorBound& bound, const Arithmetic& arithmetic) {
+  const int n = static_cast<int>(norms_.size()) - 1;
+  const double rounding = bound.factor(n, arithmetic.unit_roundoff) * amplified(bound.amplification);
+  const double growth = integer_power(std::abs(t_) + std::abs(1 - t_), n);
+  const double size = bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
+  const double underflow = bound.underflow(n) * growth * size * arithmetic.smallest_subnormal;
+  return rounding * arithmetic.unit_roundoff + dimension_ * underflow;
+}
+
+}  // namespace bezierbench::metric

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What the error of one trial is compared with: p~ and the proved bound, with the Euclidean norm of each coefficient.
+//
+// A bound that holds on each axis holds for the Euclidean norm: by the triangle inequality the norm of the amplifications
+// is at most the amplification of the norms, and d axes add at most d underflow terms.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/curve.hpp"
+#include "core/method.hpp"
+
+namespace bezierbench::metric {
+
+/// Rounding facts of the scalar type that the methods computed in.
+struct Arithmetic {
+  double unit_roundoff;        ///< u = 2^-53, or 2^-24 for float
+  double smallest_subnormal;   ///< 2^-1074, or 2^-149
+};
+inline constexpr Arithmetic double_arithmetic{0x1p-53, 0x1p-1074};
+inline constexpr Arithmetic float_arithmetic{0x1p-24, 0x1p-149};
+
+/// Scales of one (curve, t); amplifications are computed when first asked for. Reusable.
+class TrialScale {
+ public:
+  /// Must be called before anything else, for every trial.
+  void set(const CurveView<double>& curve, double t);
+
+  /// p~ of the curve in its own form.
+  double p_tilde();
+
+  /// error / (u p~); where p~ is 0: 0 for error 0, else infinite.
+  double in_bound_units(double error, const Arithmetic& arithmetic);
+
+  /// The bound in coordinate units.
+  double bound(const ErrorBound& bound, const Arithmetic& arithmetic);
+
+  /// True where `error` is certainly beyond `bound`: both are known to a relative 2^-20 only.
+  static bool violates(double error, double bound) { return error > bound * (1 + 0x1p-20); }
+
+ private:
+  double amplified(Amplification kind);
+
+  Form form_ = Form::bernstein;
+  double t_ = 0;
+  int dimension_ = 0;
+  double largest_ = 0;
+  std::vector<double> norms_;
+  std::array<std::optional<double>, 5> amplified_;
+};
+
+}  // namespace bezierbench::metric

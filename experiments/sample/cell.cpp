@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/sample/cell.hpp"
+
+#include <fmt/format.h>
+
+#include "experiments/suite/names.hpp"
+#include "experiments/suite/number.hpp"
+
+namespace bezierbench::sample {
+
+std::string canonical(const Cell& cell) {
+  return fmt::format("curve={};dimension={};degree={};coordinate_range={};t_interval={}:{};generator={}",
+                     suite::name(cell.curve), cell.dimension, cell.degree, suite::shortest(cell.coordinate_range),
+                     suite::shortest(cell.t_interval.min), suite::shortest(cell.t_interval.max), cell.generator);
+}
+
+std::uint64_t key(const Cell& cell) { return key(std::string_view(canonical(cell))); }
+
+std::uint64_t key(std::string_view study_id) {
+  // Fowler, Noll, Vo: offset basis and prime of FNV-1a for 64 bits (RFC 9923).
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : study_id) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return hash;
+}
+
+std::vector<Cell> cells(const suite::Study& study) {
+  std::vector<Cell> all;
+  for (const int dimension : study.dimension) {
+    for (const int degree : study.degree) {
+      for (const double range : study.coordinate_range) {
+        for (const suite::Interval& t : study.t_interval) {
+          for (const std::string& generator : study.generator) {
+            all.push_back({study.curve, dimension, degree, range, t, generator});
+          }
+        }
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace bezierbench::sample

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// One point of a study's axes, as far as it decides which inputs are drawn.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::sample {
+
+/// Neither the scalar type nor the methods are part of it: all of them get the same inputs.
+struct Cell {
+  suite::CurveKind curve = suite::CurveKind::bezier;
+  int dimension = 2;
+  int degree = 0;
+  double coordinate_range = 1;
+  suite::Interval t_interval;
+  std::string generator = "continuous";
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// `curve=bezier;dimension=2;degree=4;coordinate_range=1e+06;t_interval=0:1;generator=continuous`, numbers in shortest
+/// decimal: the identity of the cell, whatever else a study sweeps.
+std::string canonical(const Cell& cell);
+
+/// 64-bit FNV-1a of canonical(cell): the second word of the Philox counter.
+std::uint64_t key(const Cell& cell);
+
+/// 64-bit FNV-1a of a study id: the first word of the Philox counter.
+std::uint64_t key(std::string_view study_id);
+
+/// The cells of a study, the cross product of its axes; outermost first: dimension, degree, coordinate range,
+/// t interval, generator.
+std::vector<Cell> cells(const suite::Study& study);
+
+}  // namespace bezierbench::sample

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The inputs of a trial: a random curve and a parameter.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "experiments/sample/cell.hpp"
+#include "experiments/sample/generator.hpp"
+
+namespace bezierbench::sample {
+
+struct Trial {
+  std::vector<double> coefficients;  ///< point by point, ascending: x0 y0 x1 y1 ...; (degree + 1) * dimension values
+  double t = 0;
+};
+
+/// Draws the trials of one cell. A trial is a pure function of (seed, study id, cell, trial number): t first, then the
+/// coefficients point by point, each from the words that follow (words.hpp), so t does not hang on how many
+/// coefficients there are. Values are doubles; for float, the caller rounds them.
+class Sampler {
+ public:
+  /// Throws Failure(Exit::usage) for a generator that is not in the roster; suites are checked when they are read.
+  Sampler(std::uint64_t seed, std::string_view study_id, const Cell& cell);
+  Sampler(std::uint64_t seed, std::uint64_t study_key, const Cell& cell);
+
+  /// Draws trial number `trial` (from 0, counted on through the replicates) into `out`, whose memory is reused.
+  /// Safe to call from several threads.
+  void draw(std::uint64_t trial, Trial& out) const;
+
+ private:
+  using Fill = void (*)(Words&, double range, suite::Interval, Trial&);
+
+  std::uint64_t seed_;
+  std::uint64_t study_key_;
+  std::uint64_t cell_key_;
+  std::size_t size_;
+  double range_;
+  suite::Interval t_interval_;
+  Fill fill_;
+};
+
+/// One trial; for many of a cell, keep a Sampler.
+void draw(std::uint64_t seed, std::uint64_t study_key, const Cell& cell, std::uint64_t trial, Trial& out);
+
+/// What the roster's generators say of themselves, in its order.
+std::span<const GeneratorInfo> generators();
+
+}  // namespace bezierbench::sample

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Generator `report`: the source report's own inputs, a lattice of 20001 coordinates and 32768 parameters.
+#pragma once
+
+#include "experiments/sample/generator.hpp"
+
+namespace bezierbench::sample {
+
+/// One word per value, of which the leading 15 bits are r, the range of the C library's rand() in the report. The
+/// expressions are the report's, in its order of operations, each rounded to double.
+struct Report {
+  static constexpr GeneratorInfo info{"report", "R * ((r % 20001 - 10000) / 10000.0), r of 15 bits",
+                                      "t_min + (t_max - t_min) * (r / 32767.0), r of 15 bits"};
+
+  static double coordinate(Words& words, double range) {
+    const int r = fifteen_bits(words);
+    return range * ((r % 20001 - 10000) / 10000.0);
+  }
+
+  static double parameter(Words& words, suite::Interval t) {
+    const int r = fifteen_bits(words);
+    return t.min + (t.max - t.min) * (r / 32767.0);
+  }
+
+ private:
+  static int fifteen_bits(Words& words) { return static_cast<int>(words.next() >> 49U); }
+};
+
+}  // namespace bezierbench::sample

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Every generator. One line here makes it exist: in suites, `list generators` and tests.
+#pragma once
+
+#include <tuple>
+
+#include "experiments/sample/continuous.hpp"
+#include "experiments/sample/dyadic.hpp"
+#include "experiments/sample/integer.hpp"
+#include "experiments/sample/report.hpp"
+
+namespace bezierbench::sample {
+
+using Generators = std::tuple<Continuous,  //
+                              Dyadic,      //
+                              Integer,     //
+                              Report>;
+
+}  // namespace bezierbench::sample

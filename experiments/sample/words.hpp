@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The random words of one trial.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "experiments/sample/philox.hpp"
+
+namespace bezierbench::sample {
+
+/// A uniform in [0, 1): (high 2^64 + low) / 2^128.
+struct Uniform128 {
+  std::uint64_t high;
+  std::uint64_t low;
+};
+
+/// The stream of 64-bit words that belongs to (seed, study, cell, trial): the blocks philox((study, cell, trial, block),
+/// (seed, 0)) for block = 0, 1, ..., four words each, in order.
+class Words {
+ public:
+  Words(std::uint64_t seed, std::uint64_t study_key, std::uint64_t cell_key, std::uint64_t trial)
+      : counter_{study_key, cell_key, trial, 0}, key_{seed, 0} {}
+
+  std::uint64_t next() {
+    if (used_ == block_.size()) {
+      block_ = philox(counter_, key_);
+      ++counter_[3];
+      used_ = 0;
+    }
+    return block_[used_++];
+  }
+
+  /// The next two words, high one first.
+  Uniform128 next_uniform() {
+    const std::uint64_t high = next();
+    return {high, next()};
+  }
+
+ private:
+  Block counter_;
+  std::array<std::uint64_t, 2> key_;
+  Block block_{};
+  std::size_t used_ = 4;
+};
+
+}  // namespace bezierbench::sample

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/method_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/failure.hpp"
+#include "experiments/suite/pattern.hpp"
+
+namespace bezierbench::studies {
+
+Form form_of(suite::CurveKind curve) {
+  return curve == suite::CurveKind::polynomial ? Form::power : Form::bernstein;
+}
+
+template <class Scalar>
+std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, int dimension) {
+  const Form form = form_of(study.curve);
+  for (const auto& pattern : study.methods) {
+    const bool applies = std::ranges::any_of(kernels<Scalar>(dimension), [&](const auto& kernel) {
+      return kernel.info->form == form && suite::matches(pattern, kernel.info->id);
+    });
+    if (!applies)
+      throw Failure(Exit::usage, fmt::format("study \"{}\": method \"{}\" does not take curves in {} form; see `list methods`",
+                                             study.id, pattern, name(form)));
+  }
+  std::vector<const Kernel<Scalar>*> chosen;
+  for (const auto& kernel : kernels<Scalar>(dimension)) {
+    if (kernel.info->form != form) continue;
+    const bool named = study.methods.empty() || std::ranges::any_of(study.methods, [&](const auto& pattern) {
+                         return suite::matches(pattern, kernel.info->id);
+                       });
+    if (named) chosen.push_back(&kernel);
+  }
+  return chosen;
+}
+
+template std::vector<const Kernel<float>*> chosen_kernels<float>(const suite::Study&, int);
+template std::vector<const Kernel<double>*> chosen_kernels<double>(const suite::Study&, int);
+
+}  // namespace bezierbench::studies

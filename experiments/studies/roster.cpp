@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/roster.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "experiments/failure.hpp"
+#include "experiments/studies/accuracy.hpp"
+#include "experiments/studies/conversion.hpp"
+#include "experiments/studies/timing.hpp"
+#include "experiments/suite/names.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+struct StudyKind {
+  suite::Kind kind;
+  std::unique_ptr<Job> (*make)(const suite::Study& study, std::uint64_t seed);
+};
+
+constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      //
+                           StudyKind{suite::Kind::conversion, conversion_job},  //
+                           StudyKind{suite::Kind::timing, timing_job}};
+
+}  // namespace
+
+std::unique_ptr<Job> make_job(const suite::Study& study, std::uint64_t seed) {
+  if (study.curve == suite::CurveKind::rational)
+    throw Failure(Exit::usage, fmt::format("study \"{}\": rational curves are not available yet", study.id));
+  for (const auto& [kind, make] : kinds)
+    if (kind == study.kind) return make(study, seed);
+  throw Failure(Exit::usage,
+                fmt::format("study \"{}\": kind \"{}\" is not available yet", study.id, suite::name(study.kind)));
+}
+
+}  // namespace bezierbench::studies

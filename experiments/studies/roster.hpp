@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Every kind of study. One line in roster.cpp makes a kind exist.
+#pragma once
+
+#include <memory>
+
+#include "experiments/studies/job.hpp"
+
+namespace bezierbench::studies {
+
+/// The work of one study. Throws Failure(usage) where the kind has no implementation or the methods do not fit.
+std::unique_ptr<Job> make_job(const suite::Study& study, std::uint64_t seed);
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/run.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <cstdio>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/manifest.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/studies/interruption.hpp"
+#include "experiments/studies/progress.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/studies/scorecard.hpp"
+#include "experiments/suite/writer.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+constexpr std::string_view complete = "complete";
+constexpr std::string_view partial = "partial";
+
+using Jobs = std::vector<std::unique_ptr<Job>>;
+
+std::vector<suite::Study> studies_of(const RunRequest& request) {
+  std::vector<suite::Study> studies;
+  for (const auto& one : request.suites) studies.insert(studies.end(), one.studies.begin(), one.studies.end());
+  return studies;
+}
+
+Jobs plan(const RunRequest& request) {
+  Jobs jobs;
+  for (const auto& one : request.suites)
+    for (const auto& study : one.studies) jobs.push_back(make_job(study, one.seed));
+  return jobs;
+}
+
+bundle::Manifest manifest_of(const RunRequest& request, const std::string& suite_text) {
+  bundle::Manifest manifest;
+  manifest.schema_version = 1;
+  for (const auto& one : request.suites) manifest.suites.push_back(one.id);
+  manifest.suite_digest = bundle::sha256_hex(suite_text);
+  manifest.seed = request.suites.front().seed;
+  manifest.state = partial;
+  manifest.program_version = request.build.program_version;
+  manifest.git_commit = request.git_commit;
+  manifest.git_clean = request.git_clean;
+  manifest.fp_flags = request.build.fp_flags;
+  return manifest;
+}
+
+/// Refuses a bundle of other suites, seed or build, naming both.
+void require_same(const std::string& path, const bundle::Manifest& theirs, const bundle::Manifest& ours) {
+  const auto refuse = [&](std::string_view what, const auto& a, const auto& b) {
+    throw Failure(Exit::usage, fmt::format("{}: holds results of {} {}, this run has {}; choose another --out or move it away",
+                                           path, what, a, b));
+  };
+  if (theirs.seed != ours.seed) refuse("seed", theirs.seed, ours.seed);
+  if (theirs.suite_digest != ours.suite_digest)
+    refuse("resolved suite", fmt::format("{} ({})", fmt::join(theirs.suites, "+"), theirs.suite_digest.substr(0, 12)),
+           fmt::format("{} ({})", fmt::join(ours.suites, "+"), ours.suite_digest.substr(0, 12)));
+  if (theirs.program_version != ours.program_version)
+    refuse("program version", theirs.program_version, ours.program_version);
+  if (theirs.git_commit != ours.git_commit) refuse("commit", theirs.git_commit, ours.git_commit);
+  if (theirs.fp_flags != ours.fp_flags) refuse("floating-point flags", theirs.fp_flags, ours.fp_flags);
+}
+
+void describe(const RunRequest& request, const Jobs& jobs, bool already_complete) {
+  std::size_t blocks = 0;
+  std::uint64_t evaluations = 0;
+  for (const auto& job : jobs) {
+    blocks += job->blocks();
+    evaluations += job->evaluations();
+  }
+  constexpr double evaluations_per_second = 1.5e6;  // one thread, judged, degree 20: an order of magnitude
+  fmt::print("studies      {}\nblocks       {}\nevaluations  {}\nestimated    {:.0f} s on one thread\nout          {}{}\n",
+             jobs.size(), blocks, evaluations, static_cast<double>(evaluations) / evaluations_per_second,
+             request.out.string(), already_complete ? " (already complete)" : "");
+}
+
+void run_blocks(const RunRequest& request, const Jobs& jobs) {
+  struct Block {
+    Job* job;
+    std::size_t number;
+  };
+  std::vector<Block> shared;
+  double total = 0;
+  for (const auto& job : jobs)
+    for (std::size_t number = 0; number < job->blocks(); ++number) {
+      total += job->cost(number);
+      if (!job->exclusive()) shared.push_back({job.get(), number});
+    }
+  Progress progress(total, request.quiet);
+  const auto run_one = [&](const Block& block) {
+    if (interrupted()) return;
+    block.job->run_block(block.number);
+    progress.add(block.job->cost(block.number));
+  };
+  const auto threads = request.jobs > 0 ? static_cast<std::size_t>(request.jobs)
+                                        : static_cast<std::size_t>(tbb::info::default_concurrency());
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    tbb::parallel_for(std::size_t{0}, shared.size(), [&](std::size_t k) { run_one(shared[k]); });
+  }
+  for (const auto& job : jobs)
+    for (std::size_t number = 0; job->exclusive() && number < job->blocks(); ++number) run_one({job.get(), number});
+  if (interrupted())
+    throw Failure(Exit::interrupted, "interrupted before the results were complete; run the same command again");
+}
+
+Findings findings_of(const Jobs& jobs) {
+  Findings findings;
+  for (const auto& job : jobs)
+    for (const auto& violation : job->violations())
+      findings.push_back(fmt::format("bound violated {} times: {}", violation.count, violation.where));
+  return findings;
+}
+
+}  // namespace
+
+Findings run(const RunRequest& request) {
+  const Jobs jobs = plan(request);
+  const std::string suite_text = suite::to_toml(request.suites);
+  bundle::Manifest manifest = manifest_of(request, suite_text);
+  const bool exists = std::filesystem::exists(request.out / "bundle.json");
+  bool done = false;
+  if (exists) {
+    const auto theirs = bundle::parse_manifest(bundle::read_file(request.out / "bundle.json"),
+                                               (request.out / "bundle.json").string());
+    require_same(request.out.string(), theirs, manifest);
+    done = theirs.state == complete;
+  }
+  if (request.dry_run) {
+    describe(request, jobs, done);
+    return {};
+  }
+  if (done) {
+    if (!request.quiet) fmt::print(stderr, "{}: already complete, nothing to do\n", request.out.string());
+    return {};
+  }
+  auto directory = bundle::BundleDirectory::create(request.out);
+  directory.write("suite.toml", suite_text);
+  directory.write("machine.json", bundle::machine_json(request.build));
+  directory.write("methods.csv", request.methods_csv);
+  directory.finish(manifest);  // says `partial` until the work is done
+
+  run_blocks(request, jobs);
+
+  Tables tables;
+  std::vector<Series> series;
+  for (const auto& job : jobs) {
+    job->write(tables);
+    for (auto& one : job->series()) series.push_back(std::move(one));
+  }
+  write_scorecards(studies_of(request), series, tables);
+  for (const auto& [file, table] : tables.all()) directory.write(file, table.text());
+  manifest.state = complete;
+  directory.finish(manifest);
+  return findings_of(jobs);
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/scorecard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "experiments/bundle/number.hpp"
+#include "experiments/metric/order_statistics.hpp"
+#include "experiments/suite/names.hpp"
+#include "reference/published/published.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+constexpr std::string_view time_statistic = "total_time";
+constexpr double clock_quantum_ms = 1;  ///< the report reads a clock of whole milliseconds
+
+/// One line of a published file.
+struct PrintedCell {
+  std::string table, curve, method, statistic, degree, value_text, note;
+  double coordinate_range = 0;
+  std::optional<suite::Interval> t_interval;
+  double value = 0;
+};
+
+double number(const std::string& text) { return bundle::parse_number(text).value(); }
+
+std::vector<PrintedCell> printed_cells(const std::string& file_name) {
+  std::vector<PrintedCell> cells;
+  for (const auto& table : reference::published_tables()) {
+    if (table.file_name != file_name) continue;
+    const auto csv = bundle::parse_csv(table.text, table.file_name);
+    for (std::size_t row = 0; row < csv.row_count(); ++row) {
+      PrintedCell cell{.table = csv.at(row, "table"),
+                       .curve = csv.at(row, "curve"),
+                       .method = csv.at(row, "path"),
+                       .statistic = csv.at(row, "statistic"),
+                       .degree = csv.at(row, "degree"),
+                       .value_text = csv.at(row, "value"),
+                       .note = csv.at(row, "note"),
+                       .coordinate_range = number(csv.at(row, "coordinate_range")),
+                       .t_interval = std::nullopt,
+                       .value = number(csv.at(row, "value"))};
+      if (!csv.at(row, "t_min").empty())
+        cell.t_interval = suite::Interval{number(csv.at(row, "t_min")), number(csv.at(row, "t_max"))};
+      cells.push_back(std::move(cell));
+    }
+  }
+  return cells;
+}
+
+bool reproduces(const suite::Study& study, const PrintedCell& cell) {
+  return (study.id == cell.table || study.id.starts_with(cell.table + "-")) && suite::name(study.curve) == cell.curve;
+}
+
+const Series* find(std::span<const Series> series, const suite::Study& study, const PrintedCell& cell,
+                   std::string_view generator, std::string_view baseline, std::string_view mode) {
+  for (const auto& one : series)
+    if (one.study == study.id && one.method == cell.method && one.statistic == cell.statistic &&
+        one.degree == cell.degree && one.coordinate_range == cell.coordinate_range &&
+        (!cell.t_interval || !one.t_interval || *one.t_interval == *cell.t_interval) && one.generator == generator &&
+        one.baseline == baseline && one.mode == mode)
+      return &one;
+  return nullptr;
+}
+
+double median(const Series& series) { return metric::quantile(series.values, 0.5); }
+std::string median_text(const Series* series) { return series == nullptr ? "" : bundle::decimal(median(*series)); }
+
+/// "likely a transcription slip for 3.64e-4: ..." in the note of a published cell names what was probably meant.
+std::optional<double> corrected_value(const PrintedCell& cell) {
+  constexpr std::string_view marker = "transcription slip for ";
+  const auto found = cell.note.find(marker);
+  if (found == std::string::npos) return std::nullopt;
+  const auto begin = found + marker.size();
+  return bundle::parse_number(cell.note.substr(begin, cell.note.find(':', begin) - begin));
+}
+
+std::vector<std::string> leading_fields(const PrintedCell& cell) {
+  return {cell.table,
+          cell.curve,
+          cell.method,
+          cell.statistic,
+          cell.degree,
+          bundle::decimal(cell.coordinate_range),
+          cell.t_interval ? bundle::decimal(cell.t_interval->min) : "",
+          cell.t_interval ? bundle::decimal(cell.t_interval->max) : "",
+          bundle::decimal(cell.value)};
+}
+
+const std::vector<std::string> columns{"table",        "curve",    "method",    "statistic",         "degree",
+                                       "coordinate_range", "t_min", "t_max",    "published",         "ours_median",
+                                       "ours_p05",     "ours_p95", "continuous_median", "against_exact", "verdict",
+                                       "note"};
+
+void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std::span<const Series> series,
+                         Tables& tables) {
+  const std::string baseline = study.kind == suite::Kind::conversion ? "exact" : study.baseline.front();
+  const auto* ours = find(series, study, cell, study.generator.front(), baseline, "");
+  auto fields = leading_fields(cell);
+  if (ours == nullptr) {
+    fields.insert(fields.end(), {"", "", "", "", "", "outside", "not in this suite"});
+  } else {
+    const double low = metric::quantile(ours->values, 0.05);
+    const double high = metric::quantile(ours->values, 0.95);
+    const auto inside = [&](double value) { return low <= value && value <= high; };
+    const auto corrected = corrected_value(cell);
+    const std::string_view verdict =
+        inside(cell.value) ? "inside" : corrected && inside(*corrected) ? "explained" : "outside";
+    fields.insert(fields.end(),
+                  {bundle::decimal(median(*ours)), bundle::decimal(low), bundle::decimal(high),
+                   median_text(find(series, study, cell, "continuous", baseline, "")),
+                   median_text(find(series, study, cell, study.generator.front(), "exact", "")), std::string(verdict),
+                   cell.note});
+  }
+  tables.table("scorecard.csv", columns).add_row(std::move(fields));
+}
+
+/// Times in milliseconds per 1000 curves, which is microseconds per curve; the series are in nanoseconds.
+void write_timing_cell(const suite::Study& study, const PrintedCell& cell, std::span<const Series> series,
+                       Tables& tables) {
+  constexpr double ns_per_unit = 1000;
+  const auto* ours = find(series, study, cell, study.generator.front(), "", "one_shot");
+  const auto* prepared = find(series, study, cell, study.generator.front(), "", "point");
+  auto fields = leading_fields(cell);
+  if (ours == nullptr) {
+    fields.insert(fields.end(), {"", "", "", "", "", "outside", "not in this suite", ""});
+  } else {
+    const double low = metric::quantile(ours->values, 0.05) / ns_per_unit;
+    const double high = metric::quantile(ours->values, 0.95) / ns_per_unit;
+    // A reading of k ms means k - 1 < time < k + 1.
+    const bool inside = low < cell.value + clock_quantum_ms && high > cell.value - clock_quantum_ms;
+    fields.insert(fields.end(), {bundle::decimal(median(*ours) / ns_per_unit), bundle::decimal(low),
+                                 bundle::decimal(high), "", "", inside ? "inside" : "outside",
+                                 fmt::format("{}; another machine, compiler and build", cell.note),
+                                 prepared == nullptr ? "" : bundle::decimal(median(*prepared) / ns_per_unit)});
+  }
+  auto timing_columns = columns;
+  timing_columns.emplace_back("prepared_median");
+  tables.table("scorecard_timing.csv", timing_columns).add_row(std::move(fields));
+}
+
+}  // namespace
+
+void write_scorecards(std::span<const suite::Study> studies, std::span<const Series> series, Tables& tables) {
+  std::vector<std::string> files;
+  for (const auto& study : studies)
+    if (!study.published.empty() && std::ranges::find(files, study.published) == files.end())
+      files.push_back(study.published);
+  for (const auto& file : files)
+    for (const auto& cell : printed_cells(file))
+      for (const auto& study : studies) {
+        if (study.published != file || !reproduces(study, cell)) continue;
+        if (cell.statistic == time_statistic)
+          write_timing_cell(study, cell, series, tables);
+        else
+          write_accuracy_cell(study, cell, series, tables);
+      }
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/timing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/bundle/number.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/metric/order_statistics.hpp"
+#include "experiments/sample/cell.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/studies/interruption.hpp"
+#include "experiments/studies/method_choice.hpp"
+#include "experiments/suite/names.hpp"
+#include "experiments/timing/kernel_rival.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+constexpr std::size_t inputs_per_cell = 256;
+constexpr double confidence = 0.99;
+
+/// One cell in one mode: a race.
+struct Heat {
+  sample::Cell cell;
+  suite::Mode mode;
+  std::vector<const Kernel<double>*> methods;  ///< those that support the degree
+  std::vector<timing::Lap> laps;
+  std::vector<bool> correct;  ///< against the exact reference, before timing
+};
+
+class TimingJob final : public Job {
+ public:
+  TimingJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
+    if (study_.modes.empty()) study_.modes = {suite::Mode::point};
+    for (const auto scalar : study_.scalar)
+      if (scalar != suite::ScalarKind::float64)
+        throw Failure(Exit::usage, fmt::format("study \"{}\": timing takes scalar = [\"double\"] only", study_.id));
+    for (const auto& cell : sample::cells(study_))
+      for (const auto mode : study_.modes) {
+        Heat heat{cell, mode, {}, {}, {}};
+        for (const auto* kernel : chosen_kernels<double>(study_, cell.dimension))
+          if (cell.degree <= kernel->info->max_degree) heat.methods.push_back(kernel);
+        heats_.push_back(std::move(heat));
+      }
+  }
+
+  [[nodiscard]] std::size_t blocks() const override { return heats_.size(); }
+  [[nodiscard]] bool exclusive() const override { return true; }
+  [[nodiscard]] double cost(std::size_t block) const override {
+    return 5e7 * static_cast<double>(heats_[block].methods.size());  // about the same wall time whatever the degree
+  }
+  [[nodiscard]] std::uint64_t evaluations() const override {
+    std::uint64_t sum = 0;
+    for (const auto& heat : heats_) sum += heat.methods.size() * inputs_per_cell;
+    return sum;
+  }
+  void run_block(std::size_t block) override;
+  void write(Tables& tables) const override;
+  [[nodiscard]] std::vector<Series> series() const override;
+
+ private:
+  suite::Study study_;
+  std::uint64_t seed_;
+  std::vector<Heat> heats_;
+};
+
+void TimingJob::run_block(std::size_t block) {
+  Heat& heat = heats_[block];
+  timing::Inputs inputs{form_of(study_.curve), heat.cell.dimension, heat.cell.degree, {}, {}};
+  const sample::Sampler sampler(seed_, study_.id, heat.cell);
+  sample::Trial trial;
+  for (std::size_t k = 0; k < inputs_per_cell; ++k) {
+    sampler.draw(k, trial);
+    inputs.curves.push_back(trial.coefficients);
+    inputs.t.push_back(trial.t);
+  }
+  std::vector<timing::Rival> rivals;
+  for (const auto* kernel : heat.methods) {
+    heat.correct.push_back(timing::agrees_with_reference(*kernel, heat.mode, inputs));
+    rivals.push_back(timing::kernel_rival(*kernel, heat.mode, inputs));
+  }
+  timing::RaceOptions options;
+  options.stop = interrupted;
+  heat.laps = timing::race(fmt::format("{}/{}/{}", study_.id, heat.cell.degree, suite::name(heat.mode)), rivals, options);
+}
+
+void TimingJob::write(Tables& tables) const {
+  auto& table = tables.table("timing.csv", {"study", "curve", "method", "scalar", "dimension", "degree", "mode",
+                                            "median_ns", "low_ns", "high_ns", "rounds", "points_per_round",
+                                            "relative_to", "ratio", "ratio_low", "ratio_high", "cycles", "instructions",
+                                            "quality", "checked"});
+  const auto number = [](double value) { return bundle::decimal(value); };
+  for (const auto& heat : heats_)
+    for (std::size_t m = 0; m < heat.methods.size(); ++m) {
+      const auto& lap = heat.laps[m];
+      const auto& base = heat.laps.front();
+      const auto time = metric::median_interval(lap.ns_per_point, confidence);
+      std::vector<double> ratios;
+      for (std::size_t round = 0; round < lap.ns_per_point.size(); ++round)
+        ratios.push_back(lap.ns_per_point[round] / base.ns_per_point[round]);
+      const auto ratio = metric::median_interval(ratios, confidence);
+      table.add_row({study_.id, std::string(suite::name(study_.curve)), std::string(heat.methods[m]->info->id),
+                     std::string(suite::name(suite::ScalarKind::float64)), std::to_string(heat.cell.dimension),
+                     std::to_string(heat.cell.degree), std::string(suite::name(heat.mode)), number(time.median),
+                     number(time.low), number(time.high), std::to_string(lap.ns_per_point.size()),
+                     std::to_string(lap.points_per_round), std::string(heat.methods.front()->info->id),
+                     number(ratio.median), number(ratio.low), number(ratio.high), "", "", "",
+                     lap.checked && heat.correct[m] ? "yes" : "no"});
+    }
+}
+
+std::vector<Series> TimingJob::series() const {
+  std::vector<Series> all;
+  for (const auto& heat : heats_)
+    for (std::size_t m = 0; m < heat.methods.size(); ++m)
+      all.push_back({.study = study_.id,
+                     .curve = std::string(suite::name(study_.curve)),
+                     .method = std::string(heat.methods[m]->info->id),
+                     .statistic = "total_time",
+                     .degree = std::to_string(heat.cell.degree),
+                     .coordinate_range = heat.cell.coordinate_range,
+                     .t_interval = heat.cell.t_interval,
+                     .generator = heat.cell.generator,
+                     .baseline = "",
+                     .mode = std::string(suite::name(heat.mode)),
+                     .values = heat.laps[m].ns_per_point});
+  return all;
+}
+
+}  // namespace
+
+std::unique_ptr<Job> timing_job(const suite::Study& study, std::uint64_t seed) {
+  return std::make_unique<TimingJob>(study, seed);
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/fields.hpp"
+
+#include <array>
+
+#include "experiments/suite/toml_value.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+template <auto Member>
+void read_member(std::string_view source, std::string_view key, const toml::node& node, Study& out) {
+  read({source, key}, node, out.*Member);
+}
+
+template <auto Member>
+std::string write_member(const Study& study) {
+  if constexpr (requires { (study.*Member).empty(); }) {
+    if ((study.*Member).empty()) return {};  // left out means: does not apply, or for methods, all that apply
+  }
+  return to_text(study.*Member);
+}
+
+template <auto Member>
+constexpr Field field(std::string_view key, bool settable) {
+  return {key, &read_member<Member>, &write_member<Member>, settable};
+}
+
+/// One baseline may be written without brackets.
+void read_baseline(std::string_view source, std::string_view key, const toml::node& node, Study& out) {
+  if (!node.is_string()) return read({source, key}, node, out.baseline);
+  out.baseline.resize(1);
+  read({source, key}, node, out.baseline.front());
+}
+
+constexpr std::array fields{field<&Study::id>("id", false),
+                            field<&Study::title>("title", false),
+                            field<&Study::kind>("kind", false),
+                            field<&Study::curve>("curve", false),
+                            field<&Study::dimension>("dimension", true),
+                            field<&Study::degree>("degree", true),
+                            field<&Study::coordinate_range>("coordinate_range", true),
+                            field<&Study::t_interval>("t_interval", true),
+                            field<&Study::generator>("generator", true),
+                            field<&Study::scalar>("scalar", true),
+                            field<&Study::methods>("methods", true),
+                            field<&Study::trials>("trials", true),
+                            field<&Study::replicates>("replicates", true),
+                            Field{"baseline", &read_baseline, &write_member<&Study::baseline>, true},
+                            field<&Study::modes>("modes", true),
+                            field<&Study::published>("published", false)};
+
+}  // namespace
+
+std::span<const Field> study_fields() { return fields; }
+
+const Field* find_field(std::string_view key) {
+  for (const Field& field : fields) {
+    if (field.key == key) return &field;
+  }
+  return nullptr;
+}
+
+}  // namespace bezierbench::suite

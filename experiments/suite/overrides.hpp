@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What the command line changes about suites that were read from files.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/suite/suite.hpp"
+#include "experiments/suite/vocabulary.hpp"
+
+namespace bezierbench::suite {
+
+struct Overrides {
+  std::optional<std::uint64_t> seed;
+  std::optional<std::int64_t> trials;
+  std::vector<std::string> set;  ///< "axis=v1,v2", intervals as 0:0.2
+  std::string only;              ///< glob over study ids; empty: all
+  bool no_timing = false;
+};
+
+/// Applies `overrides`: drops the studies that `only` and `no_timing` leave out (and suites that are then empty), then
+/// sets seed, trials and axes in every study that remains; `modes` in timing studies only. The result passes the same
+/// checks as a suite file. Throws Failure(Exit::usage) as `--set degree=x: what; what to do`, suites then unchanged.
+void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabulary& known);
+
+}  // namespace bezierbench::suite

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/pattern.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace bezierbench::suite {
+namespace {
+
+TEST(Pattern, LiteralTextIsMatchedWhole) {
+  EXPECT_TRUE(matches("horner", "horner"));
+  EXPECT_FALSE(matches("horner", "horner_fma"));
+  EXPECT_FALSE(matches("horner_fma", "horner"));
+  EXPECT_TRUE(matches("", ""));
+  EXPECT_FALSE(matches("", "a"));
+}
+
+TEST(Pattern, StarTakesAnyRun) {
+  EXPECT_TRUE(matches("*", ""));
+  EXPECT_TRUE(matches("horner*", "horner"));
+  EXPECT_TRUE(matches("*:horner*", "exact:horner_fma"));
+  EXPECT_FALSE(matches("*:horner", "exact:horner_fma"));
+  EXPECT_TRUE(matches("*a*b", "aabab"));  // needs a later place for the first star
+  EXPECT_FALSE(matches("a*b*c", "acb"));
+}
+
+TEST(Pattern, QuestionMarkTakesExactlyOne) {
+  EXPECT_TRUE(matches("2.?", "2.2"));
+  EXPECT_FALSE(matches("2.?", "2."));
+  EXPECT_FALSE(matches("2.?", "2.22"));
+  EXPECT_TRUE(matches("*?", "a"));
+  EXPECT_FALSE(matches("*?", ""));
+}
+
+TEST(Pattern, ManyStarsStayFast) {
+  std::string pattern;
+  for (int i = 0; i < 40; ++i) pattern += "a*";
+  EXPECT_FALSE(matches(pattern + "b", std::string(4000, 'a')));
+}
+
+TEST(Pattern, KnowsAPatternFromAnId) {
+  EXPECT_TRUE(is_pattern("a*"));
+  EXPECT_TRUE(is_pattern("?"));
+  EXPECT_FALSE(is_pattern("factorial+forward_substitution:direct.1-2"));
+}
+
+}  // namespace
+}  // namespace bezierbench::suite

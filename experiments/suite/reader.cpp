@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/reader.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "experiments/failure.hpp"
+#include "experiments/suite/fields.hpp"
+#include "experiments/suite/nearest.hpp"
+#include "experiments/suite/toml_value.hpp"
+#include "experiments/suite/validate.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+class Reader {
+ public:
+  Reader(std::string_view file, const Vocabulary& known) : file_(file), known_(known) {}
+
+  std::vector<Suite> document(const toml::table& root) {
+    check_schema(root);
+    std::vector<Suite> suites;
+    if (root.contains("suites")) {
+      check_keys(root, {"schema_version", "suites"});
+      for (const toml::table* table : tables(root, "suites", "[[suites]]")) {
+        check_keys(*table, {"id", "title", "seed", "study"});
+        suites.push_back(suite(*table, *table, "[[suites.study]]"));
+      }
+    } else {
+      check_keys(root, {"schema_version", "suite", "study"});
+      const toml::node* head = root.get("suite");
+      if (head == nullptr) fail(root, "[suite] is missing; add it with id, title and seed");
+      if (!head->is_table()) fail(*head, "suite must be a table; write [suite]");
+      check_keys(*head->as_table(), {"id", "title", "seed"});
+      suites.push_back(suite(*head->as_table(), root, "[[study]]"));
+    }
+    return suites;
+  }
+
+ private:
+  [[noreturn]] void fail(const toml::node& node, std::string_view what) const {
+    suite::fail(file_, position(node), what);
+  }
+
+  /// The root table has no place of its own.
+  static toml::source_position position(const toml::node& node) {
+    const auto at = node.source().begin;
+    return at.line == 0 ? toml::source_position{1, 1} : at;
+  }
+
+  void check_schema(const toml::table& root) const {
+    const toml::node* version = root.get("schema_version");
+    if (version == nullptr) fail(root, "schema_version is missing; add schema_version = 1");
+    if (version->value_exact<std::int64_t>() != std::int64_t{1}) {
+      fail(*version, "schema_version must be 1, the only one that this program reads");
+    }
+  }
+
+  void check_keys(const toml::table& table, const std::vector<std::string>& allowed) const {
+    for (const auto& [key, node] : table) {
+      if (std::find(allowed.begin(), allowed.end(), key.str()) != allowed.end()) continue;
+      suite::fail(file_, key.source().begin,
+                  fmt::format("unknown key \"{}\"{}", key.str(), suggestion(key.str(), allowed)));
+    }
+  }
+
+  /// The tables of an array of tables that must have one at least.
+  std::vector<const toml::table*> tables(const toml::table& parent, std::string_view key,
+                                         std::string_view header) const {
+    const toml::node* node = parent.get(key);
+    if (node == nullptr) fail(parent, fmt::format("no study; add a {} table", header));
+    const toml::array* array = node->as_array();
+    if (array == nullptr) fail(*node, fmt::format("{} must be an array of tables; write {}", key, header));
+    if (array->empty()) fail(*node, fmt::format("no study; add a {} table", header));
+    std::vector<const toml::table*> found;
+    for (const toml::node& element : *array) {
+      if (!element.is_table()) fail(element, fmt::format("{} must be an array of tables; write {}", key, header));
+      found.push_back(element.as_table());
+    }
+    return found;
+  }
+
+  Suite suite(const toml::table& head, const toml::table& parent, std::string_view header) {
+    Suite out;
+    if (const toml::node* node = head.get("id")) read({file_, "id"}, *node, out.id);
+    if (std::string what = id_problem(out.id); !what.empty()) fail(head.contains("id") ? *head.get("id") : head, what);
+    if (!suite_ids_.insert(out.id).second) fail(*head.get("id"), "another suite has this id; rename one");
+    if (const toml::node* node = head.get("title")) read({file_, "title"}, *node, out.title);
+    if (const toml::node* node = head.get("seed")) {
+      std::int64_t seed = 0;
+      read({file_, "seed"}, *node, seed);
+      out.seed = static_cast<std::uint64_t>(seed);  // negative ones become too large, which is refused
+      if (std::string what = seed_problem(out.seed); !what.empty()) fail(*node, what);
+    }
+    for (const toml::table* table : tables(parent, "study", header)) out.studies.push_back(study(*table));
+    return out;
+  }
+
+  Study study(const toml::table& table) {
+    std::vector<std::string> keys;
+    for (const Field& field : study_fields()) keys.emplace_back(field.key);
+    check_keys(table, keys);
+    if (!table.contains("kind")) fail(table, "kind is missing; see `bezierbench list studies`");
+    Study out;
+    for (const Field& field : study_fields()) {
+      if (const toml::node* node = table.get(field.key)) field.read(file_, field.key, *node, out);
+    }
+    if (out.kind == Kind::timing && !table.contains("modes")) {
+      for (const auto& entry : words<Mode>) out.modes.push_back(entry.value);
+    }
+    if (const auto problem = validate(out, known_)) fail(place(table, *problem), problem->what);
+    if (!study_ids_.insert(out.id).second) {
+      fail(*table.get("id"), fmt::format("another study has the id \"{}\"; rename one", out.id));
+    }
+    return out;
+  }
+
+  /// The node at fault: the element, else the key, else the other key, else the table.
+  static const toml::node& place(const toml::table& table, const Problem& problem) {
+    const toml::node* node = table.get(problem.key);
+    if (node == nullptr) node = table.get(problem.other_key);
+    if (node == nullptr) return table;
+    const toml::array* array = node->as_array();
+    const bool of_key = table.contains(problem.key);
+    return array != nullptr && of_key && problem.index < array->size() ? *array->get(problem.index) : *node;
+  }
+
+  std::string_view file_;
+  const Vocabulary& known_;
+  std::set<std::string> suite_ids_;
+  std::set<std::string> study_ids_;
+};
+
+Suite only_one(std::vector<Suite> suites, std::string_view file_name) {
+  if (suites.size() != 1) {
+    throw Failure(Exit::usage, fmt::format("{}: one suite is expected here, not {}", file_name, suites.size()));
+  }
+  return std::move(suites.front());
+}
+
+std::string contents(const std::filesystem::path& file) {
+  const auto refuse = [&](int error) {
+    throw Failure(Exit::usage, fmt::format("{}: cannot be read ({}); name a suite file that can, or see `bezierbench "
+                                           "list suites`", file.string(), std::generic_category().message(error)));
+  };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
+  if (!stream) refuse(errno);
+  std::string text;
+  std::array<char, 65536> buffer{};
+  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), stream.get())) {
+    text.append(buffer.data(), got);
+  }
+  if (std::ferror(stream.get()) != 0) refuse(errno);  // a folder opens, and fails here
+  return text;
+}
+
+}  // namespace
+
+std::vector<Suite> parse_suites(std::string_view text, std::string_view file_name, const Vocabulary& known) {
+  try {
+    return Reader(file_name, known).document(toml::parse(text));
+  } catch (const toml::parse_error& error) {
+    std::string what(error.description());
+    std::replace_if(what.begin(), what.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    fail(file_name, error.source().begin, "not TOML: " + what + "; mend the syntax here");
+  }
+}
+
+std::vector<Suite> read_suites(const std::filesystem::path& file, const Vocabulary& known) {
+  return parse_suites(contents(file), file.string(), known);
+}
+
+Suite parse_suite(std::string_view text, std::string_view file_name, const Vocabulary& known) {
+  return only_one(parse_suites(text, file_name, known), file_name);
+}
+
+Suite read_suite(const std::filesystem::path& file, const Vocabulary& known) {
+  return only_one(read_suites(file, known), file.string());
+}
+
+}  // namespace bezierbench::suite

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Suite files: TOML to values, with messages that name file, line and column.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "experiments/suite/suite.hpp"
+#include "experiments/suite/vocabulary.hpp"
+
+namespace bezierbench::suite {
+
+/// Reads every suite of a TOML document: one in a file that people write (`[suite]`, `[[study]]`), several in the
+/// resolved file of a bundle (`[[suites]]`, `[[suites.study]]`; see writer.hpp). What is left out has the default of
+/// suite.hpp; a timing study without `modes` gets all of them. Numbers may also be strings in decimal or hexadecimal
+/// floating point. Throws Failure(Exit::usage) with the one line `FILE:LINE:COLUMN: what; what to do`.
+std::vector<Suite> parse_suites(std::string_view text, std::string_view file_name, const Vocabulary& known);
+
+/// As parse_suites, from a file; one that cannot be read is a Failure(Exit::usage) as well.
+std::vector<Suite> read_suites(const std::filesystem::path& file, const Vocabulary& known);
+
+/// The only suite of a document; a Failure(Exit::usage) where there are several.
+Suite parse_suite(std::string_view text, std::string_view file_name, const Vocabulary& known);
+
+/// The only suite of a file; a Failure(Exit::usage) where there are several.
+Suite read_suite(const std::filesystem::path& file, const Vocabulary& known);
+
+}  // namespace bezierbench::suite

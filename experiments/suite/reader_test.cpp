@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/reader.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "experiments/suite/test_vocabulary.hpp"
+#include "experiments/suite/validate.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string head = "schema_version = 1\n[suite]\nid = \"s\"\n[[study]]\nid = \"a\"\n";  // five lines
+const std::string minimal = head + "kind = \"accuracy\"\n";                                    // six
+
+Suite parsed(const std::string& text) { return parse_suite(text, "x.toml", test_vocabulary()); }
+
+std::string refused(const std::string& text) {
+  const std::string line = failure_of([&] { parsed(text); });
+  EXPECT_THAT(line, StartsWith("x.toml:"));
+  return line;
+}
+
+TEST(Reader, ReadsTheReportSuite) {
+  const Suite suite = read_suite(BEZIERBENCH_SOURCE_DIR "/experiments/suites/report.toml", test_vocabulary());
+  EXPECT_EQ(suite.id, "report");
+  EXPECT_EQ(suite.seed, 1U);
+  ASSERT_EQ(suite.studies.size(), 11U);
+  const Study& ranges = suite.studies[3];
+  EXPECT_EQ(ranges.id, "2.3.2-bezier");
+  EXPECT_EQ(ranges.kind, Kind::accuracy);
+  EXPECT_THAT(ranges.degree, ElementsAre(20));
+  EXPECT_THAT(ranges.coordinate_range, ElementsAre(1e-6, 1e-4, 1e-2, 1, 10, 1e2, 1e4, 1e6));
+  EXPECT_THAT(ranges.generator, ElementsAre("report", "continuous"));
+  EXPECT_THAT(ranges.baseline, ElementsAre("direct", "exact"));
+  EXPECT_EQ(ranges.trials, 1000);
+  EXPECT_EQ(ranges.replicates, 400);
+  EXPECT_EQ(ranges.published, "report_tables.csv");
+  EXPECT_THAT(suite.studies[5].t_interval,
+              ElementsAre(Interval{0, 0.2}, Interval{0.4, 0.6}, Interval{0.2, 0.8}, Interval{0, 1}, Interval{0.8, 1}));
+  EXPECT_THAT(suite.studies.back().modes, ElementsAre(Mode::one_shot, Mode::point));
+}
+
+TEST(Reader, LeftOutKeysHaveTheirDefaults) {
+  const Study study = parsed(minimal + "degree = [3]\n").studies.front();
+  EXPECT_THAT(study.dimension, ElementsAre(2));
+  EXPECT_THAT(study.coordinate_range, ElementsAre(1.0));
+  EXPECT_THAT(study.t_interval, ElementsAre(Interval{0, 1}));
+  EXPECT_THAT(study.generator, ElementsAre("continuous"));
+  EXPECT_THAT(study.scalar, ElementsAre(ScalarKind::float64));
+  EXPECT_THAT(study.baseline, ElementsAre("exact"));
+  EXPECT_TRUE(study.methods.empty());
+  EXPECT_TRUE(study.modes.empty());
+}
+
+TEST(Reader, ATimingStudyWithoutModesHasAll) {
+  EXPECT_EQ(parsed(head + "kind = \"timing\"\ndegree = [3]\n").studies.front().modes.size(), 4U);
+}
+
+TEST(Reader, ReadsNumbersInEveryNotation) {
+  const Study study = parsed(minimal +
+                             "degree = [\"3\", 0x4, 5.0]\ncoordinate_range = [\"0x1p-1022\", 0, 2, \"1e-3\", -0.0e1]\n"
+                             "t_interval = [[0, \"0x1p-1\"]]\ntrials = 1e4\n")
+                          .studies.front();
+  EXPECT_THAT(study.degree, ElementsAre(3, 4, 5));
+  EXPECT_THAT(study.coordinate_range, ElementsAre(0x1p-1022, 0.0, 2.0, 1e-3, 0.0));
+}
+
+TEST(Reader, OneBaselineNeedsNoBrackets) {
+  EXPECT_THAT(parsed(minimal + "degree = [3]\nbaseline = \"direct\"\n").studies.front().baseline,
+              ElementsAre("direct"));
+}
+
+TEST(Reader, ReadsChainsAndGlobs) {
+  const auto conversion = parsed(head + "kind = \"conversion\"\ndegree = [3]\n"
+                                        "methods = [\"factorial+forward_substitution+factorial\", \"*sum\"]\n");
+  EXPECT_EQ(conversion.studies.front().methods.size(), 2U);
+  EXPECT_EQ(parsed(minimal + "degree = [3]\nmethods = [\"*:horner\"]\n").studies.front().methods.size(), 1U);
+}
+
+struct Refusal {
+  const char* text;      ///< follows `minimal`, from line 7
+  const char* position;  ///< line and column
+  const char* what;
+};
+
+class ReaderRefuses : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(ReaderRefuses, WithPlaceAndAdvice) {
+  const std::string line = refused(minimal + GetParam().text);
+  EXPECT_THAT(line, StartsWith(std::string("x.toml:") + GetParam().position + ": "));
+  EXPECT_THAT(line, HasSubstr(GetParam().what));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Studies, ReaderRefuses,
+    ::testing::Values(
+        Refusal{"degree = [3\n", "8:", "not TOML"},  //
+        Refusal{"degre = [3]", "7:1", "did you mean \"degree\"?"},
+        Refusal{"", "4:1", "degree is missing"},  //
+        Refusal{"degree = []", "7:10", "an array with a value"},
+        Refusal{"degree = 3", "7:10", "degree must be an array"},
+        Refusal{"degree = [3, 1024]", "7:14", "0 to 1023"},  //
+        Refusal{"degree = [-1]", "7:11", "0 to 1023"},
+        Refusal{"degree = [99999999999]", "7:11", "0 to 1023"},
+        Refusal{"degree = [3.5]", "7:11", "a whole number"},  //
+        Refusal{"degree = [3, 4, 3]", "7:17", "twice"},
+        Refusal{"degree = [3]\ndimension = [4]", "8:14", "1, 2 or 3"},
+        Refusal{"degree = [3]\ndimension = [0]", "8:14", "1, 2 or 3"},
+        Refusal{"degree = [3]\ncoordinate_range = [1, -1]", "8:24", "not negative"},
+        Refusal{"degree = [3]\ncoordinate_range = [inf]", "8:21", "finite"},
+        Refusal{"degree = [3]\ncoordinate_range = [\"nan\"]", "8:21", "finite"},
+        Refusal{"degree = [3]\ncoordinate_range = [\"1 m\"]", "8:21", "a number"},
+        Refusal{"degree = [3]\ncoordinate_range = [true]", "8:21", "a number"},
+        Refusal{"degree = [3]\nt_interval = [[1, 0]]", "8:15", "a <= b"},
+        Refusal{"degree = [3]\nt_interval = [[0, inf]]", "8:15", "finite"},
+        Refusal{"degree = [3]\nt_interval = [0, 1]", "8:15", "[a, b]"},
+        Refusal{"degree = [3]\nt_interval = [[0, 1, 2]]", "8:15", "[a, b]"},
+        Refusal{"degree = [3]\ntrials = 0", "8:10", "at least 1"},
+        Refusal{"degree = [3]\nreplicates = 0", "8:14", "at least 1"},
+        Refusal{"degree = [3]\ngenerator = [\"continous\"]", "8:14", "did you mean \"continuous\"?"},
+        Refusal{"degree = [3]\nmethods = [\"horner\", \"de_castlejau\"]", "8:22", "did you mean \"de_casteljau\"?"},
+        Refusal{"degree = [3]\nmethods = [\"quux*\"]", "8:12", "no method matches \"quux*\""},
+        Refusal{"degree = [3]\nmethods = []", "8:11", "leave the key out"},
+        Refusal{"degree = [3]\nbaseline = \"exakt\"", "8:12", "did you mean \"exact\"?"},
+        Refusal{"degree = [3]\nbaseline = [\"exact\", \"hornr\"]", "8:22", "did you mean \"horner\"?"},
+        Refusal{"degree = [3]\nscalar = [\"single\"]", "8:11", "float, double"},
+        Refusal{"degree = [3]\ncurve = \"beziér\"", "8:9", "did you mean \"bezier\"?"},
+        Refusal{"degree = [3]\nmodes = [\"batch\"]", "8:10", "kind \"timing\""},
+        Refusal{"degree = [3]\nmodes = [\"bach\"]", "8:10", "did you mean \"batch\"?"},
+        Refusal{"degree = [3]\npublished = \"report_table.csv\"", "8:13", "did you mean \"report_tables.csv\"?"},
+        Refusal{"degree = [3]\ntitle = 3", "8:9", "a string"},
+        Refusal{"degree = [3]\ngenerator = [\"integer\"]\ncoordinate_range = [1, 0.5]", "9:24", "from 1 to 2^53"},
+        Refusal{"degree = [3]\ngenerator = [\"integer\"]\ncoordinate_range = [1e16]", "9:21", "from 1 to 2^53"},
+        Refusal{"degree = [3]\nscalar = [\"float\"]\ncoordinate_range = [1e39]", "9:21", "largest float"},
+        Refusal{"degree = [3]\n[[study]]\nid = \"a\"\nkind = \"accuracy\"\ndegree = [3]", "9:6", "another study"},
+        Refusal{"degree = [3]\n[[study]]\nid = \"a,b\"\nkind = \"accuracy\"\ndegree = [3]", "9:6", "letters"},
+        Refusal{"degree = [3]\n[[study]]\nkind = \"accuracy\"\ndegree = [3]", "8:1", "id is missing"},
+        Refusal{"degree = [3]\n[[study]]\nid = \"b\"\ndegree = [3]", "8:1", "kind is missing"},
+        Refusal{"degree = [3]\n[[study]]\nid = \"b\"\nkind = \"acuracy\"", "10:8", "did you mean \"accuracy\"?"},
+        Refusal{"degree = [3]\n[[study]]\nid = \"b\"\nkind = \"conversion\"\ndegree = [3]\n"
+                "methods = [\"factorial+forward+factorial\"]",
+                "12:12", "unknown conversion \"forward\""}));
+
+TEST(Reader, RefusesASeedOutOfRange) {
+  const auto with_seed = [](const std::string& seed) {
+    return "schema_version = 1\n[suite]\nid = \"s\"\nseed = " + seed +
+           "\n[[study]]\nid = \"a\"\nkind = \"accuracy\"\ndegree = [3]\n";
+  };
+  EXPECT_EQ(parsed(with_seed("9223372036854775807")).seed, 9223372036854775807U);
+  EXPECT_EQ(parsed(with_seed("0")).seed, 0U);
+  EXPECT_THAT(refused(with_seed("-1")), StartsWith("x.toml:4:8: seed must be 0 to 2^63-1"));
+  EXPECT_THAT(refused(with_seed("9223372036854775808")), StartsWith("x.toml:4:"));
+  EXPECT_THAT(refused(with_seed("\"x\"")), StartsWith("x.toml:4:8: seed must be a whole number"));
+}
+
+TEST(Reader, RefusesDocumentsThatAreNoSuite) {
+  EXPECT_THAT(refused(""), HasSubstr("schema_version is missing"));
+  EXPECT_THAT(refused("schema_version = 2\n"), StartsWith("x.toml:1:18: schema_version must be 1"));
+  EXPECT_THAT(refused("schema_version = \"1\"\n"), HasSubstr("schema_version must be 1"));
+  EXPECT_THAT(refused("schema_version = 1\n"), HasSubstr("[suite] is missing"));
+  EXPECT_THAT(refused("schema_version = 1\n[suite]\nid = \"s\"\n"), HasSubstr("no study"));
+  EXPECT_THAT(refused("schema_version = 1\nstudy = []\n[suite]\nid = \"s\"\n"), HasSubstr("no study"));
+  EXPECT_THAT(refused("schema_version = 1\nstudy = 3\n[suite]\nid = \"s\"\n"), HasSubstr("[[study]]"));
+  EXPECT_THAT(refused("schema_version = 1\nsuite = 3\n"), StartsWith("x.toml:2:9: suite must be a table"));
+  EXPECT_THAT(refused("schema_version = 1\n[suit]\n"), HasSubstr("did you mean \"suite\"?"));
+  EXPECT_THAT(refused("schema_version = 1\n[suite]\nidd = \"s\"\n"), StartsWith("x.toml:3:1: unknown key \"idd\""));
+  EXPECT_THAT(refused("schema_version = 1\n[suite]\ntitle = \"s\"\n"), HasSubstr("id is missing"));
+}
+
+TEST(Reader, AnUnreadableFileIsAUsageError) {
+  const auto missing = failure_of([] { read_suite("no/such/suite.toml", test_vocabulary()); });
+  EXPECT_THAT(missing, StartsWith("no/such/suite.toml: cannot be read (No such file or directory); "));
+  const auto folder = failure_of([] { read_suite(BEZIERBENCH_SOURCE_DIR, test_vocabulary()); });
+  EXPECT_THAT(folder, HasSubstr(": cannot be read (Is a directory); "));
+}
+
+TEST(Reader, StudyIdsAreUniqueOverABundle) {
+  std::vector<Suite> suites(2, parsed(minimal + "degree = [3]\n"));
+  suites[1].id = "other";
+  EXPECT_THAT(failure_of([&] { check_unique_studies(suites); }), HasSubstr("\"a\" is in suite \"s\" and in suite"));
+  suites[1].studies[0].id = "b";
+  EXPECT_EQ(failure_of([&] { check_unique_studies(suites); }), "");
+}
+
+}  // namespace
+}  // namespace bezierbench::suite

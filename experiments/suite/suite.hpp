@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What a suite file says, as values: which studies, over which axes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bezierbench::suite {
+
+enum class Kind {
+  accuracy,
+  conversion,
+  timing,
+  derivative,
+  arc_length,
+  inverse_arc_length,
+  projection,
+  interpolation,
+  fitting
+};
+
+/// The form in which random curves are drawn.
+enum class CurveKind { bezier, polynomial, rational };
+
+enum class ScalarKind { float32, float64 };
+
+/// What one timed call does: prepare and one point; one prepared point; a dependent chain; one curve, many t.
+enum class Mode { one_shot, point, latency, batch };
+
+struct Interval {
+  double min = 0;
+  double max = 1;
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+/// One [[study]] table. Axes are swept in the cross product.
+struct Study {
+  std::string id;
+  std::string title;
+  Kind kind = Kind::accuracy;
+  CurveKind curve = CurveKind::bezier;
+  std::vector<int> degree;
+  std::vector<double> coordinate_range{1.0};
+  std::vector<Interval> t_interval{Interval{}};
+  std::vector<std::string> generator{"continuous"};
+  std::vector<int> dimension{2};
+  std::vector<ScalarKind> scalar{ScalarKind::float64};
+  std::vector<std::string> methods;  ///< ids or globs as written; empty: all that apply
+  std::int64_t trials = 1000;        ///< per replicate
+  std::int64_t replicates = 1;       ///< independent repetitions, for a band
+  std::vector<std::string> baseline{"exact"};  ///< what errors are measured against: `exact` or a method id
+  std::vector<Mode> modes;                     ///< timing only
+  std::string published;                       ///< file of printed values in reference/published; may be empty
+};
+
+struct Suite {
+  std::string id;
+  std::string title;
+  std::uint64_t seed = 1;
+  std::vector<Study> studies;
+};
+
+}  // namespace bezierbench::suite

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/toml_value.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "experiments/failure.hpp"
+#include "experiments/suite/number.hpp"
+
+namespace bezierbench::suite {
+
+void fail(std::string_view name, const toml::source_position& at, std::string_view what) {
+  // Line 0: the value was made from an option.
+  if (at.line == 0) throw Failure(Exit::usage, fmt::format("{}: {}", name, what));
+  throw Failure(Exit::usage, fmt::format("{}:{}:{}: {}", name, at.line, at.column, what));
+}
+
+void fail_type(const Source& source, const toml::node& node, std::string_view expected) {
+  fail(source.name, node.source().begin, fmt::format("{} must be {}", source.key, expected));
+}
+
+void read(const Source& source, const toml::node& node, std::string& out) {
+  const auto text = node.value_exact<std::string>();
+  if (!text) fail_type(source, node, "a string");
+  out = *text;
+}
+
+void read(const Source& source, const toml::node& node, std::int64_t& out) {
+  std::optional<std::int64_t> value = node.value_exact<std::int64_t>();
+  if (const auto number = node.value_exact<double>()) value = whole(*number);
+  if (const auto text = node.value_exact<std::string>()) value = parse_integer(*text);
+  if (!value) fail_type(source, node, "a whole number");
+  out = *value;
+}
+
+void read(const Source& source, const toml::node& node, int& out) {
+  std::int64_t value = 0;
+  read(source, node, value);
+  out = static_cast<int>(std::clamp<std::int64_t>(value, std::numeric_limits<int>::min(),
+                                                  std::numeric_limits<int>::max()));
+}
+
+void read(const Source& source, const toml::node& node, double& out) {
+  std::optional<double> value = node.value_exact<double>();
+  if (const auto integer = node.value_exact<std::int64_t>()) value = static_cast<double>(*integer);
+  if (const auto text = node.value_exact<std::string>()) value = parse_number(*text);
+  if (!value) fail_type(source, node, "a number that a double can hold, or such a number as a string");
+  out = *value + 0.0;  // one zero only: inputs are keyed by the text of these values
+}
+
+void read(const Source& source, const toml::node& node, Interval& out) {
+  const toml::array* ends = node.as_array();
+  if (ends == nullptr || ends->size() != 2) fail_type(source, node, "an array of intervals [a, b]");
+  read(source, *ends->get(0), out.min);
+  read(source, *ends->get(1), out.max);
+}
+
+std::string to_text(std::string_view value) {
+  std::string text = "\"";
+  for (const char c : value) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      text += '\\';
+      text += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      text += fmt::format("\\u{:04x}", byte);
+    } else {
+      text += c;  // UTF-8 passes
+    }
+  }
+  return text + "\"";
+}
+
+std::string to_text(std::int64_t value) { return fmt::format("{}", value); }
+
+std::string to_text(double value) {
+  std::string text = shortest(value);
+  // Without a point or an exponent TOML reads an integer, which ends at 2^63.
+  const bool digits_only = text.find_first_not_of("-0123456789") == std::string::npos;
+  if (digits_only && std::abs(value) >= 0x1p53) text += ".0";
+  return text;
+}
+
+std::string to_text(const Interval& value) { return fmt::format("[{}, {}]", to_text(value.min), to_text(value.max)); }
+
+}  // namespace bezierbench::suite

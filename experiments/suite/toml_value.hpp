@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// One value of a suite, from and to TOML; internal to this folder.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiments/suite/names.hpp"
+#include "experiments/suite/nearest.hpp"
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::suite {
+
+/// Where values come from and what they are: the file and the field, for messages.
+struct Source {
+  std::string_view name;  ///< a file, or the option that was given, e.g. `--set degree=4`
+  std::string_view key;
+};
+
+/// Throws Failure(Exit::usage) with `NAME:LINE:COLUMN: what`, or `NAME: what` for a value that is not from a file.
+[[noreturn]] void fail(std::string_view name, const toml::source_position& at, std::string_view what);
+
+/// Throws for `node`, as above, where it is not `expected`.
+[[noreturn]] void fail_type(const Source& source, const toml::node& node, std::string_view expected);
+
+/// The value of `node`, or a Failure that says what was expected. Numbers may be strings; see number.hpp.
+/// int saturates, so that a check of its range can speak of it.
+void read(const Source& source, const toml::node& node, std::string& out);
+void read(const Source& source, const toml::node& node, std::int64_t& out);
+void read(const Source& source, const toml::node& node, int& out);
+void read(const Source& source, const toml::node& node, double& out);
+void read(const Source& source, const toml::node& node, Interval& out);
+
+template <Worded Enum>
+void read(const Source& source, const toml::node& node, Enum& out) {
+  std::string word;
+  read(source, node, word);
+  const auto value = parse<Enum>(word);
+  if (!value) {
+    fail(source.name, node.source().begin,
+         "unknown " + std::string(source.key) + " \"" + word + "\"" + suggestion(word, all_words<Enum>()));
+  }
+  out = *value;
+}
+
+template <class T>
+void read(const Source& source, const toml::node& node, std::vector<T>& out) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) fail_type(source, node, "an array");
+  if (array->empty()) fail_type(source, node, "an array with a value in it; leave the key out for the default");
+  out.clear();
+  for (const toml::node& element : *array) {
+    T value{};
+    read(source, element, value);
+    out.push_back(std::move(value));
+  }
+}
+
+/// TOML text that reads back to an equal value.
+std::string to_text(std::string_view value);
+std::string to_text(std::int64_t value);
+std::string to_text(double value);
+std::string to_text(const Interval& value);
+inline std::string to_text(int value) { return to_text(static_cast<std::int64_t>(value)); }
+inline std::string to_text(const std::string& value) { return to_text(std::string_view(value)); }
+
+template <Worded Enum>
+std::string to_text(Enum value) {
+  return to_text(name(value));
+}
+
+template <class T>
+std::string to_text(const std::vector<T>& values) {
+  std::string text = "[";
+  for (const T& value : values) {
+    if (text.size() > 1) text += ", ";
+    text += to_text(value);
+  }
+  return text + "]";
+}
+
+}  // namespace bezierbench::suite

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "core/curve.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/suite/names.hpp"
+#include "experiments/suite/nearest.hpp"
+#include "experiments/suite/number.hpp"
+#include "experiments/suite/pattern.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+using Finding = std::optional<Problem>;
+
+constexpr double largest_integer_range = 0x1p53;  // beyond, not every integer is a double
+
+bool contains(std::span<const std::string> ids, std::string_view id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+Finding unknown(std::string_view key, std::size_t i, std::string_view word, std::span<const std::string> known) {
+  return Problem{key, i, {}, fmt::format("unknown {} \"{}\"{}", key, word, suggestion(word, known))};
+}
+
+/// Applies `check(value) -> std::string` to every element, and looks for equal ones.
+template <class T, class Check>
+Finding each(std::string_view key, const std::vector<T>& values, Check check) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::string what = check(values[i]); !what.empty()) return Problem{key, i, {}, std::move(what)};
+    if (std::find(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(i), values[i]) !=
+        values.begin() + static_cast<std::ptrdiff_t>(i)) {
+      return Problem{key, i, {}, fmt::format("{} has this value twice; remove one", key)};
+    }
+  }
+  return std::nullopt;
+}
+
+Finding check_axes(const Study& study) {
+  const auto fine = [](const auto&) { return std::string(); };
+  if (auto found = each("degree", study.degree, [](int degree) {
+        return degree >= 0 && degree <= max_degree ? "" : fmt::format("degree must be 0 to {}", max_degree);
+      })) {
+    return found;
+  }
+  if (auto found = each("dimension", study.dimension, [](int dimension) {
+        return std::string(dimension >= 1 && dimension <= 3 ? "" : "dimension must be 1, 2 or 3");
+      })) {
+    return found;
+  }
+  if (auto found = each("coordinate_range", study.coordinate_range, [](double range) {
+        return std::string(std::isfinite(range) && range >= 0
+                               ? ""
+                               : "coordinate_range R must be finite and not negative; coordinates lie in [-R, R]");
+      })) {
+    return found;
+  }
+  if (auto found = each("t_interval", study.t_interval, [](const Interval& t) {
+        return std::string(std::isfinite(t.min) && std::isfinite(t.max) && t.min <= t.max
+                               ? ""
+                               : "t_interval must be [a, b] with a <= b, both finite");
+      })) {
+    return found;
+  }
+  if (auto found = each("scalar", study.scalar, fine)) return found;
+  return each("modes", study.modes, fine);
+}
+
+Finding check_counts(const Study& study) {
+  if (study.trials < 1) return Problem{"trials", 0, {}, "trials must be at least 1"};
+  if (study.replicates < 1) return Problem{"replicates", 0, {}, "replicates must be at least 1"};
+  if (study.trials > std::numeric_limits<std::int64_t>::max() / study.replicates) {
+    return Problem{"replicates", 0, "trials", "trials * replicates must be below 2^63; lower one of them"};
+  }
+  return std::nullopt;
+}
+
+/// Values that are fine on their own and wrong together.
+Finding check_fit(const Study& study) {
+  const bool integer = contains(study.generator, "integer");
+  const bool report = contains(study.generator, "report");
+  const bool single = std::find(study.scalar.begin(), study.scalar.end(), ScalarKind::float32) != study.scalar.end();
+  for (std::size_t i = 0; i < study.coordinate_range.size(); ++i) {
+    const double range = study.coordinate_range[i];
+    if (integer && !(range >= 1 && range <= largest_integer_range)) {
+      return Problem{"coordinate_range", i, "generator",
+                     fmt::format("generator \"integer\" needs a coordinate_range from 1 to 2^53, not {}; "
+                                 "change the range or the generator", shortest(range))};
+    }
+    if (single && range > static_cast<double>(std::numeric_limits<float>::max())) {
+      return Problem{"coordinate_range", i, "scalar",
+                     fmt::format("coordinate_range {} is beyond the largest float; change the range or the scalar",
+                                 shortest(range))};
+    }
+  }
+  for (std::size_t i = 0; i < study.t_interval.size(); ++i) {
+    if (report && !std::isfinite(study.t_interval[i].max - study.t_interval[i].min)) {
+      return Problem{"t_interval", i, "generator",
+                     "generator \"report\" needs t_max - t_min to be finite; narrow the interval"};
+    }
+  }
+  if (study.kind != Kind::timing && !study.modes.empty()) {
+    return Problem{"modes", 0, "kind", "modes belong to studies of kind \"timing\"; remove them"};
+  }
+  return std::nullopt;
+}
+
+/// What `entry` of `methods` is wrong about, else empty. A conversion is a chain of one or more parts.
+std::string method_problem(const Study& study, std::string_view entry, const Vocabulary& known) {
+  const bool conversion = study.kind == Kind::conversion;
+  const std::span<const std::string> ids = conversion ? known.conversions : known.methods;
+  std::string_view rest = entry;
+  while (true) {
+    const std::size_t plus = conversion ? rest.find('+') : std::string_view::npos;
+    const std::string_view part = rest.substr(0, plus);
+    if (is_pattern(part)) {
+      if (std::none_of(ids.begin(), ids.end(), [&](const std::string& id) { return matches(part, id); })) {
+        return fmt::format("no method matches \"{}\"; see `bezierbench list methods`", part);
+      }
+    } else if (!contains(ids, part)) {
+      return fmt::format("unknown {} \"{}\"{}", conversion ? "conversion" : "method", part, suggestion(part, ids));
+    }
+    if (plus == std::string_view::npos) return {};
+    rest.remove_prefix(plus + 1);
+  }
+}
+
+Finding check_ids(const Study& study, const Vocabulary& known) {
+  for (std::size_t i = 0; i < study.generator.size(); ++i) {
+    if (!contains(known.generators, study.generator[i])) {
+      return unknown("generator", i, study.generator[i], known.generators);
+    }
+  }
+  std::vector<std::string> baselines{"exact"};
+  const auto& ids = study.kind == Kind::conversion ? known.conversions : known.methods;
+  baselines.insert(baselines.end(), ids.begin(), ids.end());
+  for (std::size_t i = 0; i < study.baseline.size(); ++i) {
+    if (!contains(baselines, study.baseline[i])) return unknown("baseline", i, study.baseline[i], baselines);
+  }
+  if (!study.published.empty() && !contains(known.published_files, study.published)) {
+    return unknown("published", 0, study.published, known.published_files);
+  }
+  const auto fine = [](const std::string&) { return std::string(); };
+  if (auto found = each("generator", study.generator, fine)) return found;
+  if (auto found = each("baseline", study.baseline, fine)) return found;
+  return each("methods", study.methods,
+              [&](const std::string& entry) { return method_problem(study, entry, known); });
+}
+
+Finding check_present(const Study& study) {
+  const bool on_points = study.kind == Kind::interpolation || study.kind == Kind::fitting;
+  if (study.degree.empty() && !on_points) {
+    return Problem{"degree", 0, {}, fmt::format("degree is missing; kind \"{}\" needs it", name(study.kind))};
+  }
+  const auto empty = [](std::string_view key) {
+    return Problem{key, 0, {}, fmt::format("{} is empty; name a value or leave it out", key)};
+  };
+  if (study.coordinate_range.empty()) return empty("coordinate_range");
+  if (study.t_interval.empty()) return empty("t_interval");
+  if (study.generator.empty()) return empty("generator");
+  if (study.dimension.empty()) return empty("dimension");
+  if (study.scalar.empty()) return empty("scalar");
+  if (study.baseline.empty()) return empty("baseline");
+  if (study.kind == Kind::timing && study.modes.empty()) return empty("modes");
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Problem> validate(const Study& study, const Vocabulary& known) {
+  if (std::string what = id_problem(study.id); !what.empty()) return Problem{"id", 0, {}, std::move(what)};
+  if (auto found = check_present(study)) return found;
+  if (auto found = check_axes(study)) return found;
+  if (auto found = check_counts(study)) return found;
+  if (auto found = check_ids(study, known)) return found;
+  return check_fit(study);
+}
+
+std::string seed_problem(std::uint64_t seed) {
+  return seed <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) ? ""
+                                                                                      : "seed must be 0 to 2^63-1";
+}
+
+std::string id_problem(std::string_view id) {
+  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
+  if (id.empty()) return "id is missing or empty; give it a name";
+  if (id.find_first_not_of(allowed) == std::string_view::npos) return {};
+  return "id may have letters, digits, \".\", \"_\" and \"-\" only; rename it";
+}
+
+void check_unique_studies(std::span<const Suite> suites) {
+  std::map<std::string_view, std::string_view> suite_of;
+  for (const Suite& suite : suites) {
+    for (const Study& study : suite.studies) {
+      const auto [first, is_new] = suite_of.emplace(study.id, suite.id);
+      if (is_new) continue;
+      throw Failure(Exit::usage, fmt::format("study \"{}\" is in suite \"{}\" and in suite \"{}\"; rename one, study "
+                                             "ids are unique over a bundle", study.id, first->second, suite.id));
+    }
+  }
+}
+
+}  // namespace bezierbench::suite

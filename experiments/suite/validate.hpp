@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What a study may say, whether it comes from a file or from the command line.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "experiments/suite/suite.hpp"
+#include "experiments/suite/vocabulary.hpp"
+
+namespace bezierbench::suite {
+
+/// The first thing wrong with a study.
+struct Problem {
+  std::string_view key;        ///< the field at fault
+  std::size_t index = 0;       ///< of its element
+  std::string_view other_key;  ///< the field that it does not fit, if the two are at odds
+  std::string what;            ///< what is wrong and what to do
+};
+
+/// Whether `study` can be run: known ids, values in range, axes that fit one another, nothing twice on an axis.
+std::optional<Problem> validate(const Study& study, const Vocabulary& known);
+
+/// Why `seed` is none, else empty: seeds are 0 to 2^63-1, what TOML can hold.
+std::string seed_problem(std::uint64_t seed);
+
+/// Why `id` cannot name a study or suite, else empty: ids are used in CSV fields, globs and file names.
+std::string id_problem(std::string_view id);
+
+/// Throws Failure(Exit::usage) where two studies have one id: ids are unique over all suites of a bundle.
+void check_unique_studies(std::span<const Suite> suites);
+
+}  // namespace bezierbench::suite

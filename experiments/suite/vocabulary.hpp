@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The ids that a suite may name. Handed in by the caller, so that suites never see a roster.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bezierbench::suite {
+
+struct Vocabulary {
+  std::vector<std::string> methods;          ///< evaluators, paths and the methods of the other kinds of study
+  std::vector<std::string> conversions;      ///< parts of conversion chains such as `factorial+positive_sum`
+  std::vector<std::string> generators;
+  std::vector<std::string> published_files;  ///< names in reference/published
+};
+
+}  // namespace bezierbench::suite

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/writer.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "experiments/suite/fields.hpp"
+#include "experiments/suite/toml_value.hpp"
+
+namespace bezierbench::suite {
+
+std::string to_toml(std::span<const Suite> suites) {
+  const bool one = suites.size() == 1;
+  std::string text = "schema_version = 1\n";
+  const auto out = std::back_inserter(text);
+  for (const Suite& suite : suites) {
+    fmt::format_to(out, "\n{}\nid = {}\ntitle = {}\nseed = {}\n", one ? "[suite]" : "[[suites]]", to_text(suite.id),
+                   to_text(suite.title), suite.seed);
+    for (const Study& study : suite.studies) {
+      fmt::format_to(out, "\n{}\n", one ? "[[study]]" : "[[suites.study]]");
+      for (const Field& field : study_fields()) {
+        if (const std::string value = field.write(study); !value.empty()) {
+          fmt::format_to(out, "{} = {}\n", field.key, value);
+        }
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace bezierbench::suite

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/writer.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <set>
+#include <tuple>
+
+#include "experiments/suite/names.hpp"
+#include "experiments/suite/reader.hpp"
+#include "experiments/suite/test_vocabulary.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+auto members(const Study& s) {
+  return std::tie(s.id, s.title, s.kind, s.curve, s.degree, s.coordinate_range, s.t_interval, s.generator, s.dimension,
+                  s.scalar, s.methods, s.trials, s.replicates, s.baseline, s.modes, s.published);
+}
+
+void expect_equal(const std::vector<Suite>& a, const std::vector<Suite>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].id, b[i].id);
+    EXPECT_EQ(a[i].title, b[i].title);
+    EXPECT_EQ(a[i].seed, b[i].seed);
+    ASSERT_EQ(a[i].studies.size(), b[i].studies.size());
+    for (std::size_t j = 0; j < a[i].studies.size(); ++j) {
+      EXPECT_TRUE(members(a[i].studies[j]) == members(b[i].studies[j])) << a[i].studies[j].id;
+    }
+  }
+}
+
+std::vector<Suite> read_back(const std::vector<Suite>& suites) {
+  return parse_suites(to_toml(suites), "resolved", test_vocabulary());
+}
+
+/// Random suites in which every field takes many values.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : bits_(seed) {}
+
+  std::size_t below(std::size_t n) { return bits_() % n; }
+
+  double real() {
+    while (true) {
+      // Whole numbers around 2^53 to 2^70 as well: TOML integers end in between.
+      const double x = below(3) == 0 ? std::floor(std::ldexp(static_cast<double>(bits_()), static_cast<int>(below(7))))
+                                     : std::abs(std::bit_cast<double>(bits_()));
+      if (std::isfinite(x)) return x;
+    }
+  }
+
+  template <class T>
+  std::vector<T> some(const std::vector<T>& all) {
+    std::set<T> chosen;
+    while (chosen.empty() || below(2) == 0) chosen.insert(all[below(all.size())]);
+    return {chosen.begin(), chosen.end()};
+  }
+
+  Study study(const std::string& id) {
+    const auto& known = test_vocabulary();
+    Study made;
+    made.id = id;
+    made.title = below(2) == 0 ? "plain" : "quote \" backslash \\ tab \t new\nline \x7f \u00e9 [x] # no = comment";
+    made.kind = words<Kind>[below(words<Kind>.size())].value;
+    made.curve = words<CurveKind>[below(words<CurveKind>.size())].value;
+    made.degree = some<int>({0, 1, 2, 20, 1023});
+    made.coordinate_range = some<double>({real(), real(), real(), 0, 5e-324, 1.7976931348623157e308});
+    const double edge = real();
+    made.t_interval = {Interval{-edge, edge}, Interval{0, real()}};
+    made.generator = some<std::string>({"continuous", "dyadic"});
+    made.dimension = some<int>({1, 2, 3});
+    made.methods = below(2) == 0 ? std::vector<std::string>{} : std::vector<std::string>{"*"};
+    made.trials = 1 + static_cast<std::int64_t>(bits_() >> 34U);
+    made.replicates = 1 + static_cast<std::int64_t>(bits_() >> 34U);
+    made.baseline = made.kind == Kind::conversion ? some<std::string>({"exact", "factorial"})
+                                                  : some<std::string>({"exact", known.methods[0], known.methods[1]});
+    if (made.kind == Kind::timing) made.modes = some<Mode>({Mode::one_shot, Mode::latency, Mode::batch});
+    made.published = below(2) == 0 ? "" : known.published_files[0];
+    return made;
+  }
+
+  std::vector<Suite> suites() {
+    std::vector<Suite> made(1 + below(3));
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      made[i].id = "suite" + std::to_string(i);
+      made[i].title = "Title";
+      made[i].seed = bits_() >> 1U;
+      for (std::size_t j = 0; j <= below(3); ++j) {
+        made[i].studies.push_back(study(std::to_string(i) + "." + std::to_string(j)));
+      }
+    }
+    return made;
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+TEST(Writer, ReadsBackToEqualValues) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const auto suites = Random(seed).suites();
+    SCOPED_TRACE(to_toml(suites));
+    std::vector<Suite> back;
+    ASSERT_EQ(failure_of([&] { back = read_back(suites); }), "");
+    expect_equal(suites, back);
+    EXPECT_EQ(to_toml(back), to_toml(suites));
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Writer, ReportSuiteReadsBack) {
+  const std::vector<Suite> suites{
+      read_suite(BEZIERBENCH_SOURCE_DIR "/experiments/suites/report.toml", test_vocabulary())};
+  expect_equal(suites, read_back(suites));
+}
+
+TEST(Writer, OneSuiteIsWrittenAsPeopleWriteIt) {
+  Study study;
+  study.id = "a";
+  study.degree = {4};
+  study.coordinate_range = {1e6};
+  const std::vector<Suite> suites{{"s", "T", 1, {study}}};
+  EXPECT_EQ(to_toml(suites),
+            "schema_version = 1\n\n[suite]\nid = \"s\"\ntitle = \"T\"\nseed = 1\n\n[[study]]\nid = \"a\"\n"
+            "title = \"\"\nkind = \"accuracy\"\ncurve = \"bezier\"\ndimension = [2]\ndegree = [4]\n"
+            "coordinate_range = [1e+06]\nt_interval = [[0, 1]]\ngenerator = [\"continuous\"]\nscalar = [\"double\"]\n"
+            "trials = 1000\nreplicates = 1\nbaseline = [\"exact\"]\n");
+}
+
+TEST(Writer, SeveralSuitesAreNoSingleOne) {
+  const auto several = Random(3).study("a");
+  const std::vector<Suite> suites{{"s", "", 1, {several}}, {"r", "", 1, {Random(4).study("b")}}};
+  EXPECT_THAT(failure_of([&] { parse_suite(to_toml(suites), "x.toml", test_vocabulary()); }),
+              ::testing::StartsWith("x.toml: one suite is expected"));
+}
+
+}  // namespace
+}  // namespace bezierbench::suite

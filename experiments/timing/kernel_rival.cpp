@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/timing/kernel_rival.hpp"
+
+#include <cstring>
+#include <new>
+
+#include "core/basis/amplification.hpp"
+#include "experiments/metric/trial_scale.hpp"
+#include "reference/exact_curve.hpp"
+
+namespace bezierbench::timing {
+namespace {
+
+/// What a rival owns: the prepared state, the points of its last batch, and the points it must reproduce.
+struct State {
+  const Kernel<double>& kernel;
+  const Inputs& inputs;
+  std::unique_ptr<std::byte[]> memory;
+  void* prepared = nullptr;
+  std::vector<double> points;
+  std::vector<double> judged;
+
+  State(const Kernel<double>& k, const Inputs& in)
+      : kernel(k),
+        inputs(in),
+        memory(new std::byte[k.prepared_size + k.prepared_alignment]),
+        points(in.t.size() * static_cast<std::size_t>(in.dimension)),
+        judged(points.size()) {
+    void* start = memory.get();
+    std::size_t room = k.prepared_size + k.prepared_alignment;
+    prepared = std::align(k.prepared_alignment, k.prepared_size, start, room);
+    kernel.prepare(inputs.curve(0), prepared);
+  }
+
+  [[nodiscard]] double* point(std::size_t k) { return points.data() + k * static_cast<std::size_t>(inputs.dimension); }
+  void evaluate(std::size_t k, double t) { kernel.evaluate(prepared, std::span<const double>(&t, 1), point(k)); }
+};
+
+void one_shot(State& s) {
+  for (std::size_t k = 0; k < s.inputs.t.size(); ++k) {
+    s.kernel.prepare(s.inputs.curve(k), s.prepared);
+    s.evaluate(k, s.inputs.t[k]);
+  }
+}
+
+void point_by_point(State& s) {
+  for (std::size_t k = 0; k < s.inputs.t.size(); ++k) s.evaluate(k, s.inputs.t[k]);
+}
+
+/// Each t waits for the last point: adding 0 times it changes no bit but cannot be known beforehand.
+void dependent_chain(State& s) {
+  double last = 0;
+  for (std::size_t k = 0; k < s.inputs.t.size(); ++k) {
+    s.evaluate(k, s.inputs.t[k] + 0.0 * last);
+    last = *s.point(k);
+  }
+}
+
+void batch(State& s) { s.kernel.evaluate(s.prepared, s.inputs.t, s.points.data()); }
+
+void (*run_of(suite::Mode mode))(State&) {
+  switch (mode) {
+    case suite::Mode::one_shot: return one_shot;
+    case suite::Mode::point: return point_by_point;
+    case suite::Mode::latency: return dependent_chain;
+    case suite::Mode::batch: return batch;
+  }
+  return nullptr;
+}
+
+/// The points as the accuracy studies compute them: a fresh prepare and one evaluation each.
+void judge(State& s, suite::Mode mode) {
+  for (std::size_t k = 0; k < s.inputs.t.size(); ++k) {
+    if (mode == suite::Mode::one_shot) s.kernel.prepare(s.inputs.curve(k), s.prepared);
+    s.evaluate(k, s.inputs.t[k]);
+  }
+  s.judged = s.points;
+}
+
+}  // namespace
+
+Rival kernel_rival(const Kernel<double>& kernel, suite::Mode mode, const Inputs& inputs) {
+  auto state = std::make_shared<State>(kernel, inputs);
+  judge(*state, mode);
+  std::ranges::fill(state->points, 0);
+  return {std::string(kernel.info->id), inputs.t.size(), [state, run = run_of(mode)] { run(*state); },
+          [state] {
+            return std::memcmp(state->points.data(), state->judged.data(), state->points.size() * sizeof(double)) == 0;
+          }};
+}
+
+bool agrees_with_reference(const Kernel<double>& kernel, suite::Mode mode, const Inputs& inputs) {
+  State state(kernel, inputs);
+  judge(state, mode);
+  reference::ExactCurve exact;
+  metric::TrialScale scale;
+  const ErrorBound lenient{.text = "",
+                           .amplification = inputs.form == Form::bernstein ? Amplification::bernstein_to_power
+                                                                           : Amplification::forward_substitution,
+                           .factor = [](int n, double) { return 64.0 * (n + 1); },
+                           .underflow = [](int n) { return integer_power(4, n); },
+                           .underflow_scales_with_coefficients = true};
+  const auto d = static_cast<std::size_t>(inputs.dimension);
+  for (std::size_t k = 0; k < inputs.t.size(); ++k) {
+    const auto curve = inputs.curve(mode == suite::Mode::one_shot ? k : 0);
+    scale.set(curve, inputs.t[k]);
+    const double error =
+        reference::Distance(exact.point(curve, inputs.t[k])).to(std::span<const double>(state.point(k), d));
+    const double bound = scale.bound(kernel.info->bound.value_or(lenient), metric::double_arithmetic);
+    if (!(error <= bound * (1 + 0x1p-20))) return false;
+  }
+  return true;
+}
+
+}  // namespace bezierbench::timing

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// A kernel as a contestant in one of the timing modes, over inputs that were drawn and judged beforehand.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/evaluate/kernel.hpp"
+#include "experiments/suite/suite.hpp"
+#include "experiments/timing/race.hpp"
+
+namespace bezierbench::timing {
+
+/// The curves and parameters of a cell: `one_shot` uses curve k with t k; the other modes use the first curve only.
+struct Inputs {
+  Form form = Form::bernstein;
+  int dimension = 2;
+  int degree = 0;
+  std::vector<std::vector<double>> curves;  ///< coefficients point by point
+  std::vector<double> t;                    ///< as many as curves
+
+  [[nodiscard]] CurveView<double> curve(std::size_t k) const { return {form, dimension, degree, curves[k]}; }
+};
+
+/// The rival; `inputs` must outlive it.
+Rival kernel_rival(const Kernel<double>& kernel, suite::Mode mode, const Inputs& inputs);
+
+/// True where the kernel's points on these inputs are as near to the exact ones as a method may be: within its bound or,
+/// if it states none, within 64 (n+1) u times the amplification of the detour over power form.
+bool agrees_with_reference(const Kernel<double>& kernel, suite::Mode mode, const Inputs& inputs);
+
+}  // namespace bezierbench::timing
