@@ -158,8 +158,8 @@ double Distance::to(std::span<const double> point) const {
     const auto& d = differences[axis];
     const long by = d.exponent - largest;
     if (d.value == 0 || by + binary_exponent(d.value) < -safe_exponent / 2) continue;  // too small to change the sum
-    if (by > safe_exponent) return exact_distance(point);
-    const double scaled = by < -safe_exponent ? 0 : d.value * power_of_two(static_cast<int>(by));
+    if (std::abs(by) > safe_exponent) return exact_distance(point);
+    const double scaled = d.value * power_of_two(static_cast<int>(by));
     sum += scaled * scaled;
   }
   const double distance = std::sqrt(sum);

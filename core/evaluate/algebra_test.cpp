@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The formulas themselves: run over exact rationals, where nothing rounds, every method gives the point exactly.
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
+#include "core/convert/roster.hpp"
+#include "core/evaluate/roster.hpp"
+#include "core/evaluate/via.hpp"
+
+namespace bezierbench {
+namespace {
+
+namespace mp = boost::multiprecision;
+using Rational = mp::number<mp::cpp_rational_backend, mp::et_off>;
+constexpr int degree = 6;
+
+/// Methods that cannot run on rationals: libm's pow, and conversions that are defined by rounding to double.
+template <class M>
+inline constexpr bool algebraic = M::info.bit_stable;
+template <class E>
+inline constexpr bool algebraic<Via<ExactToPower, E>> = false;
+template <class E>
+inline constexpr bool algebraic<Via<ExactToBernstein, E>> = false;
+
+Rational power(const Rational& base, int exponent) {
+  Rational result = 1;
+  for (int k = 0; k < exponent; ++k) result *= base;
+  return result;
+}
+
+/// The definition of the curve, term by term.
+Rational definition(Form form, const std::vector<Rational>& c, const Rational& t) {
+  Rational sum = 0;
+  Rational binomial = 1;
+  for (int i = 0; i <= degree; ++i) {
+    const auto& coefficient = c[static_cast<std::size_t>(i)];
+    sum += form == Form::bernstein ? Rational(binomial * power(t, i) * power(1 - t, degree - i) * coefficient)
+                                   : Rational(coefficient * power(t, i));
+    binomial = binomial * (degree - i) / (i + 1);
+  }
+  return sum;
+}
+
+template <class M>
+void expect_exact() {
+  if constexpr (algebraic<M>) {
+    for (int sample = 1; sample <= 5; ++sample) {
+      std::vector<Rational> c;
+      Curve<M::info.form, Rational, 1, degree> curve(degree);
+      for (int i = 0; i <= degree; ++i) {
+        c.emplace_back((7 * i * i - 11 * i * sample + 3) % 17, 1 + (i + sample) % 5);
+        curve(0, i) = c.back();
+      }
+      const Rational t(2 * sample - 5, 3);
+      EXPECT_EQ(M::evaluate(M::prepare(curve), t)[0], definition(M::info.form, c, t)) << M::info.id;
+    }
+  }
+}
+
+template <class... Ms>
+void expect_all_exact(TypeList<Ms...> /*methods*/) {
+  (expect_exact<Ms>(), ...);
+}
+
+TEST(Algebra, EveryMethodIsTheDefinitionWhenNothingRounds) {
+  expect_all_exact(typename PathsOf<Conversions, Evaluators>::Type{});
+}
+
+}  // namespace
+}  // namespace bezierbench

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// What every method in the roster must do, whatever it is; a wrong one cannot pass.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <set>
+
+#include "core/evaluate/kernel.hpp"
+#include "experiments/metric/trial_scale.hpp"
+#include "reference/exact_curve.hpp"
+
+namespace bezierbench {
+namespace {
+
+/// Deterministic inputs that depend on no library's distribution.
+class Inputs {
+ public:
+  explicit Inputs(std::uint64_t seed) : words_(seed) {}
+  double symmetric() { return static_cast<double>(static_cast<std::int64_t>(words_())) * 0x1p-63; }
+  double unit() { return static_cast<double>(words_() >> 11U) * 0x1p-53; }
+  std::vector<double> coefficients(int degree, int dimension) {
+    std::vector<double> result(static_cast<std::size_t>((degree + 1) * dimension));
+    for (double& value : result) value = symmetric();
+    return result;
+  }
+
+ private:
+  std::mt19937_64 words_;
+};
+
+template <class Scalar>
+std::vector<Scalar> evaluate(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve, const std::vector<Scalar>& t) {
+  const std::size_t room = kernel.prepared_size + kernel.prepared_alignment;
+  const auto memory = std::make_unique<std::byte[]>(room);
+  void* prepared = memory.get();
+  std::size_t space = room;
+  std::align(kernel.prepared_alignment, kernel.prepared_size, prepared, space);
+  kernel.prepare(curve, prepared);
+  std::vector<Scalar> points(t.size() * static_cast<std::size_t>(curve.dimension));
+  kernel.evaluate(prepared, t, points.data());
+  return points;
+}
+
+template <class Scalar>
+bool supports(const Kernel<Scalar>& kernel, int degree) {
+  return degree >= kernel.info->min_degree && degree <= kernel.info->template max_degree_for<Scalar>();
+}
+
+const std::vector<double> parameters{0, 1, 0.5, 0.3, 0x1p-30, 1 - 0x1p-53, 0.9, -0.25, 1.5};
+
+class Method : public testing::TestWithParam<std::size_t> {
+ protected:
+  [[nodiscard]] const Kernel<double>& kernel(int dimension = 2) const { return kernels<double>(dimension)[GetParam()]; }
+  [[nodiscard]] const Kernel<float>& float_kernel(int dimension = 2) const {
+    return kernels<float>(dimension)[GetParam()];
+  }
+};
+
+TEST_P(Method, StatesWhatItIs) {
+  const auto& info = *kernel().info;
+  EXPECT_THAT(std::string(info.id), testing::MatchesRegex("[a-z0-9_]+(:[a-z0-9_]+)?"));
+  EXPECT_FALSE(info.label.empty());
+  EXPECT_FALSE(info.citation.empty());
+  EXPECT_FALSE(info.flops.empty());
+  EXPECT_LE(info.min_degree, info.max_degree);
+  EXPECT_GE(info.max_degree, 170);
+  EXPECT_EQ(info.problem, Problem::evaluation);
+}
+
+TEST_P(Method, KeepsItsBound) {
+  const auto& stated = kernel().info->bound;
+  if (!stated) GTEST_SKIP() << "states none";
+  Inputs inputs(1);
+  reference::ExactCurve exact;
+  metric::TrialScale scale;
+  for (const int dimension : {1, 2, 3})
+    for (const int degree : {0, 1, 2, 3, 5, 8, 13, 20, 34, 60, 120}) {
+      const auto& method = kernel(dimension);
+      if (!supports(method, degree)) continue;
+      for (int repeat = 0; repeat < 20; ++repeat) {
+        auto coefficients = inputs.coefficients(degree, dimension);
+        if (repeat % 4 == 3)  // magnitudes from 2^-40 to 2^40 side by side
+          for (double& value : coefficients) value = std::ldexp(value, static_cast<int>(80 * inputs.symmetric() / 2));
+        const CurveView<double> curve{method.info->form, dimension, degree, coefficients};
+        auto ts = parameters;
+        for (int k = 0; k < 8; ++k) ts.push_back(inputs.unit());
+        const auto points = evaluate(method, curve, ts);
+        for (std::size_t k = 0; k < ts.size(); ++k) {
+          scale.set(curve, ts[k]);
+          const reference::Distance distance(exact.point(curve, ts[k]));
+          const auto d = static_cast<std::size_t>(dimension);
+          const double error = distance.to(std::span(points).subspan(k * d, d));
+          EXPECT_FALSE(metric::TrialScale::violates(error, scale.bound(*stated, metric::double_arithmetic)))
+              << method.info->id << " degree " << degree << " t " << ts[k] << " error " << error << " bound "
+              << scale.bound(*stated, metric::double_arithmetic);
+        }
+      }
+    }
+}
+
+TEST_P(Method, KeepsItsBoundInFloat) {
+  const auto& stated = float_kernel().info->bound;
+  if (!stated) GTEST_SKIP() << "states none";
+  Inputs inputs(2);
+  reference::ExactCurve exact;
+  metric::TrialScale scale;
+  for (const int degree : {0, 1, 2, 3, 8, 20, 34}) {
+    const auto& method = float_kernel();
+    if (!supports(method, degree)) continue;
+    for (int repeat = 0; repeat < 20; ++repeat) {
+      const auto drawn = inputs.coefficients(degree, 2);
+      const std::vector<float> coefficients(drawn.begin(), drawn.end());
+      const std::vector<double> widened(coefficients.begin(), coefficients.end());
+      const auto t = static_cast<float>(inputs.unit());
+      const auto point = evaluate<float>(method, {method.info->form, 2, degree, coefficients}, {t});
+      const CurveView<double> curve{method.info->form, 2, degree, widened};
+      scale.set(curve, t);
+      const double error = reference::Distance(exact.point(curve, t)).to(std::vector<double>(point.begin(), point.end()));
+      EXPECT_FALSE(metric::TrialScale::violates(error, scale.bound(*stated, metric::float_arithmetic)))
+          << method.info->id << " degree " << degree << " t " << t << " error " << error;
+    }
+  }
+}
+
+/// Even a method without a bound is right to first order where nothing is amplified much.
+TEST_P(Method, IsRightOnMildCurves) {
+  Inputs inputs(3);
+  reference::ExactCurve exact;
+  const auto& method = kernel();
+  for (const int degree : {0, 1, 2, 3, 4, 6}) {
+    for (int repeat = 0; repeat < 50; ++repeat) {
+      const auto coefficients = inputs.coefficients(degree, 2);
+      const CurveView<double> curve{method.info->form, 2, degree, coefficients};
+      const double t = inputs.unit();
+      const auto point = evaluate(method, curve, {t});
+      EXPECT_LE(reference::Distance(exact.point(curve, t)).to(point), 64 * 0x1p-53 * std::pow(3, degree))
+          << method.info->id << " degree " << degree << " t " << t;
+    }
+  }
+}
+
+TEST_P(Method, ScalesWithPowersOfTwo) {
+  const auto& method = kernel();
+  if (!method.info->bit_stable) GTEST_SKIP() << "its bits belong to libm";
+  Inputs inputs(4);
+  for (const int degree : {0, 1, 3, 8, 20}) {
+    const auto coefficients = inputs.coefficients(degree, 2);
+    auto scaled = coefficients;
+    for (double& value : scaled) value *= 0x1p+60;
+    auto points = evaluate(method, {method.info->form, 2, degree, coefficients}, parameters);
+    for (double& value : points) value *= 0x1p+60;
+    EXPECT_EQ(evaluate(method, {method.info->form, 2, degree, scaled}, parameters), points) << "degree " << degree;
+  }
+}
+
+TEST_P(Method, TreatsAxesAlike) {
+  Inputs inputs(5);
+  for (const int degree : {1, 4, 20}) {
+    const auto coefficients = inputs.coefficients(degree, 3);
+    const auto points = evaluate(kernel(3), {kernel(3).info->form, 3, degree, coefficients}, parameters);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::vector<double> one_axis;
+      for (std::size_t i = axis; i < coefficients.size(); i += 3) one_axis.push_back(coefficients[i]);
+      const auto values = evaluate(kernel(1), {kernel(1).info->form, 1, degree, one_axis}, parameters);
+      for (std::size_t k = 0; k < parameters.size(); ++k) EXPECT_EQ(values[k], points[3 * k + axis]) << "degree " << degree;
+    }
+  }
+}
+
+TEST_P(Method, BatchEqualsOneByOne) {
+  Inputs inputs(6);
+  const auto coefficients = inputs.coefficients(9, 2);
+  const CurveView<double> curve{kernel().info->form, 2, 9, coefficients};
+  const auto points = evaluate(kernel(), curve, parameters);
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    EXPECT_EQ(evaluate(kernel(), curve, {parameters[k]}),
+              std::vector<double>(points.begin() + static_cast<std::ptrdiff_t>(2 * k),
+                                  points.begin() + static_cast<std::ptrdiff_t>(2 * k + 2)));
+}
+
+/// A native Bernstein method with a bound in terms of p~ passes through both end points exactly.
+TEST_P(Method, InterpolatesEndPoints) {
+  const auto& info = *kernel().info;
+  const bool native = info.id.find(':') == std::string_view::npos;
+  if (info.form != Form::bernstein || !native || !info.bound) GTEST_SKIP() << "does not promise it";
+  Inputs inputs(7);
+  for (const int degree : {1, 2, 7, 20, 90}) {
+    const auto coefficients = inputs.coefficients(degree, 2);
+    const auto points = evaluate(kernel(), {info.form, 2, degree, coefficients}, {0, 1});
+    EXPECT_THAT(std::vector(points.begin(), points.begin() + 2),
+                testing::ElementsAre(coefficients[0], coefficients[1]));
+    EXPECT_THAT(std::vector(points.begin() + 2, points.end()),
+                testing::ElementsAre(coefficients[coefficients.size() - 2], coefficients.back()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Roster, Method, testing::Range<std::size_t>(0, kernels<double>(2).size()),
+                         [](const auto& parameter) {
+  std::string name(kernels<double>(2)[parameter.param].info->id);
+  for (char& c : name)
+    if (c == ':') c = '_';
+  return name + "_" + std::string(bezierbench::name(kernels<double>(2)[parameter.param].info->form));
+});
+
+TEST(Roster, HasNoTwoMethodsOfOneName) {
+  std::set<std::pair<std::string_view, Form>> seen;
+  for (const auto& kernel : kernels<double>(2)) EXPECT_TRUE(seen.emplace(kernel.info->id, kernel.info->form).second);
+}
+
+TEST(Roster, ComposesEveryConversionWithEveryEvaluatorOfItsTarget) {
+  std::size_t expected = 0;
+  std::size_t native = 0;
+  for (const auto& kernel : kernels<double>(2)) {
+    if (kernel.info->id.find(':') != std::string_view::npos) continue;
+    ++native;
+    for (const auto& conversion : conversion_kernels<double>(2))
+      if (conversion.info->form != kernel.info->form) ++expected;
+  }
+  EXPECT_EQ(kernels<double>(2).size(), native + expected);
+}
+
+TEST(Roster, SourceReportsPathsExist) {
+  EXPECT_NE(find_kernel<double>("factorial:power_sum", Form::bernstein, 2), nullptr);
+  EXPECT_NE(find_kernel<double>("forward_substitution:direct", Form::power, 2), nullptr);
+  EXPECT_EQ(find_kernel<double>("forward_substitution:direct", Form::bernstein, 2), nullptr);
+}
+
+/// Textbook point: the cubic (1,1) (3,1) (4,2) (6,3) at t = 1/2 (Farin-style midpoint construction by hand:
+/// (2,1) (3.5,1.5) (5,2.5); (2.75,1.25) (4.25,2); (3.5,1.625)), all intermediate values exact in binary.
+TEST(Roster, HandComputedCubic) {
+  const std::vector<double> coefficients{1, 1, 3, 1, 4, 2, 6, 3};
+  for (const auto& kernel : kernels<double>(2)) {
+    if (kernel.info->form != Form::bernstein) continue;
+    EXPECT_THAT(evaluate(kernel, {Form::bernstein, 2, 3, coefficients}, {0.5}), testing::ElementsAre(3.5, 1.625))
+        << kernel.info->id;
+  }
+}
+
+/// The contraction canary: compiled with the flags of the kernels. (1 + 2^-30)^2 - (1 + 2^-29) is 0 when the product is
+/// rounded and 2^-60 when it is fused.
+TEST(FloatingPointContract, ForbidsContraction) {
+  volatile double a = 1 + 0x1p-30;
+  volatile double c = -(1 + 0x1p-29);
+  const double x = a;
+  const double y = c;
+  EXPECT_EQ(x * x + y, 0);
+  EXPECT_EQ(std::fma(x, x, y), 0x1p-60);
+}
+
+}  // namespace
+}  // namespace bezierbench

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "reference/exact_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "reference/exact_conversion.hpp"
+
+namespace bezierbench::reference {
+namespace {
+
+Rational power(const Rational& base, int exponent) {
+  Rational result{1, 1, 0};
+  for (int k = 0; k < exponent; ++k) result = result * base;
+  return result;
+}
+
+/// The definition, term by term with rationals: another route than the homogeneous Horner scheme under test.
+Rational definition(Form form, const std::vector<double>& c, double t) {
+  const int n = static_cast<int>(c.size()) - 1;
+  const Rational one{1, 1, 0};
+  Rational sum;
+  mpz_class binomial;
+  for (int i = 0; i <= n; ++i) {
+    mpz_bin_uiui(binomial.get_mpz_t(), static_cast<unsigned long>(n), static_cast<unsigned long>(i));
+    const Rational coefficient = exactly(c[static_cast<std::size_t>(i)]);
+    const Rational basis = form == Form::power ? power(exactly(t), i)
+                                               : Rational{binomial, 1, 0} * power(exactly(t), i) *
+                                                     power(one - exactly(t), n - i);
+    sum = sum + basis * coefficient;
+  }
+  return sum;
+}
+
+bool same(const Rational& a, const Rational& b) { return (a - b).numerator == 0; }
+
+const std::vector<double> nasty_t{0, 1, 0.5, 1.0 / 3, 1 - 0x1p-53, 0x1p-1074, -0x1p-1074, 1e-300, -2.5, 3.7, 1e300,
+                                  -1e300, 1 + 0x1p-52, std::numeric_limits<double>::max()};
+const std::vector<std::vector<double>> nasty_c{
+    {3.25},
+    {0, 0, 0},
+    {-0.0, 1},
+    {0x1p-1074, -0x1p-1074, 0x1p-1070},
+    {1e308, -1e308, 1e308, -1e308},
+    {1e308, 1e-308, -0x1p-1074, 1},
+    {1, -1, 1, -1, 1, -1, 1},
+    {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9},
+};
+
+TEST(ExactCurve, IsTheDefinitionOnNastyInputs) {
+  ExactCurve exact;
+  for (const Form form : {Form::bernstein, Form::power})
+    for (const auto& c : nasty_c)
+      for (const double t : nasty_t) {
+        const CurveView<double> curve{form, 1, static_cast<int>(c.size()) - 1, c};
+        EXPECT_TRUE(same(exact.point(curve, t).coordinate(0), definition(form, c, t)))
+            << name(form) << " degree " << curve.degree << " t " << t;
+        std::vector<double> magnitudes;
+        for (const double value : c) magnitudes.push_back(std::abs(value));
+        if (t < 0 || t > 1) continue;  // inside, the basis is positive, so p~ is the curve of the magnitudes
+        EXPECT_TRUE(same(exact.p_tilde(curve, t).coordinate(0), definition(form, magnitudes, t)));
+      }
+}
+
+TEST(ExactCurve, KeepsAxesApart) {
+  const std::vector<double> c{1, 10, 2, 20, 3, 50};
+  ExactCurve exact;
+  const auto& point = exact.point({Form::bernstein, 2, 2, c}, 0.25);
+  EXPECT_EQ(round_to(binary64, point.coordinate(0)), 1.5);
+  EXPECT_EQ(round_to(binary64, point.coordinate(1)), 10 * 0.5625 + 20 * 0.375 + 50 * 0.0625);
+}
+
+TEST(ExactCurve, PTildeOutsideTheUnitIntervalTakesMagnitudesOfTheBasis) {
+  const std::vector<double> c{1, -1};  // at t = 2: |1||1-2| + |-1||2| = 3
+  ExactCurve exact;
+  EXPECT_EQ(round_to(binary64, exact.p_tilde({Form::bernstein, 1, 1, c}, 2).coordinate(0)), 3);
+}
+
+TEST(ExactConversion, GivesTheSameCurve) {
+  std::mt19937_64 words(3);
+  ExactCurve exact;
+  for (const Form form : {Form::bernstein, Form::power})
+    for (const int n : {0, 1, 2, 5, 12}) {
+      std::vector<double> c;
+      for (int i = 0; i <= n; ++i) c.push_back(static_cast<double>(static_cast<std::int64_t>(words())) * 0x1p-63);
+      const CurveView<double> curve{form, 1, n, c};
+      const auto converted_curve = converted(curve);
+      const double t = 0.3;
+      Rational sum;
+      mpz_class binomial;
+      for (int i = 0; i <= n; ++i) {
+        mpz_bin_uiui(binomial.get_mpz_t(), static_cast<unsigned long>(n), static_cast<unsigned long>(i));
+        const Rational basis = form == Form::bernstein ? power(exactly(t), i)
+                                                       : Rational{binomial, 1, 0} * power(exactly(t), i) *
+                                                             power(Rational{1, 1, 0} - exactly(t), n - i);
+        sum = sum + basis * converted_curve[static_cast<std::size_t>(i)].coordinate(0);
+      }
+      EXPECT_TRUE(same(sum, exact.point(curve, t).coordinate(0))) << name(form) << " " << n;
+    }
+}
+
+/// Every distance must be the one that the integers give.
+double slow_distance(const ExactPoint& exact, const std::vector<double>& point) {
+  Rational sum;
+  for (int axis = 0; axis < exact.dimension; ++axis) {
+    const Rational d = exactly(point[static_cast<std::size_t>(axis)]) - exact.coordinate(axis);
+    sum = sum + d * d;
+  }
+  return square_root(error_format, sum);
+}
+
+TEST(Distance, EqualsTheIntegersEverywhere) {
+  std::mt19937_64 words(4);
+  ExactCurve exact;
+  const auto random = [&] { return static_cast<double>(static_cast<std::int64_t>(words())) * 0x1p-63; };
+  const std::vector<int> scales{0, 20, -900, 900, -1010, 1000};
+  int checked = 0;
+  for (int repeat = 0; repeat < 4000; ++repeat) {
+    const int n = static_cast<int>(words() % 12);
+    const int dimension = 1 + static_cast<int>(words() % 3);
+    const int scale = scales[words() % scales.size()];
+    std::vector<double> c;
+    for (int i = 0; i < (n + 1) * dimension; ++i) c.push_back(std::ldexp(random(), scale));
+    const double t = repeat % 5 == 0 ? nasty_t[words() % 9] : std::abs(random());
+    const auto& point = exact.point({repeat % 2 == 0 ? Form::bernstein : Form::power, dimension, n, c}, t);
+    bool in_range = true;
+    for (int axis = 0; axis < dimension; ++axis)
+      in_range = in_range && std::isfinite(2 * round_to(binary64, point.coordinate(axis)));
+    if (!in_range) continue;  // computed points are finite, so are the truths that they are compared with here
+    const Distance distance(point);
+    std::vector<double> near(static_cast<std::size_t>(dimension));
+    for (int variant = 0; variant < 5; ++variant) {
+      for (int axis = 0; axis < dimension; ++axis) {
+        const double rounded = round_to(binary64, point.coordinate(axis));
+        const double direction = words() % 2 == 0 ? 1e308 : -1e308;
+        near[static_cast<std::size_t>(axis)] = variant == 0   ? rounded
+                                               : variant == 1 ? std::nextafter(rounded, direction)
+                                               : variant == 2 ? rounded * (1 + 1e-9 * random())
+                                               : variant == 3 ? 0
+                                                              : std::ldexp(random(), scales[words() % scales.size()]);
+      }
+      EXPECT_EQ(distance.to(near), slow_distance(point, near)) << "repeat " << repeat << " variant " << variant;
+      ++checked;
+    }
+  }
+  EXPECT_GE(checked, 15000);
+}
+
+TEST(Distance, FromAPointInDouble) {
+  const std::vector<double> origin{1, 2};
+  const Distance distance{std::span<const double>(origin)};
+  EXPECT_EQ(distance.to(std::vector<double>{4, 6}), 5);
+  EXPECT_EQ(distance.to(origin), 0);
+  const std::vector<double> tiny{0x1p-1074, 0};
+  const Distance from_tiny{std::span<const double>(tiny)};
+  EXPECT_EQ(from_tiny.to(std::vector<double>{0, 0}), 0x1p-1074);
+  const std::vector<double> huge{1e308, -1e308};
+  const Distance from_huge{std::span<const double>(huge)};
+  EXPECT_EQ(from_huge.to(std::vector<double>{-1e308, 1e308}), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace bezierbench::reference
