@@ -39,14 +39,17 @@ inline double bernstein_sum(std::span<const double> c, double x, double y) {
   const double ratio = (ascending ? x : y) / larger;
   double largest = 0;
   for (const double value : c) largest = std::max(largest, value);
-  const double scale = largest > 0x1p+400 ? 0x1p-600 : largest < 0x1p-400 ? 0x1p+600 : 1;
-  double weight = 1;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const double scale = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));  // the largest coefficient becomes about 1
+  const double first_weight = n > 500 ? 0x1p-60 : 1;  // leaves room for C(n,i) (n - i + 1) and for the sum
+  double weight = first_weight;
   double sum = 0;
   for (int i = 0; i <= n; ++i) {
     if (i > 0) weight = weight * ratio * (n - i + 1) / i;
     sum += weight * (scale * c[static_cast<std::size_t>(ascending ? i : n - i)]);
   }
-  return sum * integer_power(larger, n / 2) * integer_power(larger, n - n / 2) / scale;
+  return sum * integer_power(larger, n / 2) * integer_power(larger, n - n / 2) / scale / first_weight;
 }
 
 /// sum c_j x^j y^(n-j) for c, x, y >= 0.

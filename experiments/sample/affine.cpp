@@ -18,6 +18,7 @@ __extension__ using Wide = unsigned __int128;
 using Bits256 = std::array<std::uint64_t, 4>;
 
 constexpr int bits = 256;
+constexpr std::uint64_t top_bit = std::uint64_t{1} << 63U;
 constexpr int smallest_exponent = -1074;  // of the last bit of a double
 
 /// +-magnitude 2^exponent; `magnitude` below 2^53.
@@ -153,34 +154,55 @@ bool any_below(const Bits256& x, int count) {
   return found != 0;
 }
 
-double rounded(const Term& x) {
+/// `kept` 2^last. The leading bit of a normal `kept` adds one to the exponent field, as does a carry out of rounding.
+double pack(bool negative, std::uint64_t kept, int last) {
+  const std::uint64_t word = (static_cast<std::uint64_t>(last - smallest_exponent) << 52U) + kept;
+  return std::bit_cast<double>(word | static_cast<std::uint64_t>(negative) << 63U);
+}
+
+double rounded_in_general(const Term& x) {
   const int length = bit_length(x.magnitude);
   if (length == 0) return 0;
   const int last = std::max(x.exponent + length - 53, smallest_exponent);  // exponent of the last bit that is kept
   const int drop = last - x.exponent;
-  std::uint64_t kept = 0;
-  if (drop <= 0) {
-    kept = x.magnitude[0] << static_cast<unsigned>(-drop);
-  } else {
-    kept = word_at(x.magnitude, drop) & ((std::uint64_t{1} << 53U) - 1U);
-    const bool half = (word_at(x.magnitude, drop - 1) & 1U) != 0;
-    kept += half && ((kept & 1U) != 0 || any_below(x.magnitude, drop - 1)) ? 1U : 0U;
-  }
-  // The leading bit of a normal `kept` adds one to the exponent field, as does a carry out of rounding.
-  const std::uint64_t word = (static_cast<std::uint64_t>(last - smallest_exponent) << 52U) + kept;
-  return std::bit_cast<double>(word | static_cast<std::uint64_t>(x.negative) << 63U);
+  if (drop <= 0) return pack(x.negative, x.magnitude[0] << static_cast<unsigned>(-drop), last);
+  std::uint64_t kept = word_at(x.magnitude, drop) & ((std::uint64_t{1} << 53U) - 1U);
+  const bool half = (word_at(x.magnitude, drop - 1) & 1U) != 0;
+  kept += half && ((kept & 1U) != 0 || any_below(x.magnitude, drop - 1)) ? 1U : 0U;
+  return pack(x.negative, kept, last);
+}
+
+/// The same; quick where three words hold the value, the third is not empty and the result is normal.
+double rounded(const Term& x) {
+  const auto& [w0, w1, w2, w3] = x.magnitude;
+  const int zeros = std::countl_zero(w2);
+  const int last = x.exponent + 192 - zeros - 53;
+  if (w3 != 0 || zeros == 0 || zeros == 64 || last < smallest_exponent) return rounded_in_general(x);
+  const std::uint64_t top = w2 << zeros | w1 >> (64 - zeros);
+  const bool sticky = (w1 << zeros | w0) != 0;
+  const std::uint64_t below = (top & 0x7ffU) | (sticky ? 1U : 0U);  // of 2048; a half is 1024
+  const std::uint64_t kept = top >> 11U;
+  return pack(x.negative, kept + (below + (kept & 1U) > 1024U ? 1U : 0U), last);
 }
 
 }  // namespace
 
 double affine(double a, double b, Uniform128 u) {
-  Unpacked from = unpack(a);
-  Unpacked to = unpack(b);
-  if (from.magnitude == 0) from.exponent = to.exponent;  // the exponent of a zero is nothing to align with
-  if (to.magnitude == 0) to.exponent = from.exponent;
+  const Unpacked from = unpack(a);
+  const Unpacked to = unpack(b);
   // M - K = 2 (2^128 - 1 - U) + 1, and 2^128 - 1 - U is the complement of U.
-  const Term at_a{from.negative, times_odd(from.magnitude, {~u.high, ~u.low}), from.exponent - 129};
+  const Uniform128 complement{~u.high, ~u.low};
+  // [-R, R] and [0, b] are what is drawn nearly always; there one product is the image.
+  if (from.magnitude == to.magnitude && from.exponent == to.exponent && from.negative != to.negative) {
+    // b (2K - M) / M, where 2K - M is twice the odd number 2 (U - 2^127) + 1.
+    const bool negative = u.high < top_bit;
+    const Uniform128 v = negative ? complement : u;
+    return rounded({negative, times_odd(to.magnitude, {v.high & ~top_bit, v.low}), to.exponent + 1 - 129});
+  }
   const Term at_b{to.negative, times_odd(to.magnitude, u), to.exponent - 129};
+  if (from.magnitude == 0) return rounded(at_b);
+  const Term at_a{from.negative, times_odd(from.magnitude, complement), from.exponent - 129};
+  if (to.magnitude == 0) return rounded(at_a);
   return rounded(add(at_a, at_b));
 }
 

@@ -11,8 +11,8 @@ namespace bezierbench::sample {
 /// Takes the words that `continuous` takes. Where t_min or t_max is no multiple of 2^-53 itself, t may leave the
 /// interval by half of that.
 struct Dyadic {
-  static constexpr GeneratorInfo info{
-      "dyadic", "as continuous", "as continuous, then rounded to a multiple of 2^-53, so that 1 - t is exact"};
+  static constexpr GeneratorInfo info{"dyadic", "as continuous",
+                                      "as continuous, then rounded to a multiple of 2^-53, so that 1 - t is exact"};
 
   static double coordinate(Words& words, double range) { return Continuous::coordinate(words, range); }
 

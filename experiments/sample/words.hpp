@@ -15,8 +15,8 @@ struct Uniform128 {
   std::uint64_t low;
 };
 
-/// The stream of 64-bit words that belongs to (seed, study, cell, trial): the blocks philox((study, cell, trial, block),
-/// (seed, 0)) for block = 0, 1, ..., four words each, in order.
+/// The stream of 64-bit words that belongs to (seed, study, cell, trial): the blocks philox((study, cell, trial,
+/// block), (seed, 0)) for block = 0, 1, ..., four words each, in order.
 class Words {
  public:
   Words(std::uint64_t seed, std::uint64_t study_key, std::uint64_t cell_key, std::uint64_t trial)

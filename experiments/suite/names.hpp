@@ -46,7 +46,8 @@ inline constexpr std::array<Word<Mode>, 4> words<Mode>{
     {{Mode::one_shot, "one_shot"}, {Mode::point, "point"}, {Mode::latency, "latency"}, {Mode::batch, "batch"}}};
 
 template <class Enum>
-concept Worded = words<Enum>.size() > 0;
+concept Worded = words<Enum>
+.size() > 0;
 
 /// The word for `value`.
 template <Worded Enum>

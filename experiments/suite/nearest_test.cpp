@@ -25,9 +25,7 @@ TEST(Nearest, StaysSilentWhenNothingIsClose) {
   EXPECT_EQ(nearest("x", {}), "");
 }
 
-TEST(Nearest, ASwapOfNeighboursIsOneStep) {
-  EXPECT_EQ(nearest("ba", std::vector<std::string>{"abc", "ab"}), "ab");
-}
+TEST(Nearest, ASwapOfNeighboursIsOneStep) { EXPECT_EQ(nearest("ba", std::vector<std::string>{"abc", "ab"}), "ab"); }
 
 TEST(Nearest, SuggestionListsWhatIsKnownWhenNothingIsClose) {
   EXPECT_EQ(suggestion("hroner", ids), "; did you mean \"horner\"?");

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <locale>
 #include <random>
+#include <string>
 
 namespace bezierbench::suite {
 namespace {
@@ -66,12 +68,22 @@ TEST(Number, IntegersMayBeWrittenAsFloatingPoint) {
   EXPECT_FALSE(parse_integer("four"));
 }
 
+/// A decimal comma and grouped digits.
+struct Comma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
 TEST(Number, NoLocaleChangesAByte) {
-  const char* german = std::setlocale(LC_ALL, "de_DE.UTF-8");
-  if (german == nullptr) GTEST_SKIP() << "no locale with a decimal comma here";
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+  const char* german = std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // where there is one
   EXPECT_EQ(shortest(0.5), "0.5");
+  EXPECT_EQ(shortest(123456), "123456");
   EXPECT_EQ(parse_number("0.5"), 0.5);
-  std::setlocale(LC_ALL, "C");
+  EXPECT_FALSE(parse_number("0,5"));
+  if (german != nullptr) std::setlocale(LC_NUMERIC, "C");
+  std::locale::global(before);
 }
 
 }  // namespace

@@ -115,8 +115,7 @@ void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabul
     Setting setting = parse_set(text);
     for (const Setting& other : settings) {
       if (other.field != setting.field) continue;
-      throw Failure(Exit::usage,
-                    fmt::format("{}: {} sets this too; keep one of them", setting.option, other.option));
+      throw Failure(Exit::usage, fmt::format("{}: {} sets this too; keep one of them", setting.option, other.option));
     }
     settings.push_back(std::move(setting));
   }

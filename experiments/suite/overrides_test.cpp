@@ -34,7 +34,9 @@ std::vector<Suite> applied(const Overrides& overrides) {
 }
 
 std::string refused(const Overrides& overrides) {
-  return failure_of([&] { applied(overrides); });
+  const std::string line = failure_of([&] { applied(overrides); });
+  EXPECT_THAT(line, StartsWith("--"));
+  return line;
 }
 
 Overrides setting(std::vector<std::string> set) {

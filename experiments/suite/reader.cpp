@@ -152,7 +152,8 @@ Suite only_one(std::vector<Suite> suites, std::string_view file_name) {
 std::string contents(const std::filesystem::path& file) {
   const auto refuse = [&](int error) {
     throw Failure(Exit::usage, fmt::format("{}: cannot be read ({}); name a suite file that can, or see `bezierbench "
-                                           "list suites`", file.string(), std::generic_category().message(error)));
+                                           "list suites`",
+                                           file.string(), std::generic_category().message(error)));
   };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
   if (!stream) refuse(errno);
@@ -172,7 +173,8 @@ std::vector<Suite> parse_suites(std::string_view text, std::string_view file_nam
     return Reader(file_name, known).document(toml::parse(text));
   } catch (const toml::parse_error& error) {
     std::string what(error.description());
-    std::replace_if(what.begin(), what.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    std::replace_if(
+        what.begin(), what.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
     fail(file_name, error.source().begin, "not TOML: " + what + "; mend the syntax here");
   }
 }

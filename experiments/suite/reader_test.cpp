@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <cmath>
 #include <string>
 
 #include "experiments/suite/test_vocabulary.hpp"
@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 const std::string head = "schema_version = 1\n[suite]\nid = \"s\"\n[[study]]\nid = \"a\"\n";  // five lines
-const std::string minimal = head + "kind = \"accuracy\"\n";                                    // six
+const std::string minimal = head + "kind = \"accuracy\"\n";                                   // six
 
 Suite parsed(const std::string& text) { return parse_suite(text, "x.toml", test_vocabulary()); }
 
@@ -66,11 +66,14 @@ TEST(Reader, ATimingStudyWithoutModesHasAll) {
 
 TEST(Reader, ReadsNumbersInEveryNotation) {
   const Study study = parsed(minimal +
-                             "degree = [\"3\", 0x4, 5.0]\ncoordinate_range = [\"0x1p-1022\", 0, 2, \"1e-3\", -0.0e1]\n"
+                             "degree = [\"3\", 0x4, 5.0]\ncoordinate_range = [\"0x1p-1022\", 2, \"1e-3\", -0.0e1]\n"
                              "t_interval = [[0, \"0x1p-1\"]]\ntrials = 1e4\n")
                           .studies.front();
   EXPECT_THAT(study.degree, ElementsAre(3, 4, 5));
-  EXPECT_THAT(study.coordinate_range, ElementsAre(0x1p-1022, 0.0, 2.0, 1e-3, 0.0));
+  EXPECT_THAT(study.coordinate_range, ElementsAre(0x1p-1022, 2.0, 1e-3, 0.0));
+  EXPECT_FALSE(std::signbit(study.coordinate_range.back())) << "one zero only, or keys of cells would differ";
+  EXPECT_THAT(study.t_interval, ElementsAre(Interval{0, 0.5}));
+  EXPECT_EQ(study.trials, 10000);
 }
 
 TEST(Reader, OneBaselineNeedsNoBrackets) {
@@ -79,8 +82,9 @@ TEST(Reader, OneBaselineNeedsNoBrackets) {
 }
 
 TEST(Reader, ReadsChainsAndGlobs) {
-  const auto conversion = parsed(head + "kind = \"conversion\"\ndegree = [3]\n"
-                                        "methods = [\"factorial+forward_substitution+factorial\", \"*sum\"]\n");
+  const auto conversion = parsed(head +
+                                 "kind = \"conversion\"\ndegree = [3]\n"
+                                 "methods = [\"factorial+forward_substitution+factorial\", \"*sum\"]\n");
   EXPECT_EQ(conversion.studies.front().methods.size(), 2U);
   EXPECT_EQ(parsed(minimal + "degree = [3]\nmethods = [\"*:horner\"]\n").studies.front().methods.size(), 1U);
 }
@@ -102,17 +106,14 @@ TEST_P(ReaderRefuses, WithPlaceAndAdvice) {
 INSTANTIATE_TEST_SUITE_P(
     Studies, ReaderRefuses,
     ::testing::Values(
-        Refusal{"degree = [3\n", "8:", "not TOML"},  //
-        Refusal{"degre = [3]", "7:1", "did you mean \"degree\"?"},
-        Refusal{"", "4:1", "degree is missing"},  //
+        Refusal{"degree = [3\n", "7:13", "not TOML"},                                                        //
+        Refusal{"degre = [3]", "7:1", "did you mean \"degree\"?"}, Refusal{"", "4:1", "degree is missing"},  //
         Refusal{"degree = []", "7:10", "an array with a value"},
         Refusal{"degree = 3", "7:10", "degree must be an array"},
         Refusal{"degree = [3, 1024]", "7:14", "0 to 1023"},  //
-        Refusal{"degree = [-1]", "7:11", "0 to 1023"},
-        Refusal{"degree = [99999999999]", "7:11", "0 to 1023"},
+        Refusal{"degree = [-1]", "7:11", "0 to 1023"}, Refusal{"degree = [99999999999]", "7:11", "0 to 1023"},
         Refusal{"degree = [3.5]", "7:11", "a whole number"},  //
-        Refusal{"degree = [3, 4, 3]", "7:17", "twice"},
-        Refusal{"degree = [3]\ndimension = [4]", "8:14", "1, 2 or 3"},
+        Refusal{"degree = [3, 4, 3]", "7:17", "twice"}, Refusal{"degree = [3]\ndimension = [4]", "8:14", "1, 2 or 3"},
         Refusal{"degree = [3]\ndimension = [0]", "8:14", "1, 2 or 3"},
         Refusal{"degree = [3]\ncoordinate_range = [1, -1]", "8:24", "not negative"},
         Refusal{"degree = [3]\ncoordinate_range = [inf]", "8:21", "finite"},
@@ -136,6 +137,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"degree = [3]\nmodes = [\"batch\"]", "8:10", "kind \"timing\""},
         Refusal{"degree = [3]\nmodes = [\"bach\"]", "8:10", "did you mean \"batch\"?"},
         Refusal{"degree = [3]\npublished = \"report_table.csv\"", "8:13", "did you mean \"report_tables.csv\"?"},
+        Refusal{"degree = [3]\ntrials = 9223372036854775807\nreplicates = 2", "9:14", "below 2^63"},
+        Refusal{"degree = [3]\ngenerator = [\"report\"]\nt_interval = [[-1e308, 1e308]]", "9:15", "narrow"},
         Refusal{"degree = [3]\ntitle = 3", "8:9", "a string"},
         Refusal{"degree = [3]\ngenerator = [\"integer\"]\ncoordinate_range = [1, 0.5]", "9:24", "from 1 to 2^53"},
         Refusal{"degree = [3]\ngenerator = [\"integer\"]\ncoordinate_range = [1e16]", "9:21", "from 1 to 2^53"},

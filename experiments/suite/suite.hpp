@@ -46,9 +46,9 @@ struct Study {
   std::vector<std::string> generator{"continuous"};
   std::vector<int> dimension{2};
   std::vector<ScalarKind> scalar{ScalarKind::float64};
-  std::vector<std::string> methods;  ///< ids or globs as written; empty: all that apply
-  std::int64_t trials = 1000;        ///< per replicate
-  std::int64_t replicates = 1;       ///< independent repetitions, for a band
+  std::vector<std::string> methods;            ///< ids or globs as written; empty: all that apply
+  std::int64_t trials = 1000;                  ///< per replicate
+  std::int64_t replicates = 1;                 ///< independent repetitions, for a band
   std::vector<std::string> baseline{"exact"};  ///< what errors are measured against: `exact` or a method id
   std::vector<Mode> modes;                     ///< timing only
   std::string published;                       ///< file of printed values in reference/published; may be empty

@@ -39,8 +39,8 @@ void read(const Source& source, const toml::node& node, std::int64_t& out) {
 void read(const Source& source, const toml::node& node, int& out) {
   std::int64_t value = 0;
   read(source, node, value);
-  out = static_cast<int>(std::clamp<std::int64_t>(value, std::numeric_limits<int>::min(),
-                                                  std::numeric_limits<int>::max()));
+  out = static_cast<int>(
+      std::clamp<std::int64_t>(value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
 }
 
 void read(const Source& source, const toml::node& node, double& out) {

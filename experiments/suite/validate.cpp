@@ -93,7 +93,8 @@ Finding check_fit(const Study& study) {
     if (integer && !(range >= 1 && range <= largest_integer_range)) {
       return Problem{"coordinate_range", i, "generator",
                      fmt::format("generator \"integer\" needs a coordinate_range from 1 to 2^53, not {}; "
-                                 "change the range or the generator", shortest(range))};
+                                 "change the range or the generator",
+                                 shortest(range))};
     }
     if (single && range > static_cast<double>(std::numeric_limits<float>::max())) {
       return Problem{"coordinate_range", i, "scalar",
@@ -151,8 +152,7 @@ Finding check_ids(const Study& study, const Vocabulary& known) {
   const auto fine = [](const std::string&) { return std::string(); };
   if (auto found = each("generator", study.generator, fine)) return found;
   if (auto found = each("baseline", study.baseline, fine)) return found;
-  return each("methods", study.methods,
-              [&](const std::string& entry) { return method_problem(study, entry, known); });
+  return each("methods", study.methods, [&](const std::string& entry) { return method_problem(study, entry, known); });
 }
 
 Finding check_present(const Study& study) {
@@ -185,8 +185,7 @@ std::optional<Problem> validate(const Study& study, const Vocabulary& known) {
 }
 
 std::string seed_problem(std::uint64_t seed) {
-  return seed <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) ? ""
-                                                                                      : "seed must be 0 to 2^63-1";
+  return seed <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) ? "" : "seed must be 0 to 2^63-1";
 }
 
 std::string id_problem(std::string_view id) {
@@ -203,7 +202,8 @@ void check_unique_studies(std::span<const Suite> suites) {
       const auto [first, is_new] = suite_of.emplace(study.id, suite.id);
       if (is_new) continue;
       throw Failure(Exit::usage, fmt::format("study \"{}\" is in suite \"{}\" and in suite \"{}\"; rename one, study "
-                                             "ids are unique over a bundle", study.id, first->second, suite.id));
+                                             "ids are unique over a bundle",
+                                             study.id, first->second, suite.id));
     }
   }
 }

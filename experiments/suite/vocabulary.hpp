@@ -8,8 +8,8 @@
 namespace bezierbench::suite {
 
 struct Vocabulary {
-  std::vector<std::string> methods;          ///< evaluators, paths and the methods of the other kinds of study
-  std::vector<std::string> conversions;      ///< parts of conversion chains such as `factorial+positive_sum`
+  std::vector<std::string> methods;      ///< evaluators, paths and the methods of the other kinds of study
+  std::vector<std::string> conversions;  ///< parts of conversion chains such as `factorial+positive_sum`
   std::vector<std::string> generators;
   std::vector<std::string> published_files;  ///< names in reference/published
 };

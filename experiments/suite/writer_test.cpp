@@ -129,7 +129,7 @@ TEST(Writer, OneSuiteIsWrittenAsPeopleWriteIt) {
   const std::vector<Suite> suites{{"s", "T", 1, {study}}};
   EXPECT_EQ(to_toml(suites),
             "schema_version = 1\n\n[suite]\nid = \"s\"\ntitle = \"T\"\nseed = 1\n\n[[study]]\nid = \"a\"\n"
-            "title = \"\"\nkind = \"accuracy\"\ncurve = \"bezier\"\ndimension = [2]\ndegree = [4]\n"
+            "kind = \"accuracy\"\ncurve = \"bezier\"\ndimension = [2]\ndegree = [4]\n"
             "coordinate_range = [1e+06]\nt_interval = [[0, 1]]\ngenerator = [\"continuous\"]\nscalar = [\"double\"]\n"
             "trials = 1000\nreplicates = 1\nbaseline = [\"exact\"]\n");
 }

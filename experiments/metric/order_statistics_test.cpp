@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/metric/order_statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace bezierbench::metric {
+namespace {
+
+std::vector<double> one_to(int count) {
+  std::vector<double> values(static_cast<std::size_t>(count));
+  std::iota(values.begin(), values.end(), 1);
+  return values;
+}
+
+TEST(OrderStatistics, QuantilesAreNearestRanks) {
+  const auto values = one_to(400);
+  EXPECT_EQ(quantile(values, 0.05), 20);
+  EXPECT_EQ(quantile(values, 0.95), 380);
+  EXPECT_EQ(quantile(values, 1), 400);
+  EXPECT_EQ(quantile(std::vector<double>{7}, 0.05), 7);
+}
+
+/// Tabulated intervals of the sign test (Conover, Practical Nonparametric Statistics, table A3): for N = 10 at 95 % the
+/// 2nd and 9th, and for N = 20 the 6th and 15th order statistics.
+TEST(OrderStatistics, MedianIntervalsAreTheTabulatedOnes) {
+  const auto ten = median_interval(one_to(10), 0.95);
+  EXPECT_EQ(ten.low, 2);
+  EXPECT_EQ(ten.high, 9);
+  EXPECT_EQ(ten.median, 5.5);
+  const auto twenty = median_interval(one_to(20), 0.95);
+  EXPECT_EQ(twenty.low, 6);
+  EXPECT_EQ(twenty.high, 15);
+}
+
+TEST(OrderStatistics, TooFewValuesGiveTheWholeRange) {
+  const auto three = median_interval(one_to(3), 0.99);
+  EXPECT_EQ(three.low, 1);
+  EXPECT_EQ(three.high, 3);
+}
+
+/// Coverage by simulation: the interval contains the true median at least as often as it says.
+TEST(OrderStatistics, KeepsItsCoverage) {
+  std::mt19937_64 words(1);
+  int covered = 0;
+  constexpr int experiments = 4000;
+  for (int k = 0; k < experiments; ++k) {
+    std::vector<double> sample;
+    for (int i = 0; i < 41; ++i) sample.push_back(static_cast<double>(words() >> 11U) * 0x1p-53);
+    const auto interval = median_interval(sample, 0.99);
+    covered += interval.low <= 0.5 && 0.5 <= interval.high ? 1 : 0;
+  }
+  EXPECT_GE(covered, experiments * 98 / 100);
+  EXPECT_LT(covered, experiments);  // and is not simply everything
+}
+
+}  // namespace
+}  // namespace bezierbench::metric

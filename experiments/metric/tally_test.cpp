@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/metric/tally.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace bezierbench::metric {
+namespace {
+
+Tally tally_of(const std::vector<double>& errors) {
+  Tally tally;
+  for (const double error : errors) tally.add(error);
+  return tally;
+}
+
+TEST(Tally, HandComputed) {
+  const Tally tally = tally_of({3, 0, 1, 4});
+  EXPECT_EQ(tally.count(), 4U);
+  EXPECT_EQ(tally.mean(), 2);
+  EXPECT_EQ(tally.root_mean_square(), std::sqrt(6.5));
+  EXPECT_EQ(tally.max(), 4);
+  EXPECT_EQ(tally.quantile(0.25), 0);
+  EXPECT_EQ(tally.quantile(0.5), 1);
+  EXPECT_EQ(tally.quantile(0.51), 3);
+  EXPECT_EQ(tally.quantile(1), 4);
+}
+
+TEST(Tally, EmptyIsZero) {
+  const Tally tally;
+  EXPECT_EQ(tally.count(), 0U);
+  EXPECT_EQ(tally.mean(), 0);
+  EXPECT_EQ(tally.root_mean_square(), 0);
+  EXPECT_EQ(tally.quantile(0.5), 0);
+}
+
+TEST(Tally, QuantilesKeepEightBits) {
+  // 1 + 3/256 lies in the bin that starts at 1 + 2/256 when eight bits are kept.
+  EXPECT_EQ(tally_of({1 + 3.0 / 256}).quantile(0.5), 1 + 2.0 / 256);
+}
+
+TEST(Tally, SumsWithoutOverflowOrUnderflow) {
+  const double huge = to_24_bits(1.5e308);
+  EXPECT_EQ(tally_of({huge, huge, huge}).mean(), huge);
+  EXPECT_EQ(tally_of({huge, huge, huge}).root_mean_square(), huge);
+  const double tiny = 0x1p-1074;
+  EXPECT_EQ(tally_of({tiny, tiny}).mean(), tiny);
+  EXPECT_EQ(tally_of({tiny, 3 * tiny}).mean(), 2 * tiny);
+  EXPECT_EQ(tally_of({3 * tiny, 3 * tiny}).root_mean_square(), 3 * tiny);
+  EXPECT_EQ(tally_of({1e-300, 1e-300}).quantile(1) > 0, true);
+}
+
+TEST(Tally, MeanIsCorrectlyRounded) {
+  // 1/3 of 1: the exact sum divided once.
+  EXPECT_EQ(tally_of({1, 0, 0}).mean(), 1.0 / 3);
+  // Adding 2^-60 to 1 a million times in double loses it; here it counts.
+  Tally tally;
+  tally.add(1);
+  for (int k = 0; k < 1 << 20; ++k) tally.add(0x1p-60);
+  EXPECT_EQ(tally.mean() * ((1 << 20) + 1), 1 + 0x1p-40);
+}
+
+TEST(Tally, OrderAndGroupingChangeNothing) {
+  std::mt19937_64 words(1);
+  std::vector<double> errors;
+  for (int k = 0; k < 5000; ++k)
+    errors.push_back(to_24_bits(std::ldexp(1 + static_cast<double>(words() >> 12U) * 0x1p-52,
+                                           static_cast<int>(words() % 300) - 150)));
+  const Tally whole = tally_of(errors);
+  std::shuffle(errors.begin(), errors.end(), words);
+  Tally merged;
+  for (std::size_t first = 0; first < errors.size();) {
+    const std::size_t last = std::min(errors.size(), first + 1 + words() % 700);
+    merged.merge(tally_of({errors.begin() + static_cast<std::ptrdiff_t>(first),
+                           errors.begin() + static_cast<std::ptrdiff_t>(last)}));
+    first = last;
+  }
+  EXPECT_EQ(merged.count(), whole.count());
+  EXPECT_EQ(merged.mean(), whole.mean());
+  EXPECT_EQ(merged.root_mean_square(), whole.root_mean_square());
+  EXPECT_EQ(merged.max(), whole.max());
+  for (const double q : {0.01, 0.5, 0.99, 1.0}) EXPECT_EQ(merged.quantile(q), whole.quantile(q));
+  std::ranges::sort(errors);
+  EXPECT_EQ(whole.quantile(0.5) <= errors[2499], true);
+  EXPECT_EQ(whole.quantile(0.5) * (1 + 1.0 / 128) >= errors[2499], true);
+}
+
+TEST(Tally, InfiniteErrorsMakeStatisticsInfinite) {
+  Tally tally = tally_of({1, 2});
+  tally.add_infinite();
+  EXPECT_EQ(tally.count(), 3U);
+  EXPECT_TRUE(std::isinf(tally.mean()));
+  EXPECT_TRUE(std::isinf(tally.max()));
+  EXPECT_EQ(tally.quantile(0.5), 2);
+  EXPECT_TRUE(std::isinf(tally.quantile(1)));
+}
+
+TEST(To24Bits, RoundsTiesToEven) {
+  EXPECT_EQ(to_24_bits(1 + 0x1p-24), 1);
+  EXPECT_EQ(to_24_bits(1 + 0x1p-23 + 0x1p-24), 1 + 0x1p-22);
+  EXPECT_EQ(to_24_bits(1 + 0x1p-24 + 0x1p-52), 1 + 0x1p-23);
+  EXPECT_EQ(to_24_bits(0), 0);
+  EXPECT_EQ(to_24_bits(0.1), static_cast<double>(0.1F));
+}
+
+}  // namespace
+}  // namespace bezierbench::metric

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/metric/trial_scale.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/basis/amplification.hpp"
+
+namespace bezierbench::metric {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+TEST(TrialScale, TakesEuclideanNormsOfCoefficients) {
+  const std::vector<double> line{3, 4, -6, 8};  // norms 5 and 10
+  TrialScale scale;
+  scale.set({Form::bernstein, 2, 1, line}, 0.25);
+  EXPECT_DOUBLE_EQ(scale.p_tilde(), 5 * 0.75 + 10 * 0.25);
+  scale.set({Form::power, 2, 1, line}, 0.25);
+  EXPECT_DOUBLE_EQ(scale.p_tilde(), 5 + 10 * 0.25);
+  scale.set({Form::bernstein, 2, 1, line}, -1);
+  EXPECT_DOUBLE_EQ(scale.p_tilde(), 5 * 2 + 10 * 1);
+}
+
+TEST(TrialScale, IsScaleInvariant) {
+  for (const double size : {1e-300, 1e-160, 1.0, 1e160, 1e300}) {
+    const std::vector<double> curve{3 * size, 4 * size, 0, size, -6 * size, 8 * size};
+    TrialScale scale;
+    scale.set({Form::bernstein, 2, 2, curve}, 0.5);
+    EXPECT_NEAR(scale.p_tilde() / size, (5 + 2 * 1 + 10) / 4.0, 1e-14) << size;
+  }
+}
+
+TEST(TrialScale, BoundUnitsFollowTheDefinition) {
+  const std::vector<double> zero{0, 0};
+  const std::vector<double> one{1, 1};
+  TrialScale scale;
+  scale.set({Form::bernstein, 1, 1, zero}, 0.5);
+  EXPECT_EQ(scale.in_bound_units(0, double_arithmetic), 0);
+  EXPECT_EQ(scale.in_bound_units(1e-300, double_arithmetic), infinite);
+  scale.set({Form::bernstein, 1, 1, one}, 0.5);
+  EXPECT_EQ(scale.in_bound_units(0x1p-53, double_arithmetic), 1);
+  EXPECT_EQ(scale.in_bound_units(0x1p-22, float_arithmetic), 4);
+}
+
+TEST(TrialScale, BoundAddsRoundingAndUnderflow) {
+  const std::vector<double> one{1, 1, 1};
+  const ErrorBound rounding{"", Amplification::p_tilde_bernstein, [](int n, double) { return 3.0 * n; },
+                            [](int) { return 0.0; }, false};
+  const ErrorBound underflow{"", Amplification::p_tilde_bernstein, [](int, double) { return 0.0; },
+                             [](int n) { return 5.0 * n; }, true};
+  TrialScale scale;
+  scale.set({Form::bernstein, 1, 2, one}, 0.5);
+  EXPECT_EQ(scale.bound(rounding, double_arithmetic), 6 * 0x1p-53);
+  EXPECT_EQ(scale.bound(underflow, double_arithmetic), 10 * 2 * 0x1p-1074);  // S = 1 + max|c| = 2
+  scale.set({Form::bernstein, 1, 2, one}, 2);                                // (x + y)^n = 9
+  EXPECT_EQ(scale.bound(underflow, double_arithmetic), 10 * 2 * 9 * 0x1p-1074);
+}
+
+TEST(TrialScale, ViolationNeedsMoreThanTheSlack) {
+  EXPECT_FALSE(TrialScale::violates(1, 1));
+  EXPECT_FALSE(TrialScale::violates(1 + 0x1p-21, 1));
+  EXPECT_TRUE(TrialScale::violates(1 + 0x1p-19, 1));
+  EXPECT_FALSE(TrialScale::violates(1, infinite));
+}
+
+/// The closed forms that are derived in core/basis/amplification.hpp against the double sums they come from.
+TEST(Amplification, EqualsTheMatricesItStandsFor) {
+  constexpr std::size_t n = 9;
+  const auto binomial = [](std::size_t a, std::size_t b) {
+    double result = 1;
+    for (std::size_t k = 1; k <= b; ++k) result = result * static_cast<double>(a - b + k) / static_cast<double>(k);
+    return result;
+  };
+  std::vector<double> c;
+  for (std::size_t i = 0; i <= n; ++i) c.push_back(static_cast<double>(1 + (7 * i) % 5));
+  for (const double t : {0.0, 0.1, 0.5, 0.9, 1.0, -0.5, 2.0}) {
+    const double x = std::abs(t);
+    const double y = std::abs(1 - t);
+    std::vector<double> power(n + 1, 0);      // |M| c: magnitudes of the power coefficients
+    std::vector<double> bernstein(n + 1, 0);  // M^-1 c
+    for (std::size_t j = 0; j <= n; ++j)
+      for (std::size_t i = 0; i <= j; ++i) {
+        power[j] += binomial(n, j) * binomial(j, i) * c[i];
+        bernstein[j] += binomial(j, i) / binomial(n, i) * c[i];
+      }
+    std::vector<double> forth(n + 1, 0);  // M^-1 |M| M^-1 c
+    std::vector<double> between(n + 1, 0);
+    for (std::size_t j = 0; j <= n; ++j)
+      for (std::size_t i = 0; i <= j; ++i) between[j] += binomial(n, j) * binomial(j, i) * bernstein[i];
+    for (std::size_t j = 0; j <= n; ++j)
+      for (std::size_t i = 0; i <= j; ++i) forth[j] += binomial(j, i) / binomial(n, i) * between[i];
+    double to_power = 0;
+    double to_bernstein = 0;
+    double solve = 0;
+    for (std::size_t i = 0; i <= n; ++i) {
+      const double basis = binomial(n, i) * integer_power(x, static_cast<int>(i)) * integer_power(y, static_cast<int>(n - i));
+      to_power += power[i] * integer_power(x, static_cast<int>(i));
+      to_bernstein += bernstein[i] * basis;
+      solve += forth[i] * basis;
+    }
+    EXPECT_NEAR(amplification(Amplification::bernstein_to_power, c, t) / to_power, 1, 1e-13) << t;
+    EXPECT_NEAR(amplification(Amplification::power_to_bernstein, c, t) / to_bernstein, 1, 1e-13) << t;
+    EXPECT_NEAR(amplification(Amplification::forward_substitution, c, t) / solve, 1, 1e-13) << t;
+  }
+}
+
+/// (1+2t)^n max|c| for equal coefficients, the law that the source report's interval table follows.
+TEST(Amplification, OfEqualCoefficientsIsThePowerLaw) {
+  const std::vector<double> ones(21, 1.0);
+  for (const double t : {0.0, 0.2, 0.5, 1.0})
+    EXPECT_NEAR(amplification(Amplification::bernstein_to_power, ones, t) / std::pow(1 + 2 * t, 20), 1, 1e-13);
+}
+
+TEST(Amplification, SurvivesTheLargestDegree) {
+  const std::vector<double> ones(max_degree + 1, 1.0);
+  for (const double t : {0.0, 1e-300, 0.3, 0.5, 0.9, 1.0})
+    EXPECT_NEAR(amplification(Amplification::p_tilde_bernstein, ones, t), 1, 1e-12) << t;
+}
+
+}  // namespace
+}  // namespace bezierbench::metric

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Against arbitrary-precision integers in units of 2^-1204, of which every double and every image is a whole number.
+#include "experiments/sample/affine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace bezierbench::sample {
+namespace {
+
+using Exact = boost::multiprecision::cpp_int;
+
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double tiny = std::numeric_limits<double>::denorm_min();
+constexpr std::uint64_t ones = ~std::uint64_t{0};
+
+Exact exact(double x) {
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);  // x = fraction 2^exponent
+  const Exact digits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+  const int shift = exponent - 53 + 1204;
+  return shift >= 0 ? Exact(digits << shift) : Exact(digits / (Exact(1) << -shift));  // exact: shift < 0 for 0 only
+}
+
+Exact exact_image(double a, double b, Uniform128 u) {
+  const Exact k = 2 * ((Exact(u.high) << 64) + u.low) + 1;
+  return exact(a) * (Exact(1) << 129) + (exact(b) - exact(a)) * k;  // in units of 2^-1333
+}
+
+/// `got` is nearest to the image, and even where its neighbour is as near.
+void expect_rounded(double a, double b, Uniform128 u) {
+  SCOPED_TRACE(::testing::Message() << std::hexfloat << a << " " << b << " " << std::hex << u.high << " " << u.low);
+  const double got = affine(a, b, u);
+  ASSERT_TRUE(got >= a && got <= b) << got;
+  const Exact image = exact_image(a, b, u);
+  const Exact difference = image - (exact(got) << 129);
+  if (difference == 0) {
+    EXPECT_TRUE(got != 0 || !std::signbit(got));
+    return;
+  }
+  const bool up = difference > 0;
+  const double neighbour = std::nextafter(got, up ? largest : -largest);
+  const Exact gap = abs(exact(neighbour) - exact(got)) << 129;
+  const Exact twice = 2 * abs(difference);
+  EXPECT_LE(twice, gap);
+  if (twice == gap) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(got) & 1U, 0U);
+  }
+  if (got == 0) {
+    EXPECT_EQ(std::signbit(got), image < 0);
+  }
+}
+
+TEST(Affine, RoundsOnceForEveryKindOfInterval) {
+  const std::vector<double> ends{0.0,      tiny,        3 * tiny, 0x1p-1022, 0x1.fffffffffffffp-1022,
+                                 0x1p-600, 1e-6,        0.2,      0.5,       1 - 0x1p-53,
+                                 1.0,      1 + 0x1p-52, 3.0,      1e3,       1e6,
+                                 0x1p53,   0x1p76,      0x1p127,  0x1p129,   0x1.8p130,
+                                 0x1p500,  largest};
+  std::vector<double> all;
+  for (const double x : ends) {
+    all.push_back(x);
+    all.push_back(-x);
+  }
+  std::mt19937_64 random(1);
+  for (const double a : all) {
+    for (const double b : all) {
+      if (!(a <= b)) continue;
+      for (const Uniform128 u :
+           {Uniform128{0, 0}, Uniform128{ones, ones}, Uniform128{ones >> 1U, ones}, Uniform128{ones >> 1U, ones - 1},
+            Uniform128{1ULL << 63U, 0}, Uniform128{0, 1}, Uniform128{ones, ones - 1}, Uniform128{random(), random()}}) {
+        expect_rounded(a, b, u);
+      }
+      if (HasFailure()) return;
+    }
+  }
+}
+
+TEST(Affine, RoundsOnceForRandomBits) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 20000; ++i) {
+    double a = std::bit_cast<double>(random());
+    if (!std::isnormal(a)) continue;
+    double b = std::bit_cast<double>(random());
+    if (i % 2 == 0) b = std::ldexp(1 + 0x1p-53 * static_cast<double>(random() >> 11U), std::ilogb(a) + i % 300 - 150);
+    if (!std::isfinite(b)) continue;
+    if (b < a) std::swap(a, b);
+    // Few bits set, too: sums then cancel and tie.
+    const Uniform128 u{random() >> (random() % 64), i % 3 == 0 ? 0 : random()};
+    expect_rounded(a, b, u);
+    if (HasFailure()) return;
+  }
+}
+
+/// U that makes the terms cancel as far as they can, for exponents far apart and near.
+TEST(Affine, SurvivesCancellation) {
+  std::mt19937_64 random(3);
+  for (int apart = 0; apart < 200; ++apart) {
+    for (int i = 0; i < 20; ++i) {
+      const double a = -(1 + 0x1p-52 * static_cast<double>(random() >> 12U));
+      const double b = std::ldexp(i % 4 == 0 ? -a : 1 + 0x1p-52 * static_cast<double>(random() >> 12U), apart);
+      const Exact root = (-exact(a) << 129) / (exact(b) - exact(a)) / 2;  // the U whose image is nearest zero
+      for (int step = -2; step <= 2; ++step) {
+        const Exact u = root + step;
+        if (u < 0 || u >= (Exact(1) << 128)) continue;
+        const Uniform128 near{static_cast<std::uint64_t>(u >> 64), static_cast<std::uint64_t>(u & ones)};
+        expect_rounded(a, b, near);
+        // By symmetry, the large term on the other side.
+        expect_rounded(-b, -a, {~near.high, ~near.low});
+      }
+      if (HasFailure()) return;
+    }
+  }
+}
+
+TEST(Affine, TiesGoToEven) {
+  const double b = 0x1p129;                                      // the image is 2U + 1
+  EXPECT_EQ(affine(0, b, {0, 1ULL << 52U}), 0x1p53);             // 2^53 + 1
+  EXPECT_EQ(affine(0, b, {0, (1ULL << 52U) + 1U}), 0x1p53 + 4);  // 2^53 + 3
+  EXPECT_EQ(affine(-b, 0, {ones, ~(1ULL << 52U)}), -0x1p53);     // -(2^53 + 1)
+  EXPECT_EQ(affine(0, 0x1p-946, {0, 0}), 0);                     // half the smallest double
+  EXPECT_EQ(affine(0, 0x1p-946, {0, 1}), 2 * tiny);              // one and a half
+  EXPECT_TRUE(std::signbit(affine(-0x1p-946, 0, {ones, ones})));
+}
+
+/// What is far below a tie decides it.
+TEST(Affine, ATieIsBrokenByTheFarTerm) {
+  const double b = 0x1p129;
+  for (int exponent = 20; exponent >= -1074; --exponent) {
+    for (const double a : {std::ldexp(1.0, exponent), std::ldexp(-1.0, exponent)}) {
+      for (const std::uint64_t low : {1ULL << 52U, (1ULL << 52U) + 1U}) {
+        expect_rounded(a, b, {0, low});
+        expect_rounded(-b, -a, {ones, ~low});
+      }
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_EQ(affine(tiny, b, {0, 1ULL << 52U}), 0x1p53 + 2);
+  EXPECT_EQ(affine(-tiny, b, {0, (1ULL << 52U) + 1U}), 0x1p53 + 2);
+}
+
+TEST(Affine, IsTheEndPointOfAnEmptyInterval) {
+  for (const double x : {0.25, -1e300, tiny, 0.0}) EXPECT_EQ(affine(x, x, {123, 456}), x);
+  EXPECT_FALSE(std::signbit(affine(-0.0, 0.0, {1, 2})));
+  EXPECT_FALSE(std::signbit(affine(-0.0, -0.0, {1, 2})));
+}
+
+TEST(Affine, HasAFullMantissaNearZero) {
+  EXPECT_EQ(affine(0, 1, {0, 0}), 0x1p-129);
+  EXPECT_EQ(affine(-1, 1, {ones >> 1U, ones}), -0x1p-128);
+  EXPECT_EQ(affine(-1, 1, {1ULL << 63U, 0}), 0x1p-128);
+}
+
+}  // namespace
+}  // namespace bezierbench::sample

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/sample/draw.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <tuple>
+
+#include "experiments/failure.hpp"
+#include "experiments/sample/roster.hpp"
+#include "experiments/suite/names.hpp"
+#include "experiments/suite/number.hpp"
+
+namespace bezierbench::sample {
+namespace {
+
+std::vector<std::string> split(const std::string& line, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(line);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+double number(const std::string& text) { return suite::parse_number(text).value(); }
+
+std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
+
+Trial drawn(std::uint64_t seed, const char* study, const Cell& cell, std::uint64_t trial) {
+  Trial out;
+  Sampler(seed, study, cell).draw(trial, out);
+  return out;
+}
+
+Cell cell_of(std::string_view generator, double range = 1e6, suite::Interval t = {}) {
+  return {suite::CurveKind::bezier, 2, 4, range, t, std::string(generator)};
+}
+
+// The file is made by scripts/oracle/inputs.py, which shares no code with this program.
+TEST(Draw, AgreesWithTheIndependentImplementation) {
+  std::ifstream file(BEZIERBENCH_SOURCE_DIR "/experiments/sample/first_draws.csv");
+  std::string line;
+  ASSERT_TRUE(std::getline(file, line));
+  const std::vector<std::string> header = split(line, ',');
+  std::set<std::string> seen;
+  int rows = 0;
+  for (; std::getline(file, line); ++rows) {
+    const std::vector<std::string> fields = split(line, ',');
+    ASSERT_EQ(fields.size(), header.size());
+    std::map<std::string, std::string> row;
+    for (std::size_t i = 0; i < header.size(); ++i) row[header[i]] = fields[i];
+    SCOPED_TRACE(row["study"] + " " + row["generator"] + " " + row["trial"]);
+    const Cell cell{suite::parse<suite::CurveKind>(row["curve"]).value(),
+                    std::stoi(row["dimension"]),
+                    std::stoi(row["degree"]),
+                    number(row["coordinate_range"]),
+                    {number(row["t_min"]), number(row["t_max"])},
+                    row["generator"]};
+    Trial trial;
+    draw(1, key(std::string_view(row["study"])), cell, std::stoull(row["trial"]), trial);
+    EXPECT_EQ(bits(trial.t), bits(number(row["t"])));
+    const std::vector<std::string> coefficients = split(row["coefficients"], ' ');
+    ASSERT_EQ(trial.coefficients.size(), coefficients.size());
+    for (std::size_t i = 0; i < coefficients.size(); ++i) {
+      EXPECT_EQ(bits(trial.coefficients[i]), bits(number(coefficients[i]))) << i;
+    }
+    seen.insert(cell.generator);
+  }
+  EXPECT_GE(rows, 30);
+  for (const GeneratorInfo& info : generators()) EXPECT_TRUE(seen.contains(std::string(info.id))) << info.id;
+}
+
+TEST(Draw, IsAPureFunctionThatReusesMemory) {
+  const Cell cell = cell_of("continuous");
+  const Trial first = drawn(1, "a", cell, 7);
+  const Sampler sampler(1, "a", cell);
+  Trial again;
+  for (const std::uint64_t other : {9U, 0U, 7U}) sampler.draw(other, again);
+  EXPECT_EQ(again.t, first.t);
+  EXPECT_EQ(again.coefficients, first.coefficients);
+  const double* memory = again.coefficients.data();
+  sampler.draw(8, again);
+  EXPECT_EQ(again.coefficients.data(), memory);
+  EXPECT_NE(again.coefficients, first.coefficients);
+}
+
+TEST(Draw, EveryPartOfTheIdentityCounts) {
+  const Cell cell = cell_of("continuous", 1, {0, 1});
+  const double t = drawn(1, "a", cell, 0).t;
+  EXPECT_NE(drawn(2, "a", cell, 0).t, t);
+  EXPECT_NE(drawn(1, "b", cell, 0).t, t);
+  EXPECT_NE(drawn(1, "a", cell, 1).t, t);
+  for (const auto& change : std::vector<void (*)(Cell&)>{
+           [](Cell& c) { c.curve = suite::CurveKind::polynomial; }, [](Cell& c) { c.dimension = 3; },
+           [](Cell& c) { c.degree = 5; }, [](Cell& c) { c.coordinate_range = 2; },
+           [](Cell& c) {
+             c.t_interval = {0, 0.999};
+           },
+           [](Cell& c) { c.generator = "dyadic"; }}) {
+    Cell other = cell;
+    change(other);
+    EXPECT_NE(key(other), key(cell));
+    EXPECT_NE(drawn(1, "a", other, 0).t, t) << canonical(other);
+  }
+}
+
+TEST(Draw, HasDegreePlusOnePoints) {
+  Cell cell = cell_of("report");
+  cell.dimension = 3;
+  EXPECT_EQ(drawn(1, "a", cell, 0).coefficients.size(), 15U);
+  cell.degree = 0;
+  EXPECT_EQ(drawn(1, "a", cell, 0).coefficients.size(), 3U);
+}
+
+TEST(Draw, UnknownGeneratorIsAUsageError) {
+  try {
+    Sampler(1, "a", cell_of("gaussian"));
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit(), Exit::usage);
+    EXPECT_THAT(failure.what(), ::testing::HasSubstr("\"gaussian\""));
+  }
+}
+
+template <class G>
+class GeneratorTest : public ::testing::Test {};
+
+template <class>
+struct AsTypes;
+template <class... Gs>
+struct AsTypes<std::tuple<Gs...>> {
+  using type = ::testing::Types<Gs...>;
+};
+TYPED_TEST_SUITE(GeneratorTest, AsTypes<Generators>::type);
+
+TYPED_TEST(GeneratorTest, StaysInRangeAndFillsIt) {
+  static_assert(Generator<TypeParam>);
+  const suite::Interval interval{0.25, 0.75};
+  const double range = 1000;
+  const Sampler sampler(1, "a", cell_of(TypeParam::info.id, range, interval));
+  Trial trial;
+  double sum = 0;
+  double squares = 0;
+  double t_sum = 0;
+  double low = 0;
+  double high = 0;
+  constexpr int trials = 4000;
+  for (std::uint64_t i = 0; i < trials; ++i) {
+    sampler.draw(i, trial);
+    ASSERT_TRUE(trial.t >= interval.min && trial.t <= interval.max);
+    t_sum += trial.t;
+    for (const double x : trial.coefficients) {
+      ASSERT_LE(std::abs(x), range);
+      sum += x;
+      squares += x * x;
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  }
+  // Means of uniforms, within five standard deviations. The report's r % 20001 of 15 bits draws
+  // 0 to 12766 twice, which makes the mean of its coordinates -0.140925 R.
+  const bool lattice = TypeParam::info.id == std::string_view("report");
+  const double n = 10.0 * trials;
+  const double deviation = range / std::sqrt(3.0);
+  const double mean = lattice ? range * -0.140925 : 0;
+  EXPECT_NEAR(sum / n, mean, 5 * deviation / std::sqrt(n));
+  if (!lattice) {
+    EXPECT_NEAR(squares / n, range * range / 3, 5 * range * range * 0.3 / std::sqrt(n));
+  }
+  EXPECT_NEAR(t_sum / trials, 0.5, 5 * 0.5 / std::sqrt(12.0 * trials));
+  EXPECT_LT(low, -0.99 * range);
+  EXPECT_GT(high, 0.99 * range);
+}
+
+TYPED_TEST(GeneratorTest, DescribesItself) {
+  EXPECT_FALSE(TypeParam::info.id.empty());
+  EXPECT_FALSE(TypeParam::info.coordinates.empty());
+  EXPECT_FALSE(TypeParam::info.t.empty());
+}
+
+TEST(Dyadic, OneMinusTIsExact) {
+  const Sampler sampler(1, "a", cell_of("dyadic", 1, {0, 1}));
+  const Sampler narrow(1, "a", cell_of("dyadic", 1, {-0x1p-50, 0x1p-50}));
+  Trial trial;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    for (const Sampler* s : {&sampler, &narrow}) {
+      s->draw(i, trial);
+      const double scaled = trial.t * 0x1p53;
+      ASSERT_EQ(scaled, std::trunc(scaled));
+      ASSERT_FALSE(trial.t == 0 && std::signbit(trial.t));
+      // t = 1 - (1 - t) holds for every multiple of 2^-53 in [0, 1], and for none in between.
+      if (trial.t >= 0) {
+        ASSERT_EQ(1 - (1 - trial.t), trial.t);
+      }
+    }
+  }
+}
+
+TEST(IntegerGenerator, DrawsEveryIntegerAsOften) {
+  std::map<double, int> count;
+  const Sampler sampler(1, "a", cell_of("integer", 1.9));
+  Trial trial;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    sampler.draw(i, trial);
+    for (const double x : trial.coefficients) ++count[x];
+  }
+  ASSERT_EQ(count.size(), 3U);  // -1, 0, 1
+  for (const auto& [value, times] : count) {
+    EXPECT_EQ(value, std::trunc(value));
+    EXPECT_NEAR(times, 10000, 5 * std::sqrt(30000 * 2.0 / 9));
+  }
+}
+
+TEST(IntegerGenerator, ReachesTheLargestRange) {
+  const Sampler sampler(1, "a", cell_of("integer", 0x1p53));
+  Trial trial;
+  double most = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    sampler.draw(i, trial);
+    for (const double x : trial.coefficients) most = std::max(most, std::abs(x));
+  }
+  EXPECT_LE(most, 0x1p53);
+  EXPECT_GT(most, 0x1.fp52);
+}
+
+TEST(ReportGenerator, UsesTheLeadingFifteenBitsOfOneWordEach) {
+  const Cell cell = cell_of("report", 1e3, {0.4, 0.6});
+  const Trial trial = drawn(3, "a", cell, 5);
+  Words words(3, key(std::string_view("a")), key(cell), 5);
+  const auto r_t = static_cast<double>(words.next() >> 49U);
+  EXPECT_EQ(trial.t, 0.4 + (0.6 - 0.4) * (r_t / 32767.0));
+  for (const double x : trial.coefficients) {
+    const int r = static_cast<int>(words.next() / 0x2000000000000U);
+    EXPECT_EQ(x, 1e3 * ((r % 20001 - 10000) / 10000.0));
+  }
+}
+
+TEST(Draw, ARangeOfZeroGivesZeros) {
+  for (const char* generator : {"continuous", "dyadic", "report"}) {
+    for (const double x : drawn(1, "a", cell_of(generator, 0), 0).coefficients) EXPECT_EQ(x, 0);
+  }
+}
+
+}  // namespace
+}  // namespace bezierbench::sample

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/timing/race.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "experiments/timing/kernel_rival.hpp"
+
+namespace bezierbench::timing {
+namespace {
+
+TEST(Race, EveryRivalRunsEveryRoundAndIsChecked) {
+  int runs = 0;
+  int checks = 0;
+  const std::vector<Rival> rivals{
+      {"good", 3, [&] { ++runs; }, [&] { return ++checks > 0; }},
+      {"wrong", 3, [] {}, [] { return false; }},
+  };
+  const auto laps = race("test", rivals, {.rounds = 9, .round_seconds = 1e-6});
+  ASSERT_EQ(laps.size(), 2U);
+  EXPECT_EQ(laps[0].ns_per_point.size(), 9U);
+  EXPECT_EQ(laps[1].ns_per_point.size(), 9U);
+  EXPECT_EQ(laps[0].points_per_round % 3, 0U);
+  EXPECT_EQ(checks, 9);
+  EXPECT_GE(runs, 9);
+  EXPECT_TRUE(laps[0].checked);
+  EXPECT_FALSE(laps[1].checked);
+  EXPECT_TRUE(std::ranges::all_of(laps[0].ns_per_point, [](double ns) { return ns >= 0; }));
+}
+
+TEST(Race, OrderIsCounterbalanced) {
+  std::string order;
+  std::vector<Rival> rivals;
+  for (const char name : {'a', 'b', 'c'})
+    rivals.push_back({std::string(1, name), 1, [] {}, [&order, name] {
+                        order += name;
+                        return true;
+                      }});
+  race("test", rivals, {.rounds = 6, .round_seconds = 1e-9});
+  ASSERT_EQ(order.size(), 18U);
+  for (const char name : {'a', 'b', 'c'})
+    for (std::size_t place = 0; place < 3; ++place) {
+      int times = 0;
+      for (std::size_t round = 0; round < 6; ++round) times += order[3 * round + place] == name ? 1 : 0;
+      EXPECT_EQ(times, 2) << name << " in place " << place << " of " << order;
+    }
+}
+
+TEST(Race, StopsWhenAsked) {
+  const std::vector<Rival> rivals{{"one", 1, [] {}, [] { return true; }}};
+  const auto laps = race("test", rivals, {.rounds = 1000, .round_seconds = 1e-9, .stop = [] { return true; }});
+  EXPECT_EQ(laps[0].ns_per_point.size(), 1U);
+}
+
+Inputs cubic_inputs() {
+  Inputs inputs{Form::bernstein, 2, 3, {}, {}};
+  for (int k = 0; k < 7; ++k) {
+    inputs.curves.push_back({0, 0, 1.0 + k, 2, 3, -1, 4, 0.5});
+    inputs.t.push_back((k + 0.5) / 7);
+  }
+  return inputs;
+}
+
+TEST(KernelRival, ReproducesTheJudgedPointsInEveryMode) {
+  const Inputs inputs = cubic_inputs();
+  for (const auto mode : {suite::Mode::one_shot, suite::Mode::point, suite::Mode::latency, suite::Mode::batch})
+    for (const auto& kernel : kernels<double>(2)) {
+      if (kernel.info->form != inputs.form) continue;
+      const Rival rival = kernel_rival(kernel, mode, inputs);
+      EXPECT_EQ(rival.points_per_batch, 7U);
+      EXPECT_FALSE(rival.check()) << "nothing ran yet";
+      rival.run();
+      EXPECT_TRUE(rival.check()) << kernel.info->id;
+      EXPECT_TRUE(agrees_with_reference(kernel, mode, inputs)) << kernel.info->id;
+    }
+}
+
+TEST(KernelRival, AWrongMethodDisagreesWithTheReference) {
+  Kernel<double> wrong = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
+  wrong.evaluate = [](const void*, std::span<const double> t, double* points) {
+    for (std::size_t k = 0; k < 2 * t.size(); ++k) points[k] = 1;
+  };
+  EXPECT_FALSE(agrees_with_reference(wrong, suite::Mode::point, cubic_inputs()));
+}
+
+}  // namespace
+}  // namespace bezierbench::timing
