@@ -33,9 +33,9 @@ class ExactCurve {
   ExactPoint point_;
   std::vector<mpz_class> coefficients_;  ///< point by point, times 2^coefficient_exponent_
   long coefficient_exponent_ = 0;
-  mpz_class t_numerator_;       ///< T
-  mpz_class one_minus_t_;       ///< S, over the same 2^k
-  unsigned long t_shift_ = 0;   ///< k
+  mpz_class t_numerator_;             ///< T
+  mpz_class one_minus_t_;             ///< S, over the same 2^k
+  unsigned long t_shift_ = 0;         ///< k
   std::vector<mpz_class> binomials_;  ///< C(n, 0..n) of the last degree
   mpz_class t_power_;
   mpz_class weight_;

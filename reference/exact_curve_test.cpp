@@ -27,9 +27,9 @@ Rational definition(Form form, const std::vector<double>& c, double t) {
   for (int i = 0; i <= n; ++i) {
     mpz_bin_uiui(binomial.get_mpz_t(), static_cast<unsigned long>(n), static_cast<unsigned long>(i));
     const Rational coefficient = exactly(c[static_cast<std::size_t>(i)]);
-    const Rational basis = form == Form::power ? power(exactly(t), i)
-                                               : Rational{binomial, 1, 0} * power(exactly(t), i) *
-                                                     power(one - exactly(t), n - i);
+    const Rational basis = form == Form::power
+                               ? power(exactly(t), i)
+                               : Rational{binomial, 1, 0} * power(exactly(t), i) * power(one - exactly(t), n - i);
     sum = sum + basis * coefficient;
   }
   return sum;
@@ -37,8 +37,9 @@ Rational definition(Form form, const std::vector<double>& c, double t) {
 
 bool same(const Rational& a, const Rational& b) { return (a - b).numerator == 0; }
 
-const std::vector<double> nasty_t{0, 1, 0.5, 1.0 / 3, 1 - 0x1p-53, 0x1p-1074, -0x1p-1074, 1e-300, -2.5, 3.7, 1e300,
-                                  -1e300, 1 + 0x1p-52, std::numeric_limits<double>::max()};
+const std::vector<double> nasty_t{
+    0,      1,    0.5, 1.0 / 3, 1 - 0x1p-53, 0x1p-1074,   -0x1p-1074,
+    1e-300, -2.5, 3.7, 1e300,   -1e300,      1 + 0x1p-52, std::numeric_limits<double>::max()};
 const std::vector<std::vector<double>> nasty_c{
     {3.25},
     {0, 0, 0},
@@ -159,6 +160,8 @@ TEST(Distance, FromAPointInDouble) {
   EXPECT_EQ(from_tiny.to(std::vector<double>{0, 0}), 0x1p-1074);
   const std::vector<double> huge{1e308, -1e308};
   const Distance from_huge{std::span<const double>(huge)};
+  EXPECT_EQ(from_huge.to(std::vector<double>{0, std::numeric_limits<double>::quiet_NaN()}),
+            std::numeric_limits<double>::infinity());
   EXPECT_EQ(from_huge.to(std::vector<double>{-1e308, 1e308}), std::numeric_limits<double>::infinity());
 }
 

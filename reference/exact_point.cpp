@@ -144,6 +144,8 @@ Distance::Difference Distance::difference(double value, const Expansion& expansi
 }
 
 double Distance::to(std::span<const double> point) const {
+  for (const double value : point)
+    if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
   std::array<Difference, max_dimension> differences;
   long largest = std::numeric_limits<long>::min();
   for (std::size_t axis = 0; axis < point.size(); ++axis) {

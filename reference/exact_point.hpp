@@ -37,8 +37,8 @@ class Distance {
   /// From a point with finite double coordinates, which must outlive it unchanged.
   explicit Distance(std::span<const double> point);
 
-  /// The Euclidean distance of `point` (finite coordinates), rounded once to 24 significant bits (and, below 2^-1051, to
-  /// a multiple of 2^-1074). Inf where it overflows.
+  /// The Euclidean distance of `point`, rounded once to 24 significant bits (and, below 2^-1051,
+  /// to a multiple of 2^-1074). Infinite where it overflows or a coordinate is not finite.
   [[nodiscard]] double to(std::span<const double> point) const;
 
  private:

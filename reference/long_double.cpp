@@ -34,7 +34,8 @@ LongDoublePoint long_double_point(const CurveView<double>& curve, double t) {
       long double weight = 1;
       sum = curve(axis, 0);
       for (int i = 1; i <= n; ++i) {
-        weight = weight * static_cast<long double>(t) * static_cast<long double>(n - i + 1) / static_cast<long double>(i);
+        weight =
+            weight * static_cast<long double>(t) * static_cast<long double>(n - i + 1) / static_cast<long double>(i);
         sum = sum * one_minus_t + weight * static_cast<long double>(curve(axis, i));
       }
     } else {

@@ -66,7 +66,9 @@ Rational operator+(const Rational& a, const Rational& b) {
   return {x + y, a.denominator * b.denominator, x_exponent};
 }
 
-Rational operator-(const Rational& a, const Rational& b) { return a + Rational{-b.numerator, b.denominator, b.exponent}; }
+Rational operator-(const Rational& a, const Rational& b) {
+  return a + Rational{-b.numerator, b.denominator, b.exponent};
+}
 
 Rational operator*(const Rational& a, const Rational& b) {
   return {a.numerator * b.numerator, a.denominator * b.denominator, a.exponent + b.exponent};
@@ -93,8 +95,8 @@ double round_to(const Format& format, const Rational& value) {
 
 double quotient(const Format& format, const Rational& a, const Rational& b) {
   const mpz_class sign = b.numerator < 0 ? -1 : 1;
-  return round_to(format, {a.numerator * b.denominator * sign, a.denominator * ::abs(b.numerator),
-                           a.exponent - b.exponent});
+  return round_to(format,
+                  {a.numerator * b.denominator * sign, a.denominator * ::abs(b.numerator), a.exponent - b.exponent});
 }
 
 double square_root(const Format& format, const Rational& value) {

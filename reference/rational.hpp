@@ -27,9 +27,9 @@ Rational abs(const Rational& a);
 
 /// A floating-point format to round into.
 struct Format {
-  int precision;         ///< significant bits
-  long lowest_exponent;  ///< of the smallest subnormal
-  long highest_exponent; ///< numbers at or above 2^highest_exponent after rounding become infinite
+  int precision;          ///< significant bits
+  long lowest_exponent;   ///< of the smallest subnormal
+  long highest_exponent;  ///< numbers at or above 2^highest_exponent after rounding become infinite
 };
 
 inline constexpr Format binary64{53, -1074, 1024};

@@ -12,7 +12,9 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// numerator / denominator 2^exponent.
-Rational rational(long numerator, long denominator = 1, long exponent = 0) { return {numerator, denominator, exponent}; }
+Rational rational(long numerator, long denominator = 1, long exponent = 0) {
+  return {numerator, denominator, exponent};
+}
 
 TEST(Rational, HoldsEveryKindOfDouble) {
   for (const double value : {0.0, 1.0, -1.5, 0x1p-1074, -0x1.8p-1073, std::numeric_limits<double>::max(), 1e-300, 0.1})
@@ -21,16 +23,16 @@ TEST(Rational, HoldsEveryKindOfDouble) {
 
 TEST(Rational, RoundsTiesToEven) {
   const Rational one = rational(1);
-  EXPECT_EQ(round_to(binary64, one + exactly(0x1p-53)), 1);                        // tie, 1 is even
+  EXPECT_EQ(round_to(binary64, one + exactly(0x1p-53)), 1);                             // tie, 1 is even
   EXPECT_EQ(round_to(binary64, exactly(1 + 0x1p-52) + exactly(0x1p-53)), 1 + 0x1p-51);  // tie, up to even
   EXPECT_EQ(round_to(binary64, one + exactly(0x1p-53) + exactly(0x1p-1074)), 1 + 0x1p-52);
   EXPECT_EQ(round_to(binary64, one + exactly(0x1p-53) - exactly(0x1p-1074)), 1);
 }
 
 TEST(Rational, RoundsSubnormals) {
-  EXPECT_EQ(round_to(binary64, rational(1, 1, -1075)), 0);           // tie between 0 and 2^-1074
-  EXPECT_EQ(round_to(binary64, rational(3, 1, -1075)), 0x1p-1073);   // tie between 1 and 2 units, even
-  EXPECT_EQ(round_to(binary64, rational(5, 1, -1077)), 0x1p-1074);   // 0.625 units
+  EXPECT_EQ(round_to(binary64, rational(1, 1, -1075)), 0);          // tie between 0 and 2^-1074
+  EXPECT_EQ(round_to(binary64, rational(3, 1, -1075)), 0x1p-1073);  // tie between 1 and 2 units, even
+  EXPECT_EQ(round_to(binary64, rational(5, 1, -1077)), 0x1p-1074);  // 0.625 units
   EXPECT_EQ(round_to(binary64, rational(-5, 1, -1077)), -0x1p-1074);
   EXPECT_EQ(round_to(binary64, rational(1, 3, -1074)), 0);
   EXPECT_EQ(round_to(binary64, rational(2, 3, -1074)), 0x1p-1074);

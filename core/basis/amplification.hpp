@@ -18,7 +18,8 @@
 #include <cmath>
 #include <span>
 
-#include "core/method.hpp"
+#include "core/basis/error_bound.hpp"
+#include "core/curve.hpp"
 
 namespace bezierbench {
 

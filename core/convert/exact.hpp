@@ -44,18 +44,17 @@ Curve<To, Scalar, Dimension, Degree> convert_axes(const Curve<From, Scalar, Dime
 }  // namespace detail
 
 struct ExactToPower {
-  static constexpr MethodInfo info{
-      .id = "exact",
-      .label = "Exact, then rounded",
-      .problem = Problem::conversion,
-      .form = Form::bernstein,
-      .bound = ErrorBound{.text = "u sum |b_i| C(n,i) t^i (1+t)^(n-i)",
-                          .amplification = Amplification::bernstein_to_power,
-                          .factor = [](int, double) { return 1.0; },
-                          .underflow = conversion_underflow,
-                          .underflow_scales_with_coefficients = true},
-      .flops = "big integers",
-      .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
+  static constexpr MethodInfo info{.id = "exact",
+                                   .label = "Exact, then rounded",
+                                   .problem = Problem::conversion,
+                                   .form = Form::bernstein,
+                                   .bound = ErrorBound{.text = "u sum |b_i| C(n,i) t^i (1+t)^(n-i)",
+                                                       .amplification = Amplification::bernstein_to_power,
+                                                       .factor = [](int, double) { return 1.0; },
+                                                       .underflow = conversion_underflow,
+                                                       .underflow_scales_with_coefficients = true},
+                                   .flops = "big integers",
+                                   .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> convert(
@@ -65,18 +64,17 @@ struct ExactToPower {
 };
 
 struct ExactToBernstein {
-  static constexpr MethodInfo info{
-      .id = "exact",
-      .label = "Exact, then rounded",
-      .problem = Problem::conversion,
-      .form = Form::power,
-      .bound = ErrorBound{.text = "u sum |q_j| t^j on [0,1]",
-                          .amplification = Amplification::power_to_bernstein,
-                          .factor = [](int, double) { return 1.0; },
-                          .underflow = conversion_underflow,
-                          .underflow_scales_with_coefficients = true},
-      .flops = "big integers",
-      .citation = "Farouki and Rajan 1987, section 2, in exact arithmetic"};
+  static constexpr MethodInfo info{.id = "exact",
+                                   .label = "Exact, then rounded",
+                                   .problem = Problem::conversion,
+                                   .form = Form::power,
+                                   .bound = ErrorBound{.text = "u sum |q_j| t^j on [0,1]",
+                                                       .amplification = Amplification::power_to_bernstein,
+                                                       .factor = [](int, double) { return 1.0; },
+                                                       .underflow = conversion_underflow,
+                                                       .underflow_scales_with_coefficients = true},
+                                   .flops = "big integers",
+                                   .citation = "Farouki and Rajan 1987, section 2, in exact arithmetic"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(

@@ -20,12 +20,12 @@ struct Factorial {
       .form = Form::bernstein,
       .max_degree = max_factorial,
       .max_degree_float = max_factorial_float,
-      .bound = ErrorBound{.text = "gamma_(n+4) sum |b_i| C(n,i) t^i (1+t)^(n-i), and 4(n-22) more roundings past n = 22",
-                          .amplification = Amplification::bernstein_to_power,
-                          .factor = [](int n,
-                                       double u) { return gamma_over_u(n + 4 + 4 * factorial_roundings(n, u), u); },
-                          .underflow = conversion_underflow,
-                          .underflow_scales_with_coefficients = true},
+      .bound =
+          ErrorBound{.text = "gamma_(n+4) sum |b_i| C(n,i) t^i (1+t)^(n-i), and 4(n-22) more roundings past n = 22",
+                     .amplification = Amplification::bernstein_to_power,
+                     .factor = [](int n, double u) { return gamma_over_u(n + 4 + 4 * factorial_roundings(n, u), u); },
+                     .underflow = conversion_underflow,
+                     .underflow_scales_with_coefficients = true},
       .flops = "(n+1)(n+2)(2+d)",
       .citation = "seed report 001, section 1.1"};
 

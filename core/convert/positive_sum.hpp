@@ -20,12 +20,12 @@ struct PositiveSum {
       .problem = Problem::conversion,
       .form = Form::power,
       .max_degree_float = 131,
-      .bound = ErrorBound{.text = "gamma_(n+2) sum |q_j| t^j on [0,1], and 4n more roundings past n = 54",
-                          .amplification = Amplification::power_to_bernstein,
-                          .factor = [](int n,
-                                       double u) { return gamma_over_u(n + 2 + 4 * binomial_roundings(n, u), u); },
-                          .underflow = conversion_underflow,
-                          .underflow_scales_with_coefficients = true},
+      .bound =
+          ErrorBound{.text = "gamma_(n+2) sum |q_j| t^j on [0,1], and 4n more roundings past n = 54",
+                     .amplification = Amplification::power_to_bernstein,
+                     .factor = [](int n, double u) { return gamma_over_u(n + 2 + 4 * binomial_roundings(n, u), u); },
+                     .underflow = conversion_underflow,
+                     .underflow_scales_with_coefficients = true},
       .flops = "(n+1)(n+2)(1+d) + (n+1)(n+2)/2",
       .citation = "Farouki and Rajan 1987, section 2"};
 

@@ -13,18 +13,17 @@
 namespace bezierbench {
 
 struct DeCasteljau {
-  static constexpr MethodInfo info{
-      .id = "de_casteljau",
-      .label = "de Casteljau",
-      .problem = Problem::evaluation,
-      .form = Form::bernstein,
-      .bound = ErrorBound{.text = "gamma_3n p~",
-                          .amplification = Amplification::p_tilde_bernstein,
-                          .factor = [](int n, double u) { return gamma_over_u(3 * n, u); },
-                          .underflow = [](int n) { return 2.0 * n; },
-                          .underflow_scales_with_coefficients = false},
-      .flops = "3d n(n+1)/2 + 1",
-      .citation = "Farin 2002, section 4.2; seed report 001, section 1.5"};
+  static constexpr MethodInfo info{.id = "de_casteljau",
+                                   .label = "de Casteljau",
+                                   .problem = Problem::evaluation,
+                                   .form = Form::bernstein,
+                                   .bound = ErrorBound{.text = "gamma_3n p~",
+                                                       .amplification = Amplification::p_tilde_bernstein,
+                                                       .factor = [](int n, double u) { return gamma_over_u(3 * n, u); },
+                                                       .underflow = [](int n) { return 2.0 * n; },
+                                                       .underflow_scales_with_coefficients = false},
+                                   .flops = "3d n(n+1)/2 + 1",
+                                   .citation = "Farin 2002, section 4.2; seed report 001, section 1.5"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(

@@ -10,8 +10,8 @@
 //   times for small t.
 #pragma once
 
-#include "core/basis/factorial.hpp"
 #include "core/basis/amplification.hpp"
+#include "core/basis/factorial.hpp"
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {

@@ -12,18 +12,17 @@
 namespace bezierbench {
 
 struct Horner {
-  static constexpr MethodInfo info{
-      .id = "horner",
-      .label = "Horner",
-      .problem = Problem::evaluation,
-      .form = Form::power,
-      .bound = ErrorBound{.text = "gamma_2n p~",
-                          .amplification = Amplification::p_tilde_power,
-                          .factor = [](int n, double u) { return gamma_over_u(2 * n, u); },
-                          .underflow = [](int n) { return 1.0 * n; },
-                          .underflow_scales_with_coefficients = false},
-      .flops = "2dn",
-      .citation = "Higham 2002, section 5.1"};
+  static constexpr MethodInfo info{.id = "horner",
+                                   .label = "Horner",
+                                   .problem = Problem::evaluation,
+                                   .form = Form::power,
+                                   .bound = ErrorBound{.text = "gamma_2n p~",
+                                                       .amplification = Amplification::p_tilde_power,
+                                                       .factor = [](int n, double u) { return gamma_over_u(2 * n, u); },
+                                                       .underflow = [](int n) { return 1.0 * n; },
+                                                       .underflow_scales_with_coefficients = false},
+                                   .flops = "2dn",
+                                   .citation = "Higham 2002, section 5.1"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> prepare(

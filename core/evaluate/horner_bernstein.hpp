@@ -3,7 +3,8 @@
 //
 // Source: Farin, Curves and Surfaces for CAGD, 5th ed., section 4.8 (nested multiplication in Bernstein form).
 // Cost: n (1 + 3d) + 1 flops per point.
-// Bound: term i has 1 + binomial roundings in c_i, i-1 in t^i, 1 product, 1 addition and 3 per later step (1-t, product,
+// Bound: term i has 1 + binomial roundings in c_i, i-1 in t^i, 1 product, 1 addition and 3 per later step (1-t,
+// product,
 //   sum); the largest is i = 1 with 3n + binomial roundings, for i = 0 it is 3n. A t^i that underflows loses up to
 //   C(n,i) max|b| eta.
 // Fails: C(n,i) b_i overflows for large degrees (past 1029 always, in float past 131); t^i underflows for large n.
@@ -22,12 +23,12 @@ struct HornerBernstein {
       .problem = Problem::evaluation,
       .form = Form::bernstein,
       .max_degree_float = 131,
-      .bound = ErrorBound{.text = "gamma_(3n+1) p~, and n more roundings past n = 54",
-                          .amplification = Amplification::p_tilde_bernstein,
-                          .factor = [](int n,
-                                       double u) { return gamma_over_u(3 * n + 1 + binomial_roundings(n, u), u); },
-                          .underflow = [](int n) { return 2 * (n + 1) * integer_power(2, n); },
-                          .underflow_scales_with_coefficients = true},
+      .bound =
+          ErrorBound{.text = "gamma_(3n+1) p~, and n more roundings past n = 54",
+                     .amplification = Amplification::p_tilde_bernstein,
+                     .factor = [](int n, double u) { return gamma_over_u(3 * n + 1 + binomial_roundings(n, u), u); },
+                     .underflow = [](int n) { return 2 * (n + 1) * integer_power(2, n); },
+                     .underflow_scales_with_coefficients = true},
       .flops = "n(1+3d) + 1",
       .citation = "Farin 2002, section 4.8"};
 

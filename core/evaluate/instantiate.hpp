@@ -25,7 +25,10 @@ template <Evaluator E, class Scalar, int Dimension>
 constexpr Kernel<Scalar> kernel() {
   using Prepared = PreparedOf<E, Scalar, Dimension>;
   static_assert(std::is_trivially_destructible_v<Prepared>);
-  return {&E::info, Dimension, sizeof(Prepared), alignof(Prepared),
+  return {&E::info,
+          Dimension,
+          sizeof(Prepared),
+          alignof(Prepared),
           [](const CurveView<Scalar>& view, void* prepared) {
             ::new (prepared) Prepared(E::prepare(load<E::info.form, Dimension>(view)));
           },

@@ -13,18 +13,17 @@
 namespace bezierbench {
 
 struct PowerSum {
-  static constexpr MethodInfo info{
-      .id = "power_sum",
-      .label = "Power sum, running t^j",
-      .problem = Problem::evaluation,
-      .form = Form::power,
-      .bound = ErrorBound{.text = "gamma_(n+1) p~",
-                          .amplification = Amplification::p_tilde_power,
-                          .factor = [](int n, double u) { return gamma_over_u(n + 1, u); },
-                          .underflow = [](int n) { return 2.0 * (n + 1) * (n + 1); },
-                          .underflow_scales_with_coefficients = true},
-      .flops = "n + 2dn",
-      .citation = "seed report 001, section 1.3"};
+  static constexpr MethodInfo info{.id = "power_sum",
+                                   .label = "Power sum, running t^j",
+                                   .problem = Problem::evaluation,
+                                   .form = Form::power,
+                                   .bound = ErrorBound{.text = "gamma_(n+1) p~",
+                                                       .amplification = Amplification::p_tilde_power,
+                                                       .factor = [](int n, double u) { return gamma_over_u(n + 1, u); },
+                                                       .underflow = [](int n) { return 2.0 * (n + 1) * (n + 1); },
+                                                       .underflow_scales_with_coefficients = true},
+                                   .flops = "n + 2dn",
+                                   .citation = "seed report 001, section 1.3"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> prepare(

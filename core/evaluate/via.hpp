@@ -34,8 +34,7 @@ constexpr std::string_view join(Parts...) {
 
 /// `Converter` followed by `Method`; exists where the forms meet.
 template <Conversion Converter, Evaluator Method>
-  requires(other(Converter::info.form) == Method::info.form)
-struct Via {
+requires(other(Converter::info.form) == Method::info.form) struct Via {
   /// With |converted| <= (1 + factor u) times its amplification, errors compose as gamma_j + gamma_k + gamma_j gamma_k
   /// (Higham, Lemma 3.3); the amplification of the conversion is at least that of the evaluation.
   static constexpr double bound_factor(int n, double u) {
@@ -48,10 +47,9 @@ struct Via {
   }
   static constexpr std::optional<ErrorBound> bound() {
     if constexpr (Converter::info.bound && Method::info.bound)
-      return ErrorBound{.text = detail::join([] { return std::string_view("conversion "); },
-                                             [] { return Converter::info.bound->text; },
-                                             [] { return std::string_view("; evaluation "); },
-                                             [] { return Method::info.bound->text; }),
+      return ErrorBound{.text = detail::join(
+                            [] { return std::string_view("conversion "); }, [] { return Converter::info.bound->text; },
+                            [] { return std::string_view("; evaluation "); }, [] { return Method::info.bound->text; }),
                         .amplification = Converter::info.bound->amplification,
                         .factor = bound_factor,
                         .underflow = bound_underflow,
@@ -110,8 +108,7 @@ struct PathsOf<TypeList<Cs...>, TypeList<Es...>> {
     using Type = TypeList<>;
   };
   template <class C, class E>
-    requires(other(C::info.form) == E::info.form)
-  struct Pair<C, E> {
+  requires(other(C::info.form) == E::info.form) struct Pair<C, E> {
     using Type = TypeList<Via<C, E>>;
   };
   template <class C>

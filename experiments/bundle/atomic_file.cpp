@@ -175,8 +175,7 @@ std::string read_file(const fs::path& path) {
   if (facts.st_size > 0) bytes.reserve(static_cast<std::size_t>(facts.st_size));  // only a hint: it is 0 in /proc
   std::array<char, 65536> buffer;
   for (;;) {
-    const ssize_t count =
-        uninterrupted([&] { return ::read(descriptor.number(), buffer.data(), buffer.size()); });
+    const ssize_t count = uninterrupted([&] { return ::read(descriptor.number(), buffer.data(), buffer.size()); });
     if (count == -1) fail_read(path, errno);
     if (count == 0) return bytes;
     bytes.append(buffer.data(), static_cast<std::size_t>(count));

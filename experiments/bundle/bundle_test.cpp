@@ -28,8 +28,16 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 Manifest with_state(const char* state) {
-  return {.schema_version = 1, .suites = {"s"}, .suite_digest = "d", .seed = 1, .state = state, .accuracy_digest = "",
-          .program_version = "0.1.0", .git_commit = "c", .git_clean = true, .fp_flags = "-f"};
+  return {.schema_version = 1,
+          .suites = {"s"},
+          .suite_digest = "d",
+          .seed = 1,
+          .state = state,
+          .accuracy_digest = "",
+          .program_version = "0.1.0",
+          .git_commit = "c",
+          .git_clean = true,
+          .fp_flags = "-f"};
 }
 
 BundleDirectory filled(const fs::path& path) {

@@ -145,9 +145,7 @@ std::string CsvTable::text() const {
   return text;
 }
 
-bool CsvDocument::has_column(std::string_view name) const {
-  return std::ranges::find(header_, name) != header_.end();
-}
+bool CsvDocument::has_column(std::string_view name) const { return std::ranges::find(header_, name) != header_.end(); }
 
 std::size_t CsvDocument::column(std::string_view name) const {
   const auto found = std::ranges::find(header_, name);

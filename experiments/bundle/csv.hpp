@@ -9,7 +9,7 @@
 
 namespace bezierbench::bundle {
 
-/// A table to write. Fields are text already: see decimal() and hexadecimal() for numbers.
+/// A table to write. Fields are text already: see number::decimal() and number::hexadecimal() for numbers.
 class CsvTable {
  public:
   /// Throws std::invalid_argument without columns, for an empty or repeated name, or for a NUL byte.

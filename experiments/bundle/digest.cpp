@@ -27,7 +27,8 @@ std::string sha256_hex(std::string_view bytes) {
 std::string sha256sum_line(std::string_view name, std::string_view bytes) {
   if (name.find_first_of("\\\r\n") != std::string_view::npos) {
     std::string printable(name);
-    std::ranges::replace_if(printable, [](char c) { return c == '\r' || c == '\n'; }, '?');  // a message is one line
+    std::ranges::replace_if(
+        printable, [](char c) { return c == '\r' || c == '\n'; }, '?');  // a message is one line
     throw Failure(Exit::input_output, printable + ": line end or backslash in a file name; rename the file");
   }
   return fmt::format("{}  {}\n", sha256_hex(bytes), name);

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/bundle/number.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
 
 namespace bezierbench::bundle {
 namespace {
@@ -74,8 +74,8 @@ std::optional<std::uint64_t> bytes(const Text& text) {
   unit.remove_prefix(std::min(unit.find_first_not_of("0123456789"), unit.size()));
   const auto count = integer(std::string_view(*text).substr(0, text->size() - unit.size()));
   unit = trimmed(unit);
-  constexpr std::array<std::pair<std::string_view, int>, 5> shifts{{{"", 0}, {"K", 10}, {"kB", 10}, {"M", 20},
-                                                                    {"G", 30}}};
+  constexpr std::array<std::pair<std::string_view, int>, 5> shifts{
+      {{"", 0}, {"K", 10}, {"kB", 10}, {"M", 20}, {"G", 30}}};
   const auto* shift = std::ranges::find(shifts, unit, &std::pair<std::string_view, int>::first);
   if (!count || shift == shifts.end()) return std::nullopt;
   return *count << shift->second;
@@ -193,7 +193,7 @@ Json load_average(const MachineRoots& roots) {
   for (int i = 0; i < 3; ++i) {
     const std::string_view word = rest.substr(0, rest.find(' '));
     rest.remove_prefix(std::min(word.size() + 1, rest.size()));
-    const auto value = parse_number(word);
+    const auto value = number::parse_number(word);
     if (!value) return "unknown";
     json.push_back(*value);
   }

@@ -69,22 +69,22 @@ TEST_F(Machine, ReadsWhatTheKernelSays) {
   EXPECT_EQ(cpu["logical_cores_available"], 3);
   EXPECT_EQ(cpu["smt"], false);
   EXPECT_EQ(cpu["virtualised"], true);
-  EXPECT_EQ(json["caches"], Json({{"l1d_bytes", 49152}, {"l1i_bytes", 32768}, {"l2_bytes", 2097152},
-                                  {"l3_bytes", 37748736}}));
+  EXPECT_EQ(json["caches"],
+            Json({{"l1d_bytes", 49152}, {"l1i_bytes", 32768}, {"l2_bytes", 2097152}, {"l3_bytes", 37748736}}));
   EXPECT_EQ(json["frequency"], Json({{"governor", "performance"}, {"boost", false}}));
   EXPECT_EQ(json["memory"]["total_bytes"], 16710123520);
   EXPECT_EQ(json["system"]["kernel"], "6.1.0-test");
   EXPECT_EQ(json["system"]["aslr"], 2);
   EXPECT_EQ(json["load_average"], Json({0.25, 1.5, 12.75}));
   EXPECT_EQ(json["clock"]["source"], "tsc");
-  EXPECT_EQ(json["build"], Json({{"compiler", facts.compiler}, {"flags", facts.flags},
-                                 {"build_type", facts.build_type}, {"fp_flags", facts.fp_flags},
+  EXPECT_EQ(json["build"], Json({{"compiler", facts.compiler},
+                                 {"flags", facts.flags},
+                                 {"build_type", facts.build_type},
+                                 {"fp_flags", facts.fp_flags},
                                  {"program_version", facts.program_version}}));
 }
 
-TEST_F(Machine, HostNameIsLeftOut) {
-  EXPECT_EQ(machine_json(facts, roots()).find("secret-host"), std::string::npos);
-}
+TEST_F(Machine, HostNameIsLeftOut) { EXPECT_EQ(machine_json(facts, roots()).find("secret-host"), std::string::npos); }
 
 TEST_F(Machine, BareMetalIsNotVirtualised) {
   put("proc/cpuinfo", "flags\t\t: fpu nohypervisor hypervisors\n");

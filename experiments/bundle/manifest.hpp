@@ -14,12 +14,12 @@ struct Manifest {
   std::vector<std::string> suites;  ///< ids, in the order in which they were given
   std::string suite_digest;         ///< of the resolved suites
   std::uint64_t seed = 0;
-  std::string state;                ///< `complete` or `partial`
-  std::string accuracy_digest;      ///< see accuracy_digest(); filled in by BundleDirectory::finish
+  std::string state;            ///< `complete` or `partial`
+  std::string accuracy_digest;  ///< see accuracy_digest(); filled in by BundleDirectory::finish
   std::string program_version;
-  std::string git_commit;           ///< `unknown` outside a checkout
+  std::string git_commit;  ///< `unknown` outside a checkout
   bool git_clean = false;
-  std::string fp_flags;             ///< the floating-point contract's compiler flags
+  std::string fp_flags;  ///< the floating-point contract's compiler flags
 
   friend bool operator==(const Manifest&, const Manifest&) = default;
 };

@@ -8,11 +8,11 @@
 
 #include "core/evaluate/kernel.hpp"
 #include "experiments/bundle/csv.hpp"
-#include "experiments/bundle/number.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/curve_file.hpp"
 #include "experiments/cli/vocabulary.hpp"
 #include "experiments/metric/trial_scale.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/studies/workspace.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "reference/exact_curve.hpp"
@@ -67,22 +67,26 @@ std::vector<const typename Table::element_type*> chosen(Table table, const std::
 }
 
 double parameter(const std::string& text) {
-  const auto t = bundle::parse_number(text);
+  const auto t = number::parse_number(text);
   if (!t || !std::isfinite(*t))
     throw Failure(Exit::usage, fmt::format("--t {}: not a finite number; write a decimal or hexadecimal double", text));
   return *t;
 }
 
-/// bound / (u p~) on one axis; nothing where no bound is stated or proved.
-std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis, double t) {
-  if (!info.bound) return "";
+/// u p~, exactly.
+reference::Rational unit_of(const reference::Rational& p_tilde) { return p_tilde * reference::Rational{1, 1, -53}; }
+
+/// bound / (u p~) on one axis; nothing where no bound is stated or proved, or p~ is zero.
+std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis, double t,
+                        const reference::Rational& p_tilde) {
+  if (!info.bound || p_tilde.numerator == 0) return "";
   std::vector<double> coefficients;
   for (int i = 0; i <= curve.degree(); ++i) coefficients.push_back(curve.view()(axis, i));
   metric::TrialScale scale;
   scale.set({curve.form, 1, curve.degree(), coefficients}, t);
-  const double units =
-      scale.in_bound_units(scale.bound(*info.bound, metric::double_arithmetic), metric::double_arithmetic);
-  return std::isfinite(units) ? bundle::decimal(units) : "";
+  const double bound = scale.bound(*info.bound, metric::double_arithmetic);
+  if (!std::isfinite(bound)) return "";
+  return number::decimal(reference::quotient(reference::binary64, reference::exactly(bound), unit_of(p_tilde)));
 }
 
 /// The columns value to error_u of one coordinate.
@@ -99,10 +103,10 @@ std::vector<std::string> judged(double value, const reference::Rational& truth, 
     if (difference.numerator == 0)
       error_u = 0;
     else if (p_tilde.numerator != 0)
-      error_u = reference::quotient(binary64, difference, p_tilde * reference::Rational{1, 1, -53});
+      error_u = reference::quotient(binary64, difference, unit_of(p_tilde));
   }
-  return {bundle::decimal(value), bundle::decimal(reference::round_to(binary64, truth)), bundle::decimal(error),
-          bundle::decimal(error_ulp), bundle::decimal(error_u)};
+  return {number::decimal(value), number::decimal(reference::round_to(binary64, truth)), number::decimal(error),
+          number::decimal(error_ulp), number::decimal(error_u)};
 }
 
 void evaluate(const Options& options) {
@@ -124,10 +128,11 @@ void evaluate(const Options& options) {
     for (std::size_t k = 0; k < ts.size(); ++k) {
       studies::evaluate_once<double>(*kernel, curve.view(), ts[k], storage, point);
       for (int axis = 0; axis < curve.dimension; ++axis) {
-        std::vector<std::string> row{std::string(kernel->info->id), bundle::decimal(ts[k]), axis_name(axis)};
-        for (auto& field : judged(point[static_cast<std::size_t>(axis)], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)))
+        std::vector<std::string> row{std::string(kernel->info->id), number::decimal(ts[k]), axis_name(axis)};
+        for (auto& field :
+             judged(point[static_cast<std::size_t>(axis)], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)))
           row.push_back(std::move(field));
-        row.push_back(bound_units(*kernel->info, curve, axis, ts[k]));
+        row.push_back(bound_units(*kernel->info, curve, axis, ts[k], p_tildes[k].coordinate(axis)));
         table.add_row(std::move(row));
       }
     }
@@ -136,7 +141,8 @@ void evaluate(const Options& options) {
 
 void convert(const Options& options) {
   auto curve = read_curve(options.curve, options.form_value());
-  const auto methods = chosen(conversion_kernels<double>(curve.dimension), options.methods, curve, vocabulary().conversions);
+  const auto methods =
+      chosen(conversion_kernels<double>(curve.dimension), options.methods, curve, vocabulary().conversions);
   std::vector<double> converted(curve.coefficients.size());
   methods.front()->convert(curve.view(), converted.data());
   curve.coefficients = converted;

@@ -21,7 +21,8 @@ std::string suites_csv() {
   bundle::CsvTable table({"id", "file", "seed", "studies", "title"});
   for (const auto& [file_name, text] : shipped_suites)
     for (const auto& one : suite::parse_suites(text, file_name, known))
-      table.add_row({one.id, std::string(file_name), std::to_string(one.seed), std::to_string(one.studies.size()), one.title});
+      table.add_row(
+          {one.id, std::string(file_name), std::to_string(one.seed), std::to_string(one.studies.size()), one.title});
   return table.text();
 }
 
@@ -31,7 +32,8 @@ std::string studies_csv() {
   for (const auto& [file_name, text] : shipped_suites)
     for (const auto& one : suite::parse_suites(text, file_name, known))
       for (const auto& study : one.studies)
-        table.add_row({study.id, one.id, std::string(suite::name(study.kind)), std::string(suite::name(study.curve)), study.title});
+        table.add_row({study.id, one.id, std::string(suite::name(study.kind)), std::string(suite::name(study.curve)),
+                       study.title});
   return table.text();
 }
 

@@ -3,15 +3,17 @@
 // lacks may come before the message.
 #include "experiments/cli/processor.hpp"
 
-#include <cstdlib>
 #include <unistd.h>
+
+#include <cstdlib>
 
 namespace bezierbench::cli {
 
 bool processor_suffices() {
 #ifdef BEZIERBENCH_NEEDS_X86_64_V3
   __builtin_cpu_init();
-  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 && __builtin_cpu_supports("bmi2") != 0;
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+         __builtin_cpu_supports("bmi2") != 0;
 #else
   return true;
 #endif

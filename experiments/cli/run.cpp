@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "experiments/studies/run.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -8,7 +10,6 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/vocabulary.hpp"
 #include "experiments/studies/interruption.hpp"
-#include "experiments/studies/run.hpp"
 #include "experiments/suite/overrides.hpp"
 #include "experiments/suite/reader.hpp"
 #include "experiments/suite/validate.hpp"

@@ -16,8 +16,8 @@ struct Interval {
 };
 
 /// The median and the narrowest symmetric pair of order statistics that covers the true median with at least
-/// `confidence`, by the sign test: P(Binomial(N, 1/2) < k) <= (1 - confidence) / 2. The whole range where N is too small.
-/// Source: Hettmansperger and McKean, Robust Nonparametric Statistical Methods, section 1.1.
+/// `confidence`, by the sign test: P(Binomial(N, 1/2) < k) <= (1 - confidence) / 2. The whole range where N is too
+/// small. Source: Hettmansperger and McKean, Robust Nonparametric Statistical Methods, section 1.1.
 Interval median_interval(std::span<const double> sample, double confidence);
 
 }  // namespace bezierbench::metric

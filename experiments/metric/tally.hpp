@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The errors of many trials, kept exactly: sums are integers per binade, quantiles come from a histogram of leading bits.
-// Adding and merging are therefore free of order: threads, blocks and shards cannot change a byte of a statistic.
+// The errors of many trials, kept exactly: sums are integers per binade, quantiles come from a histogram of leading
+// bits. Adding and merging are therefore free of order: threads, blocks and shards cannot change a byte of a statistic.
 #pragma once
 
 #include <array>

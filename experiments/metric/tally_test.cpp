@@ -66,15 +66,15 @@ TEST(Tally, OrderAndGroupingChangeNothing) {
   std::mt19937_64 words(1);
   std::vector<double> errors;
   for (int k = 0; k < 5000; ++k)
-    errors.push_back(to_24_bits(std::ldexp(1 + static_cast<double>(words() >> 12U) * 0x1p-52,
-                                           static_cast<int>(words() % 300) - 150)));
+    errors.push_back(to_24_bits(
+        std::ldexp(1 + static_cast<double>(words() >> 12U) * 0x1p-52, static_cast<int>(words() % 300) - 150)));
   const Tally whole = tally_of(errors);
   std::shuffle(errors.begin(), errors.end(), words);
   Tally merged;
   for (std::size_t first = 0; first < errors.size();) {
     const std::size_t last = std::min(errors.size(), first + 1 + words() % 700);
-    merged.merge(tally_of({errors.begin() + static_cast<std::ptrdiff_t>(first),
-                           errors.begin() + static_cast<std::ptrdiff_t>(last)}));
+    merged.merge(tally_of(
+        {errors.begin() + static_cast<std::ptrdiff_t>(first), errors.begin() + static_cast<std::ptrdiff_t>(last)}));
     first = last;
   }
   EXPECT_EQ(merged.count(), whole.count());

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 // What the error of one trial is compared with: p~ and the proved bound, with the Euclidean norm of each coefficient.
 //
-// A bound that holds on each axis holds for the Euclidean norm: by the triangle inequality the norm of the amplifications
-// is at most the amplification of the norms, and d axes add at most d underflow terms.
+// A bound that holds on each axis holds for the Euclidean norm: by the triangle inequality the norm of the
+// amplifications is at most the amplification of the norms, and d axes add at most d underflow terms.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "core/basis/error_bound.hpp"
 #include "core/curve.hpp"
-#include "core/method.hpp"
 
 namespace bezierbench::metric {
 
 /// Rounding facts of the scalar type that the methods computed in.
 struct Arithmetic {
-  double unit_roundoff;        ///< u = 2^-53, or 2^-24 for float
-  double smallest_subnormal;   ///< 2^-1074, or 2^-149
+  double unit_roundoff;       ///< u = 2^-53, or 2^-24 for float
+  double smallest_subnormal;  ///< 2^-1074, or 2^-149
 };
 inline constexpr Arithmetic double_arithmetic{0x1p-53, 0x1p-1074};
 inline constexpr Arithmetic float_arithmetic{0x1p-24, 0x1p-149};

@@ -96,7 +96,8 @@ TEST(Amplification, EqualsTheMatricesItStandsFor) {
     double to_bernstein = 0;
     double solve = 0;
     for (std::size_t i = 0; i <= n; ++i) {
-      const double basis = binomial(n, i) * integer_power(x, static_cast<int>(i)) * integer_power(y, static_cast<int>(n - i));
+      const double basis =
+          binomial(n, i) * integer_power(x, static_cast<int>(i)) * integer_power(y, static_cast<int>(n - i));
       to_power += power[i] * integer_power(x, static_cast<int>(i));
       to_bernstein += bernstein[i] * basis;
       solve += forth[i] * basis;

@@ -3,15 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"
-#include "experiments/suite/number.hpp"
 
 namespace bezierbench::sample {
 
 std::string canonical(const Cell& cell) {
   return fmt::format("curve={};dimension={};degree={};coordinate_range={};t_interval={}:{};generator={}",
-                     suite::name(cell.curve), cell.dimension, cell.degree, suite::shortest(cell.coordinate_range),
-                     suite::shortest(cell.t_interval.min), suite::shortest(cell.t_interval.max), cell.generator);
+                     suite::name(cell.curve), cell.dimension, cell.degree, number::decimal(cell.coordinate_range),
+                     number::decimal(cell.t_interval.min), number::decimal(cell.t_interval.max), cell.generator);
 }
 
 std::uint64_t key(const Cell& cell) { return key(std::string_view(canonical(cell))); }

@@ -15,9 +15,9 @@
 #include <tuple>
 
 #include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/sample/roster.hpp"
 #include "experiments/suite/names.hpp"
-#include "experiments/suite/number.hpp"
 
 namespace bezierbench::sample {
 namespace {
@@ -29,7 +29,7 @@ std::vector<std::string> split(const std::string& line, char separator) {
   return parts;
 }
 
-double number(const std::string& text) { return suite::parse_number(text).value(); }
+double number(const std::string& text) { return number::parse_number(text).value(); }
 
 std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
 

@@ -10,9 +10,9 @@
 #include <mutex>
 #include <optional>
 
-#include "experiments/bundle/number.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/metric/trial_scale.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/judgement.hpp"
 #include "experiments/studies/method_choice.hpp"
@@ -50,8 +50,8 @@ class ScalarCell final : public AccuracyCell {
       if (id != exact_baseline) {
         kernel = find_kernel<Scalar>(id, form_of(study.curve), cell.dimension);
         if (kernel == nullptr)
-          throw Failure(Exit::usage, fmt::format("study \"{}\": baseline \"{}\" does not take curves in {} form", study.id,
-                                                 id, name(form_of(study.curve))));
+          throw Failure(Exit::usage, fmt::format("study \"{}\": baseline \"{}\" does not take curves in {} form",
+                                                 study.id, id, name(form_of(study.curve))));
       }
       baselines_.push_back(kernel);
     }
@@ -106,14 +106,15 @@ class ScalarCell final : public AccuracyCell {
   }
   [[nodiscard]] std::string describe() const {
     return fmt::format("study {}, {} {} degree {}, range {}, t in [{}, {}], generator {}", study_.id,
-                       suite::name(study_.curve), scalar_name(), cell_.degree, bundle::decimal(cell_.coordinate_range),
-                       bundle::decimal(cell_.t_interval.min), bundle::decimal(cell_.t_interval.max), cell_.generator);
+                       suite::name(study_.curve), scalar_name(), cell_.degree, number::decimal(cell_.coordinate_range),
+                       number::decimal(cell_.t_interval.min), number::decimal(cell_.t_interval.max), cell_.generator);
   }
   [[nodiscard]] static std::string_view scalar_name() {
     return suite::name(sizeof(Scalar) == sizeof(float) ? suite::ScalarKind::float32 : suite::ScalarKind::float64);
   }
 
-  void judge(std::int64_t replicate, std::int64_t trial, std::vector<Judgement>& judgements, metric::Tally& audit) const;
+  void judge(std::int64_t replicate, std::int64_t trial, std::vector<Judgement>& judgements,
+             metric::Tally& audit) const;
   static void count(double error, std::uint64_t trial, const std::optional<ErrorBound>& stated,
                     metric::TrialScale& scale, Judgement& judgement);
   void keep(std::int64_t replicate, std::vector<Judgement>& judged, metric::Tally& audit);
@@ -165,7 +166,7 @@ Computed computed_point(const Kernel<Scalar>& kernel, const CurveView<Scalar>& c
 
 template <class Scalar>
 void ScalarCell<Scalar>::judge(std::int64_t replicate, std::int64_t trial, std::vector<Judgement>& judgements,
-                             metric::Tally& audit) const {
+                               metric::Tally& audit) const {
   thread_local Scratch<Scalar> scratch;
   const auto number = static_cast<std::uint64_t>(replicate * study_.trials + trial);
   sampler_.draw(number, scratch.trial);
@@ -181,8 +182,7 @@ void ScalarCell<Scalar>::judge(std::int64_t replicate, std::int64_t trial, std::
 
   scratch.computed.resize(methods_.size());
   for (std::size_t m = 0; m < methods_.size(); ++m)
-    if (supported(*methods_[m]))
-      scratch.computed[m] = computed_point(*methods_[m], curve, t, scratch.prepared);
+    if (supported(*methods_[m])) scratch.computed[m] = computed_point(*methods_[m], curve, t, scratch.prepared);
   for (std::size_t k = 0; k < baselines_.size(); ++k) {
     Computed origin;
     std::optional<reference::Distance> distance;  // stays empty where the baseline itself is not finite
@@ -252,23 +252,42 @@ void ScalarCell<Scalar>::keep(std::int64_t replicate, std::vector<Judgement>& ju
   open_.erase(entry);
 }
 
-const std::vector<std::string> accuracy_columns{
-    "study",       "curve",          "method",        "scalar",      "dimension",   "degree",       "coordinate_range",
-    "t_min",       "t_max",          "generator",     "trials",      "baseline",    "status",       "mean_error",
-    "rms_error",   "p50_error",      "p99_error",     "max_error",   "mean_error_u", "max_error_u", "bound_u",
-    "bound_violations", "non_finite"};
+const std::vector<std::string> accuracy_columns{"study",
+                                                "curve",
+                                                "method",
+                                                "scalar",
+                                                "dimension",
+                                                "degree",
+                                                "coordinate_range",
+                                                "t_min",
+                                                "t_max",
+                                                "generator",
+                                                "trials",
+                                                "baseline",
+                                                "status",
+                                                "mean_error",
+                                                "rms_error",
+                                                "p50_error",
+                                                "p99_error",
+                                                "max_error",
+                                                "mean_error_u",
+                                                "max_error_u",
+                                                "bound_u",
+                                                "bound_violations",
+                                                "non_finite"};
 
-const std::vector<std::string> audit_columns{"study",  "curve",     "tier",  "significand_bits", "dimension",
-                                             "degree", "coordinate_range", "t_min", "t_max",  "generator",
-                                             "trials", "mean_error_ulp",   "max_error_ulp"};
+const std::vector<std::string> audit_columns{
+    "study", "curve", "tier",      "significand_bits", "dimension",      "degree",       "coordinate_range",
+    "t_min", "t_max", "generator", "trials",           "mean_error_ulp", "max_error_ulp"};
 
 template <class Scalar>
 void ScalarCell<Scalar>::write(Tables& tables) const {
-  const auto number = [](double value) { return bundle::decimal(value); };
+  const auto number = [](double value) { return number::decimal(value); };
   for (std::size_t m = 0; m < methods_.size(); ++m) {
     for (std::size_t k = 0; k < baselines_.size(); ++k) {
       if (baselines_[k] == methods_[m]) continue;
-      const bool stable = methods_[m]->info->bit_stable && (baselines_[k] == nullptr || baselines_[k]->info->bit_stable);
+      const bool stable =
+          methods_[m]->info->bit_stable && (baselines_[k] == nullptr || baselines_[k]->info->bit_stable);
       std::vector<std::string> row{study_.id,
                                    std::string(suite::name(study_.curve)),
                                    std::string(methods_[m]->info->id),
@@ -287,12 +306,11 @@ void ScalarCell<Scalar>::write(Tables& tables) const {
       } else {
         const Judgement& j = judgements_[index(m, k)];
         const bool bounded = baselines_[k] == nullptr && methods_[m]->info->bound.has_value();
-        for (const auto& field :
-             {std::string("ok"), number(j.error.mean()), number(j.error.root_mean_square()),
-              number(j.error.quantile(0.5)), number(j.error.quantile(0.99)), number(j.error.max()),
-              number(j.error_u.mean()), number(j.error_u.max()),
-              bounded && std::isfinite(j.bound_u) ? number(j.bound_u) : std::string(),
-              bounded ? std::to_string(j.violations) : std::string(), std::to_string(j.non_finite)})
+        for (const auto& field : {std::string("ok"), number(j.error.mean()), number(j.error.root_mean_square()),
+                                  number(j.error.quantile(0.5)), number(j.error.quantile(0.99)), number(j.error.max()),
+                                  number(j.error_u.mean()), number(j.error_u.max()),
+                                  bounded && std::isfinite(j.bound_u) ? number(j.bound_u) : std::string(),
+                                  bounded ? std::to_string(j.violations) : std::string(), std::to_string(j.non_finite)})
           row.push_back(field);
       }
       tables.table(stable ? "accuracy.csv" : "unstable.csv", accuracy_columns).add_row(std::move(row));
@@ -303,8 +321,8 @@ void ScalarCell<Scalar>::write(Tables& tables) const {
         .add_row({study_.id, std::string(suite::name(study_.curve)), "long_double",
                   std::to_string(std::numeric_limits<long double>::digits), std::to_string(cell_.dimension),
                   std::to_string(cell_.degree), number(cell_.coordinate_range), number(cell_.t_interval.min),
-                  number(cell_.t_interval.max), cell_.generator, std::to_string(audit_.count()),
-                  number(audit_.mean()), number(audit_.max())});
+                  number(cell_.t_interval.max), cell_.generator, std::to_string(audit_.count()), number(audit_.mean()),
+                  number(audit_.max())});
 }
 
 template <class Scalar>

@@ -10,9 +10,9 @@
 #include <mutex>
 
 #include "core/evaluate/kernel.hpp"
-#include "experiments/bundle/number.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/metric/tally.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/method_choice.hpp"
@@ -46,8 +46,9 @@ Chain chain_of(const suite::Study& study, const std::string& id, int dimension) 
     const auto part = id.substr(begin, end - begin);
     const auto* step = find_conversion<double>(part, form, dimension);
     if (step == nullptr)
-      throw Failure(Exit::usage, fmt::format("study \"{}\": conversion \"{}\" does not start from {} form; see `list methods`",
-                                             study.id, part, name(form)));
+      throw Failure(Exit::usage,
+                    fmt::format("study \"{}\": conversion \"{}\" does not start from {} form; see `list methods`",
+                                study.id, part, name(form)));
     chain.steps.push_back(step);
     form = form == Form::bernstein ? Form::power : Form::bernstein;
     begin = end + 1;
@@ -66,7 +67,8 @@ std::vector<Chain> chains_of(const suite::Study& study, int dimension) {
 }
 
 /// The largest distance of corresponding coefficients; infinite if one is not finite.
-double largest_distance(std::span<const double> computed, const std::vector<reference::ExactPoint>& truth, std::size_t d) {
+double largest_distance(std::span<const double> computed, const std::vector<reference::ExactPoint>& truth,
+                        std::size_t d) {
   if (!std::ranges::all_of(computed, [](double value) { return std::isfinite(value); }))
     return std::numeric_limits<double>::infinity();
   double largest = 0;
@@ -104,7 +106,9 @@ class ConversionJob final : public Job {
       }
   }
 
-  [[nodiscard]] std::size_t blocks() const override { return rows_.size() * static_cast<std::size_t>(study_.replicates); }
+  [[nodiscard]] std::size_t blocks() const override {
+    return rows_.size() * static_cast<std::size_t>(study_.replicates);
+  }
   [[nodiscard]] double cost(std::size_t block) const override {
     const double n = row_of(block).cell.degree + 1.0;
     return static_cast<double>(study_.trials) * n * n * 10;
@@ -172,8 +176,8 @@ void ConversionJob::run_block(std::size_t block) {
 }
 
 void ConversionJob::write(Tables& tables) const {
-  std::vector<std::string> columns{"study", "conversion", "degree", "coordinate_range", "generator",
-                                   "trials", "mean_error", "max_error"};
+  std::vector<std::string> columns{"study",     "conversion", "degree",     "coordinate_range",
+                                   "generator", "trials",     "mean_error", "max_error"};
   for (const auto& threshold : thresholds) columns.emplace_back(threshold.column);
   columns.insert(columns.end(), {"curve", "dimension", "status", "non_finite"});
   auto& table = tables.table("conversion.csv", columns);
@@ -182,19 +186,19 @@ void ConversionJob::write(Tables& tables) const {
     std::vector<std::string> fields{study_.id,
                                     row.chain.id,
                                     std::to_string(row.cell.degree),
-                                    bundle::decimal(row.cell.coordinate_range),
+                                    number::decimal(row.cell.coordinate_range),
                                     row.cell.generator,
                                     std::to_string(study_.trials * study_.replicates),
-                                    supported ? bundle::decimal(row.error.mean()) : "",
-                                    supported ? bundle::decimal(row.error.max()) : ""};
+                                    supported ? number::decimal(row.error.mean()) : "",
+                                    supported ? number::decimal(row.error.max()) : ""};
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
       std::int64_t sum = 0;
       for (const auto& replicate : row.within) sum += replicate[i];
       fields.push_back(supported ? std::to_string(sum) : "");
     }
-    fields.insert(fields.end(), {std::string(suite::name(study_.curve)), std::to_string(row.cell.dimension),
-                                 supported ? "ok" : "degree_unsupported",
-                                 supported ? std::to_string(row.non_finite) : ""});
+    fields.insert(fields.end(),
+                  {std::string(suite::name(study_.curve)), std::to_string(row.cell.dimension),
+                   supported ? "ok" : "degree_unsupported", supported ? std::to_string(row.non_finite) : ""});
     table.add_row(std::move(fields));
   }
 }

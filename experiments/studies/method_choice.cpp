@@ -10,9 +10,7 @@
 
 namespace bezierbench::studies {
 
-Form form_of(suite::CurveKind curve) {
-  return curve == suite::CurveKind::polynomial ? Form::power : Form::bernstein;
-}
+Form form_of(suite::CurveKind curve) { return curve == suite::CurveKind::polynomial ? Form::power : Form::bernstein; }
 
 template <class Scalar>
 std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, int dimension) {
@@ -22,8 +20,9 @@ std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, int
       return kernel.info->form == form && suite::matches(pattern, kernel.info->id);
     });
     if (!applies)
-      throw Failure(Exit::usage, fmt::format("study \"{}\": method \"{}\" does not take curves in {} form; see `list methods`",
-                                             study.id, pattern, name(form)));
+      throw Failure(Exit::usage,
+                    fmt::format("study \"{}\": method \"{}\" does not take curves in {} form; see `list methods`",
+                                study.id, pattern, name(form)));
   }
   std::vector<const Kernel<Scalar>*> chosen;
   for (const auto& kernel : kernels<Scalar>(dimension)) {

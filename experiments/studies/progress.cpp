@@ -15,11 +15,7 @@ constexpr std::chrono::seconds plain_interval{10};
 }  // namespace
 
 Progress::Progress(double total, bool quiet)
-    : total_(total),
-      quiet_(quiet),
-      terminal_(isatty(STDERR_FILENO) != 0),
-      start_(Clock::now()),
-      last_print_(start_) {}
+    : total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_print_(start_) {}
 
 Progress::~Progress() {
   if (!quiet_ && terminal_) fmt::print(stderr, "\r\033[K");

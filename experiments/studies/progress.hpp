@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far a run is, on standard error: one line that rewrites itself on a terminal, a plain line now and then elsewhere.
+// How far a run is, on standard error: one line that rewrites itself on a terminal, a plain line now and then
+// elsewhere.
 #pragma once
 
 #include <chrono>

@@ -57,8 +57,9 @@ bundle::Manifest manifest_of(const RunRequest& request, const std::string& suite
 /// Refuses a bundle of other suites, seed or build, naming both.
 void require_same(const std::string& path, const bundle::Manifest& theirs, const bundle::Manifest& ours) {
   const auto refuse = [&](std::string_view what, const auto& a, const auto& b) {
-    throw Failure(Exit::usage, fmt::format("{}: holds results of {} {}, this run has {}; choose another --out or move it away",
-                                           path, what, a, b));
+    throw Failure(Exit::usage,
+                  fmt::format("{}: holds results of {} {}, this run has {}; choose another --out or move it away", path,
+                              what, a, b));
   };
   if (theirs.seed != ours.seed) refuse("seed", theirs.seed, ours.seed);
   if (theirs.suite_digest != ours.suite_digest)
@@ -78,9 +79,10 @@ void describe(const RunRequest& request, const Jobs& jobs, bool already_complete
     evaluations += job->evaluations();
   }
   constexpr double evaluations_per_second = 1.5e6;  // one thread, judged, degree 20: an order of magnitude
-  fmt::print("studies      {}\nblocks       {}\nevaluations  {}\nestimated    {:.0f} s on one thread\nout          {}{}\n",
-             jobs.size(), blocks, evaluations, static_cast<double>(evaluations) / evaluations_per_second,
-             request.out.string(), already_complete ? " (already complete)" : "");
+  fmt::print(
+      "studies      {}\nblocks       {}\nevaluations  {}\nestimated    {:.0f} s on one thread\nout          {}{}\n",
+      jobs.size(), blocks, evaluations, static_cast<double>(evaluations) / evaluations_per_second, request.out.string(),
+      already_complete ? " (already complete)" : "");
 }
 
 void run_blocks(const RunRequest& request, const Jobs& jobs) {
@@ -130,8 +132,8 @@ Findings run(const RunRequest& request) {
   const bool exists = std::filesystem::exists(request.out / "bundle.json");
   bool done = false;
   if (exists) {
-    const auto theirs = bundle::parse_manifest(bundle::read_file(request.out / "bundle.json"),
-                                               (request.out / "bundle.json").string());
+    const auto theirs =
+        bundle::parse_manifest(bundle::read_file(request.out / "bundle.json"), (request.out / "bundle.json").string());
     require_same(request.out.string(), theirs, manifest);
     done = theirs.state == complete;
   }

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "experiments/bundle/number.hpp"
 #include "experiments/metric/order_statistics.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/published/published.hpp"
 
@@ -25,7 +25,7 @@ struct PrintedCell {
   double value = 0;
 };
 
-double number(const std::string& text) { return bundle::parse_number(text).value(); }
+double number(const std::string& text) { return number::parse_number(text).value(); }
 
 std::vector<PrintedCell> printed_cells(const std::string& file_name) {
   std::vector<PrintedCell> cells;
@@ -67,7 +67,7 @@ const Series* find(std::span<const Series> series, const suite::Study& study, co
 }
 
 double median(const Series& series) { return metric::quantile(series.values, 0.5); }
-std::string median_text(const Series* series) { return series == nullptr ? "" : bundle::decimal(median(*series)); }
+std::string median_text(const Series* series) { return series == nullptr ? "" : number::decimal(median(*series)); }
 
 /// "likely a transcription slip for 3.64e-4: ..." in the note of a published cell names what was probably meant.
 std::optional<double> corrected_value(const PrintedCell& cell) {
@@ -75,7 +75,7 @@ std::optional<double> corrected_value(const PrintedCell& cell) {
   const auto found = cell.note.find(marker);
   if (found == std::string::npos) return std::nullopt;
   const auto begin = found + marker.size();
-  return bundle::parse_number(cell.note.substr(begin, cell.note.find(':', begin) - begin));
+  return number::parse_number(cell.note.substr(begin, cell.note.find(':', begin) - begin));
 }
 
 std::vector<std::string> leading_fields(const PrintedCell& cell) {
@@ -84,16 +84,16 @@ std::vector<std::string> leading_fields(const PrintedCell& cell) {
           cell.method,
           cell.statistic,
           cell.degree,
-          bundle::decimal(cell.coordinate_range),
-          cell.t_interval ? bundle::decimal(cell.t_interval->min) : "",
-          cell.t_interval ? bundle::decimal(cell.t_interval->max) : "",
-          bundle::decimal(cell.value)};
+          number::decimal(cell.coordinate_range),
+          cell.t_interval ? number::decimal(cell.t_interval->min) : "",
+          cell.t_interval ? number::decimal(cell.t_interval->max) : "",
+          number::decimal(cell.value)};
 }
 
-const std::vector<std::string> columns{"table",        "curve",    "method",    "statistic",         "degree",
-                                       "coordinate_range", "t_min", "t_max",    "published",         "ours_median",
-                                       "ours_p05",     "ours_p95", "continuous_median", "against_exact", "verdict",
-                                       "note"};
+const std::vector<std::string> columns{
+    "table",   "curve",     "method",      "statistic", "degree",   "coordinate_range",  "t_min",
+    "t_max",   "published", "ours_median", "ours_p05",  "ours_p95", "continuous_median", "against_exact",
+    "verdict", "note"};
 
 void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std::span<const Series> series,
                          Tables& tables) {
@@ -107,13 +107,13 @@ void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std
     const double high = metric::quantile(ours->values, 0.95);
     const auto inside = [&](double value) { return low <= value && value <= high; };
     const auto corrected = corrected_value(cell);
-    const std::string_view verdict =
-        inside(cell.value) ? "inside" : corrected && inside(*corrected) ? "explained" : "outside";
-    fields.insert(fields.end(),
-                  {bundle::decimal(median(*ours)), bundle::decimal(low), bundle::decimal(high),
-                   median_text(find(series, study, cell, "continuous", baseline, "")),
-                   median_text(find(series, study, cell, study.generator.front(), "exact", "")), std::string(verdict),
-                   cell.note});
+    const std::string_view verdict = inside(cell.value)                ? "inside"
+                                     : corrected && inside(*corrected) ? "explained"
+                                                                       : "outside";
+    fields.insert(fields.end(), {number::decimal(median(*ours)), number::decimal(low), number::decimal(high),
+                                 median_text(find(series, study, cell, "continuous", baseline, "")),
+                                 median_text(find(series, study, cell, study.generator.front(), "exact", "")),
+                                 std::string(verdict), cell.note});
   }
   tables.table("scorecard.csv", columns).add_row(std::move(fields));
 }
@@ -132,10 +132,10 @@ void write_timing_cell(const suite::Study& study, const PrintedCell& cell, std::
     const double high = metric::quantile(ours->values, 0.95) / ns_per_unit;
     // A reading of k ms means k - 1 < time < k + 1.
     const bool inside = low < cell.value + clock_quantum_ms && high > cell.value - clock_quantum_ms;
-    fields.insert(fields.end(), {bundle::decimal(median(*ours) / ns_per_unit), bundle::decimal(low),
-                                 bundle::decimal(high), "", "", inside ? "inside" : "outside",
-                                 fmt::format("{}; another machine, compiler and build", cell.note),
-                                 prepared == nullptr ? "" : bundle::decimal(median(*prepared) / ns_per_unit)});
+    fields.insert(fields.end(),
+                  {number::decimal(median(*ours) / ns_per_unit), number::decimal(low), number::decimal(high), "", "",
+                   inside ? "inside" : "outside", fmt::format("{}; another machine, compiler and build", cell.note),
+                   prepared == nullptr ? "" : number::decimal(median(*prepared) / ns_per_unit)});
   }
   auto timing_columns = columns;
   timing_columns.emplace_back("prepared_median");

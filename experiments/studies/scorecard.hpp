@@ -9,8 +9,8 @@
 namespace bezierbench::studies {
 
 /// Appends to `scorecard.csv` and `scorecard_timing.csv` one row per printed cell of the tables that these studies
-/// reproduce. A study reproduces table X of its `published` file when its id is X or starts with "X-"; the first entry of
-/// its `generator` and of its `baseline` are the report's own.
+/// reproduce. A study reproduces table X of its `published` file when its id is X or starts with "X-"; the first entry
+/// of its `generator` and of its `baseline` are the report's own.
 void write_scorecards(std::span<const suite::Study> studies, std::span<const Series> series, Tables& tables);
 
 }  // namespace bezierbench::studies

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 
-#include "experiments/bundle/number.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/metric/order_statistics.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/studies/method_choice.hpp"
+#include "experiments/studies/timed_check.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/timing/kernel_rival.hpp"
 
@@ -33,7 +34,6 @@ struct Heat {
 class TimingJob final : public Job {
  public:
   TimingJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
-    if (study_.modes.empty()) study_.modes = {suite::Mode::point};
     for (const auto scalar : study_.scalar)
       if (scalar != suite::ScalarKind::float64)
         throw Failure(Exit::usage, fmt::format("study \"{}\": timing takes scalar = [\"double\"] only", study_.id));
@@ -78,20 +78,21 @@ void TimingJob::run_block(std::size_t block) {
   }
   std::vector<timing::Rival> rivals;
   for (const auto* kernel : heat.methods) {
-    heat.correct.push_back(timing::agrees_with_reference(*kernel, heat.mode, inputs));
+    heat.correct.push_back(agrees_with_reference(*kernel, heat.mode, inputs));
     rivals.push_back(timing::kernel_rival(*kernel, heat.mode, inputs));
   }
   timing::RaceOptions options;
   options.stop = interrupted;
-  heat.laps = timing::race(fmt::format("{}/{}/{}", study_.id, heat.cell.degree, suite::name(heat.mode)), rivals, options);
+  heat.laps =
+      timing::race(fmt::format("{}/{}/{}", study_.id, heat.cell.degree, suite::name(heat.mode)), rivals, options);
 }
 
 void TimingJob::write(Tables& tables) const {
-  auto& table = tables.table("timing.csv", {"study", "curve", "method", "scalar", "dimension", "degree", "mode",
-                                            "median_ns", "low_ns", "high_ns", "rounds", "points_per_round",
-                                            "relative_to", "ratio", "ratio_low", "ratio_high", "cycles", "instructions",
-                                            "quality", "checked"});
-  const auto number = [](double value) { return bundle::decimal(value); };
+  auto& table = tables.table(
+      "timing.csv", {"study",     "curve",      "method",  "scalar",       "dimension",        "degree",      "mode",
+                     "median_ns", "low_ns",     "high_ns", "rounds",       "points_per_round", "relative_to", "ratio",
+                     "ratio_low", "ratio_high", "cycles",  "instructions", "quality",          "checked"});
+  const auto number = [](double value) { return number::decimal(value); };
   for (const auto& heat : heats_)
     for (std::size_t m = 0; m < heat.methods.size(); ++m) {
       const auto& lap = heat.laps[m];
@@ -101,12 +102,25 @@ void TimingJob::write(Tables& tables) const {
       for (std::size_t round = 0; round < lap.ns_per_point.size(); ++round)
         ratios.push_back(lap.ns_per_point[round] / base.ns_per_point[round]);
       const auto ratio = metric::median_interval(ratios, confidence);
-      table.add_row({study_.id, std::string(suite::name(study_.curve)), std::string(heat.methods[m]->info->id),
-                     std::string(suite::name(suite::ScalarKind::float64)), std::to_string(heat.cell.dimension),
-                     std::to_string(heat.cell.degree), std::string(suite::name(heat.mode)), number(time.median),
-                     number(time.low), number(time.high), std::to_string(lap.ns_per_point.size()),
-                     std::to_string(lap.points_per_round), std::string(heat.methods.front()->info->id),
-                     number(ratio.median), number(ratio.low), number(ratio.high), "", "", "",
+      table.add_row({study_.id,
+                     std::string(suite::name(study_.curve)),
+                     std::string(heat.methods[m]->info->id),
+                     std::string(suite::name(suite::ScalarKind::float64)),
+                     std::to_string(heat.cell.dimension),
+                     std::to_string(heat.cell.degree),
+                     std::string(suite::name(heat.mode)),
+                     number(time.median),
+                     number(time.low),
+                     number(time.high),
+                     std::to_string(lap.ns_per_point.size()),
+                     std::to_string(lap.points_per_round),
+                     std::string(heat.methods.front()->info->id),
+                     number(ratio.median),
+                     number(ratio.low),
+                     number(ratio.high),
+                     "",
+                     "",
+                     "",
                      lap.checked && heat.correct[m] ? "yes" : "no"});
     }
 }

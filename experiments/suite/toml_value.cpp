@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "experiments/failure.hpp"
-#include "experiments/suite/number.hpp"
+#include "experiments/number/number.hpp"
 
 namespace bezierbench::suite {
 
@@ -30,8 +30,8 @@ void read(const Source& source, const toml::node& node, std::string& out) {
 
 void read(const Source& source, const toml::node& node, std::int64_t& out) {
   std::optional<std::int64_t> value = node.value_exact<std::int64_t>();
-  if (const auto number = node.value_exact<double>()) value = whole(*number);
-  if (const auto text = node.value_exact<std::string>()) value = parse_integer(*text);
+  if (const auto number = node.value_exact<double>()) value = number::whole(*number);
+  if (const auto text = node.value_exact<std::string>()) value = number::parse_integer(*text);
   if (!value) fail_type(source, node, "a whole number");
   out = *value;
 }
@@ -46,7 +46,7 @@ void read(const Source& source, const toml::node& node, int& out) {
 void read(const Source& source, const toml::node& node, double& out) {
   std::optional<double> value = node.value_exact<double>();
   if (const auto integer = node.value_exact<std::int64_t>()) value = static_cast<double>(*integer);
-  if (const auto text = node.value_exact<std::string>()) value = parse_number(*text);
+  if (const auto text = node.value_exact<std::string>()) value = number::parse_number(*text);
   if (!value) fail_type(source, node, "a number that a double can hold, or such a number as a string");
   out = *value + 0.0;  // one zero only: inputs are keyed by the text of these values
 }
@@ -77,7 +77,7 @@ std::string to_text(std::string_view value) {
 std::string to_text(std::int64_t value) { return fmt::format("{}", value); }
 
 std::string to_text(double value) {
-  std::string text = shortest(value);
+  std::string text = number::decimal(value);
   // Without a point or an exponent TOML reads an integer, which ends at 2^63.
   const bool digits_only = text.find_first_not_of("-0123456789") == std::string::npos;
   if (digits_only && std::abs(value) >= 0x1p53) text += ".0";

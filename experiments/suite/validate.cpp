@@ -11,9 +11,9 @@
 
 #include "core/curve.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
-#include "experiments/suite/number.hpp"
 #include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::suite {
@@ -94,12 +94,12 @@ Finding check_fit(const Study& study) {
       return Problem{"coordinate_range", i, "generator",
                      fmt::format("generator \"integer\" needs a coordinate_range from 1 to 2^53, not {}; "
                                  "change the range or the generator",
-                                 shortest(range))};
+                                 number::decimal(range))};
     }
     if (single && range > static_cast<double>(std::numeric_limits<float>::max())) {
       return Problem{"coordinate_range", i, "scalar",
                      fmt::format("coordinate_range {} is beyond the largest float; change the range or the scalar",
-                                 shortest(range))};
+                                 number::decimal(range))};
     }
   }
   for (std::size_t i = 0; i < study.t_interval.size(); ++i) {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/timing/kernel_rival.hpp"
 
+#include <algorithm>
 #include <cstring>
-#include <new>
-
-#include "core/basis/amplification.hpp"
-#include "experiments/metric/trial_scale.hpp"
-#include "reference/exact_curve.hpp"
+#include <memory>
 
 namespace bezierbench::timing {
 namespace {
@@ -87,29 +84,6 @@ Rival kernel_rival(const Kernel<double>& kernel, suite::Mode mode, const Inputs&
           [state] {
             return std::memcmp(state->points.data(), state->judged.data(), state->points.size() * sizeof(double)) == 0;
           }};
-}
-
-bool agrees_with_reference(const Kernel<double>& kernel, suite::Mode mode, const Inputs& inputs) {
-  State state(kernel, inputs);
-  judge(state, mode);
-  reference::ExactCurve exact;
-  metric::TrialScale scale;
-  const ErrorBound lenient{.text = "",
-                           .amplification = inputs.form == Form::bernstein ? Amplification::bernstein_to_power
-                                                                           : Amplification::forward_substitution,
-                           .factor = [](int n, double) { return 64.0 * (n + 1); },
-                           .underflow = [](int n) { return integer_power(4, n); },
-                           .underflow_scales_with_coefficients = true};
-  const auto d = static_cast<std::size_t>(inputs.dimension);
-  for (std::size_t k = 0; k < inputs.t.size(); ++k) {
-    const auto curve = inputs.curve(mode == suite::Mode::one_shot ? k : 0);
-    scale.set(curve, inputs.t[k]);
-    const double error =
-        reference::Distance(exact.point(curve, inputs.t[k])).to(std::span<const double>(state.point(k), d));
-    const double bound = scale.bound(kernel.info->bound.value_or(lenient), metric::double_arithmetic);
-    if (!(error <= bound * (1 + 0x1p-20))) return false;
-  }
-  return true;
 }
 
 }  // namespace bezierbench::timing

@@ -25,8 +25,4 @@ struct Inputs {
 /// The rival; `inputs` must outlive it.
 Rival kernel_rival(const Kernel<double>& kernel, suite::Mode mode, const Inputs& inputs);
 
-/// True where the kernel's points on these inputs are as near to the exact ones as a method may be: within its bound or,
-/// if it states none, within 64 (n+1) u times the amplification of the detour over power form.
-bool agrees_with_reference(const Kernel<double>& kernel, suite::Mode mode, const Inputs& inputs);
-
 }  // namespace bezierbench::timing

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/bundle/number.hpp"
+#include "experiments/number/number.hpp"
 
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <clocale>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <locale>
 #include <random>
 #include <string>
 #include <vector>
 
-namespace bezierbench::bundle {
+namespace bezierbench::number {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -22,12 +24,25 @@ std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 // Bit patterns from the whole range of doubles, and the awkward ones by name.
 std::vector<double> doubles() {
-  std::vector<double> values{0.0, -0.0, 1.0, -1.0, 3.0, 0.1, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp+1023,
-                             0x0.fffffffffffffp-1022, 0x1.8p+1, 0x1.00000000000ap-3, 1e22, 1e23, -123456.0};
+  std::vector<double> values{0.0,
+                             -0.0,
+                             1.0,
+                             -1.0,
+                             3.0,
+                             0.1,
+                             0x1p-1074,
+                             0x1p-1022,
+                             0x1.fffffffffffffp+1023,
+                             0x0.fffffffffffffp-1022,
+                             0x1.8p+1,
+                             0x1.00000000000ap-3,
+                             1e22,
+                             1e23,
+                             -123456.0};
   std::mt19937_64 words(1);
   while (values.size() < 20000) {
     std::uint64_t word = words();
-    if (values.size() % 4 == 0) word &= 0x800fffffffffffff;  // subnormal
+    if (values.size() % 4 == 0) word &= 0x800fffffffffffff;                        // subnormal
     if (values.size() % 3 == 0) word &= ~((std::uint64_t{1} << (word % 53)) - 1);  // trailing zeros
     if (const auto value = std::bit_cast<double>(word); std::isfinite(value)) values.push_back(value);
   }
@@ -106,13 +121,44 @@ TEST(Number, LongHexadecimalRoundsToNearestEven) {
 }
 
 TEST(Number, RefusesEverythingElse) {
-  for (const char* text : {"", " ", "1 ", " 1", "+", "-", "+-1", "--1", "-+1", "1,5", "1e", "1e400", "-1e400", "1e-400",
-                           "0x", "-0x", "0x1p", "0x1p+5000", "0x1p-5000", "0x.p1", "0xg", "0x-1", "0x0x1", ".", "-.",
-                           "e5", "infinity", "INF", "-nan", "+nan", "nan(1)", "NaN", "1f", "0b1", "1_000", "1\n"}) {
+  for (const char* text : {"",          " ",     "1 ",    " 1",     "+",      "-",  "+-1", "--1",   "-+1",
+                           "1,5",       "1e",    "1e400", "-1e400", "1e-400", "0x", "-0x", "0x1p",  "0x1p+5000",
+                           "0x1p-5000", "0x.p1", "0xg",   "0x-1",   "0x0x1",  ".",  "-.",  "e5",    "infinity",
+                           "INF",       "-nan",  "+nan",  "nan(1)", "NaN",    "1f", "0b1", "1_000", "1\n"}) {
     EXPECT_EQ(parse_number(text), std::nullopt) << '"' << text << '"';
   }
   EXPECT_EQ(parse_number(std::string_view("1\0", 2)), std::nullopt);
 }
 
+TEST(Number, IntegersMayBeWrittenAsFloatingPoint) {
+  EXPECT_EQ(parse_integer("42"), 42);
+  EXPECT_EQ(parse_integer("9223372036854775807"), std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(parse_integer("1e4"), 10000);
+  EXPECT_EQ(parse_integer("0x1p3"), 8);
+  EXPECT_FALSE(parse_integer("4.5"));
+  EXPECT_FALSE(parse_integer("9223372036854775808"));
+  EXPECT_FALSE(parse_integer("inf"));
+  EXPECT_FALSE(parse_integer("nan"));
+  EXPECT_FALSE(parse_integer("four"));
+}
+
+/// A decimal comma and grouped digits.
+struct Comma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Number, NoLocaleChangesAByte) {
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+  const char* german = std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // where there is one
+  EXPECT_EQ(decimal(0.5), "0.5");
+  EXPECT_EQ(decimal(123456), "123456");
+  EXPECT_EQ(parse_number("0.5"), 0.5);
+  EXPECT_FALSE(parse_number("0,5"));
+  if (german != nullptr) std::setlocale(LC_NUMERIC, "C");
+  std::locale::global(before);
+}
+
 }  // namespace
-}  // namespace bezierbench::bundle
+}  // namespace bezierbench::number

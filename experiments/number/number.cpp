@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/bundle/number.hpp"
+#include "experiments/number/number.hpp"
 
 #include <array>
 #include <bit>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <system_error>
 
-namespace bezierbench::bundle {
+namespace bezierbench::number {
 namespace {
 
 std::string non_finite(double value) { return std::isnan(value) ? "nan" : (value < 0 ? "-inf" : "inf"); }
@@ -71,4 +71,18 @@ std::optional<double> parse_number(std::string_view text) {
   return negative ? -value : value;
 }
 
-}  // namespace bezierbench::bundle
+std::optional<std::int64_t> parse_integer(std::string_view text) {
+  std::int64_t value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (error == std::errc{} && end == last) return value;
+  const auto number = parse_number(text);
+  return number ? whole(*number) : std::nullopt;
+}
+
+std::optional<std::int64_t> whole(double value) {
+  if (!(value >= -0x1p63 && value < 0x1p63) || std::trunc(value) != value) return std::nullopt;
+  return static_cast<std::int64_t>(value);
+}
+
+}  // namespace bezierbench::number

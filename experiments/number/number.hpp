@@ -2,11 +2,12 @@
 // Numbers as text: how every data file and option writes and reads a double. No locale changes a byte.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
-namespace bezierbench::bundle {
+namespace bezierbench::number {
 
 /// The shortest decimal that reads back to the same bits; `inf`, `-inf`, `nan` (a NaN's sign and payload are dropped).
 [[nodiscard]] std::string decimal(double value);
@@ -19,4 +20,10 @@ namespace bezierbench::bundle {
 /// underflows to zero (1e400, 1e-400).
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
-}  // namespace bezierbench::bundle
+/// Reads a whole number in the range of int64, also when written as `1e4` or `0x1p3`.
+[[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// The whole number that `value` is, where it is one in the range of int64.
+[[nodiscard]] std::optional<std::int64_t> whole(double value);
+
+}  // namespace bezierbench::number

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/accuracy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <thread>
+
+#include "core/evaluate/kernel.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/studies/workspace.hpp"
+#include "reference/exact_curve.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+suite::Study small_study() {
+  suite::Study study;
+  study.id = "small";
+  study.degree = {3, 171};
+  study.generator = {"continuous"};
+  study.methods = {"direct", "de_casteljau", "direct_pow"};
+  study.trials = 2500;  // three blocks a replicate, the last one short
+  study.replicates = 2;
+  study.baseline = {"exact", "direct"};
+  return study;
+}
+
+void run_all(Job& job) {
+  for (std::size_t block = 0; block < job.blocks(); ++block) job.run_block(block);
+}
+
+std::string text_of(const Job& job, const std::string& file) {
+  Tables tables;
+  job.write(tables);
+  return tables.all().at(file).text();
+}
+
+TEST(Accuracy, OrderAndThreadsChangeNoByte) {
+  const auto study = small_study();
+  const auto plain = accuracy_job(study, 1);
+  run_all(*plain);
+  const auto shuffled = accuracy_job(study, 1);
+  std::vector<std::size_t> blocks(shuffled->blocks());
+  std::iota(blocks.begin(), blocks.end(), std::size_t{0});
+  std::shuffle(blocks.begin(), blocks.end(), std::mt19937_64(7));
+  std::vector<std::thread> threads;
+  for (std::size_t worker = 0; worker < 3; ++worker)
+    threads.emplace_back([&, worker] {
+      for (std::size_t k = worker; k < blocks.size(); k += 3) shuffled->run_block(blocks[k]);
+    });
+  for (auto& thread : threads) thread.join();
+  for (const std::string file : {"accuracy.csv", "unstable.csv"})
+    EXPECT_EQ(text_of(*plain, file), text_of(*shuffled, file));
+  ASSERT_EQ(plain->series().size(), shuffled->series().size());
+  for (std::size_t k = 0; k < plain->series().size(); ++k)
+    EXPECT_EQ(plain->series()[k].values, shuffled->series()[k].values);
+}
+
+/// The mean and maximum of every replicate, recomputed here without tallies.
+TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
+  auto study = small_study();
+  study.degree = {3};
+  const auto job = accuracy_job(study, 5);
+  run_all(*job);
+  const sample::Cell cell{suite::CurveKind::bezier, 2, 3, 1, {}, "continuous"};
+  const sample::Sampler sampler(5, study.id, cell);
+  const auto& kernel = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
+  PreparedStorage storage;
+  reference::ExactCurve exact;
+  sample::Trial trial;
+  for (const auto& series : job->series()) {
+    if (series.method != "de_casteljau" || series.baseline != "exact") continue;
+    for (std::size_t replicate = 0; replicate < 2; ++replicate) {
+      double sum = 0;
+      double largest = 0;
+      for (std::uint64_t k = 0; k < 2500; ++k) {
+        sampler.draw(replicate * 2500 + k, trial);
+        const CurveView<double> curve{Form::bernstein, 2, 3, trial.coefficients};
+        std::array<double, 2> point{};
+        evaluate_once<double>(kernel, curve, trial.t, storage, point);
+        const double error = reference::Distance(exact.point(curve, trial.t)).to(point);
+        sum += error;
+        largest = std::max(largest, error);
+      }
+      if (series.statistic == "mean_error")
+        EXPECT_NEAR(series.values[replicate] / (sum / 2500), 1, 1e-12);
+      else
+        EXPECT_EQ(series.values[replicate], largest);
+    }
+  }
+}
+
+TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
+  const auto job = accuracy_job(small_study(), 1);
+  run_all(*job);
+  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  int unsupported = 0;
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    if (csv.at(row, "degree") != "171") {
+      EXPECT_EQ(csv.at(row, "status"), "ok");
+      continue;
+    }
+    const bool direct = csv.at(row, "method") == "direct";
+    const bool against_direct = csv.at(row, "baseline") == "direct";
+    EXPECT_EQ(csv.at(row, "status"), direct           ? "degree_unsupported"
+                                     : against_direct ? "baseline_degree_unsupported"
+                                                      : "ok");
+    if (direct || against_direct) {
+      ++unsupported;
+      EXPECT_EQ(csv.at(row, "mean_error"), "");
+    }
+  }
+  EXPECT_EQ(unsupported, 2);
+}
+
+TEST(Accuracy, LibmMethodsStayOutOfTheDigest) {
+  const auto job = accuracy_job(small_study(), 1);
+  run_all(*job);
+  EXPECT_EQ(text_of(*job, "accuracy.csv").find("direct_pow"), std::string::npos);
+  EXPECT_NE(text_of(*job, "unstable.csv").find("direct_pow"), std::string::npos);
+}
+
+TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
+  auto study = small_study();
+  study.degree = {3};
+  study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
+  study.methods = {"de_casteljau"};
+  study.baseline = {"exact"};
+  const auto job = accuracy_job(study, 1);
+  run_all(*job);
+  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  ASSERT_EQ(csv.row_count(), 2U);
+  const double float_error = *number::parse_number(csv.at(0, "mean_error"));
+  const double double_error = *number::parse_number(csv.at(1, "mean_error"));
+  EXPECT_EQ(csv.at(0, "scalar"), "float");
+  EXPECT_NEAR(float_error / double_error, 0x1p29, 0x1p28);
+  EXPECT_NEAR(*number::parse_number(csv.at(0, "mean_error_u")) / *number::parse_number(csv.at(1, "mean_error_u")), 1,
+              0.2);
+}
+
+TEST(Accuracy, RefusesAMethodOfTheOtherForm) {
+  auto study = small_study();
+  study.methods = {"horner"};
+  try {
+    accuracy_job(study, 1);
+    FAIL() << "accepted";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit(), Exit::usage);
+    EXPECT_NE(std::string(failure.what()).find("horner"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace bezierbench::studies

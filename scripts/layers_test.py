@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""layers.py finds a violation of each kind, and lets pass what the table allows."""
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import layers  # noqa: E402
+
+ALLOWED = [
+    ("core/evaluate/horner.hpp", '#include "core/method.hpp"'),
+    ("core/evaluate/horner.hpp", "#include <Eigen/Core>"),
+    ("core/evaluate/horner.hpp", "#include <cmath>"),
+    ("core/evaluate/horner.hpp", "// #include <iostream>"),
+    ("core/convert/exact.hpp", "#include <boost/multiprecision/cpp_int.hpp>"),
+    ("reference/exact.cpp", '#include "core/curve.hpp"'),
+    ("reference/exact.cpp", '#include "reference/exact.hpp"'),
+    ("reference/exact.cpp", "#include <gmpxx.h>"),
+    ("experiments/suite/parse.cpp", "#include <toml++/toml.h>"),
+    ("experiments/suite/parse.cpp", '#include "experiments/failure.hpp"'),
+    ("experiments/bundle/write.cpp", "#include <openssl/evp.h>"),
+    ("experiments/bundle/write.cpp", "#include <unistd.h>"),
+    ("experiments/metric/error.cpp", '#include "core/basis/amplification.hpp"'),
+    ("experiments/studies/accuracy.cpp", '#include "experiments/bundle/bundle.hpp"'),
+    ("experiments/studies/accuracy.cpp", "#include <tbb/parallel_for.h>"),
+    ("experiments/cli/main.cpp", '#include "experiments/studies/accuracy.hpp"'),
+    ("experiments/cli/main.cpp", "#include <fmt/format.h>"),
+    ("experiments/cli/doctor.cpp", '#include "build_facts.hpp"'),
+    ("core/evaluate/horner_test.cpp", "#include <iostream>"),
+    ("core/evaluate/horner_test.cpp", '#include "experiments/cli/run.hpp"'),
+]
+
+FORBIDDEN = [
+    # a folder further down the pipeline
+    ("core/evaluate/horner.hpp", '#include "reference/exact.hpp"'),
+    ("core/evaluate/horner.hpp", '#include "experiments/failure.hpp"'),
+    ("reference/exact.hpp", '#include "experiments/failure.hpp"'),
+    ("experiments/suite/parse.cpp", '#include "experiments/sample/sample.hpp"'),
+    ("experiments/bundle/write.cpp", '#include "experiments/suite/suite.hpp"'),
+    ("experiments/metric/error.cpp", '#include "experiments/suite/suite.hpp"'),
+    ("experiments/studies/accuracy.cpp", '#include "experiments/cli/options.hpp"'),
+    # the right folder, the wrong file
+    ("reference/exact.hpp", '#include "core/evaluate/horner.hpp"'),
+    ("experiments/suite/parse.cpp", '#include "core/evaluate/roster.hpp"'),
+    # a way around by dots, by angle brackets, by blanks
+    ("reference/exact.hpp", '#include "reference/../core/evaluate/horner.hpp"'),
+    ("reference/exact.hpp", "#include <core/evaluate/horner.hpp>"),
+    ("reference/exact.hpp", '  #  include   "core/evaluate/horner.hpp"'),
+    # not named from the root
+    ("core/evaluate/horner.hpp", '#include "curve.hpp"'),
+    ("core/evaluate/horner.hpp", '#include "../curve.hpp"'),
+    ("experiments/bundle/write.cpp", '#include "build_facts.hpp"'),
+    # impure headers in core
+    *[("core/curve.hpp", f"#include <{header}>") for header in "iostream fstream cstdio chrono random thread".split()],
+    ("core/curve.hpp", "#include <unistd.h>"),
+    # a package of another folder
+    ("core/convert/differences.hpp", "#include <boost/multiprecision/cpp_int.hpp>"),
+    ("core/convert/exact.hpp", "#include <gmpxx.h>"),
+    ("core/convert/exact.hpp", "#include <boost/multiprecision/gmp.hpp>"),
+    ("experiments/metric/error.cpp", "#include <gmp.h>"),
+    ("experiments/cli/main.cpp", "#include <mpfr.h>"),
+    ("experiments/cli/main.cpp", "#include <nlohmann/json.hpp>"),
+    ("experiments/studies/accuracy.cpp", "#include <toml++/toml.h>"),
+    ("experiments/sample/draw.cpp", "#include <gtest/gtest.h>"),
+    # nobody's package
+    ("experiments/cli/main.cpp", "#include <boost/spirit.hpp>"),
+    ("experiments/cli/main.cpp", "#include <zlib.h>"),
+]
+
+
+class Layers(unittest.TestCase):
+    def violations(self, path, line):
+        with tempfile.TemporaryDirectory() as place:
+            file = Path(place, path)
+            file.parent.mkdir(parents=True)
+            file.write_text(f"#pragma once\n{line}\n", encoding="utf-8")
+            return layers.check(Path(place))[0]
+
+    def test_allowed(self):
+        for path, line in ALLOWED:
+            with self.subTest(path=path, line=line):
+                self.assertEqual(self.violations(path, line), [])
+
+    def test_forbidden(self):
+        for path, line in FORBIDDEN:
+            with self.subTest(path=path, line=line):
+                found = self.violations(path, line)
+                self.assertEqual(len(found), 1)
+                self.assertTrue(found[0].startswith(f"{path}:2: "), found[0])
+
+    def test_program(self):
+        def run(*arguments):
+            command = [sys.executable, "-B", layers.__file__, *arguments]
+            return subprocess.run(command, capture_output=True, text=True, check=False)
+
+        with tempfile.TemporaryDirectory() as place:
+            file = Path(place, "core/curve.hpp")
+            file.parent.mkdir()
+            file.write_text("#include <cmath>\n", encoding="utf-8")
+            self.assertEqual(run(place).returncode, 0)
+            file.write_text("#include <cmath>\n#include <random>\n", encoding="utf-8")
+            result = run(place)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn("core/curve.hpp:2: core may not include <random>", result.stdout)
+        with tempfile.TemporaryDirectory() as empty:
+            self.assertEqual(run(empty).returncode, 1, "no file read is no proof")
+
+
+if __name__ == "__main__":
+    unittest.main()

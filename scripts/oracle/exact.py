@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""An oracle of another kind: the definitions in rational arithmetic, in plain Python, sharing nothing with the C++ code.
+
+Every double is a dyadic rational, so curve values are exact rationals. A rational is a pair (numerator, denominator)
+of integers with denominator > 0, not reduced: greatest common divisors of numbers with 10^5 bits would take all the time.
+"""
+import math
+from fractions import Fraction
+
+INFINITY = math.inf
+UNIT_ROUNDOFF = Fraction(1, 2**53)
+
+
+def ratio(x):
+    """A float, integer or Fraction as (numerator, denominator)."""
+    return x.as_integer_ratio()
+
+
+def with_common_denominator(values):
+    """Integers k_i and one denominator d with values[i] = k_i / d, for values whose denominators are powers of two."""
+    pairs = [ratio(value) for value in values]
+    d = max(denominator for _, denominator in pairs)
+    return [numerator * (d // denominator) for numerator, denominator in pairs], d
+
+
+# The two forms at t, by their definitions.
+
+
+def bernstein_terms(degree, t):
+    """The integers C(n,i) a^i (d-a)^(n-i) and d^n, where t = a/d: numerators and denominator of B_i(t)."""
+    a, d = ratio(t)
+    rising, falling = [1], [1]
+    for _ in range(degree):
+        rising.append(rising[-1] * a)
+        falling.append(falling[-1] * (d - a))
+    return [math.comb(degree, i) * rising[i] * falling[degree - i] for i in range(degree + 1)], d**degree
+
+
+def power_terms(degree, t):
+    """The integers a^j d^(n-j) and d^n, where t = a/d: numerators and denominator of t^j."""
+    a, d = ratio(t)
+    rising, falling = [1], [1]
+    for _ in range(degree):
+        rising.append(rising[-1] * a)
+        falling.append(falling[-1] * d)
+    return [rising[j] * falling[degree - j] for j in range(degree + 1)], falling[degree]
+
+
+def basis_terms(form, degree, t):
+    return {"bernstein": bernstein_terms, "power": power_terms}[form](degree, t)
+
+
+def value(terms, coefficients):
+    """p(t) = sum c_i basis_i(t), from basis_terms()."""
+    numerators, denominator = terms
+    c, d = with_common_denominator(coefficients)
+    return sum(k * b for k, b in zip(c, numerators)), d * denominator
+
+
+def p_tilde(terms, coefficients):
+    """p~(t) = sum |c_i| |basis_i(t)|, from basis_terms()."""
+    numerators, denominator = terms
+    c, d = with_common_denominator(coefficients)
+    return sum(abs(k * b) for k, b in zip(c, numerators)), d * denominator
+
+
+# Conversions, by their definitions.
+
+
+def to_power(control_points):
+    """q_j = C(n,j) sum_i (-1)^(j-i) C(j,i) b_i, as Fractions."""
+    n = len(control_points) - 1
+    b = [Fraction(point) for point in control_points]
+    return [
+        math.comb(n, j) * sum((-1) ** (j - i) * math.comb(j, i) * b[i] for i in range(j + 1)) for j in range(n + 1)
+    ]
+
+
+def to_bernstein(power_coefficients):
+    """b_i = sum_j C(i,j) / C(n,j) q_j, as Fractions."""
+    n = len(power_coefficients) - 1
+    q = [Fraction(coefficient) for coefficient in power_coefficients]
+    return [sum(Fraction(math.comb(i, j), math.comb(n, j)) * q[j] for j in range(i + 1)) for i in range(n + 1)]
+
+
+# Rounding, ulp and error.
+
+
+def floor_log2(x):
+    """e with 2^e <= |x| < 2^(e+1), for a rational x that is not zero."""
+    numerator, denominator = abs(x[0]), x[1]
+    e = numerator.bit_length() - denominator.bit_length()
+    # 2^(e-1) < x < 2^(e+1)
+    below = numerator << -e < denominator if e < 0 else numerator < denominator << e
+    return e - 1 if below else e
+
+
+def ulp_exponent(x):
+    """k with ulp(x) = 2^k: 2^(max(e,-1022)-52), and 2^-1074 at zero."""
+    return -1074 if x[0] == 0 else max(floor_log2(x), -1022) - 52
+
+
+def to_double(x):
+    """The double nearest to the rational x, ties to even; infinite from 2^1024 - 2^970 on; keeps the sign of zero."""
+    numerator, denominator = x
+    if numerator == 0:
+        return 0.0
+    k = ulp_exponent(x)
+    a = abs(numerator) << max(-k, 0)
+    b = denominator << max(k, 0)
+    quotient, remainder = divmod(a, b)  # |x| / 2^k
+    if 2 * remainder > b or (2 * remainder == b and quotient % 2 == 1):
+        quotient += 1
+    # 2^53 2^971 is 2^1024
+    magnitude = INFINITY if quotient.bit_length() + k > 1024 else math.ldexp(float(quotient), k)
+    return magnitude if numerator > 0 else -magnitude
+
+
+def error(computed, truth):
+    """|computed - truth| for a finite double and a rational."""
+    a, b = ratio(computed)
+    return abs(a * truth[1] - truth[0] * b), b * truth[1]
+
+
+def error_ulp(distance, truth):
+    """An error in units of ulp(truth)."""
+    k = ulp_exponent(truth)
+    return distance[0] << max(-k, 0), distance[1] << max(k, 0)
+
+
+def error_u(distance, amplification):
+    """error / (u p~); where p~ = 0 it is 0 for error 0, else infinite (None)."""
+    if amplification[0] == 0:
+        return (0, 1) if distance[0] == 0 else None
+    return distance[0] * amplification[1] << 53, distance[1] * amplification[0]

@@ -1,0 +1,197 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The oracle against cases that were worked out by hand, and against slower ways to the same number."""
+import math
+import random
+import sys
+import unittest
+from fractions import Fraction
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import exact  # noqa: E402
+
+TINY = 5e-324  # 2^-1074
+LARGEST = sys.float_info.max  # 2^1024 - 2^971
+
+# Section 2.2 of the source report: control polygons and the power coefficients printed beside them, both ascending.
+WORKED_CONVERSIONS = [
+    ([(0, 0), (1, 1)], [(0, 0), (1, 1)]),
+    ([(1, 3), (4, 5)], [(1, 3), (3, 2)]),
+    ([(0, 0), (1, 1), (2, 0)], [(0, 0), (2, 2), (0, -2)]),
+    ([(1, 2), (3, 4), (5, 6)], [(1, 2), (4, 4), (0, 0)]),
+    ([(0, 0), (1, 1), (2, 1), (3, 0)], [(0, 0), (3, 3), (0, -3), (0, 0)]),
+]
+
+PARAMETERS = [0.0, 1.0, 0.5, 1 / 3, math.nextafter(1, 0), TINY, -1e-300, -2.5, 3.7, 1e300]
+
+
+def as_fraction(x):
+    return Fraction(*x)
+
+
+def de_casteljau(points, t):
+    points, t = [Fraction(p) for p in points], Fraction(t)
+    while len(points) > 1:
+        points = [(1 - t) * a + t * b for a, b in zip(points, points[1:])]
+    return points[0]
+
+
+def horner(coefficients, t):
+    total = Fraction(0)
+    for c in reversed(coefficients):
+        total = total * Fraction(t) + Fraction(c)
+    return total
+
+
+def some_curves(count=30):
+    draw = random.Random(1)
+    for _ in range(count):
+        degree = draw.randint(0, 12)
+        yield [draw.uniform(-1, 1) * 2.0 ** draw.randint(-1060, 1000) for _ in range(degree + 1)]
+
+
+class Rounding(unittest.TestCase):
+    def rounds(self, x, expected):
+        x = Fraction(x)
+        for sign in (1, -1):
+            self.assertEqual(exact.to_double((sign * x).as_integer_ratio()), sign * expected, x)
+
+    def test_ties_to_even(self):
+        u = Fraction(1, 2**53)
+        self.rounds(1 + u, 1.0)
+        self.rounds(1 + 3 * u, 1 + 2.0**-51)
+        self.rounds(1 + u + u**3, 1 + 2.0**-52)
+        self.rounds(1 - u / 2, 1.0)
+        self.rounds(1 - 3 * u / 2, 1 - 2.0**-52)
+        self.rounds(2**53 + 1, 2.0**53)
+        self.rounds(2**53 + 3, 2.0**53 + 4)
+
+    def test_subnormal(self):
+        tiny = Fraction(TINY)
+        self.rounds(tiny / 2, 0.0)
+        self.rounds(tiny / 2 + tiny / 2**60, TINY)
+        self.rounds(tiny * 3 / 2, 2 * TINY)
+        self.rounds(tiny * 5 / 2, 2 * TINY)
+        self.rounds(tiny / 3, 0.0)
+        self.rounds(tiny * 2 / 3, TINY)
+        # half a unit below the smallest normal number, and the largest subnormal
+        self.rounds(tiny * (2**52 - Fraction(1, 2)), 2.0**-1022)
+        self.rounds(tiny * (2**52 - Fraction(2, 3)), 2.0**-1022 - TINY)
+
+    def test_sign_of_an_underflow(self):
+        self.assertEqual(math.copysign(1, exact.to_double((-1, 2**1080))), -1)
+        self.assertEqual(math.copysign(1, exact.to_double((0, 1))), 1)
+
+    def test_overflow(self):
+        half = 2**970
+        self.rounds(Fraction(LARGEST) + half - 1, LARGEST)
+        self.rounds(Fraction(LARGEST) + half, math.inf)
+        self.rounds(2**1024, math.inf)
+        self.rounds(Fraction(10) ** 400, math.inf)
+
+    def test_against_python_division(self):
+        draw = random.Random(2)
+        for _ in range(2000):
+            a, b = draw.getrandbits(draw.randint(1, 1100)), draw.getrandbits(draw.randint(1, 1100)) + 1
+            try:
+                self.rounds(Fraction(a, b), a / b)
+            except OverflowError:
+                self.rounds(Fraction(a, b), math.inf)
+
+
+class Ulp(unittest.TestCase):
+    def test_definition(self):
+        for x, k in [
+            (Fraction(1), -52),
+            (Fraction(3, 2), -52),
+            (Fraction(2), -51),
+            (1 - Fraction(1, 2**200), -53),  # the exact value counts, not the 1.0 to which it rounds
+            (Fraction(2) ** -1022, -1074),
+            (Fraction(2) ** -1021, -1073),
+            (Fraction(2) ** -1080, -1074),
+            (Fraction(0), -1074),
+            (Fraction(2) ** 1030, 978),
+        ]:
+            self.assertEqual(exact.ulp_exponent(x.as_integer_ratio()), k, x)
+            self.assertEqual(exact.ulp_exponent((-x).as_integer_ratio()), k, x)
+
+    def test_fractional(self):
+        third = Fraction(1, 3)
+        distance = exact.error(1 / 3, third.as_integer_ratio())
+        # 1/3 lies in [2^-2, 2^-1), so its ulp is 2^-54; the nearest double is 1/3 - 2^-54 / 3
+        self.assertEqual(as_fraction(distance), Fraction(1, 3 * 2**54))
+        self.assertEqual(as_fraction(exact.error_ulp(distance, third.as_integer_ratio())), third)
+
+    def test_error_u(self):
+        self.assertEqual(as_fraction(exact.error_u((1, 2**53), (1, 1))), 1)
+        self.assertEqual(as_fraction(exact.error_u((1, 2**53), (1, 4))), 4)
+        self.assertEqual(as_fraction(exact.error_u((0, 1), (0, 1))), 0)
+        self.assertIsNone(exact.error_u((1, 8), (0, 1)))
+
+
+class Curves(unittest.TestCase):
+    def test_by_hand(self):
+        terms = exact.basis_terms("bernstein", 2, 0.25)
+        self.assertEqual([Fraction(k, terms[1]) for k in terms[0]], [Fraction(9, 16), Fraction(6, 16), Fraction(1, 16)])
+        self.assertEqual(as_fraction(exact.value(terms, [1.0, -1.0, 4.0])), Fraction(7, 16))
+        self.assertEqual(as_fraction(exact.p_tilde(terms, [1.0, -1.0, 4.0])), Fraction(19, 16))
+        terms = exact.basis_terms("power", 2, -0.5)
+        self.assertEqual(as_fraction(exact.value(terms, [1.0, 3.0, -2.0])), -1)
+        self.assertEqual(as_fraction(exact.p_tilde(terms, [1.0, 3.0, -2.0])), 3)
+
+    def test_outside_the_interval_p_tilde_takes_absolute_values_of_the_basis(self):
+        terms = exact.basis_terms("bernstein", 1, 3.0)  # basis -2, 3
+        self.assertEqual(as_fraction(exact.value(terms, [1.0, 1.0])), 1)
+        self.assertEqual(as_fraction(exact.p_tilde(terms, [1.0, 1.0])), 5)
+
+    def test_end_points(self):
+        for b in some_curves():
+            n = len(b) - 1
+            self.assertEqual(exact.to_double(exact.value(exact.basis_terms("bernstein", n, 0.0), b)), b[0])
+            self.assertEqual(exact.to_double(exact.value(exact.basis_terms("bernstein", n, 1.0), b)), b[n])
+            self.assertEqual(exact.to_double(exact.value(exact.basis_terms("power", n, 0.0), b)), b[0])
+
+    def test_against_recurrences(self):
+        for c in some_curves():
+            for t in PARAMETERS:
+                n = len(c) - 1
+                b = exact.value(exact.basis_terms("bernstein", n, t), c)
+                self.assertEqual(as_fraction(b), de_casteljau(c, t))
+                self.assertEqual(as_fraction(exact.value(exact.basis_terms("power", n, t), c)), horner(c, t))
+
+    def test_against_the_sum_as_written(self):
+        for b in some_curves(10):
+            n, t = len(b) - 1, 1 / 3
+            x = Fraction(t)
+            terms = [math.comb(n, i) * x**i * (1 - x) ** (n - i) * Fraction(b[i]) for i in range(n + 1)]
+            self.assertEqual(as_fraction(exact.value(exact.basis_terms("bernstein", n, t), b)), sum(terms))
+            self.assertEqual(as_fraction(exact.p_tilde(exact.basis_terms("bernstein", n, t), b)), sum(map(abs, terms)))
+
+
+class Conversions(unittest.TestCase):
+    def test_worked_in_the_report(self):
+        for points, coefficients in WORKED_CONVERSIONS:
+            for axis in (0, 1):
+                b = [point[axis] for point in points]
+                q = [coefficient[axis] for coefficient in coefficients]
+                self.assertEqual(exact.to_power(b), q)
+                self.assertEqual(exact.to_bernstein(q), b)
+
+    def test_by_hand(self):
+        # t^2 at degree 3 has control points 0, 0, 1/3, 1
+        self.assertEqual(exact.to_bernstein([0, 0, 1, 0]), [0, 0, Fraction(1, 3), 1])
+        self.assertEqual(exact.to_power([1, 0, 0, 0]), [1, -3, 3, -1])
+
+    def test_round_trip(self):
+        for b in some_curves():
+            self.assertEqual(exact.to_bernstein(exact.to_power(b)), [Fraction(x) for x in b])
+            self.assertEqual(exact.to_power(exact.to_bernstein(b)), [Fraction(x) for x in b])
+
+    def test_the_converted_curve_is_the_curve(self):
+        for b in some_curves(10):
+            self.assertEqual(horner(exact.to_power(b), 1 / 3), de_casteljau(b, 1 / 3))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The inputs of the experiments, drawn a second time, without the program's code.
+
+Written from the contract's table of generators and from the definitions of Philox (Salmon, Moraes, Dror, Shaw, SC'11)
+and FNV-1a alone; exact rational arithmetic where the program uses fixed-width integers. Compares the first trials of
+experiments/suites/report.toml with experiments/sample/first_draws.csv, which the C++ tests compare with as well.
+
+    python3 scripts/oracle/inputs.py [--write]    exit 1 where they differ; --write makes the file
+"""
+
+import csv
+import io
+import sys
+import tomllib
+from fractions import Fraction
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SUITE = ROOT / "experiments/suites/report.toml"
+DRAWS = ROOT / "experiments/sample/first_draws.csv"
+COLUMNS = ["study", "curve", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator", "trial", "t",
+           "coefficients"]
+TRIALS = 2
+MASK = (1 << 64) - 1
+
+
+def philox4x64(counter, key):
+    """Ten rounds of Philox4x64 on four counter words and two key words."""
+    c0, c1, c2, c3 = counter
+    k0, k1 = key
+    for _ in range(10):
+        p0, p1 = 0xD2E7470EE14C6C93 * c0, 0xCA5A826395121157 * c2
+        c0, c1, c2, c3 = (p1 >> 64) ^ c1 ^ k0, p1 & MASK, (p0 >> 64) ^ c3 ^ k1, p0 & MASK
+        k0, k1 = (k0 + 0x9E3779B97F4A7C15) & MASK, (k1 + 0xBB67AE8584CAA73B) & MASK
+    return c0, c1, c2, c3
+
+
+def fnv1a(text):
+    """64-bit FNV-1a of the UTF-8 bytes of text."""
+    value = 0xCBF29CE484222325
+    for byte in text.encode():
+        value = (value ^ byte) * 0x100000001B3 & MASK
+    return value
+
+
+def shortest(x):
+    """What std::to_chars(double) writes: shortest digits, fixed notation unless scientific is shorter."""
+    sign = "-" if str(x).startswith("-") else ""
+    if x == 0:
+        return sign + "0"
+    mantissa, exponent = f"{abs(x)!r}", 0
+    if "e" in mantissa:
+        mantissa, e = mantissa.split("e")
+        exponent = int(e)
+    whole, _, part = mantissa.partition(".")
+    digits = (whole + part).lstrip("0")
+    # value = 0.DIGITS * 10^point
+    point = exponent + len(whole) if whole != "0" else exponent - (len(part) - len(part.lstrip("0")))
+    digits = digits.rstrip("0")
+    e = point - 1
+    scientific = digits[0] + ("." + digits[1:] if len(digits) > 1 else "") + f"e{'-' if e < 0 else '+'}{abs(e):02d}"
+    if point <= 0:
+        fixed = "0." + "0" * -point + digits
+    elif point >= len(digits):
+        fixed = str(int(abs(x)))  # all digits of a whole number, as printf writes them
+    else:
+        fixed = digits[:point] + "." + digits[point:]
+    return sign + (fixed if len(fixed) <= len(scientific) else scientific)
+
+
+def canonical(cell):
+    """The text whose hash is the key of a cell."""
+    return (f"curve={cell['curve']};dimension={cell['dimension']};degree={cell['degree']};"
+            f"coordinate_range={shortest(cell['coordinate_range'])};"
+            f"t_interval={shortest(cell['t_min'])}:{shortest(cell['t_max'])};generator={cell['generator']}")
+
+
+def words(seed, study, cell, trial):
+    """The 64-bit words of one trial, without end."""
+    block = 0
+    while True:
+        yield from philox4x64((fnv1a(study), fnv1a(canonical(cell)), trial, block), (seed, 0))
+        block += 1
+
+
+def uniform128(stream):
+    high = next(stream)
+    return high << 64 | next(stream)
+
+
+def affine(a, b, stream):
+    a, b = Fraction(a), Fraction(b)
+    return float(a + (b - a) * Fraction(2 * uniform128(stream) + 1, 1 << 129))
+
+
+def continuous(r, stream):
+    return affine(-r, r, stream)
+
+
+def dyadic_t(a, b, stream):
+    return float(Fraction(round(Fraction(affine(a, b, stream)) * 2**53), 2**53))
+
+
+def integer(r, stream):
+    m = int(r)
+    return float(((2 * m + 1) * uniform128(stream) >> 128) - m)
+
+
+def report(r, stream):
+    return r * (((next(stream) >> 49) % 20001 - 10000) / 10000.0)
+
+
+def report_t(a, b, stream):
+    return a + (b - a) * ((next(stream) >> 49) / 32767.0)
+
+
+GENERATORS = {"continuous": (continuous, affine), "dyadic": (continuous, dyadic_t), "integer": (integer, affine),
+              "report": (report, report_t)}
+
+
+def draw(seed, study, cell, trial):
+    """t and the coefficients, point by point."""
+    coordinate, parameter = GENERATORS[cell["generator"]]
+    stream = words(seed, study, cell, trial)
+    t = parameter(cell["t_min"], cell["t_max"], stream)
+    return t, [coordinate(cell["coordinate_range"], stream) for _ in range((cell["degree"] + 1) * cell["dimension"])]
+
+
+def hexadecimal(x):
+    """As C's %a: no trailing zeros."""
+    mantissa, exponent = float(x).hex().split("p")
+    if "." in mantissa:
+        mantissa = mantissa.rstrip("0").rstrip(".")
+    return f"{mantissa}p{exponent}"
+
+
+def rows():
+    suite = tomllib.loads(SUITE.read_text(encoding="utf-8"))
+    seed = suite["suite"].get("seed", 1)
+    for study in suite["study"]:
+        if study["kind"] not in ("accuracy", "conversion"):
+            continue
+        t_min, t_max = study.get("t_interval", [[0, 1]])[0]
+        for generator in study.get("generator", ["continuous"]):
+            cell = {"curve": study.get("curve", "bezier"), "dimension": study.get("dimension", [2])[0],
+                    "degree": study["degree"][0], "coordinate_range": float(study.get("coordinate_range", [1])[0]),
+                    "t_min": float(t_min), "t_max": float(t_max), "generator": generator}
+            for trial in range(TRIALS):
+                t, coefficients = draw(seed, study["id"], cell, trial)
+                row = {"study": study["id"], **cell, "trial": trial, "t": hexadecimal(t),
+                       "coefficients": " ".join(map(hexadecimal, coefficients))}
+                for column in ("coordinate_range", "t_min", "t_max"):
+                    row[column] = hexadecimal(row[column])
+                yield row
+
+
+def self_test():
+    """The known answer that Random123 publishes for a counter and key from the digits of pi."""
+    counter = (0x243F6A8885A308D3, 0x13198A2E03707344, 0xA4093822299F31D0, 0x082EFA98EC4E6C89)
+    answer = (0xA528F45403E61D95, 0x38C72DBD566E9788, 0xA5A1610E72FD18B5, 0x57BD43B5E52B7FE6)
+    if philox4x64(counter, (0x452821E638D01377, 0xBE5466CF34E90C6C)) != answer:
+        raise SystemExit("inputs.py: Philox does not give its known answer; mend philox4x64")
+
+
+def main():
+    if sys.argv[1:] not in ([], ["--write"]):
+        print(__doc__, file=sys.stderr)
+        return 2
+    self_test()
+    text = io.StringIO()
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows())
+    if sys.argv[1:] == ["--write"]:
+        DRAWS.write_text(text.getvalue(), encoding="utf-8")
+        return 0
+    stored = DRAWS.read_text(encoding="utf-8").splitlines()
+    drawn = text.getvalue().splitlines()
+    for number, (old, new) in enumerate(zip(stored, drawn), start=1):
+        if old != new:
+            print(f"{DRAWS.relative_to(ROOT)}:{number}: differs from what is drawn; find out why before --write")
+            return 1
+    if len(stored) != len(drawn):
+        print(f"{DRAWS.relative_to(ROOT)}: {len(stored)} lines, {len(drawn)} drawn; the suite changed? then --write")
+        return 1
+    print(f"{len(drawn) - 1} trials agree")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
