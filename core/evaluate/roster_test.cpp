@@ -144,6 +144,58 @@ TEST_P(Method, IsRightOnMildCurves) {
   }
 }
 
+/// What rounding may change in a relation between two evaluations of curves in [-4, 4] of low degree.
+double tolerance(int degree) { return 4 * 256 * 0x1p-53 * std::pow(3, degree); }
+
+TEST_P(Method, ReproducesConstants) {
+  const auto& method = kernel();
+  for (const int degree : {0, 1, 3, 6}) {
+    std::vector<double> coefficients(static_cast<std::size_t>(2 * degree) + 2, 0);
+    for (std::size_t k = 0; k < coefficients.size(); ++k)
+      if (method.info->form == Form::bernstein || k < 2) coefficients[k] = k % 2 == 0 ? 0.7 : -1.3;
+    const auto points = evaluate(method, {method.info->form, 2, degree, coefficients}, parameters);
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      const double outside = std::pow(std::abs(parameters[k]) + std::abs(1 - parameters[k]), degree);
+      EXPECT_NEAR(points[2 * k], 0.7, tolerance(degree) * outside);
+      EXPECT_NEAR(points[2 * k + 1], -1.3, tolerance(degree) * outside);
+    }
+  }
+}
+
+TEST_P(Method, IsAffinelyInvariant) {
+  Inputs inputs(8);
+  const auto& method = kernel();
+  const bool bernstein = method.info->form == Form::bernstein;  // in power form only q_0 is moved by a translation
+  for (const int degree : {0, 1, 2, 5}) {
+    const auto c = inputs.coefficients(degree, 2);
+    std::vector<double> image(c.size());
+    for (std::size_t k = 0; k < c.size(); k += 2) {
+      const double moved = bernstein || k == 0 ? 1 : 0;
+      image[k] = 2 * c[k] - c[k + 1] + moved;
+      image[k + 1] = 0.5 * c[k] + c[k + 1] - moved;
+    }
+    const double t = inputs.unit();
+    const auto p = evaluate(method, {method.info->form, 2, degree, c}, {t});
+    const auto q = evaluate(method, {method.info->form, 2, degree, image}, {t});
+    EXPECT_NEAR(q[0], 2 * p[0] - p[1] + 1, tolerance(degree));
+    EXPECT_NEAR(q[1], 0.5 * p[0] + p[1] - 1, tolerance(degree));
+  }
+}
+
+TEST_P(Method, ReversesWithItsControlPoints) {
+  const auto& method = kernel();
+  if (method.info->form != Form::bernstein) return;  // power coefficients have no mirror image
+  Inputs inputs(9);
+  for (const int degree : {1, 2, 3, 6}) {
+    const auto c = inputs.coefficients(degree, 1);
+    const std::vector<double> reversed(c.rbegin(), c.rend());
+    const double t = inputs.unit();
+    const auto& one_axis = kernel(1);
+    EXPECT_NEAR(evaluate(one_axis, {Form::bernstein, 1, degree, c}, {t})[0],
+                evaluate(one_axis, {Form::bernstein, 1, degree, reversed}, {1 - t})[0], tolerance(degree));
+  }
+}
+
 TEST_P(Method, ScalesWithPowersOfTwo) {
   const auto& method = kernel();
   if (!method.info->bit_stable) return;  // its bits belong to libm

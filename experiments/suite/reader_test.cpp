@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <string>
 
 #include "experiments/suite/test_vocabulary.hpp"
@@ -93,6 +94,8 @@ struct Refusal {
   const char* text;      ///< follows `minimal`, from line 7
   const char* position;  ///< line and column
   const char* what;
+
+  friend void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.what; }
 };
 
 class ReaderRefuses : public ::testing::TestWithParam<Refusal> {};
