@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+"""The first minute: what holds and what does not."""
+
+from ..document import Heading, Text
+from ..findings.roster import grouped
+
+TITLE = "What was found"
+
+
+def blocks(bundle, findings):
+    """Findings under their headings, then those that the bundle cannot decide."""
+    found, undecided = findings
+    if bundle.info.get("state") != "complete":
+        yield Text(f"**This bundle is {bundle.info.get('state', 'of unknown state')}: a run that is not complete.** Every number "
+                   "below is of the part that is there.")
+    if found:
+        yield Text("“The report” is the source report whose tables are reproduced here. Every number and every judgement is "
+                   "computed from the bundle; under each statement stand the rows that decide it.")
+    for heading, members in grouped(found):
+        yield Heading(heading)
+        yield from members
+    if undecided:
+        yield Heading("What this bundle cannot decide")
+        for name, lack in undecided:
+            yield Text(f"**{name.replace('_', ' ').capitalize()}**: {lack}.")
+    if not found and not undecided:
+        yield Text("There is nothing to judge in this bundle.")

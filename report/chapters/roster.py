@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: MIT
+"""All chapters, in the order of the page."""
+
+from ..bundle import Missing
+from ..document import Chapter
+from . import audit, figures, found, how_measured, provenance, scorecard, tables, timing, truth
+
+ROSTER = (found, scorecard, tables, figures, truth, timing, audit, how_measured, provenance)
+
+
+def build_all(bundle, findings):
+    """(chapters, [(title, what the bundle lacks)]); a chapter without its data is left out and said to be."""
+    chapters, left_out = [], []
+    for module in ROSTER:
+        try:
+            name = module.__name__.rsplit(".", 1)[-1].replace("_", "-")
+            chapters.append(Chapter(name, module.TITLE, tuple(module.blocks(bundle, findings))))
+        except Missing as lack:
+            left_out.append((module.TITLE, str(lack)))
+    return chapters, left_out

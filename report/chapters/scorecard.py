@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""Verdicts counted by table, and every cell that is not inside."""
+
+from collections import Counter
+
+from ..bundle import Missing
+from ..document import Cell, Group, Table, Text
+from ..methods import STATISTIC, form, name
+from ..tables import MARK, axis_label
+from ..wording import as_printed, general, interval, scientific, shortest
+
+TITLE = "Scorecard"
+VERDICTS = ("inside", "explained", "outside")
+FILES = ("scorecard.csv", "scorecard_timing.csv")
+
+
+def counts(bundle):
+    """{table: Counter of verdicts} over both scorecards, in the order of the files."""
+    tables = {}  # by number
+    for file in FILES:
+        for row in bundle.tables[file].rows if file in bundle else ():
+            tables.setdefault(row["table"], Counter())[row["verdict"] or "none"] += 1
+    if not tables:
+        raise Missing("the bundle has no `scorecard.csv`")
+    return dict(sorted(tables.items()))
+
+
+def blocks(bundle, _findings):
+    """The count, and what lies outside or needs a reason."""
+    tables = counts(bundle)
+    yield Text("The band is what the middle 90 % of independent repetitions of the report's experiment give, with its generator "
+               "and its yardstick. **inside**: the printed value lies in it. **outside**: it does not, and no cause is known. "
+               "**explained**: it does not, for a stated cause. Times are another machine's and need not match.")
+    groups = []
+    for number, verdicts in tables.items():
+        total = sum(verdicts.values())
+        cells = [Cell(str(verdicts[v]), str(verdicts[v]), v if verdicts[v] else "") for v in VERDICTS]
+        groups.append(Group(f"Table {number}", number, (("", [*cells, Cell(str(total), str(total))]),)))
+    yield Table(id="scorecard-counts", caption="Printed cells by table and verdict", caption_zh="各表的判定", group_head="table",
+                head=(*(MARK[v] for v in VERDICTS), "cells"), groups=tuple(groups))
+    if "scorecard.csv" in bundle:
+        yield Text("The last range of table 2.3.2 repeats the last degree of table 2.3.1, so a cell there can stand twice below.")
+        yield _not_inside(bundle["scorecard.csv"].select(verdict=("outside", "explained")))
+
+
+def _place(row):
+    if row["statistic"].startswith("count_within_"):
+        return f"within {axis_label(row['statistic'], 'statistic')}"
+    if row["table"] == "2.3.3":
+        return f"t in {interval(row['t_min'], row['t_max'])}"
+    if row["table"] == "2.3.2":
+        return f"R = {shortest(row['coordinate_range'])}"
+    return f"n = {row.text('degree')}"
+
+
+def _not_inside(rows):
+    groups = []
+    for row in rows:
+        write = scientific if row["statistic"] in STATISTIC else general
+        band = f"{write(row['ours_p05'])} – {write(row['ours_p95'])}"
+        what = f"{form(row['curve'])[0]}, {name(row['method'])}, {STATISTIC.get(row['statistic'], ('count',))[0]}, {_place(row)}"
+        texts = [(what, what), ((as_printed if write is scientific else shortest)(row["published"]), row.text("published")),
+                 (write(row["ours_median"]), row.text("ours_median")),
+                 (band, f"{row.text('ours_p05')} {row.text('ours_p95')}"),
+                 (MARK[row["verdict"]], row["verdict"]), (row["note"] or "", row["note"] or "")]
+        cells = [Cell(text, raw, row["verdict"] if i == 4 else "") for i, (text, raw) in enumerate(texts)]
+        groups.append(Group(row["table"], row["table"], (("", cells),)))
+    return Table(id="not-inside", caption="Accuracy cells outside the band", caption_zh="落在区间之外的精度单元格",
+                 group_head="table", head=("cell", "published", "ours, median", "ours, 5–95 %", "verdict", "note"),
+                 groups=tuple(groups))

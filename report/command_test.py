@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: MIT
+"""scripts/report as a user meets it: exit codes, one-line messages, nothing half-written."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from . import fixture, output
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def run(*arguments, python=(sys.executable, "-m", "report"), **more):
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "PYTHONDONTWRITEBYTECODE": "1", **more.pop("env", {})}
+    return subprocess.run([*python, *map(str, arguments)], capture_output=True, text=True, env=environment, check=False, **more)
+
+
+class Command(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.place = Path(place.name)
+        self.bundle = fixture.write(self.place / "bundle")
+
+    def fails(self, code, *arguments, says=(), **more):
+        done = run(*arguments, **more)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for word in says:
+            self.assertIn(word, done.stderr)
+
+    def test_renders_from_anywhere_beside_the_bundle(self):
+        done = run("bundle", cwd=self.place, python=(ROOT / "scripts/report",))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        out = self.place / "bundle-report"
+        self.assertIn("report.html", done.stdout)
+        self.assertEqual({p.name for p in out.iterdir()}, {"report.html", "report.md", "tables", "figures"})
+
+    def test_summary_writes_nothing_and_counts(self):
+        before = sorted(self.place.rglob("*"))
+        done = run(self.bundle, "--summary")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("2.3.1", done.stdout)
+        self.assertIn("vanishes", done.stdout)
+        self.assertNotIn("`", done.stdout)
+        self.assertEqual(before, sorted(self.place.rglob("*")))
+
+    def test_usage(self):
+        for arguments in ((), ("--wrong",), (self.bundle, "--out"), (self.bundle, "--out", self.bundle),
+                          (self.bundle, "--summary", "--out", "x"), (self.bundle, "second")):
+            self.fails(2, *arguments, says=("usage",) if "--out" not in arguments[1:2] else ())
+
+    def test_missing_packages(self):
+        for name in ("matplotlib", "jinja2"):
+            blind = (f"import sys, runpy; sys.modules[{name!r}] = None; sys.argv[0] = 'report'; "
+                     "runpy.run_module('report', run_name='__main__')")
+            self.fails(3, self.bundle, "--out", self.place / "out", python=(sys.executable, "-c", blind),
+                       says=("python3-matplotlib", "python3-jinja2"))
+        self.assertFalse((self.place / "out").exists())
+
+    def test_malformed_bundles(self):
+        def spoil(name, old, new):
+            path = self.bundle / name
+            text = path.read_text()
+            self.assertIn(old, text)
+            path.write_text(text.replace(old, new, 1))
+            self.addCleanup(path.write_text, text)
+        for name, old, new, says in (
+                ("bundle.json", "{", "[", "bundle.json:1"),
+                ("bundle.json", '"schema_version": 1', '"schema_version": 9', "schema_version"),
+                ("accuracy.csv", "mean_error,", "mean_eror,", "mean_error"),
+                ("accuracy.csv", "9e-11", "nine", "accuracy.csv:2"),
+                ("scorecard.csv", "inside,\n", "inside\n", "scorecard.csv:2"),
+                ("timing.csv", "study", "\0", "NUL"),
+                ("methods.csv", "gamma_3n p~", '"gamma_3n', "methods.csv")):
+            with self.subTest(name=name, new=new):
+                path = self.bundle / name
+                good = path.read_text()
+                spoil(name, old, new)
+                self.fails(4, self.bundle, "--out", self.place / "out", says=(says,))
+                self.assertFalse((self.place / "out").exists())
+                path.write_text(good)
+        (self.bundle / "audit.csv").write_bytes(b"study\xff\n")
+        self.fails(4, self.bundle, "--summary", says=("audit.csv", "UTF-8"))
+        (self.bundle / "audit.csv").write_bytes(b"")
+        self.fails(4, self.bundle, "--summary", says=("audit.csv:1",))
+
+    def test_not_a_bundle(self):
+        self.fails(4, self.place / "nowhere", says=("nowhere",))
+        self.fails(4, self.place, "--summary", says=("bundle.json",))
+
+    def test_unwritable_place(self):
+        (self.place / "file").write_text("in the way")
+        self.fails(4, self.bundle, "--out", self.place / "file", says=("file", "--out"))
+
+    def test_reads_hexadecimal_numbers(self):
+        path = self.bundle / "audit.csv"
+        path.write_text(path.read_text().replace("1.25", "0x1.4p+0"))
+        self.assertEqual(run(self.bundle, "--summary").returncode, 0)
+
+
+class Output(unittest.TestCase):
+    def test_failure_leaves_the_old_files(self):
+        with tempfile.TemporaryDirectory() as place:
+            output.write(place, {"a/x": b"old", "y": b"old"})
+            with self.assertRaises(TypeError):
+                output.write(place, {"a/x": b"new", "y": None})
+            self.assertEqual(Path(place, "a/x").read_bytes(), b"old")
+            self.assertEqual(sorted(p.name for p in Path(place).iterdir()), ["a", "y"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: MIT
+"""What a chapter is made of. Chapters say what is in them; render.py knows how HTML and Markdown look.
+
+Texts know two marks, as in Markdown: `code` and **strong**.
+"""
+
+from dataclasses import dataclass, field
+
+
+SENTENCE = 30  # characters from which a cell is a sentence
+
+
+@dataclass(frozen=True)
+class Cell:
+    """What a reader sees, what the CSV file holds, and a mark (a verdict) that is shown by colour as well."""
+
+    text: str = ""
+    raw: str = ""
+    mark: str = ""
+
+
+@dataclass(frozen=True)
+class Group:
+    """Rows of a table that share their first label."""
+
+    label: str
+    key: str
+    rows: tuple  # of (label, [Cell])
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table: two label columns (group and row), then one column per value of an axis."""
+
+    id: str
+    caption: str
+    head: tuple  # labels of the value columns
+    groups: tuple
+    axis: str = ""  # what the value columns stand for
+    caption_zh: str = ""
+    group_head: str = "method"
+    row_head: str = ""
+    csv_head: tuple = ()  # filled where the CSV holds more than the page shows
+    csv_rows: tuple = ()
+    kind: str = field(default="table", init=False)
+
+    @property
+    def single(self):
+        """True where every group has one unlabelled row, so that one label column suffices."""
+        return all(len(g.rows) == 1 and not g.rows[0][0] for g in self.groups)
+
+    @property
+    def wordy(self):
+        """For each value column, whether it holds sentences rather than numbers."""
+        rows = [cells for g in self.groups for _, cells in g.rows]
+        return [any(len(cells[i].text) > SENTENCE for cells in rows) for i in range(len(self.head))]
+
+    def csv(self):
+        """Header and rows of the table's CSV file, with every digit that the bundle has."""
+        if self.csv_head:
+            return list(self.csv_head), [list(row) for row in self.csv_rows]
+        labels = [self.group_head] if self.single else [self.group_head, self.row_head or "quantity"]
+        rows = [[g.key] + ([] if self.single else [label]) + [c.raw for c in cells]
+                for g in self.groups for label, cells in g.rows]
+        return labels + list(self.head), rows
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A drawn figure. `svg` is a file of its own; render.py adapts it to be put into the page."""
+
+    id: str
+    caption: str
+    caption_zh: str
+    alt: str
+    svg: str
+    png: bytes
+    kind: str = field(default="figure", init=False)
+
+
+@dataclass(frozen=True)
+class Text:
+    text: str
+    kind: str = field(default="text", init=False)
+
+
+@dataclass(frozen=True)
+class Heading:
+    text: str
+    kind: str = field(default="heading", init=False)
+
+
+@dataclass(frozen=True)
+class Bullets:
+    items: tuple
+    kind: str = field(default="bullets", init=False)
+
+
+@dataclass(frozen=True)
+class Definitions:
+    items: tuple  # of (term, meaning)
+    kind: str = field(default="definitions", init=False)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One statement about the source report that the bundle decides."""
+
+    id: str
+    about: str  # conclusion: the report's, tested; correction: ours, against it; reproduction; note
+    claim: str  # what the report says, in our words; empty where the statement is about the reproduction
+    holds: bool  # whether the bundle supports the statement; where it does not, the sentences say the opposite
+    headline: str
+    detail: tuple = ()
+    rows: tuple = ()  # the rows of the bundle that decide it
+    kind: str = field(default="finding", init=False)
+
+    @property
+    def evidence(self):
+        """Where the numbers stand: `accuracy.csv lines 3, 7`, file by file."""
+        lines = {}
+        for row in self.rows:
+            lines.setdefault(row.file, set()).add(row.line)
+        return [(file, _ranges(sorted(found))) for file, found in lines.items()]
+
+
+def _ranges(lines):
+    """3, 5 to 9: consecutive lines as spans."""
+    spans = []
+    for line in lines:
+        if spans and line == spans[-1][1] + 1:
+            spans[-1][1] = line
+        else:
+            spans.append([line, line])
+    return ", ".join(str(a) if a == b else f"{a}–{b}" for a, b in spans)
+
+
+@dataclass(frozen=True)
+class Chapter:
+    id: str
+    title: str
+    blocks: tuple

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+"""Proved bounds against observed errors."""
+
+from ..bundle import Missing
+from ..document import Finding
+from ..wording import count, general, large, listing
+
+
+def find(bundle):
+    """Holds where no trial of any method exceeds its proved bound."""
+    rows = [r for r in bundle.judged().some(baseline="exact") if r["bound_u"] and r["status"] == "ok"]
+    if not rows:
+        raise Missing("`accuracy.csv` has no row with a bound")
+    broken = [r for r in rows if r["bound_violations"]]
+    trials = sum(r.number("trials") for r in rows)
+    closest = max(rows, key=lambda r: (r["max_error_u"] or 0) / r["bound_u"])
+    used = (closest["max_error_u"] or 0) / closest["bound_u"]
+    methods = listing(dict.fromkeys(f"`{r['method']}`" for r in broken))
+    return Finding(
+        id="bounds_hold", about="reproduction", claim="", holds=not broken,
+        headline=f"No proved error bound is exceeded in {large(trials)} judged evaluations." if not broken else
+        f"A proved error bound is exceeded by {methods}: a bound or its condition is wrong.",
+        detail=(f"{count(len(rows), 'cell')} of {count(len({r['method'] for r in rows}), 'method')} carry a bound. The closest "
+                f"that an observed error comes to its bound is {general(used, 2)} of it (`{closest['method']}`, degree "
+                f"{closest['degree']:g}).",), rows=tuple(broken or [closest]))

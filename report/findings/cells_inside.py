@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+"""How many printed accuracy cells the reproduction meets."""
+
+import math
+
+from ..document import Finding
+from ..wording import count, general, percent
+from .printed import accuracy_cells
+
+BAND = 0.95 - 0.05
+
+
+def find(bundle):
+    """Holds where no more cells lie outside than a band of this width lets through: mean plus two deviations."""
+    printed = bundle["scorecard.csv"].some(table=("2.3.1", "2.3.2", "2.3.3"))
+    cells = accuracy_cells(bundle)
+    inside, outside, explained = ([r for r in cells if r["verdict"] == v] for v in ("inside", "outside", "explained"))
+    n = len(cells)
+    expected = n * (1 - BAND)
+    allowed = expected + 2 * math.sqrt(n * BAND * (1 - BAND))
+    holds = len(outside) <= allowed
+    below = sum(r.number("published") < r.number("ours_p05") for r in outside)
+    tail = (f"{count(len(outside), 'cell')} {'lies' if len(outside) == 1 else 'lie'} outside without a cause "
+            f"({below} below the band, {len(outside) - below} above). "
+            f"A band that holds {percent(BAND)} of honest repetitions leaves about {general(expected, 2)} of {n} outside by "
+            "luck alone")
+    return Finding(
+        id="cells_inside_band", about="reproduction", claim="", holds=holds,
+        headline=f"{len(inside)} of the {n} distinct accuracy cells that the report prints lie inside our 5–95 % band; "
+                 f"{len(explained)} more {'is' if len(explained) == 1 else 'are'} explained.",
+        detail=(tail + (", so there are no more misses than luck would give." if holds else
+                        ", so there are more misses than luck would give: the experiment is not fully reproduced."),
+                f"The report prints {len(printed)} accuracy cells, of which {len(printed) - n} repeat others."),
+        rows=tuple(outside + explained))

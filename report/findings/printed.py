@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+"""The printed cells, as the findings look at them."""
+
+from ..bundle import Missing
+
+ACCURACY_TABLES = ("2.3.1", "2.3.2", "2.3.3")
+
+
+def accuracy_cells(bundle):
+    """Every printed accuracy cell once: the last range of 2.3.2 repeats the last degree of 2.3.1."""
+    cells = {}
+    for row in bundle["scorecard.csv"].some(table=ACCURACY_TABLES):
+        key = tuple(row[c] for c in ("curve", "method", "statistic", "degree", "coordinate_range", "t_min", "t_max"))
+        cells.setdefault(key, row)
+    return list(cells.values())
+
+
+def degrees(bundle):
+    """The degrees that the source report prints, ascending."""
+    rows = bundle["scorecard.csv"].some(table="2.3.1")
+    return sorted({row.number("degree") for row in rows})
+
+
+def series(bundle, axis, **key):
+    """Rows of one printed row, ascending along an axis."""
+    rows = bundle["scorecard.csv"].some(**key)
+    return sorted(rows, key=lambda row: row.number(axis))
+
+
+def per_degree(first, last, low, high):
+    """By what an error is multiplied with each degree between two of them."""
+    if first * last < 0:
+        raise Missing("an error is negative")
+    return (last / first) ** (1 / (high - low))
+
+
+# An error that is multiplied by at least this with every degree is called exponential.
+EXPONENTIAL = 1.5
+# Values that differ by less than this factor are called flat.
+FLAT = 1.25

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+"""All findings, in the order of the page."""
+
+from ..bundle import Missing
+from . import (bounds_hold, cells_inside, common_rounding, conversion_dominates, de_casteljau_flat, factorial_overflow,
+               forward_substitution, growth_with_degree, growth_with_t, printed_slip, range_bend, round_trip_grid,
+               sample_maximum, time_order, timings_quantised, via_power_worse, yardstick_ranking)
+
+ROSTER = (cells_inside, bounds_hold, yardstick_ranking, common_rounding, forward_substitution, range_bend,
+          round_trip_grid, de_casteljau_flat, factorial_overflow, timings_quantised, printed_slip, via_power_worse,
+          growth_with_degree, growth_with_t, conversion_dominates, time_order, sample_maximum)
+
+
+def find_all(bundle):
+    """(findings, [(name, what the bundle lacks)]): a finding that cannot be decided is named, never guessed."""
+    found, undecided = [], []
+    for module in ROSTER:
+        try:
+            found.append(module.find(bundle))
+        except Missing as lack:
+            undecided.append((module.__name__.rsplit(".", 1)[-1], str(lack)))
+        except ZeroDivisionError:
+            undecided.append((module.__name__.rsplit(".", 1)[-1], "a ratio that it needs divides by an error or time of 0"))
+    return found, undecided
+
+
+# heading and which findings stand under it; where the data flip a finding, it moves by itself
+GROUPS = (
+    ("How well the tables are reproduced", lambda f: f.about == "reproduction"),
+    ("Conclusions of the report that do not hold, and why",
+     lambda f: f.about == "correction" and f.holds or f.about == "conclusion" and not f.holds),
+    ("Conclusions of the report that hold",
+     lambda f: f.about == "conclusion" and f.holds or f.about == "correction" and not f.holds),
+    ("Worth knowing", lambda f: f.about == "note"),
+)
+
+
+def grouped(findings):
+    """(heading, findings) for the groups that have any."""
+    groups = [(heading, [f for f in findings if belongs(f)]) for heading, belongs in GROUPS]
+    return [(heading, members) for heading, members in groups if members]

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""Every finding says what the data say, and the opposite where the data are the opposite."""
+
+import tempfile
+import unittest
+
+from . import fixture
+from .bundle import Bundle
+from .findings.roster import GROUPS, ROSTER, find_all, grouped
+
+
+def _scale(column, factor, file="accuracy.csv", **key):
+    """A change that multiplies a column of the rows that fit."""
+    def change(at, row):
+        if at == file and all(row[c] in v if isinstance(v, tuple) else row[c] == v for c, v in key.items()):
+            for c in (column if isinstance(column, tuple) else (column,)):
+                row[c] = row[c] * factor
+    return change
+
+
+def _set(column, value, file, **key):
+    def change(at, row):
+        if at == file and all(row[c] == v for c, v in key.items()):
+            row[column] = value
+    return change
+
+
+def _worse_explained(at, row):
+    if at == "scorecard.csv" and row["verdict"] == "explained":
+        row["published"] *= 7
+
+
+def _flat_range(at, row):
+    if at == "scorecard.csv" and row["table"] == "2.3.2" and row["method"] == "factorial:power_sum":
+        row["ours_median"] = row["continuous_median"]
+
+
+def _steady(at, row):
+    if at == "accuracy.csv" and row["method"] == "de_casteljau" and row["study"] in ("truth-bezier", "2.3.3-bezier"):
+        row["mean_error"], row["mean_error_u"] = 1e-10, 1.0
+
+
+def _exponential_positive(at, row):
+    if at == "accuracy.csv" and row["method"].startswith("positive_sum") and row["degree"] == 20:
+        row["mean_error"] = 1e-3
+
+
+def _overflow(at, row):
+    if at == "accuracy.csv" and row["degree"] == 21:
+        row.update(status="degree_unsupported", mean_error="", max_error="", mean_error_u="", max_error_u="", bound_u="")
+
+
+def _tame(at, row):
+    if at == "scorecard.csv" and row["table"] == "2.3.1" and row["method"] == "factorial:power_sum":
+        for c in ("published", "ours_median", "continuous_median", "against_exact"):
+            row[c] = 1e-9
+
+
+def _all_outside(at, row):
+    if at == "scorecard.csv" and row["verdict"] == "inside":
+        row["verdict"] = "outside"
+
+
+def _fractions_of_ms(at, row):
+    if at == "scorecard_timing.csv":
+        row["published"] = 2.5
+
+
+# finding: a change of the data that must turn it over
+FLIPS = {
+    "cells_inside_band": _all_outside,
+    "bounds_hold": _set("bound_violations", 3, "accuracy.csv", method="direct", study="truth-bezier", degree=4),
+    "yardstick_ranking": _scale("mean_error", 2, method="de_casteljau", study="truth-bezier"),
+    "common_rounding": _scale("mean_error", 4, method="de_casteljau", baseline="direct", study="2.3.1-bezier"),
+    "forward_substitution": _exponential_positive,
+    "range_bend": _flat_range,
+    "round_trip_grid": _set("within_1e-5", 95, "conversion.csv", generator="continuous"),
+    "de_casteljau_flat": _steady,
+    "factorial_overflow": _overflow,
+    "timings_quantised": _fractions_of_ms,
+    "printed_slip": _worse_explained,
+    "via_power_worse": _scale("against_exact", 1e9, "scorecard.csv", method="de_casteljau"),
+    "growth_with_degree": _tame,
+    "growth_with_t": _scale("against_exact", 1e9, "scorecard.csv", table="2.3.3", t_min=0),
+    "conversion_dominates": _scale("ours_median", 2, "scorecard.csv", method="forward_substitution:direct", degree=20),
+    "time_order": _scale("ours_median", 100, "scorecard_timing.csv", method="direct"),
+    "sample_maximum": _scale("max_error", 0.5, generator="report", study=("2.3.1-bezier", "2.3.1-polynomial")),
+}
+
+
+def _findings(change=None, without=()):
+    with tempfile.TemporaryDirectory() as place:
+        return find_all(Bundle(fixture.write(f"{place}/b", change, without)))
+
+
+class Findings(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.found, cls.undecided = _findings()
+        cls.by_id = {f.id: f for f in cls.found}
+
+    def test_all_hold_on_the_fixture(self):
+        self.assertEqual(self.undecided, [])
+        self.assertEqual([f.id for f in self.found if not f.holds], [])
+
+    def test_every_finding_has_a_flip(self):
+        self.assertEqual(set(self.by_id), set(FLIPS))
+        self.assertEqual(len(self.found), len(ROSTER))
+
+    def test_flips(self):
+        for name, change in FLIPS.items():
+            with self.subTest(name):
+                found, _ = _findings(change)
+                flipped = next(f for f in found if f.id == name)
+                self.assertFalse(flipped.holds)
+                self.assertNotEqual(flipped.headline, self.by_id[name].headline)
+
+    def test_flipped_finding_changes_its_heading(self):
+        def heading(found, name):
+            return next(h for h, members in grouped(found) if any(f.id == name for f in members))
+        for name in ("forward_substitution", "via_power_worse", "time_order"):
+            with self.subTest(name):
+                self.assertNotEqual(heading(self.found, name), heading(_findings(FLIPS[name])[0], name))
+
+    def test_every_finding_stands_under_one_heading(self):
+        for found in (self.found, _findings(_all_outside)[0]):
+            for f in found:
+                self.assertEqual(sum(belongs(f) for _, belongs in GROUPS), 1, f.id)
+
+    def test_numbers_follow_the_data(self):
+        self.assertIn("7.50e-4", " ".join(self.by_id["forward_substitution"].detail))
+        found, _ = _findings(_scale("mean_error", 2, study="truth-polynomial", method="forward_substitution:de_casteljau"))
+        self.assertIn("1.50e-3", " ".join(next(f for f in found if f.id == "forward_substitution").detail))
+
+    def test_repeated_cells_count_once(self):
+        cells = [r for r in fixture.scorecard() if r["table"] != "2.2"]
+        self.assertIn(f"of the {len(cells) - 8} distinct", self.by_id["cells_inside_band"].headline)
+        self.assertIn("8 repeat others", self.by_id["cells_inside_band"].detail[1])
+
+    def test_evidence_names_lines(self):
+        for f in self.found:
+            self.assertTrue(f.evidence, f.id)
+
+    def test_missing_file_leaves_undecided(self):
+        found, undecided = _findings(without=("conversion.csv", "scorecard_timing.csv"))
+        self.assertEqual({name for name, _ in undecided}, {"round_trip_grid", "timings_quantised", "time_order"})
+        self.assertIn("the bundle has no `conversion.csv`", dict(undecided)["round_trip_grid"])
+        self.assertEqual(len(found), len(ROSTER) - 3)
+
+    def test_nothing_but_bundle_json(self):
+        found, undecided = _findings(without=tuple(fixture.FILES))
+        self.assertEqual(found, [])
+        self.assertEqual(len(undecided), len(ROSTER))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+"""The scorecard and the findings as plain text for a terminal."""
+
+import textwrap
+
+from .bundle import Missing
+from .chapters.scorecard import VERDICTS, counts
+from .findings.roster import grouped
+from .inline import to_plain
+
+WIDTH = 100
+
+
+def text(bundle, findings):
+    """What scripts/reproduce prints at its end."""
+    found, undecided = findings
+    lines = [f"Scorecard of {bundle.name}"]
+    try:
+        tables = counts(bundle)
+        lines.append("  " + f"{'table':<8}" + "".join(f"{v:>11}" for v in VERDICTS) + f"{'cells':>8}")
+        for number, verdicts in tables.items():
+            lines.append("  " + f"{number:<8}" + "".join(f"{verdicts[v]:>11}" for v in VERDICTS)
+                         + f"{sum(verdicts.values()):>8}")
+    except Missing as lack:
+        lines.append(f"  none: {lack}")
+    for heading, members in grouped(found):
+        lines += ["", heading]
+        for finding in members:
+            lines += textwrap.wrap(to_plain(finding.headline), WIDTH, initial_indent="  - ", subsequent_indent="    ")
+    if undecided:
+        lines += ["", "What this bundle cannot decide"]
+        for name, lack in undecided:
+            lines += textwrap.wrap(f"{name.replace('_', ' ')}: {to_plain(lack)}", WIDTH, initial_indent="  - ",
+                                   subsequent_indent="    ")
+    return "\n".join(lines) + "\n"
