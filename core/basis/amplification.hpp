@@ -19,6 +19,7 @@
 #include <span>
 
 #include "core/basis/error_bound.hpp"
+#include "core/basis/scaled.hpp"
 #include "core/curve.hpp"
 
 namespace bezierbench {
@@ -31,31 +32,63 @@ constexpr double integer_power(double base, int exponent) {
   return result;
 }
 
-/// sum c_i C(n,i) x^i y^(n-i) for c, x, y >= 0. Overflows or underflows only where the sum itself nearly does.
+namespace detail {
+
+constexpr int safe_exponent = 400;
+
+/// True where |value| is 0 or within 2^-400 .. 2^400.
+inline bool is_moderate(double value) { return value == 0 || (value > 0x1p-400 && value < 0x1p+400); }
+
+inline bool are_moderate(std::span<const double> values) { return std::ranges::all_of(values, is_moderate); }
+
+/// True where no power up to value^n leaves 2^-400 .. 2^400 (or value is 0).
+inline bool has_moderate_powers(double value, int n) {
+  if (value == 0) return true;
+  int exponent = 0;
+  std::frexp(value, &exponent);
+  return (std::abs(exponent) + 1) * n < safe_exponent;
+}
+
+/// Both sums below, in arithmetic that can neither overflow nor underflow on the way.
+inline double scaled_sum(std::span<const double> c, double x, double y, bool with_binomials) {
+  const int n = static_cast<int>(c.size()) - 1;
+  // Horner's scheme in x, the powers of y and the binomials running: sum = (...(c_n x + w_1 c_(n-1)) x + ...).
+  Scaled sum(c[static_cast<std::size_t>(n)]);
+  Scaled weight(1);
+  for (int i = n - 1; i >= 0; --i) {
+    weight = weight * Scaled(y);
+    if (with_binomials) weight = weight * Scaled(static_cast<double>(i + 1) / (n - i));
+    sum = sum * Scaled(x) + weight * Scaled(c[static_cast<std::size_t>(i)]);
+  }
+  return sum.to_double();
+}
+
+}  // namespace detail
+
+/// sum c_i C(n,i) x^i y^(n-i) for c >= 0 and x, y >= 0 with x + y >= 1. Right to a few n u wherever it is a normal
+/// number.
 inline double bernstein_sum(std::span<const double> c, double x, double y) {
   const int n = static_cast<int>(c.size()) - 1;
   const bool ascending = x <= y;  // factor out the larger of x^n, y^n: the ratio is at most 1
   const double larger = ascending ? y : x;
-  if (larger == 0) return n == 0 ? c[0] : 0;
   const double ratio = (ascending ? x : y) / larger;
-  double largest = 0;
-  for (const double value : c) largest = std::max(largest, value);
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  const double scale = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));  // the largest coefficient becomes about 1
-  const double first_weight = n > 500 ? 0x1p-60 : 1;  // leaves room for C(n,i) (n - i + 1) and for the sum
-  double weight = first_weight;
+  const bool moderate = n < detail::safe_exponent && detail::has_moderate_powers(larger, n) &&
+                        detail::has_moderate_powers(ratio, n) && detail::are_moderate(c);
+  if (!moderate) return detail::scaled_sum(c, x, y, true);
+  double weight = 1;
   double sum = 0;
   for (int i = 0; i <= n; ++i) {
     if (i > 0) weight = weight * ratio * (n - i + 1) / i;
-    sum += weight * (scale * c[static_cast<std::size_t>(ascending ? i : n - i)]);
+    sum += weight * c[static_cast<std::size_t>(ascending ? i : n - i)];
   }
-  return sum * integer_power(larger, n / 2) * integer_power(larger, n - n / 2) / scale / first_weight;
+  return sum * integer_power(larger, n);
 }
 
-/// sum c_j x^j y^(n-j) for c, x, y >= 0.
+/// sum c_j x^j y^(n-j) for c, x, y >= 0. Right to a few n u wherever it is a normal number.
 inline double power_sum_of(std::span<const double> c, double x, double y) {
   const int n = static_cast<int>(c.size()) - 1;
+  if (!detail::has_moderate_powers(x, n) || !detail::has_moderate_powers(y, n) || !detail::are_moderate(c))
+    return detail::scaled_sum(c, x, y, false);
   double sum = c[static_cast<std::size_t>(n)];
   double y_power = 1;
   for (int j = n - 1; j >= 0; --j) {

@@ -4,6 +4,7 @@
 
 #include <concepts>
 
+#include "core/basis/amplification.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 
@@ -13,17 +14,18 @@ constexpr Form other(Form form) { return form == Form::bernstein ? Form::power :
 
 /// The bound of a conversion states what its coefficient errors can do to the curve: on each axis
 /// sum |computed - true coefficient| |basis function(t)| <= factor u A + underflow eta S (x + y)^n.
+/// `coefficient_growth(n)` bounds max|converted| / max|given|.
 template <class C>
 concept Conversion = requires(const Curve<C::info.form, double, 2>& curve) {
   requires C::info.problem == Problem::conversion;
+  { C::coefficient_growth(1) } -> std::same_as<double>;
   { C::convert(curve) } -> std::same_as<Curve<other(C::info.form), double, 2>>;
 };
 
-/// Underflow of a rounded conversion: n+1 terms in each of n+1 coefficients, scaled by weights below 3^n.
-constexpr double conversion_underflow(int n) {
-  double power = 1;
-  for (int i = 0; i < n; ++i) power *= 3;
-  return 2.0 * (n + 2) * (n + 2) * power;
-}
+/// Growth of coefficients into power form: max_j C(n,j) 2^j, below 3^n.
+constexpr double growth_to_power(int n) { return integer_power(3, n); }
+
+/// Growth of coefficients into Bernstein form: the norm n + 1 of the inverse matrix.
+constexpr double growth_to_bernstein(int n) { return n + 1; }
 
 }  // namespace bezierbench

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // q_j = C(n,j) D^j b_0 with the forward differences D^j b_i = D^(j-1) b_(i+1) - D^(j-1) b_i.
 //
-// Source: Farin, Curves and Surfaces for CAGD, 5th ed., section 5.8 (monomial form by differences).
+// Source: Farin, Curves and Surfaces for CAGD, 5th ed., on the monomial form of a Bezier curve.
 // Cost: d n(n+1)/2 + d (n+1) + 3n/2 flops.
 // Bound: one rounding a level, n in all, one product and the roundings of C(n,j).
+//   Differences and integer multiples of subnormals are exact: nothing underflows.
 // Fails: the power coefficients themselves grow like 3^n.
 #pragma once
 
@@ -22,10 +23,12 @@ struct Differences {
       .bound = ErrorBound{.text = "gamma_(n+1) sum |b_i| C(n,i) t^i (1+t)^(n-i), and n more roundings past n = 54",
                           .amplification = Amplification::bernstein_to_power,
                           .factor = [](int n, double u) { return gamma_over_u(n + 1 + binomial_roundings(n, u), u); },
-                          .underflow = conversion_underflow,
+                          .underflow = [](int) { return 0.0; },
                           .underflow_scales_with_coefficients = true},
-      .flops = "d n(n+1)/2 + d(n+1) + 3n/2",
-      .citation = "Farin 2002, section 5.8"};
+      .flops = "d n(n+1)/2 + d(n+1) + 3n/2 per curve",
+      .citation = "Farin 2002, monomial form"};
+
+  static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> convert(

@@ -51,10 +51,12 @@ struct ExactToPower {
                                    .bound = ErrorBound{.text = "u sum |b_i| C(n,i) t^i (1+t)^(n-i)",
                                                        .amplification = Amplification::bernstein_to_power,
                                                        .factor = [](int, double) { return 1.0; },
-                                                       .underflow = conversion_underflow,
+                                                       .underflow = [](int n) { return n + 1.0; },
                                                        .underflow_scales_with_coefficients = true},
-                                   .flops = "big integers",
+                                   .flops = "big integers, per curve",
                                    .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
+
+  static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> convert(
@@ -71,10 +73,12 @@ struct ExactToBernstein {
                                    .bound = ErrorBound{.text = "u sum |q_j| t^j on [0,1]",
                                                        .amplification = Amplification::power_to_bernstein,
                                                        .factor = [](int, double) { return 1.0; },
-                                                       .underflow = conversion_underflow,
+                                                       .underflow = [](int) { return 1.0; },
                                                        .underflow_scales_with_coefficients = true},
-                                   .flops = "big integers",
-                                   .citation = "Farouki and Rajan 1987, section 2, in exact arithmetic"};
+                                   .flops = "big integers, per curve",
+                                   .citation = "Farouki and Rajan 1987, in exact arithmetic"};
+
+  static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(

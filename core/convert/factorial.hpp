@@ -2,8 +2,9 @@
 // q_j = sum_(i<=j) (-1)^(j-i) n!/(i!(n-j)!(j-i)!) b_i, the coefficient formed first, then times b_i, added over i.
 //
 // Source: seed report 001, section 1.1.
-// Cost: 2 (n+1)(n+2) flops for the coefficients, d (n+1)(n+2) more.
+// Cost: 3 (n+1)(n+2)/2 flops for the coefficients, d (n+1)(n+2) more.
 // Bound: the coefficient has 3 roundings (more once factorials are inexact, past n = 22), its product 1, the sum n.
+//   A product may underflow, by eta/2.
 // Fails: factorials overflow past n = 170 (34 in float); the power coefficients themselves grow like 3^n.
 #pragma once
 
@@ -24,10 +25,12 @@ struct Factorial {
           ErrorBound{.text = "gamma_(n+4) sum |b_i| C(n,i) t^i (1+t)^(n-i), and 4(n-22) more roundings past n = 22",
                      .amplification = Amplification::bernstein_to_power,
                      .factor = [](int n, double u) { return gamma_over_u(n + 4 + 4 * factorial_roundings(n, u), u); },
-                     .underflow = conversion_underflow,
+                     .underflow = [](int n) { return 1.0 * (n + 1) * (n + 1); },
                      .underflow_scales_with_coefficients = true},
-      .flops = "(n+1)(n+2)(2+d)",
+      .flops = "(n+1)(n+2)(3/2+d) per curve",
       .citation = "seed report 001, section 1.1"};
+
+  static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> convert(

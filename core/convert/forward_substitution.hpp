@@ -3,11 +3,12 @@
 // order: the sum over k < i first, then subtracted from q_i, then divided by the diagonal.
 //
 // Source: seed report 001, section 1.2.
-// Cost: 2 (n+1)(n+2) flops for the matrix, d (n+1)(n+2) more.
+// Cost: 3 (n+1)(n+2)/2 flops for the matrix, d (n+1)(n+2) more.
 // Bound: the computed b solves (M + dM) b = q with |dM| <= gamma_(n+5) |M| (Higham, Theorem 8.5, with the roundings of
 //   M), so |b - true| <= gamma |M^-1||M||b|; the amplification grows like 3^n at t = 1. Higher order terms are covered
-//   by doubling the factor while gamma_(n+5) (5/3)^n <= 1/10 (M^-1|M| maps p(t) to (1+2t)^n p(t/(1+2t)), twice to
-//   (1+4t)^n p(t/(1+4t)), and (1+4t)/(1+2t) <= 5/3); void beyond.
+//   by doubling the factor while gamma_(n+5) (5/3)^n <= 1/10 (k times M^-1|M| turns the sum into
+//   sum |q_j| x^j ((2k+1)x + y)^(n-j), and (5x+y)/(3x+y) <= 5/3 for any x, y >= 0, later ratios less); void beyond.
+//   A residual of r underflow units comes back as at most (n+1) r, the diagonal quotients as 2^n.
 // Fails: exponentially, which is the whole of the report's "error of the conversion": positive_sum does not.
 #pragma once
 
@@ -34,10 +35,12 @@ struct ForwardSubstitution {
       .bound = ErrorBound{.text = "2 gamma_(n+5) sum |q_j| t^j (1+2t)^(n-j) while gamma (5/3)^n <= 1/10",
                           .amplification = Amplification::forward_substitution,
                           .factor = bound_factor,
-                          .underflow = [](int n) { return conversion_underflow(n) * integer_power(3, n); },
+                          .underflow = [](int n) { return 1.0 * (n + 2) * (n + 2) + integer_power(2, n); },
                           .underflow_scales_with_coefficients = true},
-      .flops = "(n+1)(n+2)(2+d)",
+      .flops = "(n+1)(n+2)(3/2+d) per curve",
       .citation = "seed report 001, section 1.2; Higham 2002, Theorem 8.5"};
+
+  static constexpr double coefficient_growth(int n) { return (n + 1) * integer_power(3, n); }
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(

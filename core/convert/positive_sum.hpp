@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // b_i = sum_(j<=i) C(i,j)/C(n,j) q_j: the inverse matrix in closed form; all its weights are positive and at most 1.
 //
-// Source: Farouki and Rajan, CAGD 4 (1987) 191-216, section 2; algorithms survey of Farouki, CAGD 29 (2012), eq. (29).
-// Cost: (n+1)(n+2)/2 (2 + 2d) flops and the binomial rows.
+// Source: Farouki and Rajan, CAGD 4 (1987) 191-216; Farouki, CAGD 29 (2012)
+//   379-419 (the Bernstein basis, a retrospective).
+// Cost: (n+1)(n+2)/2 (3 + 2d) flops and one binomial row.
 // Bound: a weight has at most 2 binomials and a quotient rounded, its product 1, the sum n. The sum of the weights over
-//   row i times |q_j| amplifies by p~ of the power form only (core/basis/amplification.hpp), at most n + 1.
+//   row i times |q_j| amplifies by p~ of the power form only (core/basis/amplification.hpp), at most n + 1. A product
+//   may underflow, by eta/2.
 // Fails: C(i,j) as for any binomial past degree 1029 (131 in float).
 #pragma once
 
@@ -24,10 +26,12 @@ struct PositiveSum {
           ErrorBound{.text = "gamma_(n+2) sum |q_j| t^j on [0,1], and 4n more roundings past n = 54",
                      .amplification = Amplification::power_to_bernstein,
                      .factor = [](int n, double u) { return gamma_over_u(n + 2 + 4 * binomial_roundings(n, u), u); },
-                     .underflow = conversion_underflow,
+                     .underflow = [](int n) { return 2.0 * (n + 1); },
                      .underflow_scales_with_coefficients = true},
-      .flops = "(n+1)(n+2)(1+d) + (n+1)(n+2)/2",
-      .citation = "Farouki and Rajan 1987, section 2"};
+      .flops = "(n+1)(n+2)(3/2+d) per curve",
+      .citation = "Farouki and Rajan 1987"};
+
+  static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(

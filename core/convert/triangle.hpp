@@ -2,9 +2,10 @@
 // r_j = q_j / C(n,j); then b_i = sum_j C(i,j) r_j by an additive triangle: level k adds neighbours, n levels.
 //
 // Source: the inverse of the difference triangle (core/convert/differences.hpp): D^j b_0 = r_j, undone by
-//   D^(j-1) b_(i+1) = D^(j-1) b_i + D^j b_i. Farin, Curves and Surfaces for CAGD, 5th ed., section 5.8.
+//   D^(j-1) b_(i+1) = D^(j-1) b_i + D^j b_i. Farin, Curves and Surfaces for CAGD.
 // Cost: d n(n+1)/2 + d(n+1) + 3n/2 flops.
 // Bound: one quotient, the roundings of C(n,j), at most n additions, all weights positive.
+//   A quotient may underflow, by eta/2, which b_i repeats up to 2^n times.
 // Fails: C(n,j) as for any binomial past degree 1029 (131 in float).
 #pragma once
 
@@ -23,10 +24,12 @@ struct Triangle {
       .bound = ErrorBound{.text = "gamma_(n+1) sum |q_j| t^j on [0,1], and n more roundings past n = 54",
                           .amplification = Amplification::power_to_bernstein,
                           .factor = [](int n, double u) { return gamma_over_u(n + 1 + binomial_roundings(n, u), u); },
-                          .underflow = conversion_underflow,
+                          .underflow = [](int n) { return integer_power(2, n); },
                           .underflow_scales_with_coefficients = true},
-      .flops = "d n(n+1)/2 + d(n+1) + 3n/2",
-      .citation = "Farin 2002, section 5.8"};
+      .flops = "d n(n+1)/2 + d(n+1) + 3n/2 per curve",
+      .citation = "Farin 2002, monomial form"};
+
+  static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(

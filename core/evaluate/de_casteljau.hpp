@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // b_i^k = (1-t) b_i^(k-1) + t b_(i+1)^(k-1), p(t) = b_0^n.
 //
-// Source: de Casteljau 1959; seed report 001, section 1.5; Farin, Curves and Surfaces for CAGD, 5th ed., section 4.2.
-// Cost: 3 d n(n+1)/2 + 1 flops per point.
-// Bound: a level costs at most three roundings (1-t, product, sum), so gamma_3n p~ (gamma_2n where 1-t is exact);
+// Source: de Casteljau 1959; seed report 001, section 1.5; Farin, Curves and Surfaces for CAGD, 5th ed. (the de
+// Casteljau algorithm). Cost: 3 d n(n+1)/2 + 1 flops per point. Bound: a level costs at most three roundings (1-t,
+// product, sum), so gamma_3n p~ (gamma_2n where 1-t is exact);
 //   two products a level may underflow, by eta/2 each.
 // Fails: quadratic cost; the rounding of 1-t makes small t three times worse than t near 1.
 #pragma once
@@ -23,7 +23,7 @@ struct DeCasteljau {
                                                        .underflow = [](int n) { return 2.0 * n; },
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "3d n(n+1)/2 + 1",
-                                   .citation = "Farin 2002, section 4.2; seed report 001, section 1.5"};
+                                   .citation = "Farin 2002; seed report 001, section 1.5"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(

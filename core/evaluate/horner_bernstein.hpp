@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // p = c_0; p = p (1-t) + c_i t^i for i = 1..n, with c_i = C(n,i) b_i kept from `prepare` and t^i running.
 //
-// Source: Farin, Curves and Surfaces for CAGD, 5th ed., section 4.8 (nested multiplication in Bernstein form).
+// Source: Farin, Curves and Surfaces for CAGD (nested multiplication in Bernstein form).
 // Cost: n (1 + 3d) + 1 flops per point.
 // Bound: term i has 1 + binomial roundings in c_i, i-1 in t^i, 1 product, 1 addition and 3 per later step (1-t,
 // product,
@@ -30,7 +30,7 @@ struct HornerBernstein {
                      .underflow = [](int n) { return 2 * (n + 1) * integer_power(2, n); },
                      .underflow_scales_with_coefficients = true},
       .flops = "n(1+3d) + 1",
-      .citation = "Farin 2002, section 4.8"};
+      .citation = "Farin 2002, nested multiplication"};
 
   /// Column i holds C(n,i) b_i.
   template <class Scalar, int Dimension, int Degree>

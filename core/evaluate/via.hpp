@@ -43,7 +43,8 @@ requires(other(Converter::info.form) == Method::info.form) struct Via {
     return conversion + evaluation + conversion * u * evaluation;
   }
   static constexpr double bound_underflow(int n) {
-    return Converter::info.bound->underflow(n) + Method::info.bound->underflow(n) * conversion_underflow(n);
+    const double size = Method::info.bound->underflow_scales_with_coefficients ? Converter::coefficient_growth(n) : 1;
+    return Converter::info.bound->underflow(n) + Method::info.bound->underflow(n) * size;
   }
   static constexpr std::optional<ErrorBound> bound() {
     if constexpr (Converter::info.bound && Method::info.bound)

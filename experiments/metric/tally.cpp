@@ -11,25 +11,21 @@
 namespace bezierbench::metric {
 namespace {
 
-constexpr int dropped_bits = 29;  ///< of 53, when 24 are kept
+constexpr int precision = 24;
 constexpr int bin_bits = 7;
-constexpr std::uint64_t field_mask = (1ULL << 52U) - 1;
 
-/// A positive double as its fields. The significand of a normal number is cut to 24 bits, of a subnormal it is whole.
+/// A positive error as significand 2^(exponent - 24) with a significand of 24 bits; subnormals alike.
 struct Fields {
-  int exponent;  ///< biased
+  int exponent;
   std::uint64_t significand;
-  std::uint64_t bin;
+  std::size_t bin;  ///< the bits after the leading one
 };
 Fields fields_of(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  const auto field = bits & field_mask;
-  const auto exponent = static_cast<int>(bits >> 52U);
-  return {exponent, exponent == 0 ? field : (field | (field_mask + 1)) >> dropped_bits, field >> (52U - bin_bits)};
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  const auto significand = static_cast<std::uint64_t>(std::ldexp(mantissa, precision));
+  return {exponent, significand, (significand >> (precision - 1 - bin_bits)) & ((1U << bin_bits) - 1)};
 }
-
-/// The power of two that the significand counts.
-long unit_exponent(int biased) { return biased == 0 ? -1074 : biased - 1075 + dropped_bits; }
 
 mpz_class to_mpz(Wide value) {
   mpz_class high = static_cast<std::uint64_t>(value >> 64U);
@@ -84,7 +80,7 @@ double Tally::mean() const {
   if (finite_ == 0) return 0;
   reference::Rational sum;
   for (std::size_t k = 0; k < binades_.size(); ++k)
-    sum = sum + reference::Rational{to_mpz(binades_[k].sum), 1, unit_exponent(first_exponent_ + static_cast<int>(k))};
+    sum = sum + reference::Rational{to_mpz(binades_[k].sum), 1, first_exponent_ + static_cast<long>(k) - precision};
   return reference::quotient(reference::binary64, sum, {mpz_class(finite_), 1, 0});
 }
 
@@ -94,7 +90,7 @@ double Tally::root_mean_square() const {
   reference::Rational sum;
   for (std::size_t k = 0; k < binades_.size(); ++k)
     sum = sum + reference::Rational{to_mpz(binades_[k].sum_squares), 1,
-                                    2 * unit_exponent(first_exponent_ + static_cast<int>(k))};
+                                    2 * (first_exponent_ + static_cast<long>(k) - precision)};
   sum.denominator *= mpz_class(finite_);
   return reference::square_root(reference::binary64, sum);
 }
@@ -104,11 +100,11 @@ double Tally::quantile(double q) const {
   std::uint64_t seen = zeros_;
   if (count() == 0 || seen >= wanted) return 0;
   for (std::size_t k = 0; k < binades_.size(); ++k) {
-    for (std::uint64_t bin = 0; bin < bins_per_binade; ++bin) {
+    for (std::size_t bin = 0; bin < bins_per_binade; ++bin) {
       seen += binades_[k].bins[bin];
       if (seen < wanted) continue;
-      const auto exponent = static_cast<std::uint64_t>(first_exponent_) + k;
-      return std::bit_cast<double>((exponent << 52U) | (bin << (52U - bin_bits)));
+      const int exponent = first_exponent_ + static_cast<int>(k);
+      return std::ldexp(static_cast<double>((1ULL << bin_bits) + bin), exponent - bin_bits - 1);
     }
   }
   return std::numeric_limits<double>::infinity();
@@ -118,6 +114,7 @@ double Tally::max() const { return infinite_ > 0 ? std::numeric_limits<double>::
 
 double to_24_bits(double value) {
   if (!std::isfinite(value)) return value;
+  constexpr int dropped_bits = 53 - precision;
   constexpr std::uint64_t low = (1ULL << dropped_bits) - 1;
   auto bits = std::bit_cast<std::uint64_t>(value);
   const std::uint64_t tie_to_even = (bits >> dropped_bits) & 1U;

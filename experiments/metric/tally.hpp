@@ -39,7 +39,7 @@ class Tally {
   Binade& at(int exponent);
 
   std::vector<Binade> binades_;  ///< of consecutive exponents
-  int first_exponent_ = 0;       ///< biased exponent of binades_[0]
+  int first_exponent_ = 0;       ///< of binades_[0]: errors in [2^(e-1), 2^e)
   std::uint64_t zeros_ = 0;
   std::uint64_t finite_ = 0;
   std::uint64_t infinite_ = 0;

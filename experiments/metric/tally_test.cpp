@@ -52,6 +52,16 @@ TEST(Tally, SumsWithoutOverflowOrUnderflow) {
   EXPECT_EQ(tally_of({1e-300, 1e-300}).quantile(1) > 0, true);
 }
 
+TEST(Tally, SubnormalsAreCountedLikeOthers) {
+  const double value = 0x1.fffffep-1023;
+  Tally tally;
+  for (int k = 0; k < 1 << 20; ++k) tally.add(value);
+  EXPECT_EQ(tally.root_mean_square(), value);
+  EXPECT_EQ(tally.mean(), value);
+  EXPECT_EQ(tally_of({0x1p-1040, 0x1p-1074}).quantile(1), 0x1p-1040);
+  EXPECT_EQ(tally_of({0x1p-1040, 0x1p-1074}).quantile(0.5), 0x1p-1074);
+}
+
 TEST(Tally, MeanIsCorrectlyRounded) {
   // 1/3 of 1: the exact sum divided once.
   EXPECT_EQ(tally_of({1, 0, 0}).mean(), 1.0 / 3);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/basis/amplification.hpp"
 
@@ -46,11 +47,13 @@ double TrialScale::in_bound_units(double error, const Arithmetic& arithmetic) {
 
 double TrialScale::bound(const ErrorBound& bound, const Arithmetic& arithmetic) {
   const int n = static_cast<int>(norms_.size()) - 1;
-  const double rounding = bound.factor(n, arithmetic.unit_roundoff) * amplified(bound.amplification);
+  const double factor = bound.factor(n, arithmetic.unit_roundoff);
   const double growth = integer_power(std::abs(t_) + std::abs(1 - t_), n);
   const double size = bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
-  const double underflow = bound.underflow(n) * growth * size * arithmetic.smallest_subnormal;
-  return rounding * arithmetic.unit_roundoff + dimension_ * underflow;
+  // The tiny unit first, so that large factors do not overflow on the way.
+  const double underflow = arithmetic.smallest_subnormal * size * bound.underflow(n) * growth;
+  if (!std::isfinite(factor) || !std::isfinite(underflow)) return std::numeric_limits<double>::infinity();
+  return factor * arithmetic.unit_roundoff * amplified(bound.amplification) + dimension_ * underflow;
 }
 
 }  // namespace bezierbench::metric

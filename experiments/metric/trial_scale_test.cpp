@@ -115,6 +115,21 @@ TEST(Amplification, OfEqualCoefficientsIsThePowerLaw) {
     EXPECT_NEAR(amplification(Amplification::bernstein_to_power, ones, t) / std::pow(1 + 2 * t, 20), 1, 1e-13);
 }
 
+/// p~ dominated by one tiny or huge term: nothing may underflow or overflow on the way to a normal number.
+TEST(Amplification, KeepsTermsOfVeryDifferentSize) {
+  std::vector<double> last(401, 0.0);
+  last.back() = 1e308;
+  EXPECT_NEAR(amplification(Amplification::p_tilde_bernstein, last, 0.1) / 1e-92, 1, 1e-12);
+  std::vector<double> mixed(31, 0.0);
+  mixed[0] = 1.25e-290;
+  mixed[30] = 1e300;  // times t^30: vanishes beside the first
+  EXPECT_NEAR(amplification(Amplification::p_tilde_bernstein, mixed, 1e-30) / 1.25e-290, 1, 1e-12);
+  std::vector<double> cubic(151, 0.0);
+  cubic[3] = 1;
+  EXPECT_NEAR(amplification(Amplification::p_tilde_power, cubic, 1e3) / 1e9, 1, 1e-12);
+  EXPECT_EQ(amplification(Amplification::power_to_bernstein, cubic, 1e3), infinite);  // 1e9 (1999)^147
+}
+
 TEST(Amplification, SurvivesTheLargestDegree) {
   const std::vector<double> ones(max_degree + 1, 1.0);
   for (const double t : {0.0, 1e-300, 0.3, 0.5, 0.9, 1.0})

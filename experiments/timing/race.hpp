@@ -26,7 +26,7 @@ struct Lap {
 };
 
 struct RaceOptions {
-  std::size_t rounds = 41;
+  std::size_t rounds = 41;      ///< at least; rounded up so that every order of the rivals occurs equally often
   double round_seconds = 5e-4;  ///< least time of one rival in one round
   bool (*stop)() = nullptr;     ///< asked between rounds; true ends the race early
 };
