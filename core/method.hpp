@@ -32,9 +32,10 @@ struct MethodInfo {
   std::string_view flops;  ///< per point, in n and d
   std::string_view citation;
 
+  /// True for the degrees that the method promises in this scalar type.
   template <class Scalar>
-  [[nodiscard]] constexpr int max_degree_for() const {
-    return sizeof(Scalar) == sizeof(float) ? max_degree_float : max_degree;
+  [[nodiscard]] constexpr bool supports(int degree) const {
+    return degree >= min_degree && degree <= (sizeof(Scalar) == sizeof(float) ? max_degree_float : max_degree);
   }
 };
 

@@ -47,7 +47,7 @@ std::vector<Scalar> evaluate(const Kernel<Scalar>& kernel, const CurveView<Scala
 
 template <class Scalar>
 bool supports(const Kernel<Scalar>& kernel, int degree) {
-  return degree >= kernel.info->min_degree && degree <= kernel.info->template max_degree_for<Scalar>();
+  return kernel.info->template supports<Scalar>(degree);
 }
 
 const std::vector<double> parameters{0, 1, 0.5, 0.3, 0x1p-30, 1 - 0x1p-53, 0.9, -0.25, 1.5};

@@ -31,13 +31,14 @@ struct Options {
 
 std::string why_not(const MethodInfo& info, const CurveFile& curve) {
   if (info.form != curve.form)
-    return fmt::format("takes curves in {} form, the file is in {} form (--form)", name(info.form), name(curve.form));
-  return fmt::format("supports degrees {} to {}, the curve has degree {}", info.min_degree, info.max_degree,
-                     curve.degree());
+    return fmt::format("takes curves in {} form, the file is in {} form; see --form and `list methods`",
+                       name(info.form), name(curve.form));
+  return fmt::format("supports degrees {} to {}, the curve has degree {}; see `list methods`", info.min_degree,
+                     info.max_degree, curve.degree());
 }
 
 bool applies(const MethodInfo& info, const CurveFile& curve) {
-  return info.form == curve.form && curve.degree() >= info.min_degree && curve.degree() <= info.max_degree;
+  return info.form == curve.form && info.supports<double>(curve.degree());
 }
 
 [[noreturn]] void unknown_method(const std::string& id, const std::vector<std::string>& known) {

@@ -8,7 +8,9 @@
 
 #include "build_facts.hpp"
 #include "experiments/cli/commands.hpp"
+#include "experiments/cli/diagnostics.hpp"
 #include "experiments/cli/vocabulary.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/suite/overrides.hpp"
 #include "experiments/suite/reader.hpp"
@@ -22,8 +24,8 @@ struct Options {
   std::vector<std::string> suites;
   std::string out;
   int jobs = 0;
-  std::uint64_t seed = 0;
-  std::int64_t trials = 0;
+  std::string seed;
+  std::string trials;
   std::string reference = "exact";
   bool dry_run = false;
   bool quiet = false;
@@ -33,9 +35,11 @@ struct Options {
 Exit run(const Options& options) {
   const auto known = vocabulary();
   studies::RunRequest request;
-  for (const auto& file : options.suites)
+  if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
+  for (const auto& file : options.suites) {
     for (auto& one : suite::read_suites(file, known)) request.suites.push_back(std::move(one));
-  suite::check_unique_studies(request.suites);
+    suite::check_unique_ids(request.suites, file);
+  }
   suite::apply(options.overrides, request.suites, known);
   request.out = options.out;
   request.jobs = options.jobs;
@@ -47,8 +51,16 @@ Exit run(const Options& options) {
   request.methods_csv = methods_csv();
   studies::watch_for_interruption();
   const auto findings = studies::run(request);
-  for (const auto& finding : findings) fmt::print(stderr, "bezierbench: {}\n", finding);
+  for (const auto& finding : findings) say(finding);
   return findings.empty() ? Exit::fine : Exit::finding;
+}
+
+/// The parser of the command line would take a number beyond the type for the largest of the type.
+std::int64_t whole_number(std::string_view option, const std::string& text) {
+  const auto number = number::parse_integer(text);
+  if (!number || *number < 0)
+    throw Failure(Exit::usage, fmt::format("{} {}: not a whole number from 0 to 2^63-1", option, text));
+  return *number;
 }
 
 }  // namespace
@@ -68,8 +80,8 @@ void add_run(CLI::App& app, Exit& exit) {
   command->add_flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
   command->add_flag("--quiet", options->quiet, "no progress");
   command->callback([options, seed, trials, &exit] {
-    if (seed->count() > 0) options->overrides.seed = options->seed;
-    if (trials->count() > 0) options->overrides.trials = options->trials;
+    if (seed->count() > 0) options->overrides.seed = static_cast<std::uint64_t>(whole_number("--seed", options->seed));
+    if (trials->count() > 0) options->overrides.trials = whole_number("--trials", options->trials);
     exit = run(*options);
   });
 }

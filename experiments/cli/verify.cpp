@@ -6,6 +6,7 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands.hpp"
+#include "experiments/cli/diagnostics.hpp"
 
 namespace bezierbench::cli {
 
@@ -15,7 +16,7 @@ void add_verify(CLI::App& app, Exit& exit) {
   command->add_option("bundle", *path, "folder of the bundle")->required();
   command->callback([path, &exit] {
     const auto findings = bundle::verify(*path);
-    for (const auto& finding : findings) fmt::print(stderr, "bezierbench: {}\n", finding);
+    for (const auto& finding : findings) say(finding);
     if (findings.empty()) fmt::print("{}: fine\n", *path);
     exit = findings.empty() ? Exit::fine : Exit::finding;
   });

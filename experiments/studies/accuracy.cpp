@@ -10,15 +10,17 @@ class AccuracyJob final : public Job {
  public:
   AccuracyJob(const suite::Study& study, std::uint64_t seed) : study_(study) {
     for (const auto& cell : sample::cells(study_))
-      for (const auto scalar : study_.scalar) {
-        const auto& work = *cells_.emplace_back(accuracy_cell(study_, seed, cell, scalar));
-        for (std::size_t number = 0; number < work.blocks(); ++number) blocks_.push_back({cells_.size() - 1, number});
-      }
+      for (const auto scalar : study_.scalar) cells_.push_back(accuracy_cell(study_, seed, cell, scalar));
   }
 
-  [[nodiscard]] std::size_t blocks() const override { return blocks_.size(); }
-  void run_block(std::size_t block) override { cells_[blocks_[block].cell]->run_block(blocks_[block].number); }
-  [[nodiscard]] double cost(std::size_t block) const override { return cells_[blocks_[block].cell]->cost(); }
+  [[nodiscard]] std::size_t blocks() const override { return cells_.size() * blocks_per_cell(); }
+  void run_block(std::size_t block) override { cells_[cell_of(block)]->run_block(block % blocks_per_cell()); }
+  [[nodiscard]] double cost(std::size_t block) const override { return cells_[cell_of(block)]->cost(); }
+  [[nodiscard]] double total_cost() const override {
+    double sum = 0;
+    for (const auto& cell : cells_) sum += cell->cost() * static_cast<double>(blocks_per_cell());
+    return sum;
+  }
   [[nodiscard]] std::uint64_t evaluations() const override {
     std::uint64_t sum = 0;
     for (const auto& cell : cells_) sum += cell->evaluations();
@@ -32,10 +34,9 @@ class AccuracyJob final : public Job {
   [[nodiscard]] std::vector<Violation> violations() const override { return collected<Violation>(); }
 
  private:
-  struct Block {
-    std::size_t cell;
-    std::size_t number;
-  };
+  /// The same for all cells of a study.
+  [[nodiscard]] std::size_t blocks_per_cell() const { return cells_.front()->blocks(); }
+  [[nodiscard]] std::size_t cell_of(std::size_t block) const { return block / blocks_per_cell(); }
 
   template <class T>
   [[nodiscard]] std::vector<T> collected() const {
@@ -46,7 +47,6 @@ class AccuracyJob final : public Job {
 
   suite::Study study_;
   std::vector<std::unique_ptr<AccuracyCell>> cells_;
-  std::vector<Block> blocks_;
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "experiments/metric/trial_scale.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/interruption.hpp"
 #include "experiments/studies/judgement.hpp"
 #include "experiments/studies/method_choice.hpp"
 #include "experiments/studies/workspace.hpp"
@@ -27,6 +28,7 @@ namespace {
 constexpr std::int64_t block_trials = 1024;
 constexpr std::int64_t audited_trials = 1000;  ///< of replicate 0 of each cell
 constexpr std::string_view exact_baseline = "exact";
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// One replicate whose blocks are not all done.
 struct OpenReplicate {
@@ -62,7 +64,7 @@ class ScalarCell final : public AccuracyCell {
     judgements_.resize(judgement_count());
   }
 
-  [[nodiscard]] std::int64_t blocks_per_replicate() const { return (study_.trials + block_trials - 1) / block_trials; }
+  [[nodiscard]] std::int64_t blocks_per_replicate() const { return (study_.trials - 1) / block_trials + 1; }
   [[nodiscard]] std::size_t blocks() const override {
     return static_cast<std::size_t>(blocks_per_replicate() * study_.replicates);
   }
@@ -82,7 +84,7 @@ class ScalarCell final : public AccuracyCell {
     const auto last = std::min(study_.trials, first + block_trials);
     std::vector<Judgement> judged(judgement_count());
     metric::Tally audit;
-    for (auto trial = first; trial < last; ++trial) judge(replicate, trial, judged, audit);
+    for (auto trial = first; trial < last && !interrupted(); ++trial) judge(replicate, trial, judged, audit);
     keep(replicate, judged, audit);
   }
 
@@ -97,7 +99,7 @@ class ScalarCell final : public AccuracyCell {
     return method * baselines_.size() + baseline;
   }
   [[nodiscard]] bool supported(const Kernel<Scalar>& kernel) const {
-    return cell_.degree >= kernel.info->min_degree && cell_.degree <= kernel.info->template max_degree_for<Scalar>();
+    return kernel.info->template supports<Scalar>(cell_.degree);
   }
   /// A method is not measured against itself.
   [[nodiscard]] bool judged(std::size_t method, std::size_t baseline) const {
@@ -223,7 +225,10 @@ void ScalarCell<Scalar>::count(double error, std::uint64_t trial, const std::opt
     judgement.error_u.add_infinite();
   if (!stated) return;
   const double bound = scale.bound(*stated, arithmetic_of<Scalar>());
-  judgement.bound_u = std::max(judgement.bound_u, scale.in_bound_units(bound, arithmetic_of<Scalar>()));
+  if (!std::isfinite(bound)) return;  // nothing is proved here
+  ++judgement.bounded;
+  const double bound_u = scale.in_bound_units(bound, arithmetic_of<Scalar>());
+  if (std::isfinite(bound_u)) judgement.bound_u = std::max(judgement.bound_u, bound_u);  // p~ = 0 has no such unit
   if (metric::TrialScale::violates(error, bound)) {
     ++judgement.violations;
     judgement.first_violation = std::min(judgement.first_violation, static_cast<std::int64_t>(trial));
@@ -246,8 +251,10 @@ void ScalarCell<Scalar>::keep(std::int64_t replicate, std::vector<Judgement>& ju
   audit_.merge(audit);
   if (--open.blocks_left > 0) return;
   for (std::size_t k = 0; k < judged.size(); ++k) {
-    replicate_means_[k][static_cast<std::size_t>(replicate)] = open.errors[k].mean();
-    replicate_maxima_[k][static_cast<std::size_t>(replicate)] = open.errors[k].max();
+    const bool empty = open.errors[k].count() == 0;  // every trial was non-finite: this replicate has no statistic
+    const auto index = static_cast<std::size_t>(replicate);
+    replicate_means_[k][index] = empty ? not_a_number : open.errors[k].mean();
+    replicate_maxima_[k][index] = empty ? not_a_number : open.errors[k].max();
   }
   open_.erase(entry);
 }
@@ -305,12 +312,13 @@ void ScalarCell<Scalar>::write(Tables& tables) const {
         row.resize(accuracy_columns.size());
       } else {
         const Judgement& j = judgements_[index(m, k)];
-        const bool bounded = baselines_[k] == nullptr && methods_[m]->info->bound.has_value();
-        for (const auto& field : {std::string("ok"), number(j.error.mean()), number(j.error.root_mean_square()),
-                                  number(j.error.quantile(0.5)), number(j.error.quantile(0.99)), number(j.error.max()),
-                                  number(j.error_u.mean()), number(j.error_u.max()),
-                                  bounded && std::isfinite(j.bound_u) ? number(j.bound_u) : std::string(),
-                                  bounded ? std::to_string(j.violations) : std::string(), std::to_string(j.non_finite)})
+        const bool bounded = j.bounded > 0;
+        const auto statistic = [&](double value) { return j.error.count() > 0 ? number(value) : std::string(); };
+        for (const auto& field :
+             {std::string("ok"), statistic(j.error.mean()), statistic(j.error.root_mean_square()),
+              statistic(j.error.quantile(0.5)), statistic(j.error.quantile(0.99)), statistic(j.error.max()),
+              statistic(j.error_u.mean()), statistic(j.error_u.max()), bounded ? number(j.bound_u) : std::string(),
+              bounded ? std::to_string(j.violations) : std::string(), std::to_string(j.non_finite)})
           row.push_back(field);
       }
       tables.table(stable ? "accuracy.csv" : "unstable.csv", accuracy_columns).add_row(std::move(row));
@@ -323,6 +331,12 @@ void ScalarCell<Scalar>::write(Tables& tables) const {
                   std::to_string(cell_.degree), number(cell_.coordinate_range), number(cell_.t_interval.min),
                   number(cell_.t_interval.max), cell_.generator, std::to_string(audit_.count()), number(audit_.mean()),
                   number(audit_.max())});
+}
+
+/// The statistics of the replicates that have one.
+std::vector<double> defined(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  return values;
 }
 
 template <class Scalar>
@@ -340,10 +354,10 @@ void ScalarCell<Scalar>::collect(std::vector<Series>& series) const {
                  .generator = cell_.generator,
                  .baseline = study_.baseline[k],
                  .mode = "",
-                 .values = replicate_means_[index(m, k)]};
+                 .values = defined(replicate_means_[index(m, k)])};
       series.push_back(one);
       one.statistic = "max_error";
-      one.values = replicate_maxima_[index(m, k)];
+      one.values = defined(replicate_maxima_[index(m, k)]);
       series.push_back(std::move(one));
     }
 }

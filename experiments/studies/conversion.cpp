@@ -15,6 +15,7 @@
 #include "experiments/number/number.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/interruption.hpp"
 #include "experiments/studies/method_choice.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/exact_conversion.hpp"
@@ -34,7 +35,8 @@ struct Chain {
   std::string id;
   std::vector<const ConversionKernel<double>*> steps;
   [[nodiscard]] bool supports(int degree) const {
-    return std::ranges::all_of(steps, [degree](const auto* step) { return degree <= step->info->max_degree; });
+    return std::ranges::all_of(
+        steps, [degree](const ConversionKernel<double>* step) { return step->info->supports<double>(degree); });
   }
 };
 
@@ -158,7 +160,7 @@ void ConversionJob::run_block(std::size_t block) {
   metric::Tally errors;
   std::uint64_t non_finite = 0;
   std::array<std::int64_t, thresholds.size()> within{};
-  for (std::int64_t k = 0; k < study_.trials; ++k) {
+  for (std::int64_t k = 0; k < study_.trials && !interrupted(); ++k) {
     sampler.draw(static_cast<std::uint64_t>(static_cast<std::int64_t>(replicate) * study_.trials + k), trial);
     const double error =
         error_of(row.chain, {form_of(study_.curve), row.cell.dimension, row.cell.degree, trial.coefficients});
@@ -183,14 +185,15 @@ void ConversionJob::write(Tables& tables) const {
   auto& table = tables.table("conversion.csv", columns);
   for (const auto& row : rows_) {
     const bool supported = row.chain.supports(row.cell.degree);
+    const bool judged = row.error.count() > 0;
     std::vector<std::string> fields{study_.id,
                                     row.chain.id,
                                     std::to_string(row.cell.degree),
                                     number::decimal(row.cell.coordinate_range),
                                     row.cell.generator,
                                     std::to_string(study_.trials * study_.replicates),
-                                    supported ? number::decimal(row.error.mean()) : "",
-                                    supported ? number::decimal(row.error.max()) : ""};
+                                    judged ? number::decimal(row.error.mean()) : "",
+                                    judged ? number::decimal(row.error.max()) : ""};
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
       std::int64_t sum = 0;
       for (const auto& replicate : row.within) sum += replicate[i];

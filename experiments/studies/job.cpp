@@ -7,4 +7,10 @@ bundle::CsvTable& Tables::table(const std::string& file, const std::vector<std::
   return tables_.try_emplace(file, columns).first->second;
 }
 
+double Job::total_cost() const {
+  double sum = 0;
+  for (std::size_t block = 0; block < blocks(); ++block) sum += cost(block);
+  return sum;
+}
+
 }  // namespace bezierbench::studies

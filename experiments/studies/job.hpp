@@ -61,6 +61,7 @@ class Job {
   virtual void run_block(std::size_t block) = 0;
   /// Relative cost of a block, for the estimate of the time left.
   [[nodiscard]] virtual double cost(std::size_t block) const = 0;
+  [[nodiscard]] virtual double total_cost() const;
   /// True for timings: nothing else may run beside them.
   [[nodiscard]] virtual bool exclusive() const { return false; }
   /// Method evaluations (or conversions) in all, for --dry-run.

@@ -18,7 +18,7 @@ Progress::Progress(double total, bool quiet)
     : total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_print_(start_) {}
 
 Progress::~Progress() {
-  if (!quiet_ && terminal_) fmt::print(stderr, "\r\033[K");
+  if (!quiet_ && terminal_) std::fputs("\r\033[K", stderr);
 }
 
 void Progress::add(double cost) {
@@ -33,9 +33,9 @@ void Progress::add(double cost) {
 void Progress::print(Clock::time_point now) const {
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double left = elapsed * (total_ - done_) / done_;
-  fmt::print(stderr, "{}{:3.0f} % done, {:.0f} s so far, about {:.0f} s left{}", terminal_ ? "\r" : "",
-             100 * done_ / total_, elapsed, left, terminal_ ? "\033[K" : "\n");
-  std::fflush(stderr);
+  const auto line = fmt::format("{}{:3.0f} % done, {:.0f} s so far, about {:.0f} s left{}", terminal_ ? "\r" : "",
+                                100 * done_ / total_, elapsed, left, terminal_ ? "\033[K" : "\n");
+  std::fputs(line.c_str(), stderr);  // which may be closed or full: no reason to stop
 }
 
 }  // namespace bezierbench::studies

@@ -2,11 +2,14 @@
 #include "experiments/studies/run.hpp"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <system_error>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/bundle.hpp"
@@ -86,33 +89,39 @@ void describe(const RunRequest& request, const Jobs& jobs, bool already_complete
 }
 
 void run_blocks(const RunRequest& request, const Jobs& jobs) {
-  struct Block {
-    Job* job;
-    std::size_t number;
-  };
-  std::vector<Block> shared;
+  std::vector<Job*> shared;
+  std::vector<std::size_t> ends;  // of their blocks, numbered through; a list of all blocks might not fit in memory
   double total = 0;
-  for (const auto& job : jobs)
-    for (std::size_t number = 0; number < job->blocks(); ++number) {
-      total += job->cost(number);
-      if (!job->exclusive()) shared.push_back({job.get(), number});
-    }
+  for (const auto& job : jobs) {
+    total += job->total_cost();
+    if (job->exclusive() || job->blocks() == 0) continue;
+    shared.push_back(job.get());
+    ends.push_back((ends.empty() ? 0 : ends.back()) + job->blocks());
+  }
   Progress progress(total, request.quiet);
-  const auto run_one = [&](const Block& block) {
+  const auto run_one = [&](Job& job, std::size_t block) {
     if (interrupted()) return;
-    block.job->run_block(block.number);
-    progress.add(block.job->cost(block.number));
+    job.run_block(block);
+    progress.add(job.cost(block));
   };
   const auto threads = request.jobs > 0 ? static_cast<std::size_t>(request.jobs)
                                         : static_cast<std::size_t>(tbb::info::default_concurrency());
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    tbb::parallel_for(std::size_t{0}, shared.size(), [&](std::size_t k) { run_one(shared[k]); });
+    const auto run_range = [&](const tbb::blocked_range<std::size_t>& range) {
+      for (std::size_t k = range.begin(); k < range.end() && !interrupted(); ++k) {
+        const auto job = static_cast<std::size_t>(std::ranges::upper_bound(ends, k) - ends.begin());
+        run_one(*shared[job], k - (job == 0 ? 0 : ends[job - 1]));
+      }
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ends.empty() ? 0 : ends.back()), run_range);
   }
   for (const auto& job : jobs)
-    for (std::size_t number = 0; job->exclusive() && number < job->blocks(); ++number) run_one({job.get(), number});
+    for (std::size_t number = 0; job->exclusive() && number < job->blocks(); ++number) run_one(*job, number);
   if (interrupted())
-    throw Failure(Exit::interrupted, "interrupted before the results were complete; run the same command again");
+    throw Failure(Exit::interrupted,
+                  fmt::format("{}: interrupted before the results were complete; run the same command again",
+                              request.out.string()));
 }
 
 Findings findings_of(const Jobs& jobs) {
@@ -129,7 +138,8 @@ Findings run(const RunRequest& request) {
   const Jobs jobs = plan(request);
   const std::string suite_text = suite::to_toml(request.suites);
   bundle::Manifest manifest = manifest_of(request, suite_text);
-  const bool exists = std::filesystem::exists(request.out / "bundle.json");
+  std::error_code ignored;  // a place that cannot be looked at cannot be made either, which says why
+  const bool exists = std::filesystem::exists(request.out / "bundle.json", ignored);
   bool done = false;
   if (exists) {
     const auto theirs =
@@ -142,7 +152,7 @@ Findings run(const RunRequest& request) {
     return {};
   }
   if (done) {
-    if (!request.quiet) fmt::print(stderr, "{}: already complete, nothing to do\n", request.out.string());
+    if (!request.quiet) std::fputs((request.out.string() + ": already complete, nothing to do\n").c_str(), stderr);
     return {};
   }
   auto directory = bundle::BundleDirectory::create(request.out);

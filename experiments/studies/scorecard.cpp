@@ -19,10 +19,11 @@ constexpr double clock_quantum_ms = 1;  ///< the report reads a clock of whole m
 
 /// One line of a published file.
 struct PrintedCell {
-  std::string table, curve, method, statistic, degree, value_text, note;
+  std::string table, curve, method, statistic, degree, note;
   double coordinate_range = 0;
   std::optional<suite::Interval> t_interval;
   double value = 0;
+  std::optional<double> corrected;  ///< what was probably meant, where the cell breaks the pattern of its row
 };
 
 double number(const std::string& text) { return number::parse_number(text).value(); }
@@ -38,11 +39,11 @@ std::vector<PrintedCell> printed_cells(const std::string& file_name) {
                        .method = csv.at(row, "path"),
                        .statistic = csv.at(row, "statistic"),
                        .degree = csv.at(row, "degree"),
-                       .value_text = csv.at(row, "value"),
                        .note = csv.at(row, "note"),
                        .coordinate_range = number(csv.at(row, "coordinate_range")),
                        .t_interval = std::nullopt,
-                       .value = number(csv.at(row, "value"))};
+                       .value = number(csv.at(row, "value")),
+                       .corrected = number::parse_number(csv.at(row, "corrected"))};
       if (!csv.at(row, "t_min").empty())
         cell.t_interval = suite::Interval{number(csv.at(row, "t_min")), number(csv.at(row, "t_max"))};
       cells.push_back(std::move(cell));
@@ -69,15 +70,6 @@ const Series* find(std::span<const Series> series, const suite::Study& study, co
 double median(const Series& series) { return metric::quantile(series.values, 0.5); }
 std::string median_text(const Series* series) { return series == nullptr ? "" : number::decimal(median(*series)); }
 
-/// "likely a transcription slip for 3.64e-4: ..." in the note of a published cell names what was probably meant.
-std::optional<double> corrected_value(const PrintedCell& cell) {
-  constexpr std::string_view marker = "transcription slip for ";
-  const auto found = cell.note.find(marker);
-  if (found == std::string::npos) return std::nullopt;
-  const auto begin = found + marker.size();
-  return number::parse_number(cell.note.substr(begin, cell.note.find(':', begin) - begin));
-}
-
 std::vector<std::string> leading_fields(const PrintedCell& cell) {
   return {cell.table,
           cell.curve,
@@ -100,16 +92,15 @@ void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std
   const std::string baseline = study.kind == suite::Kind::conversion ? "exact" : study.baseline.front();
   const auto* ours = find(series, study, cell, study.generator.front(), baseline, "");
   auto fields = leading_fields(cell);
-  if (ours == nullptr) {
+  if (ours == nullptr || ours->values.empty()) {
     fields.insert(fields.end(), {"", "", "", "", "", "outside", "not in this suite"});
   } else {
     const double low = metric::quantile(ours->values, 0.05);
     const double high = metric::quantile(ours->values, 0.95);
     const auto inside = [&](double value) { return low <= value && value <= high; };
-    const auto corrected = corrected_value(cell);
-    const std::string_view verdict = inside(cell.value)                ? "inside"
-                                     : corrected && inside(*corrected) ? "explained"
-                                                                       : "outside";
+    const std::string_view verdict = inside(cell.value)                          ? "inside"
+                                     : cell.corrected && inside(*cell.corrected) ? "explained"
+                                                                                 : "outside";
     fields.insert(fields.end(), {number::decimal(median(*ours)), number::decimal(low), number::decimal(high),
                                  median_text(find(series, study, cell, "continuous", baseline, "")),
                                  median_text(find(series, study, cell, study.generator.front(), "exact", "")),
@@ -125,7 +116,7 @@ void write_timing_cell(const suite::Study& study, const PrintedCell& cell, std::
   const auto* ours = find(series, study, cell, study.generator.front(), "", "one_shot");
   const auto* prepared = find(series, study, cell, study.generator.front(), "", "point");
   auto fields = leading_fields(cell);
-  if (ours == nullptr) {
+  if (ours == nullptr || ours->values.empty()) {
     fields.insert(fields.end(), {"", "", "", "", "", "outside", "not in this suite", ""});
   } else {
     const double low = metric::quantile(ours->values, 0.05) / ns_per_unit;
@@ -157,6 +148,7 @@ void write_scorecards(std::span<const suite::Study> studies, std::span<const Ser
           write_timing_cell(study, cell, series, tables);
         else
           write_accuracy_cell(study, cell, series, tables);
+        break;  // one row per printed cell
       }
 }
 

@@ -41,7 +41,7 @@ class TimingJob final : public Job {
       for (const auto mode : study_.modes) {
         Heat heat{cell, mode, {}, {}, {}};
         for (const auto* kernel : chosen_kernels<double>(study_, cell.dimension))
-          if (cell.degree <= kernel->info->max_degree) heat.methods.push_back(kernel);
+          if (kernel->info->supports<double>(cell.degree)) heat.methods.push_back(kernel);
         heats_.push_back(std::move(heat));
       }
   }

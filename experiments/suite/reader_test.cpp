@@ -188,12 +188,14 @@ TEST(Reader, AnUnreadableFileIsAUsageError) {
   EXPECT_THAT(folder, HasSubstr(": cannot be read (Is a directory); "));
 }
 
-TEST(Reader, StudyIdsAreUniqueOverABundle) {
+TEST(Reader, IdsAreUniqueOverABundle) {
   std::vector<Suite> suites(2, parsed(minimal + "degree = [3]\n"));
+  const auto refusal = [&] { return failure_of([&] { check_unique_ids(suites, "b.toml"); }); };
+  EXPECT_EQ(refusal(), "b.toml: another suite has the id \"s\" too; rename one");
   suites[1].id = "other";
-  EXPECT_THAT(failure_of([&] { check_unique_studies(suites); }), HasSubstr("\"a\" is in suite \"s\" and in suite"));
+  EXPECT_THAT(refusal(), HasSubstr("b.toml: study \"a\" is in suite \"s\" and in suite \"other\""));
   suites[1].studies[0].id = "b";
-  EXPECT_EQ(failure_of([&] { check_unique_studies(suites); }), "");
+  EXPECT_EQ(refusal(), "");
 }
 
 }  // namespace

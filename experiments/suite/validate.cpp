@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "core/curve.hpp"
@@ -21,6 +22,7 @@ namespace {
 
 using Finding = std::optional<Problem>;
 
+constexpr std::int64_t most_replicates = 1000000;
 constexpr double largest_integer_range = 0x1p53;  // beyond, not every integer is a double
 
 bool contains(std::span<const std::string> ids, std::string_view id) {
@@ -77,6 +79,10 @@ Finding check_axes(const Study& study) {
 Finding check_counts(const Study& study) {
   if (study.trials < 1) return Problem{"trials", 0, {}, "trials must be at least 1"};
   if (study.replicates < 1) return Problem{"replicates", 0, {}, "replicates must be at least 1"};
+  if (study.replicates > most_replicates) {
+    return Problem{
+        "replicates", 0, {}, fmt::format("replicates must be at most {}, for each is kept", most_replicates)};
+  }
   if (study.trials > std::numeric_limits<std::int64_t>::max() / study.replicates) {
     return Problem{"replicates", 0, "trials", "trials * replicates must be below 2^63; lower one of them"};
   }
@@ -195,15 +201,21 @@ std::string id_problem(std::string_view id) {
   return "id may have letters, digits, \".\", \"_\" and \"-\" only; rename it";
 }
 
-void check_unique_studies(std::span<const Suite> suites) {
+void check_unique_ids(std::span<const Suite> suites, std::string_view last_file) {
+  std::set<std::string_view> ids;
   std::map<std::string_view, std::string_view> suite_of;
   for (const Suite& suite : suites) {
+    if (!ids.insert(suite.id).second) {
+      throw Failure(Exit::usage,
+                    fmt::format("{}: another suite has the id \"{}\" too; rename one", last_file, suite.id));
+    }
     for (const Study& study : suite.studies) {
       const auto [first, is_new] = suite_of.emplace(study.id, suite.id);
       if (is_new) continue;
-      throw Failure(Exit::usage, fmt::format("study \"{}\" is in suite \"{}\" and in suite \"{}\"; rename one, study "
-                                             "ids are unique over a bundle",
-                                             study.id, first->second, suite.id));
+      throw Failure(Exit::usage,
+                    fmt::format("{}: study \"{}\" is in suite \"{}\" and in suite \"{}\"; rename one, study "
+                                "ids are unique over a bundle",
+                                last_file, study.id, first->second, suite.id));
     }
   }
 }

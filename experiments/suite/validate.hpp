@@ -31,7 +31,8 @@ std::string seed_problem(std::uint64_t seed);
 /// Why `id` cannot name a study or suite, else empty: ids are used in CSV fields, globs and file names.
 std::string id_problem(std::string_view id);
 
-/// Throws Failure(Exit::usage) where two studies have one id: ids are unique over all suites of a bundle.
-void check_unique_studies(std::span<const Suite> suites);
+/// Throws Failure(Exit::usage), naming the file that was read last, where two suites of a bundle have one id, or two
+/// studies of all its suites.
+void check_unique_ids(std::span<const Suite> suites, std::string_view last_file);
 
 }  // namespace bezierbench::suite

@@ -78,7 +78,7 @@ class Random {
     made.dimension = some<int>({1, 2, 3});
     made.methods = below(2) == 0 ? std::vector<std::string>{} : std::vector<std::string>{"*"};
     made.trials = 1 + static_cast<std::int64_t>(bits_() >> 34U);
-    made.replicates = 1 + static_cast<std::int64_t>(bits_() >> 34U);
+    made.replicates = 1 + static_cast<std::int64_t>(bits_() >> 45U);
     made.baseline = made.kind == Kind::conversion ? some<std::string>({"exact", "factorial"})
                                                   : some<std::string>({"exact", known.methods[0], known.methods[1]});
     if (made.kind == Kind::timing) made.modes = some<Mode>({Mode::one_shot, Mode::latency, Mode::batch});
