@@ -21,9 +21,9 @@ class AccuracyJob final : public Job {
     for (const auto& cell : cells_) sum += cell->cost() * static_cast<double>(blocks_per_cell());
     return sum;
   }
-  [[nodiscard]] std::uint64_t evaluations() const override {
-    std::uint64_t sum = 0;
-    for (const auto& cell : cells_) sum += cell->evaluations();
+  [[nodiscard]] Extent extent() const override {
+    Extent sum;
+    for (const auto& cell : cells_) sum += cell->extent();
     return sum;
   }
 

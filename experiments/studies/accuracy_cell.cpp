@@ -52,8 +52,9 @@ class ScalarCell final : public AccuracyCell {
       if (id != exact_baseline) {
         kernel = find_kernel<Scalar>(id, form_of(study.curve), cell.dimension);
         if (kernel == nullptr)
-          throw Failure(Exit::usage, fmt::format("study \"{}\": baseline \"{}\" does not take curves in {} form",
-                                                 study.id, id, name(form_of(study.curve))));
+          throw Failure(Exit::usage,
+                        fmt::format("study \"{}\": baseline \"{}\" does not take curves in {} form; see `list methods`",
+                                    study.id, id, name(form_of(study.curve))));
       }
       baselines_.push_back(kernel);
     }
@@ -73,8 +74,12 @@ class ScalarCell final : public AccuracyCell {
     return static_cast<double>(std::min(study_.trials, block_trials)) *
            (200 + n * 150 + n * n * 2 * static_cast<double>(methods_.size()));
   }
-  [[nodiscard]] std::uint64_t evaluations() const override {
-    return static_cast<std::uint64_t>(study_.trials * study_.replicates) * methods_.size();
+  [[nodiscard]] Extent extent() const override {
+    const auto trials = static_cast<std::uint64_t>(study_.trials * study_.replicates);
+    const auto replicates = static_cast<std::size_t>(study_.replicates);
+    constexpr std::size_t tallies = 200'000;  // two histograms of some fifty binades
+    return {1, judgement_count(), trials * methods_.size(),
+            judgement_count() * (tallies + 2 * replicates * sizeof(double))};
   }
 
   void run_block(std::size_t block) override {

@@ -22,7 +22,7 @@ class AccuracyCell {
   virtual void run_block(std::size_t block) = 0;
   /// Relative cost of one block.
   [[nodiscard]] virtual double cost() const = 0;
-  [[nodiscard]] virtual std::uint64_t evaluations() const = 0;
+  [[nodiscard]] virtual Extent extent() const = 0;
 
   virtual void write(Tables& tables) const = 0;
   virtual void collect(std::vector<Series>& series) const = 0;

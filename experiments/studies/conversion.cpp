@@ -115,8 +115,10 @@ class ConversionJob final : public Job {
     const double n = row_of(block).cell.degree + 1.0;
     return static_cast<double>(study_.trials) * n * n * 10;
   }
-  [[nodiscard]] std::uint64_t evaluations() const override {
-    return blocks() * static_cast<std::uint64_t>(study_.trials);
+  [[nodiscard]] Extent extent() const override {
+    constexpr std::size_t tally = 100'000;
+    return {sample::cells(study_).size(), rows_.size(), blocks() * static_cast<std::uint64_t>(study_.trials),
+            rows_.size() * tally};
   }
   void run_block(std::size_t block) override;
   void write(Tables& tables) const override;

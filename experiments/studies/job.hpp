@@ -47,6 +47,22 @@ struct Violation {
   std::uint64_t count;
 };
 
+/// How much a study is, before it is done.
+struct Extent {
+  std::size_t cells = 0;
+  std::size_t rows = 0;           ///< of CSV
+  std::uint64_t evaluations = 0;  ///< of methods or conversions
+  std::size_t memory = 0;         ///< bytes, about
+
+  Extent& operator+=(const Extent& other) {
+    cells += other.cells;
+    rows += other.rows;
+    evaluations += other.evaluations;
+    memory += other.memory;
+    return *this;
+  }
+};
+
 class Job {
  public:
   Job() = default;
@@ -64,8 +80,8 @@ class Job {
   [[nodiscard]] virtual double total_cost() const;
   /// True for timings: nothing else may run beside them.
   [[nodiscard]] virtual bool exclusive() const { return false; }
-  /// Method evaluations (or conversions) in all, for --dry-run.
-  [[nodiscard]] virtual std::uint64_t evaluations() const = 0;
+  /// For --dry-run.
+  [[nodiscard]] virtual Extent extent() const = 0;
 
   /// Appends this study's rows; all blocks are done.
   virtual void write(Tables& tables) const = 0;

@@ -75,17 +75,17 @@ void require_same(const std::string& path, const bundle::Manifest& theirs, const
 }
 
 void describe(const RunRequest& request, const Jobs& jobs, bool already_complete) {
-  std::size_t blocks = 0;
-  std::uint64_t evaluations = 0;
-  for (const auto& job : jobs) {
-    blocks += job->blocks();
-    evaluations += job->evaluations();
-  }
+  Extent extent;
+  for (const auto& job : jobs) extent += job->extent();
   constexpr double evaluations_per_second = 1.5e6;  // one thread, judged, degree 20: an order of magnitude
+  constexpr std::size_t bytes_per_row = 300;
+  constexpr double megabyte = 1e6;
   fmt::print(
-      "studies      {}\nblocks       {}\nevaluations  {}\nestimated    {:.0f} s on one thread\nout          {}{}\n",
-      jobs.size(), blocks, evaluations, static_cast<double>(evaluations) / evaluations_per_second, request.out.string(),
-      already_complete ? " (already complete)" : "");
+      "studies      {}\ncells        {}\nevaluations  {}\nestimated    {:.0f} s on one thread, {:.1f} MB of disk, "
+      "{:.0f} MB of memory\nout          {}{}\n",
+      jobs.size(), extent.cells, extent.evaluations, static_cast<double>(extent.evaluations) / evaluations_per_second,
+      static_cast<double>(extent.rows * bytes_per_row) / megabyte, static_cast<double>(extent.memory) / megabyte,
+      request.out.string(), already_complete ? " (already complete)" : "");
 }
 
 void run_blocks(const RunRequest& request, const Jobs& jobs) {

@@ -36,7 +36,9 @@ class TimingJob final : public Job {
   TimingJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
     for (const auto scalar : study_.scalar)
       if (scalar != suite::ScalarKind::float64)
-        throw Failure(Exit::usage, fmt::format("study \"{}\": timing takes scalar = [\"double\"] only", study_.id));
+        throw Failure(
+            Exit::usage,
+            fmt::format("study \"{}\": timing takes scalar = [\"double\"] only; leave the others out", study_.id));
     for (const auto& cell : sample::cells(study_))
       for (const auto mode : study_.modes) {
         Heat heat{cell, mode, {}, {}, {}};
@@ -51,9 +53,12 @@ class TimingJob final : public Job {
   [[nodiscard]] double cost(std::size_t block) const override {
     return 5e7 * static_cast<double>(heats_[block].methods.size());  // about the same wall time whatever the degree
   }
-  [[nodiscard]] std::uint64_t evaluations() const override {
-    std::uint64_t sum = 0;
-    for (const auto& heat : heats_) sum += heat.methods.size() * inputs_per_cell;
+  [[nodiscard]] Extent extent() const override {
+    Extent sum{heats_.size(), 0, 0, 0};
+    for (const auto& heat : heats_) {
+      sum.rows += heat.methods.size();
+      sum.evaluations += heat.methods.size() * inputs_per_cell;
+    }
     return sum;
   }
   void run_block(std::size_t block) override;
@@ -68,6 +73,7 @@ class TimingJob final : public Job {
 
 void TimingJob::run_block(std::size_t block) {
   Heat& heat = heats_[block];
+  if (heat.methods.empty()) return;  // none supports the degree
   timing::Inputs inputs{form_of(study_.curve), heat.cell.dimension, heat.cell.degree, {}, {}};
   const sample::Sampler sampler(seed_, study_.id, heat.cell);
   sample::Trial trial;

@@ -69,7 +69,8 @@ Setting parse_set(const std::string& text) {
 void set(const Setting& setting, Study& study) {
   const std::string_view key = setting.field->key;
   const bool single = key == "trials" || key == "replicates";
-  if (single && setting.values.size() != 1) throw Failure(Exit::usage, setting.option + ": takes one value");
+  if (single && setting.values.size() != 1)
+    throw Failure(Exit::usage, fmt::format("{}: takes one value; write {}=N", setting.option, key));
   const toml::node& node = single ? *setting.values.get(0) : static_cast<const toml::node&>(setting.values);
   setting.field->read(setting.option, key, node, study);
 }
