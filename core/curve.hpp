@@ -10,11 +10,27 @@
 
 namespace bezierbench {
 
-/// Representation of a polynomial curve: sum b_i B_i,n(t) or sum q_j t^j.
-enum class Form { bernstein, power };
+/// Representation of a polynomial curve. Curves are given in the first two; the others exist inside converted paths.
+enum class Form {
+  bernstein,            ///< sum b_i B_i,n(t)
+  power,                ///< sum q_j t^j
+  power_centered,       ///< sum q_j (t - 1/2)^j
+  power_double_double,  ///< sum (high q_j + low q_j) t^j, each coefficient an unevaluated sum of two
+};
+
+/// True for the forms in which a curve can be given.
+constexpr bool is_given(Form form) { return form == Form::bernstein || form == Form::power; }
 
 /// The word for a form in files and messages.
-constexpr std::string_view name(Form form) { return form == Form::bernstein ? "bernstein" : "power"; }
+constexpr std::string_view name(Form form) {
+  switch (form) {
+    case Form::bernstein: return "bernstein";
+    case Form::power: return "power";
+    case Form::power_centered: return "power_centered";
+    case Form::power_double_double: return "power_double_double";
+  }
+  return "";
+}
 
 /// Largest degree that any curve can have: C(n, n/2) must stay finite in double (it does through n = 1029).
 inline constexpr int max_degree = 1023;
@@ -61,6 +77,23 @@ class Curve {
   static constexpr int max_columns = DegreeT == dynamic ? max_degree + 1 : DegreeT + 1;
   static constexpr int order = DimensionT == 1 ? Eigen::RowMajor : Eigen::ColMajor;  // Eigen asks it of a single row
   Eigen::Matrix<Scalar, DimensionT, columns, order, DimensionT, max_columns> coefficients_;
+};
+
+/// Coefficients as unevaluated sums high + low with |low| <= u |high|.
+template <class ScalarT, int DimensionT, int DegreeT>
+class Curve<Form::power_double_double, ScalarT, DimensionT, DegreeT> {
+ public:
+  using Scalar = ScalarT;
+  using Part = Curve<Form::power, ScalarT, DimensionT, DegreeT>;
+  static constexpr Form form = Form::power_double_double;
+  static constexpr int dimension = DimensionT;
+
+  explicit Curve(int degree) : high(degree), low(degree) {}
+
+  [[nodiscard]] int degree() const { return high.degree(); }
+
+  Part high;
+  Part low;
 };
 
 /// A curve behind the erased interfaces: coefficients point by point (x0 y0 x1 y1 ...), not owned.

@@ -12,6 +12,10 @@
 //                          coefficients b to the power coefficients of sum b_i C(n,i) t^i (1+t)^(n-i), which is
 //                          (1+2t)^n Q(t/(1+2t)) for Q the polynomial with coefficients c; so the sum becomes
 //                          sum c_j x^j (3x+y)^(n-j), on [0,1] sum c_j t^j (1+2t)^(n-j)
+//   p~, centred form       sum c_j z^j with z = |t - 1/2|
+//   Bernstein -> centred   q_j = C(n,j) M^(n-j) D^j b_0 with midpoints M = (1 + E)/2 and differences D = E - 1 (E moves
+//                          to the next control point), so |q_j| <= C(n,j) M^(n-j) (1 + E)^j c_0 = C(n,j) 2^j M^n c_0;
+//                          summing over j with z^j leaves (1 + 2z)^n M^n c_0 = (1/2 + z)^n sum c_i C(n,i)
 #pragma once
 
 #include <algorithm>
@@ -102,19 +106,28 @@ inline double power_sum_of(std::span<const double> c, double x, double y) {
 inline double amplification(Amplification kind, std::span<const double> c, double t) {
   const double x = std::abs(t);
   const double y = std::abs(1 - t);
+  const double z = std::abs(t - 0.5);
   switch (kind) {
     case Amplification::p_tilde_bernstein: return bernstein_sum(c, x, y);
     case Amplification::p_tilde_power: return power_sum_of(c, x, 1);
     case Amplification::bernstein_to_power: return bernstein_sum(c, x, 1 + x);
     case Amplification::power_to_bernstein: return power_sum_of(c, x, x + y);
     case Amplification::forward_substitution: return power_sum_of(c, x, 3 * x + y);
+    case Amplification::p_tilde_centered: return power_sum_of(c, z, 1);
+    case Amplification::bernstein_to_centered: return bernstein_sum(c, 0.5 + z, 0.5 + z);
   }
   return 0;
 }
 
 /// The amplification that the definition of p~ uses for a form.
 constexpr Amplification p_tilde_of(Form form) {
-  return form == Form::bernstein ? Amplification::p_tilde_bernstein : Amplification::p_tilde_power;
+  switch (form) {
+    case Form::bernstein: return Amplification::p_tilde_bernstein;
+    case Form::power_centered: return Amplification::p_tilde_centered;
+    case Form::power:
+    case Form::power_double_double: break;
+  }
+  return Amplification::p_tilde_power;
 }
 
 }  // namespace bezierbench

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a conversion is: data about itself and one function from a curve in one form to the same curve in the other.
+// What a conversion is: data about itself, the form that it makes, and one function from a curve to the same curve in
+// that form.
 #pragma once
 
 #include <concepts>
@@ -10,8 +11,6 @@
 
 namespace bezierbench {
 
-constexpr Form other(Form form) { return form == Form::bernstein ? Form::power : Form::bernstein; }
-
 /// The bound of a conversion states what its coefficient errors can do to the curve: on each axis
 /// sum |computed - true coefficient| |basis function(t)| <= factor u A + underflow eta S (x + y)^n.
 /// `coefficient_growth(n)` bounds max|converted| / max|given|.
@@ -19,7 +18,7 @@ template <class C>
 concept Conversion = requires(const Curve<C::info.form, double, 2>& curve) {
   requires C::info.problem == Problem::conversion;
   { C::coefficient_growth(1) } -> std::same_as<double>;
-  { C::convert(curve) } -> std::same_as<Curve<other(C::info.form), double, 2>>;
+  { C::convert(curve) } -> std::same_as<Curve<C::target, double, 2>>;
 };
 
 /// Growth of coefficients into power form: max_j C(n,j) 2^j, below 3^n.

@@ -30,6 +30,8 @@ struct Differences {
 
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 
+  static constexpr Form target = Form::power;
+
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> convert(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& b) {

@@ -78,15 +78,60 @@ void next_row(std::vector<cpp_int>& row) {
   for (std::size_t k = row.size() - 2; k >= 1; --k) row[k] += row[k - 1];
 }
 
-}  // namespace
-
-void exact_to_power(std::span<const double> in, std::span<double> out, RoundTo target) {
+/// Hands over every q_j = C(n,j) D^j b_0, as an integer times 2^exponent.
+template <class Receive>
+void for_each_power_coefficient(std::span<const double> in, Receive receive) {
   const Aligned b = align(in);
   std::vector<cpp_int> difference = b.integers;
   cpp_int binomial = 1;
   const std::size_t n = in.size() - 1;
   for (std::size_t j = 0; j <= n; ++j) {
-    out[j] = round_quotient(binomial * difference[0], 1, b.exponent, target);
+    receive(j, cpp_int(binomial * difference[0]), b.exponent);
+    for (std::size_t i = 0; i < n - j; ++i) difference[i] = difference[i + 1] - difference[i];
+    binomial = binomial * (n - j) / (j + 1);
+  }
+}
+
+}  // namespace
+
+void exact_to_power(std::span<const double> in, std::span<double> out, RoundTo target) {
+  for_each_power_coefficient(in, [&](std::size_t j, const cpp_int& coefficient, int exponent) {
+    out[j] = round_quotient(coefficient, 1, exponent, target);
+  });
+}
+
+void exact_to_power_double_double(std::span<const double> in, std::span<double> high, std::span<double> low,
+                                  RoundTo target) {
+  for_each_power_coefficient(in, [&](std::size_t j, const cpp_int& coefficient, int exponent) {
+    high[j] = round_quotient(coefficient, 1, exponent, target);
+    low[j] = 0;
+    if (!std::isfinite(high[j])) return;
+    int high_exponent = 0;
+    cpp_int rounded = static_cast<long long>(std::ldexp(std::frexp(high[j], &high_exponent), double_mantissa_bits));
+    high_exponent -= double_mantissa_bits;
+    cpp_int remainder = coefficient;
+    if (high_exponent > exponent)
+      rounded <<= static_cast<unsigned>(high_exponent - exponent);
+    else
+      remainder <<= static_cast<unsigned>(exponent - high_exponent);
+    remainder -= rounded;
+    low[j] = round_quotient(remainder, 1, std::min(exponent, high_exponent), target);
+  });
+}
+
+void exact_to_power_centered(std::span<const double> in, std::span<double> out, RoundTo target) {
+  const Aligned b = align(in);
+  std::vector<cpp_int> difference = b.integers;
+  cpp_int binomial = 1;
+  const std::size_t n = in.size() - 1;
+  for (std::size_t j = 0; j <= n; ++j) {
+    cpp_int sum = 0;
+    cpp_int weight = 1;  // C(n-j, i)
+    for (std::size_t i = 0; i <= n - j; ++i) {
+      sum += weight * difference[i];
+      weight = weight * (n - j - i) / (i + 1);
+    }
+    out[j] = round_quotient(binomial * sum, 1, b.exponent - static_cast<int>(n - j), target);
     for (std::size_t i = 0; i < n - j; ++i) difference[i] = difference[i + 1] - difference[i];
     binomial = binomial * (n - j) / (j + 1);
   }

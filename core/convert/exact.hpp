@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Both conversions in exact integer arithmetic, every coefficient rounded once, correctly.
-//   to power:      q_j = C(n,j) sum_i (-1)^(j-i) C(j,i) b_i, a dyadic rational
+// Conversions in exact integer arithmetic, every coefficient rounded once, correctly.
+//   to power:      q_j = C(n,j) D^j b_0 = C(n,j) sum_i (-1)^(j-i) C(j,i) b_i, a dyadic rational
+//   to power in double-double: the same, rounded, and what that leaves, rounded
+//   to power about t = 1/2:    q_j = C(n,j) 2^(j-n) sum_i C(n-j,i) D^j b_i, a dyadic rational
 //   to Bernstein:  b_i = (1/n!) sum_j C(i,j) j! (n-j)! q_j, a rational with denominator n!
 //
 // Cost: O(n^2) big-integer operations, far from the flops of the others.
-// Bound: u |coefficient|: one rounding each.
+// Bound: u |coefficient|: one rounding each; u^2 |coefficient| in double-double.
 // Fails: nothing but overflow of the rounded coefficient; yet a correctly rounded power coefficient already carries the
 //   error that ruins power form at high degree.
 #pragma once
@@ -21,8 +23,15 @@ enum class RoundTo { binary32, binary64 };
 /// One axis: `in` and `out` hold the n + 1 coefficients, ascending; all inputs finite. Nearest, ties to even.
 void exact_to_power(std::span<const double> in, std::span<double> out, RoundTo target);
 void exact_to_bernstein(std::span<const double> in, std::span<double> out, RoundTo target);
+void exact_to_power_centered(std::span<const double> in, std::span<double> out, RoundTo target);
+/// Where `high` overflows, `low` is 0.
+void exact_to_power_double_double(std::span<const double> in, std::span<double> high, std::span<double> low,
+                                  RoundTo target);
 
 namespace detail {
+
+template <class Scalar>
+inline constexpr RoundTo rounding_of = sizeof(Scalar) == sizeof(float) ? RoundTo::binary32 : RoundTo::binary64;
 
 template <Form To, Form From, class Scalar, int Dimension, int Degree, class AxisFunction>
 Curve<To, Scalar, Dimension, Degree> convert_axes(const Curve<From, Scalar, Dimension, Degree>& curve,
@@ -34,8 +43,7 @@ Curve<To, Scalar, Dimension, Degree> convert_axes(const Curve<From, Scalar, Dime
   Curve<To, Scalar, Dimension, Degree> result(n);
   for (int axis = 0; axis < Dimension; ++axis) {
     for (int i = 0; i <= n; ++i) in[i] = static_cast<double>(curve(axis, i));
-    convert_axis(std::span<const double>(in.data(), count), std::span<double>(out.data(), count),
-                 sizeof(Scalar) == sizeof(float) ? RoundTo::binary32 : RoundTo::binary64);
+    convert_axis(std::span<const double>(in.data(), count), std::span<double>(out.data(), count), rounding_of<Scalar>);
     for (int i = 0; i <= n; ++i) result(axis, i) = static_cast<Scalar>(out[i]);
   }
   return result;
@@ -56,12 +64,74 @@ struct ExactToPower {
                                    .flops = "big integers, per curve",
                                    .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
 
+  static constexpr Form target = Form::power;
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> convert(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
     return detail::convert_axes<Form::power>(curve, exact_to_power);
+  }
+};
+
+struct ExactToPowerDoubleDouble {
+  static constexpr MethodInfo info{.id = "exact_dd",
+                                   .label = "Exact, then rounded to double-double",
+                                   .problem = Problem::conversion,
+                                   .form = Form::bernstein,
+                                   .bound = ErrorBound{.text = "u^2 sum |b_i| C(n,i) t^i (1+t)^(n-i)",
+                                                       .amplification = Amplification::bernstein_to_power,
+                                                       .factor = [](int, double u) { return u; },
+                                                       .underflow = [](int n) { return n + 1.0; },
+                                                       .underflow_scales_with_coefficients = true},
+                                   .flops = "big integers",
+                                   .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
+
+  static constexpr Form target = Form::power_double_double;
+  static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::power_double_double, Scalar, Dimension, Degree> convert(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    const int n = curve.degree();
+    auto in = per_coefficient<double, Degree>(n);
+    auto high = per_coefficient<double, Degree>(n);
+    auto low = per_coefficient<double, Degree>(n);
+    const auto count = static_cast<std::size_t>(n) + 1;
+    Curve<Form::power_double_double, Scalar, Dimension, Degree> q(n);
+    for (int axis = 0; axis < Dimension; ++axis) {
+      for (int i = 0; i <= n; ++i) in[i] = static_cast<double>(curve(axis, i));
+      exact_to_power_double_double(std::span<const double>(in.data(), count), std::span<double>(high.data(), count),
+                                   std::span<double>(low.data(), count), detail::rounding_of<Scalar>);
+      for (int j = 0; j <= n; ++j) {
+        q.high(axis, j) = static_cast<Scalar>(high[j]);
+        q.low(axis, j) = static_cast<Scalar>(low[j]);
+      }
+    }
+    return q;
+  }
+};
+
+struct ExactToPowerCentered {
+  static constexpr MethodInfo info{.id = "exact_centered",
+                                   .label = "Exact about t = 1/2, then rounded",
+                                   .problem = Problem::conversion,
+                                   .form = Form::bernstein,
+                                   .bound = ErrorBound{.text = "u sum |b_i| C(n,i) (1/2 + |t - 1/2|)^n",
+                                                       .amplification = Amplification::bernstein_to_centered,
+                                                       .factor = [](int, double) { return 1.0; },
+                                                       .underflow = [](int n) { return n + 1.0; },
+                                                       .underflow_scales_with_coefficients = true},
+                                   .flops = "big integers",
+                                   .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
+
+  static constexpr Form target = Form::power_centered;
+  static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::power_centered, Scalar, Dimension, Degree> convert(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    return detail::convert_axes<Form::power_centered>(curve, exact_to_power_centered);
   }
 };
 
@@ -79,6 +149,8 @@ struct ExactToBernstein {
                                    .citation = "Farouki and Rajan 1987, in exact arithmetic"};
 
   static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }
+
+  static constexpr Form target = Form::bernstein;
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(

@@ -30,6 +30,7 @@ struct Factorial {
       .flops = "(n+1)(n+2)(3/2+d) per curve",
       .citation = "seed report 001, section 1.1"};
 
+  static constexpr Form target = Form::power;
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 
   template <class Scalar, int Dimension, int Degree>

@@ -40,6 +40,7 @@ struct ForwardSubstitution {
       .flops = "(n+1)(n+2)(3/2+d) per curve",
       .citation = "seed report 001, section 1.2; Higham 2002, Theorem 8.5"};
 
+  static constexpr Form target = Form::bernstein;
   static constexpr double coefficient_growth(int n) { return (n + 1) * integer_power(3, n); }
 
   template <class Scalar, int Dimension, int Degree>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/convert/differences.hpp"
+#include "core/convert/differences_centered.hpp"
 #include "core/convert/exact.hpp"
 #include "core/convert/factorial.hpp"
 #include "core/convert/forward_substitution.hpp"
@@ -11,12 +12,15 @@
 
 namespace bezierbench {
 
-using Conversions = TypeList<Factorial,            //
-                             Differences,          //
-                             ExactToPower,         //
-                             ForwardSubstitution,  //
-                             PositiveSum,          //
-                             Triangle,             //
+using Conversions = TypeList<Factorial,                 //
+                             Differences,               //
+                             ExactToPower,              //
+                             ExactToPowerDoubleDouble,  //
+                             DifferencesCentered,       //
+                             ExactToPowerCentered,      //
+                             ForwardSubstitution,       //
+                             PositiveSum,               //
+                             Triangle,                  //
                              ExactToBernstein>;
 
 }  // namespace bezierbench

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/evaluate/via.hpp"
 #include "reference/exact_conversion.hpp"
 
 namespace bezierbench {
@@ -14,7 +15,7 @@ namespace {
 
 template <class... Cs>
 testing::Types<Cs...> test_types(TypeList<Cs...>);
-using AllConversions = decltype(test_types(Conversions{}));
+using AllConversions = decltype(test_types(typename GivenTargets<Conversions>::Type{}));
 
 template <class C>
 std::vector<double> convert_axis(const std::vector<double>& in) {
@@ -110,6 +111,95 @@ TEST(ExactConversion, RoundsCorrectly) {
   for (const auto& in : cases) {
     expect_correctly_rounded<ExactToPower>(in);
     expect_correctly_rounded<ExactToBernstein>(in);
+  }
+}
+
+std::vector<std::vector<double>> nasty_and_random() {
+  auto cases = nasty;
+  std::mt19937_64 words(3);
+  for (const int n : {0, 1, 4, 20, 50}) {
+    cases.emplace_back();
+    for (int i = 0; i <= n; ++i)
+      cases.back().push_back(std::ldexp(static_cast<double>(static_cast<std::int64_t>(words())) * 0x1p-63,
+                                        static_cast<int>(words() % 100) - 50));
+  }
+  return cases;
+}
+
+TEST(ExactConversion, DoubleDoubleHoldsTheRoundedCoefficientAndTheRoundedRest) {
+  for (const auto& in : nasty_and_random()) {
+    const auto truth = reference::converted({Form::bernstein, 1, static_cast<int>(in.size()) - 1, in});
+    std::vector<double> high(in.size());
+    std::vector<double> low(in.size());
+    exact_to_power_double_double(in, high, low, RoundTo::binary64);
+    for (std::size_t j = 0; j < in.size(); ++j) {
+      const auto q = truth[j].coordinate(0);
+      EXPECT_EQ(high[j], reference::round_to(reference::binary64, q));
+      const double rest =
+          std::isfinite(high[j]) ? reference::round_to(reference::binary64, q - reference::exactly(high[j])) : 0;
+      EXPECT_EQ(low[j], rest) << in.size() << " " << j;
+    }
+    exact_to_power_double_double(in, high, low, RoundTo::binary32);
+    for (std::size_t j = 0; j < in.size(); ++j) {
+      const auto q = truth[j].coordinate(0);
+      EXPECT_EQ(high[j], reference::round_to(reference::binary32, q));
+      const double rest =
+          std::isfinite(high[j]) ? reference::round_to(reference::binary32, q - reference::exactly(high[j])) : 0;
+      EXPECT_EQ(low[j], rest) << in.size() << " " << j;
+    }
+  }
+}
+
+/// The true coefficients about t = 1/2, from the true power coefficients: c_j = sum_(k>=j) C(k,j) q_k 2^(j-k).
+std::vector<reference::Rational> true_centred(const std::vector<double>& in) {
+  const auto q = reference::converted({Form::bernstein, 1, static_cast<int>(in.size()) - 1, in});
+  std::vector<reference::Rational> centred(in.size());
+  for (std::size_t j = 0; j < in.size(); ++j) {
+    mpz_class binomial = 1;
+    for (std::size_t k = j; k < in.size(); ++k) {
+      centred[j] = centred[j] +
+                   q[k].coordinate(0) * reference::Rational{binomial, 1, static_cast<long>(j) - static_cast<long>(k)};
+      binomial =
+          binomial * mpz_class(static_cast<unsigned long>(k + 1)) / mpz_class(static_cast<unsigned long>(k + 1 - j));
+    }
+  }
+  return centred;
+}
+
+TEST(ExactConversion, CentredRoundsCorrectly) {
+  for (const auto& in : nasty_and_random()) {
+    const auto truth = true_centred(in);
+    std::vector<double> out(in.size());
+    exact_to_power_centered(in, out, RoundTo::binary64);
+    for (std::size_t j = 0; j < in.size(); ++j)
+      EXPECT_EQ(out[j], reference::round_to(reference::binary64, truth[j])) << in.size() << " " << j;
+  }
+}
+
+/// (2t-1)^2 = 4 (t-1/2)^2 and t^3 = 1/8 + 3/4 s + 3/2 s^2 + s^3 by hand.
+TEST(CentredConversion, GivesHandComputedCoefficients) {
+  EXPECT_THAT(convert_axis<DifferencesCentered>({1, -1, 1}), testing::ElementsAre(0, 0, 4));
+  EXPECT_THAT(convert_axis<ExactToPowerCentered>({1, -1, 1}), testing::ElementsAre(0, 0, 4));
+  EXPECT_THAT(convert_axis<DifferencesCentered>({0, 0, 0, 1}), testing::ElementsAre(0.125, 0.75, 1.5, 1));
+  EXPECT_THAT(convert_axis<ExactToPowerCentered>({0, 0, 0, 1}), testing::ElementsAre(0.125, 0.75, 1.5, 1));
+}
+
+/// Coefficient by coefficient: gamma_(n+1) C(n,j) 2^j M^n |b|, where M^n |b| <= max |b|; for n = 60 with 60 more.
+TEST(CentredConversion, DifferencesKeepTheirBoundInEachCoefficient) {
+  std::mt19937_64 words(5);
+  for (const int n : {1, 2, 3, 8, 20, 60}) {
+    std::vector<double> in;
+    for (int i = 0; i <= n; ++i) in.push_back(static_cast<double>(static_cast<std::int64_t>(words())) * 0x1p-63);
+    const auto out = convert_axis<DifferencesCentered>(in);
+    const auto truth = true_centred(in);
+    double weight = 1;  // C(n,j) 2^j
+    for (int j = 0; j <= n; ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      const double error =
+          reference::round_to(reference::binary64, reference::abs(truth[k] - reference::exactly(out[k])));
+      EXPECT_LE(error, DifferencesCentered::info.bound->factor(n, 0x1p-53) * 0x1p-53 * weight) << n << " " << j;
+      weight = weight * 2 * (n - j) / (j + 1);
+    }
   }
 }
 

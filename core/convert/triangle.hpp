@@ -31,6 +31,8 @@ struct Triangle {
 
   static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }
 
+  static constexpr Form target = Form::bernstein;
+
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(
       const Curve<Form::power, Scalar, Dimension, Degree>& q) {

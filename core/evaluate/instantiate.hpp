@@ -65,6 +65,13 @@ std::span<const ConversionKernel<Scalar>> conversion_table_of(TypeList<Cs...>) {
 }
 
 using Methods = typename PathsOf<Conversions, Evaluators>::Type;
+using PlainConversions = typename GivenTargets<Conversions>::Type;
+
+template <class... Cs>
+std::span<const MethodInfo* const> infos_of(TypeList<Cs...>) {
+  static constexpr std::array<const MethodInfo*, sizeof...(Cs)> infos{&Cs::info...};
+  return infos;
+}
 
 }  // namespace bezierbench::instantiate
 
@@ -84,9 +91,9 @@ std::span<const Kernel<Scalar>> kernels(int dimension) {
 template <class Scalar>
 std::span<const ConversionKernel<Scalar>> conversion_kernels(int dimension) {
   switch (dimension) {
-    case 1: return instantiate::conversion_table_of<Scalar, 1>(Conversions{});
-    case 2: return instantiate::conversion_table_of<Scalar, 2>(Conversions{});
-    case 3: return instantiate::conversion_table_of<Scalar, 3>(Conversions{});
+    case 1: return instantiate::conversion_table_of<Scalar, 1>(instantiate::PlainConversions{});
+    case 2: return instantiate::conversion_table_of<Scalar, 2>(instantiate::PlainConversions{});
+    case 3: return instantiate::conversion_table_of<Scalar, 3>(instantiate::PlainConversions{});
     default: return {};
   }
 }

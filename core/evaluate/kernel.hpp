@@ -38,7 +38,10 @@ struct ConversionKernel {
 template <class Scalar>
 std::span<const Kernel<Scalar>> kernels(int dimension);
 
-/// All conversions, in roster order. Dimension is 1, 2 or 3.
+/// What every conversion states about itself, in roster order, those to forms inside paths included.
+std::span<const MethodInfo* const> conversion_infos();
+
+/// All conversions to a form in which curves are given, in roster order. Dimension is 1, 2 or 3.
 template <class Scalar>
 std::span<const ConversionKernel<Scalar>> conversion_kernels(int dimension);
 

@@ -2,22 +2,54 @@
 // Every evaluator. One line here makes it exist everywhere: accuracy, timing, tests, `list`, the report, the README.
 #pragma once
 
+#include "core/evaluate/compensated_de_casteljau.hpp"
+#include "core/evaluate/compensated_de_casteljau_k3.hpp"
+#include "core/evaluate/compensated_de_casteljau_k4.hpp"
+#include "core/evaluate/compensated_horner.hpp"
+#include "core/evaluate/compensated_volk_schumaker.hpp"
 #include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/de_casteljau_fma.hpp"
 #include "core/evaluate/de_casteljau_lerp.hpp"
+#include "core/evaluate/de_casteljau_lerp_fma.hpp"
+#include "core/evaluate/de_casteljau_two_sided.hpp"
 #include "core/evaluate/direct.hpp"
 #include "core/evaluate/direct_pow.hpp"
+#include "core/evaluate/estrin.hpp"
 #include "core/evaluate/horner.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/horner_bernstein_fma.hpp"
+#include "core/evaluate/horner_centered.hpp"
+#include "core/evaluate/horner_dd.hpp"
+#include "core/evaluate/horner_fma.hpp"
 #include "core/evaluate/power_sum.hpp"
+#include "core/evaluate/volk_schumaker.hpp"
+#include "core/evaluate/wozny_chudy.hpp"
+#include "core/evaluate/wozny_chudy_positive.hpp"
 
 namespace bezierbench {
 
-using Evaluators = TypeList<Direct,           //
-                            DirectPow,        //
-                            DeCasteljau,      //
-                            DeCasteljauLerp,  //
-                            HornerBernstein,  //
-                            PowerSum,         //
-                            Horner>;
+using Evaluators = TypeList<Direct,                    //
+                            DirectPow,                 //
+                            DeCasteljau,               //
+                            DeCasteljauFma,            //
+                            DeCasteljauLerp,           //
+                            DeCasteljauLerpFma,        //
+                            DeCasteljauTwoSided,       //
+                            CompensatedDeCasteljau,    //
+                            CompensatedDeCasteljauK3,  //
+                            CompensatedDeCasteljauK4,  //
+                            HornerBernstein,           //
+                            HornerBernsteinFma,        //
+                            VolkSchumaker,             //
+                            CompensatedVolkSchumaker,  //
+                            WoznyChudy,                //
+                            WoznyChudyPositive,        //
+                            PowerSum,                  //
+                            Horner,                    //
+                            HornerFma,                 //
+                            CompensatedHorner,         //
+                            HornerDoubleDouble,        //
+                            HornerCentered,            //
+                            Estrin>;
 
 }  // namespace bezierbench

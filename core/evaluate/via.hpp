@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "core/convert/conversion.hpp"
 #include "core/evaluate/evaluator.hpp"
@@ -34,13 +35,15 @@ constexpr std::string_view join(Parts...) {
 
 /// `Converter` followed by `Method`; exists where the forms meet.
 template <Conversion Converter, Evaluator Method>
-requires(other(Converter::info.form) == Method::info.form) struct Via {
+requires(Converter::target == Method::info.form) struct Via {
   /// With |converted| <= (1 + factor u) times its amplification, errors compose as gamma_j + gamma_k + gamma_j gamma_k
-  /// (Higham, Lemma 3.3); the amplification of the conversion is at least that of the evaluation.
+  /// (Higham, Lemma 3.3); the amplification of the conversion is at least that of the evaluation. The evaluator's
+  /// result is the converted curve's, away from the given curve's by the conversion's error: its roundings apply to
+  /// that too.
   static constexpr double bound_factor(int n, double u) {
     const double conversion = Converter::info.bound->factor(n, u);
     const double evaluation = Method::info.bound->factor(n, u);
-    return conversion + evaluation + conversion * u * evaluation;
+    return conversion + evaluation + conversion * u * (evaluation + Method::info.bound->result_roundings);
   }
   static constexpr double bound_underflow(int n) {
     const double size = Method::info.bound->underflow_scales_with_coefficients ? Converter::coefficient_growth(n) : 1;
@@ -48,13 +51,16 @@ requires(other(Converter::info.form) == Method::info.form) struct Via {
   }
   static constexpr std::optional<ErrorBound> bound() {
     if constexpr (Converter::info.bound && Method::info.bound)
-      return ErrorBound{.text = detail::join(
-                            [] { return std::string_view("conversion "); }, [] { return Converter::info.bound->text; },
-                            [] { return std::string_view("; evaluation "); }, [] { return Method::info.bound->text; }),
-                        .amplification = Converter::info.bound->amplification,
-                        .factor = bound_factor,
-                        .underflow = bound_underflow,
-                        .underflow_scales_with_coefficients = true};
+      return ErrorBound{
+          .text =
+              detail::join([] { return std::string_view("conversion "); }, [] { return Converter::info.bound->text; },
+                           [] { return std::string_view("; evaluation "); }, [] { return Method::info.bound->text; }),
+          .amplification = Converter::info.bound->amplification,
+          .factor = bound_factor,
+          .underflow = bound_underflow,
+          .underflow_scales_with_coefficients = true,
+          .unit_interval_only = Converter::info.bound->unit_interval_only || Method::info.bound->unit_interval_only,
+          .result_roundings = Method::info.bound->result_roundings};
     else
       return std::nullopt;
   }
@@ -86,35 +92,56 @@ requires(other(Converter::info.form) == Method::info.form) struct Via {
   }
 };
 
-/// Every conversion in front of every evaluator of its target form.
+namespace detail {
+
+template <class... Lists>
+struct Concatenated {
+  using Type = TypeList<>;
+};
+template <class... Ts>
+struct Concatenated<TypeList<Ts...>> {
+  using Type = TypeList<Ts...>;
+};
+template <class... Ts, class... Us, class... Rest>
+struct Concatenated<TypeList<Ts...>, TypeList<Us...>, Rest...> {
+  using Type = typename Concatenated<TypeList<Ts..., Us...>, Rest...>::Type;
+};
+
+/// One type or none.
+template <bool Kept, class T>
+using OneIf = std::conditional_t<Kept, TypeList<T>, TypeList<>>;
+
+/// The path, where the forms meet.
+template <class C, class E>
+struct PathIfAny {
+  using Type = TypeList<>;
+};
+template <class C, class E>
+requires(C::target == E::info.form) struct PathIfAny<C, E> {
+  using Type = TypeList<Via<C, E>>;
+};
+
+}  // namespace detail
+
+/// Every evaluator that takes curves as they are given, then every conversion in front of every evaluator of its target
+/// form.
 template <class ConversionList, class EvaluatorList>
 struct PathsOf;
 
 template <class... Cs, class... Es>
 struct PathsOf<TypeList<Cs...>, TypeList<Es...>> {
-  template <class... Lists>
-  struct Concatenated {
-    using Type = TypeList<>;
-  };
-  template <class... Ts>
-  struct Concatenated<TypeList<Ts...>> {
-    using Type = TypeList<Ts...>;
-  };
-  template <class... Ts, class... Us, class... Rest>
-  struct Concatenated<TypeList<Ts...>, TypeList<Us...>, Rest...> {
-    using Type = typename Concatenated<TypeList<Ts..., Us...>, Rest...>::Type;
-  };
-  template <class C, class E>
-  struct Pair {
-    using Type = TypeList<>;
-  };
-  template <class C, class E>
-  requires(other(C::info.form) == E::info.form) struct Pair<C, E> {
-    using Type = TypeList<Via<C, E>>;
-  };
   template <class C>
-  using From = typename Concatenated<typename Pair<C, Es>::Type...>::Type;
-  using Type = typename Concatenated<TypeList<Es...>, From<Cs>...>::Type;
+  using From = typename detail::Concatenated<typename detail::PathIfAny<C, Es>::Type...>::Type;
+  using Type = typename detail::Concatenated<detail::OneIf<is_given(Es::info.form), Es>..., From<Cs>...>::Type;
+};
+
+/// The conversions whose result is a curve as it can be given.
+template <class ConversionList>
+struct GivenTargets;
+
+template <class... Cs>
+struct GivenTargets<TypeList<Cs...>> {
+  using Type = typename detail::Concatenated<detail::OneIf<is_given(Cs::target), Cs>...>::Type;
 };
 
 }  // namespace bezierbench

@@ -43,7 +43,7 @@ std::string methods_csv() {
   bundle::CsvTable table(
       {"id", "problem", "form", "min_degree", "max_degree", "bound", "bit_stable", "flops", "citation"});
   for (const auto& kernel : kernels<double>(any_dimension)) add_row(table, *kernel.info);
-  for (const auto& kernel : conversion_kernels<double>(any_dimension)) add_row(table, *kernel.info);
+  for (const auto* info : conversion_infos()) add_row(table, *info);
   return table.text();
 }
 

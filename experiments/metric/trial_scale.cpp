@@ -46,6 +46,7 @@ double TrialScale::in_bound_units(double error, const Arithmetic& arithmetic) {
 }
 
 double TrialScale::bound(const ErrorBound& bound, const Arithmetic& arithmetic) {
+  if (bound.unit_interval_only && (t_ < 0 || t_ > 1)) return std::numeric_limits<double>::infinity();
   const int n = static_cast<int>(norms_.size()) - 1;
   const double factor = bound.factor(n, arithmetic.unit_roundoff);
   const double growth = integer_power(std::abs(t_) + std::abs(1 - t_), n);
@@ -53,7 +54,9 @@ double TrialScale::bound(const ErrorBound& bound, const Arithmetic& arithmetic) 
   // The tiny unit first, so that large factors do not overflow on the way.
   const double underflow = arithmetic.smallest_subnormal * size * bound.underflow(n) * growth;
   if (!std::isfinite(factor) || !std::isfinite(underflow)) return std::numeric_limits<double>::infinity();
-  return factor * arithmetic.unit_roundoff * amplified(bound.amplification) + dimension_ * underflow;
+  const double result = bound.result_roundings == 0 ? 0 : bound.result_roundings * p_tilde();  // |p| <= p~
+  const double rounding = result + factor * amplified(bound.amplification);
+  return rounding * arithmetic.unit_roundoff + dimension_ * underflow;
 }
 
 }  // namespace bezierbench::metric

@@ -48,7 +48,7 @@ class TrialScale {
   int dimension_ = 0;
   double largest_ = 0;
   std::vector<double> norms_;
-  std::array<std::optional<double>, 5> amplified_;
+  std::array<std::optional<double>, amplification_count> amplified_;
 };
 
 }  // namespace bezierbench::metric

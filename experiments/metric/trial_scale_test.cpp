@@ -59,6 +59,16 @@ TEST(TrialScale, BoundAddsRoundingAndUnderflow) {
   EXPECT_EQ(scale.bound(underflow, double_arithmetic), 10 * 2 * 9 * 0x1p-1074);
 }
 
+TEST(TrialScale, BoundCountsTheResultsRoundingsInUnitsOfTheGivenFormsPTilde) {
+  const std::vector<double> line{3, 4, -6, 8};  // norms 5 and 10
+  ErrorBound bound{"", Amplification::bernstein_to_power, [](int, double) { return 3.0; }, [](int) { return 0.0; },
+                   false};
+  bound.result_roundings = 2;
+  TrialScale scale;
+  scale.set({Form::bernstein, 2, 1, line}, 0.5);  // p~ = 7.5, amplification 5 * 1.5 + 10 * 0.5
+  EXPECT_DOUBLE_EQ(scale.bound(bound, double_arithmetic), (2 * 7.5 + 3 * 12.5) * 0x1p-53);
+}
+
 TEST(TrialScale, ViolationNeedsMoreThanTheSlack) {
   EXPECT_FALSE(TrialScale::violates(1, 1));
   EXPECT_FALSE(TrialScale::violates(1 + 0x1p-21, 1));
@@ -106,6 +116,55 @@ TEST(Amplification, EqualsTheMatricesItStandsFor) {
     EXPECT_NEAR(amplification(Amplification::power_to_bernstein, c, t) / to_bernstein, 1, 1e-13) << t;
     EXPECT_NEAR(amplification(Amplification::forward_substitution, c, t) / solve, 1, 1e-13) << t;
   }
+}
+
+/// (1/2 + z)^n sum c_i C(n,i) against C(n,j) M^(n-j) (1 + E)^j c_0 built step by step, and against the magnitudes of
+/// the true coefficients about 1/2, which it bounds.
+TEST(Amplification, OfTheCentredFormIsThatOfDifferencesAndMidpoints) {
+  constexpr std::size_t n = 9;
+  std::vector<double> c;
+  for (std::size_t i = 0; i <= n; ++i) c.push_back(static_cast<double>(1 + (7 * i) % 5));
+  const auto first_after = [](std::vector<double> values, std::size_t pairings, double weight) {
+    for (std::size_t k = 0; k < pairings; ++k) {
+      for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i] = weight * (values[i] + values[i + 1]);
+      values.pop_back();
+    }
+    return values;
+  };
+  for (const double t : {0.0, 0.1, 0.5, 0.9, 1.0, -0.5, 2.0}) {
+    const double z = std::abs(t - 0.5);
+    double steps = 0;
+    double binomial = 1;
+    for (std::size_t j = 0; j <= n; ++j) {
+      const double coefficient = binomial * first_after(first_after(c, j, 1), n - j, 0.5)[0];
+      steps += coefficient * integer_power(z, static_cast<int>(j));
+      binomial = binomial * static_cast<double>(n - j) / static_cast<double>(j + 1);
+    }
+    // sum_i c_i C(n,i) |coefficients of (1/2+s)^i (1/2-s)^(n-i)| z^j
+    double magnitudes = 0;
+    double of_n = 1;
+    for (std::size_t i = 0; i <= n; ++i) {
+      std::vector<double> product{1};
+      for (std::size_t k = 0; k < n; ++k) {
+        const double slope = k < i ? 1 : -1;
+        product.push_back(0);
+        for (std::size_t j = product.size() - 1; j > 0; --j) product[j] = 0.5 * product[j] + slope * product[j - 1];
+        product[0] *= 0.5;
+      }
+      for (std::size_t j = 0; j <= n; ++j)
+        magnitudes += c[i] * of_n * std::abs(product[j]) * integer_power(z, static_cast<int>(j));
+      of_n = of_n * static_cast<double>(n - i) / static_cast<double>(i + 1);
+    }
+    const double closed = amplification(Amplification::bernstein_to_centered, c, t);
+    EXPECT_NEAR(closed / steps, 1, 1e-13) << t;
+    EXPECT_LE(magnitudes, closed * (1 + 1e-13)) << t;
+  }
+  const std::vector<double> equal(21, 1.0);
+  for (const double t : {0.0, 0.25, 0.5, 1.0})
+    EXPECT_NEAR(amplification(Amplification::bernstein_to_centered, equal, t) / std::pow(1 + 2 * std::abs(t - 0.5), 20),
+                1, 1e-13);
+  EXPECT_DOUBLE_EQ(amplification(Amplification::p_tilde_centered, std::vector<double>{1, 2, 3}, 0.25),
+                   1 + 2 * 0.25 + 3 * 0.0625);
 }
 
 /// (1+2t)^n max|c| for equal coefficients, the law that the source report's interval table follows.

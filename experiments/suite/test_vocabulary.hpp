@@ -11,8 +11,10 @@ namespace bezierbench::suite {
 
 inline const Vocabulary& test_vocabulary() {
   static const Vocabulary known{
-      {"direct", "de_casteljau", "horner_bernstein", "power_sum", "horner", "factorial:power_sum", "factorial:horner",
-       "forward_substitution:de_casteljau", "forward_substitution:direct", "positive_sum:de_casteljau"},
+      {"direct", "direct_pow", "de_casteljau", "de_casteljau_lerp", "horner_bernstein", "power_sum", "horner",
+       "factorial:power_sum", "factorial:horner", "forward_substitution:de_casteljau", "forward_substitution:direct",
+       "positive_sum:de_casteljau", "positive_sum:de_casteljau_lerp", "positive_sum:direct_pow",
+       "positive_sum:horner_bernstein"},
       {"factorial", "differences", "forward_substitution", "positive_sum", "exact"},
       {"continuous", "dyadic", "integer", "report"},
       {"report_tables.csv"}};

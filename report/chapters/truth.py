@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every method against the exact value, in units of u p~."""
+"""Methods against the exact value, in units of u p~."""
 
 from ..bundle import Missing
 from ..document import Cell, Text
@@ -7,7 +7,7 @@ from ..methods import form
 from ..tables import by_axis
 from ..wording import general, interval, large, listing, shortest
 
-TITLE = "Every method against the truth"
+TITLE = "Methods against the truth"
 PREFIX = "truth-"
 OTHER_AXES = ("scalar", "dimension", "coordinate_range", "t_min", "t_max")  # one table each; the degree runs over columns
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every method against the exact value."""
+"""Methods against the exact value."""
 
 import math
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Error-free transformations: a rounded operation together with its exact error.
+//
+// Exact while nothing overflows and, for products, while the error does not fall below the smallest subnormal.
+// Source: Knuth, TAOCP vol. 2, section 4.2.2 (two_sum); Ogita, Rump and Oishi, SIAM J. Sci. Comput. 26 (2005), with
+// fused multiply-add for two_prod. All must be compiled without contraction and without reassociation.
+#pragma once
+
+#include "core/basis/fused.hpp"
+
+namespace bezierbench {
+
+/// value + error = the exact result; |error| <= u |value|.
+template <class Scalar>
+struct Expansion2 {
+  Scalar value;
+  Scalar error;
+};
+
+/// a + b exactly; 6 flops.
+template <class Scalar>
+constexpr Expansion2<Scalar> two_sum(Scalar a, Scalar b) {
+  const Scalar sum = a + b;
+  const Scalar b_part = sum - a;
+  return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
+/// a + b exactly for |a| >= |b| (Dekker 1971); 3 flops.
+template <class Scalar>
+constexpr Expansion2<Scalar> fast_two_sum(Scalar a, Scalar b) {
+  const Scalar sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+/// a b exactly; 2 flops with a fused multiply-add.
+template <class Scalar>
+Expansion2<Scalar> two_prod(Scalar a, Scalar b) {
+  const Scalar product = a * b;
+  return {product, fused<Scalar>(a, b, -product)};
+}
+
+}  // namespace bezierbench

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// de Casteljau in four parts: the errors of the triangle, their errors, and theirs, carried along and added.
+//
+// Source: Hermes, Applied Mathematics and Computation 357 (2019) 57-74, arXiv 1808.10387, Algorithm 4.2 with K = 4.
+// Cost: 130 d n(n+1)/2 + 57d + 6 flops per point, products by fused multiply-add.
+// Bound: (u + 3 gamma_3^2) |p| + (c_4 + 1296) u^4 p~ to first order, c_4 = 81 C(n,4) + 810 C(n,3) + 2475 C(n,2) +
+//   2250 n; derived in compensated_triangle.hpp. 11n products may underflow, by eta each.
+// Fails: past a condition number of 1/u^3 digits are lost again; where u^4 p~ < eta (p~ below about 3e-260, in float
+//   1e-16) the promise is void: the fourth part underflows; quadratic cost.
+#pragma once
+
+#include "core/evaluate/compensated_triangle.hpp"
+
+namespace bezierbench {
+
+struct CompensatedDeCasteljauK4 {
+  static constexpr MethodInfo info{
+      .id = "compensated_de_casteljau_k4",
+      .label = "de Casteljau, 4-fold",
+      .problem = Problem::evaluation,
+      .form = Form::bernstein,
+      .bound = compensated_bound<4>(
+          "(u + 27 u^2) p~ + (c_4 + 1296) u^4 p~, c_4 = 81 C(n,4) + 810 C(n,3) + 2475 C(n,2) + 2250 n"),
+      .flops = "130d n(n+1)/2 + 57d + 6",
+      .citation = "Hermes 2019, Algorithm 4.2 and section 4.2"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    return curve;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
+    return run_compensated_triangle<4>(curve, t);
+  }
+};
+
+}  // namespace bezierbench

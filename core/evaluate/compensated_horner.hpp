@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Horner's scheme p = p t + q_j with each product and sum error-free, and a second scheme e = e t + (errors); p + e.
+//
+// Source: Graillat, Langlois and Louvet, Japan Journal of Industrial and Applied Mathematics 26 (2009) 191-214.
+// Cost: 11dn + d flops per point, products by fused multiply-add.
+// Bound: u |p| + gamma_2n^2 sum |q_j| |t|^j (the theorem of Graillat et al., without underflow). Two products a
+//   step may underflow, by eta/2 each, which is doubled for what these losses lose in turn.
+// Fails: coefficients that came out of a rounded conversion keep their error: only horner_dd goes below it.
+#pragma once
+
+#include "core/error_free.hpp"
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+struct CompensatedHorner {
+  static constexpr MethodInfo info{.id = "compensated_horner",
+                                   .label = "Horner, compensated",
+                                   .problem = Problem::evaluation,
+                                   .form = Form::power,
+                                   .bound = ErrorBound{.text = "u p~ + gamma_2n^2 p~",
+                                                       .amplification = Amplification::p_tilde_power,
+                                                       .factor =
+                                                           [](int n, double u) {
+                                                             const double gamma = gamma_over_u(2 * n, u);
+                                                             return gamma * gamma * u;
+                                                           },
+                                                       .underflow = [](int n) { return 2.0 * n; },
+                                                       .underflow_scales_with_coefficients = false,
+                                                       .result_roundings = 1},
+                                   .flops = "11dn + d",
+                                   .citation = "Graillat, Langlois and Louvet 2009"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::power, Scalar, Dimension, Degree> prepare(
+      const Curve<Form::power, Scalar, Dimension, Degree>& curve) {
+    return curve;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
+    const int n = curve.degree();
+    Point<Scalar, Dimension> p;
+    Point<Scalar, Dimension> error;
+    for (int axis = 0; axis < Dimension; ++axis) {
+      p[axis] = curve(axis, n);
+      error[axis] = Scalar(0);
+    }
+    for (int j = n - 1; j >= 0; --j)
+      for (int axis = 0; axis < Dimension; ++axis) {
+        const auto product = two_prod<Scalar>(p[axis], t);
+        const auto sum = two_sum<Scalar>(product.value, curve(axis, j));
+        p[axis] = sum.value;
+        error[axis] = error[axis] * t + (product.error + sum.error);
+      }
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] += error[axis];
+    return p;
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// de Casteljau's triangle in K parts: v_0 is the rounded triangle, v_F the rounded triangle of what v_(F-1) lost. Only
+// K differs between the methods, so they share this scheme, its cost and its bound.
+//
+// With s + rho = 1 - t and every operation error-free, a step on level m, l_0 = 0, is
+//   (1-t) v_F,i + t v_F,i+1 + l_F = v_F,i' + l_(F+1),     l_(F+1) = errors of its operations + rho v_F,i,
+// where F = K-1 is computed plainly and l_K dropped; p = sum over F of v_F + (what l_K leaves). The v_F are added by
+// SumK of Ogita, Rump and Oishi 2005 (Algorithm 4.8): plain addition would round at u |v_1|.
+//
+// Source: Hermes, Applied Mathematics and Computation 357 (2019) 57-74, arXiv 1808.10387, Algorithm 4.2; for K = 2
+//   Jiang, Li, Cheng and Su, Computers & Mathematics with Applications 60 (2010) 744-755.
+// Bound: u |p| + c_K u^K p~, for any t. Weigh the values of a level by the Bernstein polynomials of the levels above,
+//   in magnitude; V_F,m and L_F,m are the so weighted sums of |v_F| and of the magnitudes in l_F. A term of l_F passes
+//   at most 5F roundings on its way into v_F, the products three (s, product, sum), hence
+//     L_1,m     <= gamma_3 V_0,m-1
+//     V_F,m     <= (1 + gamma_3) V_F,m-1 + (1 + gamma_5F) L_F,m
+//     L_(F+1),m <= gamma_5F L_F,m + gamma_3 V_F,m-1
+//   from V_0,0 = p~, and the dropped part is at most the sum of L_K,m over m. `compensated_remainder` runs this; to
+//   first order it gives Hermes' constants, c_2 = 9 C(n,2) + 15 n, which is below the 2 gamma_3n^2 of Jiang et al.
+//   (Theorem 5), c_3 = 27 C(n,3) + 135 C(n,2) + 150 n and c_4 = 81 C(n,4) + 810 C(n,3) + 2475 C(n,2) + 2250 n. SumK
+//   adds 3 gamma_(K-1)^2 |p| + gamma_(2K-2)^K sum V_F for K > 2 (Ogita et al., Proposition 4.10); for K = 2 it is one
+//   addition. Each of 3K-1 products a level may lose eta/2, which is doubled for what these losses lose in turn.
+#pragma once
+
+#include <array>
+
+#include "core/error_free.hpp"
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+/// (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~ at most, but for underflow: c_K u^K and what adding up takes.
+template <int K>
+constexpr double compensated_remainder(int n, double u) {
+  const double gamma_3 = gamma_over_u(3, u);
+  std::array<double, K> size{1};  // V_F / (u^F p~)
+  double dropped = 0;             // sum of L_K / (u^K p~)
+  for (int m = 1; m <= n; ++m) {
+    double local = gamma_3 * size[0];  // L_(F+1) / (u^(F+1) p~)
+    size[0] *= 1 + gamma_3 * u;
+    for (int part = 1; part < K; ++part) {
+      const double gamma = gamma_over_u(5 * part, u);
+      const double next = gamma * local + gamma_3 * size[part];
+      size[part] = (1 + gamma_3 * u) * size[part] + (1 + gamma * u) * local;
+      local = next;
+    }
+    dropped += local;
+  }
+  double power = 1;  // u^K
+  double sizes = 0;
+  for (int part = 0; part < K; ++part) {
+    sizes += size[part] * power;
+    power *= u;
+  }
+  double adding = K > 2 ? sizes : 0;
+  for (int part = 0; part < K; ++part) adding *= gamma_over_u(2 * K - 2, u);
+  return (dropped * (1 + 2 * u) + adding) * power;
+}
+
+template <int K>
+constexpr ErrorBound compensated_bound(std::string_view text) {
+  return {.text = text,
+          .amplification = Amplification::p_tilde_bernstein,
+          .factor =
+              [](int n, double u) {
+                const double adding = K > 2 ? gamma_over_u(K - 1, u) : 0;
+                return compensated_remainder<K>(n, u) / u + 3 * adding * adding * u;
+              },
+          .underflow = [](int n) { return (3.0 * K - 1) * n; },
+          .underflow_scales_with_coefficients = false,
+          .result_roundings = 1};
+}
+
+/// One step of the triangle on one axis: the K parts of (1-t) a + t b, with s.value + s.error = 1 - t.
+template <std::size_t K, class Scalar>
+std::array<Scalar, K> compensated_step(const std::array<Scalar, K>& a, const std::array<Scalar, K>& b,
+                                       const Expansion2<Scalar>& s, const Scalar& t) {
+  const auto left = two_prod<Scalar>(s.value, a[0]);
+  const auto right = two_prod<Scalar>(t, b[0]);
+  const auto sum = two_sum<Scalar>(left.value, right.value);
+  std::array<Scalar, 5 * K - 7> errors{left.error, right.error, sum.error};  // of the operations in one part
+  std::array<Scalar, K> next{sum.value};
+  for (std::size_t part = 1; part + 1 < K; ++part) {
+    Scalar total = errors[0];
+    std::size_t kept = 0;  // errors of this part replace those of the last, which have been read by then
+    const auto add = [&](const Scalar& term) {
+      const auto added = two_sum<Scalar>(total, term);
+      total = added.value;
+      errors[kept++] = added.error;
+    };
+    for (std::size_t k = 1; k < 5 * part - 2; ++k) add(errors[k]);
+    for (const auto& product :
+         {two_prod<Scalar>(s.error, a[part - 1]), two_prod<Scalar>(t, b[part]), two_prod<Scalar>(s.value, a[part])}) {
+      add(product.value);
+      errors[kept++] = product.error;
+    }
+    next[part] = total;
+  }
+  Scalar total = errors[0];
+  for (std::size_t k = 1; k < errors.size(); ++k) total = total + errors[k];
+  next[K - 1] = ((total + s.error * a[K - 2]) + t * b[K - 1]) + s.value * a[K - 1];
+  return next;
+}
+
+/// The sum of K parts as if in K-fold precision, rounded once: Ogita, Rump and Oishi 2005, Algorithm 4.8.
+template <std::size_t K, class Scalar>
+Scalar sum_of_parts(std::array<Scalar, K> parts) {
+  for (std::size_t pass = 1; pass < K; ++pass)
+    for (std::size_t k = K - 1; k > 0; --k) {
+      const auto sum = two_sum<Scalar>(parts[k - 1], parts[k]);
+      parts[k - 1] = sum.value;
+      parts[k] = sum.error;
+    }
+  Scalar tail = parts[K - 1];
+  for (std::size_t k = K - 2; k > 0; --k) tail = tail + parts[k];
+  return parts[0] + tail;
+}
+
+/// Runs the triangle in K parts on a copy of the control points.
+template <std::size_t K, class Scalar, int Dimension, int Degree>
+Point<Scalar, Dimension> run_compensated_triangle(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve,
+                                                  const Scalar& t) {
+  const int n = curve.degree();
+  const auto s = two_sum<Scalar>(Scalar(1), -t);
+  constexpr int parts = static_cast<int>(K);
+  Curve<Form::bernstein, Scalar, parts * Dimension, Degree> b(n);  // the parts of an axis lie side by side
+  const auto load = [&b](int axis, int i) {
+    std::array<Scalar, K> values{};
+    for (int part = 0; part < parts; ++part) values[static_cast<std::size_t>(part)] = b(parts * axis + part, i);
+    return values;
+  };
+  const auto store = [&b](int axis, int i, const std::array<Scalar, K>& values) {
+    for (int part = 0; part < parts; ++part) b(parts * axis + part, i) = values[static_cast<std::size_t>(part)];
+  };
+  for (int i = 0; i <= n; ++i)
+    for (int axis = 0; axis < Dimension; ++axis) store(axis, i, {curve(axis, i)});
+  for (int k = 1; k <= n; ++k)
+    for (int i = 0; i <= n - k; ++i)
+      for (int axis = 0; axis < Dimension; ++axis)
+        store(axis, i, compensated_step<K, Scalar>(load(axis, i), load(axis, i + 1), s, t));
+  Point<Scalar, Dimension> point;
+  for (int axis = 0; axis < Dimension; ++axis) point[axis] = sum_of_parts(load(axis, 0));
+  return point;
+}
+
+}  // namespace bezierbench

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Volk-Schumaker with first-order corrections: for t <= 1/2, p = (1-t)^n sum c_i r^i with r = t/(1-t), else mirrored.
+// Every quantity is a pair value + error: C(n,i) b_i, 1-t, r, the power, Horner's sum, and their product.
+//
+// Source: Delgado and Pena, ACM Transactions on Mathematical Software 42 (2016), Algorithm 960 (a compensated VS);
+//   the ratio form of Schumaker and Volk, CAGD 3 (1986) 149-154, corrected here.
+// Cost: 14dn + 7d + about 12 log2 n + 12 flops per point, two of them divisions; products by fused multiply-add.
+// Bound: u |p| + 2 gamma_(3n+9)^2 p~, and 4n u^2 p~ more past n = 54; about 18 n^2 u^2 p~ in all. `CorrectedPair`
+//   has k u and q u^2 for what bounds a pair's error part and what the pair misses, relative to its magnitude. A
+//   product has k = k_a + k_b + 1 and misses the product of the two errors, k_a k_b, and rounds its correction, three
+//   times each k and once its own error. Higher orders: no path of value or correction passes more than 4k roundings.
+//   (1-t)^n may underflow, by up to 2^n max|b| eta, as may each of its corrections.
+// Fails: (1-t)^n underflows for n > 1022 at t = 1/2, its error part for n > 969, and there the correction is lost.
+#pragma once
+
+#include "core/basis/amplification.hpp"
+#include "core/basis/binomial.hpp"
+#include "core/error_free.hpp"
+#include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/horner_bernstein.hpp"
+
+namespace bezierbench {
+
+/// What a pair value + error misses; see above.
+struct CorrectedPair {
+  double k;  ///< |error| <= k u |value|
+  double q;  ///< |exact - value - error| <= q u^2 |value|
+};
+
+constexpr CorrectedPair operator*(const CorrectedPair& a, const CorrectedPair& b) {
+  return {a.k + b.k + 1, a.q + b.q + a.k * b.k + 3 * (a.k + b.k) + 1};
+}
+
+struct CompensatedVolkSchumaker {
+  /// A power by squaring, base.error included: result.value + result.error = base^exponent but for second order.
+  template <class Scalar>
+  static Expansion2<Scalar> power(Expansion2<Scalar> base, int exponent) {
+    Expansion2<Scalar> result{Scalar(1), Scalar(0)};
+    while (true) {
+      if (exponent % 2 != 0) result = product(result, base);
+      exponent /= 2;
+      if (exponent == 0) return result;
+      base = product(base, base);
+    }
+  }
+
+  template <class Scalar>
+  static Expansion2<Scalar> product(const Expansion2<Scalar>& a, const Expansion2<Scalar>& b) {
+    const auto value = two_prod<Scalar>(a.value, b.value);
+    return {value.value, value.error + (a.value * b.error + a.error * b.value)};
+  }
+
+  /// The same power in the algebra of the bound.
+  static constexpr CorrectedPair power_bound(CorrectedPair base, int exponent) {
+    CorrectedPair result{0, 0};
+    while (true) {
+      if (exponent % 2 != 0) result = result * base;
+      exponent /= 2;
+      if (exponent == 0) return result;
+      base = base * base;
+    }
+  }
+
+  static constexpr double bound_factor(int n, double u) {
+    // C(n,i) b_i: 2 roundings; the correction's product and sums, the low binomial's rounding, and what that one
+    // misses.
+    const CorrectedPair coefficient{2, 4 + binomial_pair_roundings(n)};
+    // The quotient of 1-t or t by t or 1-t: of its two errors one passes 3, one 4 roundings on the way into the error.
+    const CorrectedPair ratio{2, 7};
+    CorrectedPair sum = coefficient;
+    for (int i = 1; i <= n; ++i) {  // sum r + c: the product, and two errors and c's low part, at most 4 roundings each
+      const double rounded = 2 * sum.k + 3 * ratio.k + 8;
+      sum = {sum.k + ratio.k + 2, sum.q + ratio.q + sum.k * ratio.k + rounded};
+    }
+    const CorrectedPair result = sum * power_bound({1, 0}, n);
+    return result.q * u * (1 + gamma_over_u(4 * result.k, u) * u);
+  }
+
+  static constexpr MethodInfo info{
+      .id = "compensated_volk_schumaker",
+      .label = "Volk-Schumaker, compensated",
+      .problem = Problem::evaluation,
+      .form = Form::bernstein,
+      .max_degree_float = HornerBernstein::info.max_degree_float,
+      .bound = ErrorBound{.text = "u p~ + 2 gamma_(3n+9)^2 p~, and 4n u^2 p~ more past n = 54",
+                          .amplification = Amplification::p_tilde_bernstein,
+                          .factor = bound_factor,
+                          .underflow = [](int n) { return 16.0 * (n + 1) * (n + 1) * integer_power(2, n); },
+                          .underflow_scales_with_coefficients = true,
+                          .result_roundings = 1},
+      .flops = "14dn + 7d + 12 log2 n + 12",
+      .citation = "Delgado and Pena 2016, Algorithm 960; Schumaker and Volk 1986"};
+
+  /// Columns i hold C(n,i) b_i, rounded, and what that rounding lost.
+  template <class Scalar, int Dimension, int Degree>
+  struct Prepared {
+    Curve<Form::bernstein, Scalar, Dimension, Degree> scaled;
+    Curve<Form::bernstein, Scalar, Dimension, Degree> lost;
+  };
+
+  template <class Scalar, int Dimension, int Degree>
+  static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    const int n = curve.degree();
+    const auto binomial = binomial_pairs<Scalar, Degree>(n);
+    Prepared<Scalar, Dimension, Degree> prepared{curve, curve};
+    for (int i = 0; i <= n; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) {
+        const auto scaled = two_prod<Scalar>(binomial.high[i], curve(axis, i));
+        prepared.scaled(axis, i) = scaled.value;
+        prepared.lost(axis, i) = scaled.error + binomial.low[i] * curve(axis, i);
+      }
+    return prepared;
+  }
+
+  /// smaller / larger, with the errors of both.
+  template <class Scalar>
+  static Expansion2<Scalar> quotient(const Expansion2<Scalar>& smaller, const Expansion2<Scalar>& larger) {
+    const Scalar value = smaller.value / larger.value;
+    const Scalar remainder = fused<Scalar>(-value, larger.value, smaller.value);
+    return {value, (remainder + (smaller.error - value * larger.error)) / larger.value};
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
+    const int n = prepared.scaled.degree();
+    const auto s = two_sum<Scalar>(Scalar(1), -t);
+    const Expansion2<Scalar> parameter{t, Scalar(0)};
+    const bool near_start = t + t <= Scalar(1);
+    const auto larger = near_start ? s : parameter;
+    const auto ratio = quotient<Scalar>(near_start ? parameter : s, larger);
+    const auto scale = power<Scalar>(larger, n);
+    Point<Scalar, Dimension> p;
+    Point<Scalar, Dimension> error;
+    for (int axis = 0; axis < Dimension; ++axis) {
+      p[axis] = prepared.scaled(axis, near_start ? n : 0);
+      error[axis] = prepared.lost(axis, near_start ? n : 0);
+    }
+    for (int i = 1; i <= n; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) {
+        const int column = near_start ? n - i : i;
+        const auto product = two_prod<Scalar>(p[axis], ratio.value);
+        const auto sum = two_sum<Scalar>(product.value, prepared.scaled(axis, column));
+        const Scalar local = p[axis] * ratio.error + ((product.error + sum.error) + prepared.lost(axis, column));
+        error[axis] = error[axis] * ratio.value + local;
+        p[axis] = sum.value;
+      }
+    for (int axis = 0; axis < Dimension; ++axis) {
+      const auto result = product<Scalar>({p[axis], error[axis]}, scale);
+      p[axis] = result.value + result.error;
+    }
+    return p;
+  }
+};
+
+}  // namespace bezierbench

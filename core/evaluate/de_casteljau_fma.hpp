@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// b_i^k = fma(t, b, fma(-t, a, a)) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
+//
+// Source: the fused form of linear interpolation; e.g. Fog, VCL manual, and the C++20 discussion of std::lerp.
+// Cost: 2 fused multiply-adds, d n(n+1)/2 times.
+// Bound: a - t a is (1-t) a rounded once, with 1-t never formed; the outer operation rounds once more: gamma_2n p~.
+//   Each of the two may underflow, by eta/2.
+// Fails: quadratic cost; slow where fused multiply-add is emulated.
+#pragma once
+
+#include "core/basis/fused.hpp"
+#include "core/evaluate/triangle_scheme.hpp"
+
+namespace bezierbench {
+
+struct DeCasteljauFma {
+  static constexpr MethodInfo info{.id = "de_casteljau_fma",
+                                   .label = "de Casteljau, fused",
+                                   .problem = Problem::evaluation,
+                                   .form = Form::bernstein,
+                                   .bound = ErrorBound{.text = "gamma_2n p~",
+                                                       .amplification = Amplification::p_tilde_bernstein,
+                                                       .factor = [](int n, double u) { return gamma_over_u(2 * n, u); },
+                                                       .underflow = [](int n) { return 2.0 * n; },
+                                                       .underflow_scales_with_coefficients = false},
+                                   .flops = "2 fma, d n(n+1)/2 times",
+                                   .citation = "fused linear interpolation; bound derived here"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    return curve;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
+    return run_triangle(curve, [t](Scalar a, Scalar b) { return fused<Scalar>(t, b, fused<Scalar>(-t, a, a)); });
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// b_i^k = fma(t, b - a, a) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
+//
+// Source: the fused form of de_casteljau_lerp.
+// Cost: 1 subtraction and 1 fused multiply-add, d n(n+1)/2 times.
+// Bound: none against p~, as for de_casteljau_lerp: the rounding of b - a is not covered where |a| is large.
+// Fails: misses the end point b_n at t = 1; b - a can overflow although the result does not.
+#pragma once
+
+#include "core/basis/fused.hpp"
+#include "core/evaluate/triangle_scheme.hpp"
+
+namespace bezierbench {
+
+struct DeCasteljauLerpFma {
+  static constexpr MethodInfo info{.id = "de_casteljau_lerp_fma",
+                                   .label = "de Casteljau, a + t(b - a), fused",
+                                   .problem = Problem::evaluation,
+                                   .form = Form::bernstein,
+                                   .flops = "1 sub + 1 fma, d n(n+1)/2 times",
+                                   .citation = "fused linear interpolation"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    return curve;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
+    return run_triangle(curve, [t](Scalar a, Scalar b) { return fused<Scalar>(t, b - a, a); });
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// b_i^k = a + t (b - a) for t <= 1/2, b + (1-t) (a - b) else: anchored at the nearer end; p(t) = b_0^n.
+//
+// Source: the two-sided form of linear interpolation, applied to de Casteljau's triangle.
+// Cost: 3 d n(n+1)/2 + 1 flops per point.
+// Bound: take t <= 1/2, where |t| <= |1-t|. The difference and the product perturb t (b - a) by at most
+//   gamma_2 |t| (|a| + |b|) <= gamma_2 (|1-t||a| + |t||b|), the sum rounds once: three roundings a level. For t > 1/2
+//   the same holds with the ends exchanged, and 1-t is exact through t = 2 (Sterbenz); beyond, it is a fourth.
+// Fails: b - a can overflow although the result does not.
+#pragma once
+
+#include "core/evaluate/triangle_scheme.hpp"
+
+namespace bezierbench {
+
+struct DeCasteljauTwoSided {
+  static constexpr MethodInfo info{.id = "de_casteljau_two_sided",
+                                   .label = "de Casteljau, two-sided",
+                                   .problem = Problem::evaluation,
+                                   .form = Form::bernstein,
+                                   .bound = ErrorBound{.text = "gamma_4n p~ (gamma_3n for t <= 2)",
+                                                       .amplification = Amplification::p_tilde_bernstein,
+                                                       .factor = [](int n, double u) { return gamma_over_u(4 * n, u); },
+                                                       .underflow = [](int n) { return 1.0 * n; },
+                                                       .underflow_scales_with_coefficients = false},
+                                   .flops = "3d n(n+1)/2 + 1",
+                                   .citation = "two-sided linear interpolation; bound derived here"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    return curve;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
+    if (t + t <= Scalar(1)) return run_triangle(curve, [t](Scalar a, Scalar b) { return a + t * (b - a); });
+    const Scalar s = Scalar(1) - t;
+    return run_triangle(curve, [s](Scalar a, Scalar b) { return b + s * (a - b); });
+  }
+};
+
+}  // namespace bezierbench

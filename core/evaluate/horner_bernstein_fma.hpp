@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// p = c_0; p = fma(p, 1-t, c_i t^i) for i = 1..n, with c_i = C(n,i) b_i kept from `prepare` and t^i running.
+//
+// Source: Farin, Curves and Surfaces for CAGD, 5th ed. (nested multiplication in Bernstein form), with fused steps.
+// Cost: n (1 + d) products and dn fused multiply-adds per point.
+// Bound: term i has 1 + binomial roundings in c_i, i-1 in t^i, 1 product, 1 fused step and 2 per later step (1-t and
+// the
+//   step); the largest is i = 1 with 2n + 1 + binomial roundings. Underflow as for horner_bernstein.
+// Fails: as horner_bernstein.
+#pragma once
+
+#include "core/basis/fused.hpp"
+#include "core/evaluate/horner_bernstein.hpp"
+
+namespace bezierbench {
+
+struct HornerBernsteinFma {
+  static constexpr MethodInfo info{
+      .id = "horner_bernstein_fma",
+      .label = "Horner-Bernstein, fused",
+      .problem = Problem::evaluation,
+      .form = Form::bernstein,
+      .max_degree_float = HornerBernstein::info.max_degree_float,
+      .bound =
+          ErrorBound{.text = "gamma_(2n+2) p~, and n more roundings past n = 54",
+                     .amplification = Amplification::p_tilde_bernstein,
+                     .factor = [](int n, double u) { return gamma_over_u(2 * n + 2 + binomial_roundings(n, u), u); },
+                     .underflow = HornerBernstein::info.bound->underflow,
+                     .underflow_scales_with_coefficients = true},
+      .flops = "n(1+d) + dn fma + 1",
+      .citation = "Farin 2002, nested multiplication, with fused steps"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    return HornerBernstein::prepare(curve);
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const HornerBernstein::Prepared<Scalar, Dimension, Degree>& prepared,
+                                           Scalar t) {
+    const int n = prepared.scaled.degree();
+    const Scalar s = Scalar(1) - t;
+    Point<Scalar, Dimension> p;
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] = prepared.scaled(axis, 0);
+    Scalar t_power = Scalar(1);
+    for (int i = 1; i <= n; ++i) {
+      t_power *= t;
+      for (int axis = 0; axis < Dimension; ++axis)
+        p[axis] = fused<Scalar>(p[axis], s, prepared.scaled(axis, i) * t_power);
+    }
+    return p;
+  }
+};
+
+}  // namespace bezierbench

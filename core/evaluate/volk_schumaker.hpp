@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// For t <= 1/2: p = (1-t)^n (c_0 + r (c_1 + r (c_2 + ...))), r = t/(1-t); else p = t^n (c_n + r (c_(n-1) + ...)),
+// r = (1-t)/t; with c_i = C(n,i) b_i kept from `prepare`.
+//
+// Source: Schumaker and Volk, CAGD 3 (1986) 149-154.
+// Cost: 2dn + d + about 2 log2 n + 1 flops and one division per point.
+// Bound: term i has 1 + binomial roundings in c_i; r brings a quotient per power, and what 1-t rounds cancels between
+//   r^i and (1-t)^n to n-i; Horner's scheme 2i + 1; the power, by squaring, n-1; the last product 1: at most
+//   4n + 2 + binomial roundings. (1-t)^n may underflow, by up to 2^n max|b| eta.
+// Fails: (1-t)^n underflows for n > 1022 at t = 1/2.
+#pragma once
+
+#include "core/basis/amplification.hpp"
+#include "core/basis/binomial.hpp"
+#include "core/evaluate/horner_bernstein.hpp"
+
+namespace bezierbench {
+
+/// base^exponent by squaring, at most exponent - 1 roundings.
+template <class Scalar>
+constexpr Scalar power_by_squaring(Scalar base, int exponent) {
+  Scalar result = Scalar(1);
+  while (true) {
+    if (exponent % 2 != 0) result *= base;
+    exponent /= 2;
+    if (exponent == 0) return result;
+    base *= base;
+  }
+}
+
+struct VolkSchumaker {
+  static constexpr MethodInfo info{
+      .id = "volk_schumaker",
+      .label = "Volk-Schumaker",
+      .problem = Problem::evaluation,
+      .form = Form::bernstein,
+      .max_degree_float = HornerBernstein::info.max_degree_float,
+      .bound =
+          ErrorBound{.text = "gamma_(4n+3) p~, and n more roundings past n = 54",
+                     .amplification = Amplification::p_tilde_bernstein,
+                     .factor = [](int n, double u) { return gamma_over_u(4 * n + 3 + binomial_roundings(n, u), u); },
+                     .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1) * integer_power(2, n); },
+                     .underflow_scales_with_coefficients = true},
+      .flops = "2dn + d + 2 log2 n + 2",
+      .citation = "Schumaker and Volk 1986"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    return HornerBernstein::prepare(curve);
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const HornerBernstein::Prepared<Scalar, Dimension, Degree>& prepared,
+                                           Scalar t) {
+    const auto& c = prepared.scaled;
+    const int n = c.degree();
+    const Scalar s = Scalar(1) - t;
+    const bool near_start = t + t <= Scalar(1);
+    const Scalar larger = near_start ? s : t;
+    const Scalar r = (near_start ? t : s) / larger;
+    Point<Scalar, Dimension> p;
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] = c(axis, near_start ? n : 0);
+    for (int i = 1; i <= n; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + c(axis, near_start ? n - i : i);
+    const Scalar scale = power_by_squaring(larger, n);
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] *= scale;
+    return p;
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// As wozny_chudy, with both weights as quotients of the same denominator: Q_k = (k (1-t)/D) Q_(k-1) + ((n-k+1) t h/D)
+// b_k, D = k (1-t) + (n-k+1) t h; nothing is subtracted.
+//
+// Source: Wozny and Chudy, Computer-Aided Design 118 (2020) 102760, remark on the accuracy of 1 - h_k.
+// Cost: n (6 + 3d) flops and 2n + 1 divisions per point, O(d) memory.
+// Bound, for 0 <= t <= 1: with h_(k-1) off by e_(k-1) roundings, the numerator is off by at most e_(k-1) + 4 (quotient
+// of
+//   t and the rounded 1-t, two products) and then k (1-t) is exact, or by e_(k-1) + 1 and k (1-t)/t by 2. x / (c + x)
+//   is off by no more than x and c together, plus 2: so e_k = 6k for both weights, and 2 more in Q_k. The weight of b_i
+//   is a product over the later steps: at most sum over k of (6k + 2), below (3n + 2)(n + 1).
+// Fails: outside [0,1] the combinations are no longer convex and a denominator may vanish.
+#pragma once
+
+#include "core/basis/amplification.hpp"
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+struct WoznyChudyPositive {
+  static constexpr MethodInfo info{
+      .id = "wozny_chudy_positive",
+      .label = "Wozny-Chudy, subtraction-free",
+      .problem = Problem::evaluation,
+      .form = Form::bernstein,
+      .bound = ErrorBound{.text = "gamma_((3n+2)(n+1)) p~ on [0,1]",
+                          .amplification = Amplification::p_tilde_bernstein,
+                          .factor = [](int n, double u) { return gamma_over_u((3.0 * n + 2) * (n + 1), u); },
+                          .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1) * integer_power(2, n); },
+                          .underflow_scales_with_coefficients = true,
+                          .unit_interval_only = true},
+      .flops = "n(6+3d) + 2, 2n + 1 of them divisions",
+      .citation = "Wozny and Chudy 2020, remark on the weights"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
+      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    return curve;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
+    const int n = curve.degree();
+    const Scalar s = Scalar(1) - t;
+    const bool near_start = t + t <= Scalar(1);
+    const Scalar of_h = near_start ? t / s : Scalar(1);
+    const Scalar of_k = near_start ? Scalar(1) : s / t;
+    Point<Scalar, Dimension> q;
+    for (int axis = 0; axis < Dimension; ++axis) q[axis] = curve(axis, 0);
+    Scalar h = Scalar(1);
+    for (int k = 1; k <= n; ++k) {
+      const Scalar numerator = h * of_h * static_cast<Scalar>(n - k + 1);
+      const Scalar complement = static_cast<Scalar>(k) * of_k;
+      const Scalar denominator = complement + numerator;
+      h = numerator / denominator;
+      const Scalar rest = complement / denominator;
+      for (int axis = 0; axis < Dimension; ++axis) q[axis] = rest * q[axis] + h * curve(axis, k);
+    }
+    return q;
+  }
+};
+
+}  // namespace bezierbench
