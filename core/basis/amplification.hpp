@@ -23,18 +23,11 @@
 #include <span>
 
 #include "core/basis/error_bound.hpp"
+#include "core/basis/integer_power.hpp"
 #include "core/basis/scaled.hpp"
 #include "core/curve.hpp"
 
 namespace bezierbench {
-
-/// base^exponent by repeated squaring; relative error at most about 2 exponent u.
-constexpr double integer_power(double base, int exponent) {
-  double result = 1;
-  for (; exponent > 0; exponent /= 2, base *= base)
-    if (exponent % 2 != 0) result *= base;
-  return result;
-}
 
 namespace detail {
 

@@ -22,7 +22,7 @@ concept Conversion = requires(const Curve<C::info.form, double, 2>& curve) {
 };
 
 /// Growth of coefficients into power form: max_j C(n,j) 2^j, below 3^n.
-constexpr double growth_to_power(int n) { return integer_power(3, n); }
+constexpr double growth_to_power(int n) { return integer_power(3.0, n); }
 
 /// Growth of coefficients into Bernstein form: the norm n + 1 of the inverse matrix.
 constexpr double growth_to_bernstein(int n) { return n + 1; }

@@ -26,7 +26,7 @@ struct DifferencesCentered {
       .bound = ErrorBound{.text = "gamma_(n+1) sum |b_i| C(n,i) (1/2 + |t-1/2|)^n, and n more roundings past n = 54",
                           .amplification = Amplification::bernstein_to_centered,
                           .factor = [](int n, double u) { return gamma_over_u(n + 1 + binomial_roundings(n, u), u); },
-                          .underflow = [](int n) { return 2 * (n + 1) * integer_power(2, n); },
+                          .underflow = [](int n) { return 2 * (n + 1) * integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true},
       .flops = "d n(n+1)(2n+7)/6 + d(n+1) + 3n/2 per curve",
       .citation = "Farin 2002, derivatives by differences"};

@@ -35,13 +35,13 @@ struct ForwardSubstitution {
       .bound = ErrorBound{.text = "2 gamma_(n+5) sum |q_j| t^j (1+2t)^(n-j) while gamma (5/3)^n <= 1/10",
                           .amplification = Amplification::forward_substitution,
                           .factor = bound_factor,
-                          .underflow = [](int n) { return 1.0 * (n + 2) * (n + 2) + integer_power(2, n); },
+                          .underflow = [](int n) { return 1.0 * (n + 2) * (n + 2) + integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true},
       .flops = "(n+1)(n+2)(3/2+d) per curve",
       .citation = "seed report 001, section 1.2; Higham 2002, Theorem 8.5"};
 
   static constexpr Form target = Form::bernstein;
-  static constexpr double coefficient_growth(int n) { return (n + 1) * integer_power(3, n); }
+  static constexpr double coefficient_growth(int n) { return (n + 1) * integer_power(3.0, n); }
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(

@@ -24,7 +24,7 @@ struct Triangle {
       .bound = ErrorBound{.text = "gamma_(n+1) sum |q_j| t^j on [0,1], and n more roundings past n = 54",
                           .amplification = Amplification::power_to_bernstein,
                           .factor = [](int n, double u) { return gamma_over_u(n + 1 + binomial_roundings(n, u), u); },
-                          .underflow = [](int n) { return integer_power(2, n); },
+                          .underflow = [](int n) { return integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true},
       .flops = "d n(n+1)/2 + d(n+1) + 3n/2 per curve",
       .citation = "Farin 2002, monomial form"};

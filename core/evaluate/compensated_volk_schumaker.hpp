@@ -85,7 +85,7 @@ struct CompensatedVolkSchumaker {
       .bound = ErrorBound{.text = "u p~ + 2 gamma_(3n+9)^2 p~, and 4n u^2 p~ more past n = 54",
                           .amplification = Amplification::p_tilde_bernstein,
                           .factor = bound_factor,
-                          .underflow = [](int n) { return 16.0 * (n + 1) * (n + 1) * integer_power(2, n); },
+                          .underflow = [](int n) { return 16.0 * (n + 1) * (n + 1) * integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true,
                           .result_roundings = 1},
       .flops = "14dn + 7d + 12 log2 n + 12",

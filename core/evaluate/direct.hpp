@@ -31,7 +31,7 @@ struct Direct {
                                 const double f = factorial_roundings(n, u);
                                 return gamma_over_u(3 * n + 2 + (f > 0 ? 2 * f + 2 : 0), u);
                               },
-                          .underflow = [](int n) { return 2 * (n + 1) * integer_power(2, n); },
+                          .underflow = [](int n) { return 2 * (n + 1) * integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true},
       .flops = "4n + d(2n+1)",
       .citation = "seed report 001, section 1.4"};

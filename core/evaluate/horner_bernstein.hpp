@@ -27,7 +27,7 @@ struct HornerBernstein {
           ErrorBound{.text = "gamma_(3n+1) p~, and n more roundings past n = 54",
                      .amplification = Amplification::p_tilde_bernstein,
                      .factor = [](int n, double u) { return gamma_over_u(3 * n + 1 + binomial_roundings(n, u), u); },
-                     .underflow = [](int n) { return 2 * (n + 1) * integer_power(2, n); },
+                     .underflow = [](int n) { return 2 * (n + 1) * integer_power(2.0, n); },
                      .underflow_scales_with_coefficients = true},
       .flops = "n(1+3d) + 1",
       .citation = "Farin 2002, nested multiplication"};

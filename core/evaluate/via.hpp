@@ -13,23 +13,53 @@ namespace bezierbench {
 
 namespace detail {
 
-/// The parts, one after the other, in storage that lives as long as the program.
-template <class... Parts>  // each a captureless lambda that returns a std::string_view
-struct Joined {
-  static constexpr std::size_t size = (Parts{}().size() + ...);
-  static constexpr std::array<char, size> storage = [] {
-    std::array<char, size> text{};
-    auto* end = text.begin();
-    ((end = std::copy(Parts{}().begin(), Parts{}().end(), end)), ...);
-    return text;
-  }();
+// Parts of a text, each a type with a name: the texts of a path are made of them at compile time. (Lambdas would do,
+// but their names differ between translation units, and the linker then drops what another one refers to.)
+template <class M>
+struct IdOf {
+  static constexpr std::string_view text = M::info.id;
+};
+template <class M>
+struct LabelOf {
+  static constexpr std::string_view text = M::info.label;
+};
+template <class M>
+struct CitationOf {
+  static constexpr std::string_view text = M::info.citation;
+};
+template <class M>
+struct BoundOf {
+  static constexpr std::string_view text = M::info.bound->text;
+};
+struct Colon {
+  static constexpr std::string_view text = ":";
+};
+struct Then {
+  static constexpr std::string_view text = " > ";
+};
+struct And {
+  static constexpr std::string_view text = "; ";
+};
+struct ConversionWord {
+  static constexpr std::string_view text = "conversion ";
+};
+struct EvaluationWord {
+  static constexpr std::string_view text = "; evaluation ";
 };
 
+/// The parts, one after the other, in storage that lives as long as the program.
 template <class... Parts>
-constexpr std::string_view join(Parts...) {
-  using Text = Joined<Parts...>;
-  return {Text::storage.data(), Text::size};
-}
+struct Joined {
+  static constexpr std::size_t size = (Parts::text.size() + ...);
+  static constexpr std::array<char, size> copied() {
+    std::array<char, size> all{};
+    auto* end = all.begin();
+    ((end = std::copy(Parts::text.begin(), Parts::text.end(), end)), ...);
+    return all;
+  }
+  static constexpr std::array<char, size> storage = copied();
+  static constexpr std::string_view text{storage.data(), size};
+};
 
 }  // namespace detail
 
@@ -52,9 +82,8 @@ requires(Converter::target == Method::info.form) struct Via {
   static constexpr std::optional<ErrorBound> bound() {
     if constexpr (Converter::info.bound && Method::info.bound)
       return ErrorBound{
-          .text =
-              detail::join([] { return std::string_view("conversion "); }, [] { return Converter::info.bound->text; },
-                           [] { return std::string_view("; evaluation "); }, [] { return Method::info.bound->text; }),
+          .text = detail::Joined<detail::ConversionWord, detail::BoundOf<Converter>, detail::EvaluationWord,
+                                 detail::BoundOf<Method>>::text,
           .amplification = Converter::info.bound->amplification,
           .factor = bound_factor,
           .underflow = bound_underflow,
@@ -66,10 +95,8 @@ requires(Converter::target == Method::info.form) struct Via {
   }
 
   static constexpr MethodInfo info{
-      .id = detail::join([] { return Converter::info.id; }, [] { return std::string_view(":"); },
-                         [] { return Method::info.id; }),
-      .label = detail::join([] { return Converter::info.label; }, [] { return std::string_view(" > "); },
-                            [] { return Method::info.label; }),
+      .id = detail::Joined<detail::IdOf<Converter>, detail::Colon, detail::IdOf<Method>>::text,
+      .label = detail::Joined<detail::LabelOf<Converter>, detail::Then, detail::LabelOf<Method>>::text,
       .problem = Problem::evaluation,
       .form = Converter::info.form,
       .min_degree = std::max(Converter::info.min_degree, Method::info.min_degree),
@@ -78,8 +105,7 @@ requires(Converter::target == Method::info.form) struct Via {
       .bound = bound(),
       .bit_stable = Converter::info.bit_stable && Method::info.bit_stable,
       .flops = Method::info.flops,
-      .citation = detail::join([] { return Converter::info.citation; }, [] { return std::string_view("; "); },
-                               [] { return Method::info.citation; })};
+      .citation = detail::Joined<detail::CitationOf<Converter>, detail::And, detail::CitationOf<Method>>::text};
 
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<info.form, Scalar, Dimension, Degree>& curve) {

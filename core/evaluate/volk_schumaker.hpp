@@ -16,18 +16,6 @@
 
 namespace bezierbench {
 
-/// base^exponent by squaring, at most exponent - 1 roundings.
-template <class Scalar>
-constexpr Scalar power_by_squaring(Scalar base, int exponent) {
-  Scalar result = Scalar(1);
-  while (true) {
-    if (exponent % 2 != 0) result *= base;
-    exponent /= 2;
-    if (exponent == 0) return result;
-    base *= base;
-  }
-}
-
 struct VolkSchumaker {
   static constexpr MethodInfo info{
       .id = "volk_schumaker",
@@ -39,7 +27,7 @@ struct VolkSchumaker {
           ErrorBound{.text = "gamma_(4n+3) p~, and n more roundings past n = 54",
                      .amplification = Amplification::p_tilde_bernstein,
                      .factor = [](int n, double u) { return gamma_over_u(4 * n + 3 + binomial_roundings(n, u), u); },
-                     .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1) * integer_power(2, n); },
+                     .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1) * integer_power(2.0, n); },
                      .underflow_scales_with_coefficients = true},
       .flops = "2dn + d + 2 log2 n + 2",
       .citation = "Schumaker and Volk 1986"};
@@ -62,7 +50,7 @@ struct VolkSchumaker {
     for (int axis = 0; axis < Dimension; ++axis) p[axis] = c(axis, near_start ? n : 0);
     for (int i = 1; i <= n; ++i)
       for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + c(axis, near_start ? n - i : i);
-    const Scalar scale = power_by_squaring(larger, n);
+    const Scalar scale = integer_power(larger, n);
     for (int axis = 0; axis < Dimension; ++axis) p[axis] *= scale;
     return p;
   }

@@ -26,7 +26,7 @@ struct WoznyChudyPositive {
       .bound = ErrorBound{.text = "gamma_((3n+2)(n+1)) p~ on [0,1]",
                           .amplification = Amplification::p_tilde_bernstein,
                           .factor = [](int n, double u) { return gamma_over_u((3.0 * n + 2) * (n + 1), u); },
-                          .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1) * integer_power(2, n); },
+                          .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1) * integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true,
                           .unit_interval_only = true},
       .flops = "n(6+3d) + 2, 2n + 1 of them divisions",

@@ -17,7 +17,7 @@ ErrorBound lenient_bound(Form form) {
           .amplification =
               form == Form::bernstein ? Amplification::bernstein_to_power : Amplification::forward_substitution,
           .factor = [](int n, double) { return 64.0 * (n + 1); },
-          .underflow = [](int n) { return integer_power(4, n); },
+          .underflow = [](int n) { return integer_power(4.0, n); },
           .underflow_scales_with_coefficients = true};
 }
 
