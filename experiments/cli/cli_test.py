@@ -117,7 +117,7 @@ class Case(unittest.TestCase):
     def bundle(self, *arguments, name="b", **options):
         """A complete bundle whose checksums hold."""
         arguments = arguments or [self.suite()]
-        self.assertEqual(self.fine("run", *arguments, "--out", name, **options), "")
+        self.assertEqual(self.fine("run", *arguments, "--quiet", "--out", name, **options), "")
         self.assert_complete(name)
         return name
 
