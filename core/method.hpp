@@ -29,7 +29,7 @@ struct MethodInfo {
   int max_degree_float = bezierbench::max_degree;  ///< in float, whose range ends sooner
   std::optional<ErrorBound> bound = std::nullopt;
   bool bit_stable = true;  ///< false where libm decides the last bits
-  std::string_view flops;  ///< per point, in n and d
+  std::string_view flops;  ///< in n and d: per point, of a conversion per curve
   std::string_view citation;
 
   /// True for the degrees that the method promises in this scalar type.
