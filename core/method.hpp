@@ -18,6 +18,13 @@ constexpr std::string_view name(Problem problem) {
   return problem == Problem::evaluation ? "evaluation" : "conversion";
 }
 
+/// How the rounded 1 - t, s, enters a result: what the curve would be if nothing else were rounded.
+enum class OneMinusT {
+  unused,     ///< not at all, or only where it is exact, or its error is compensated
+  summed,     ///< sum b_i C(n,i) t^i s^(n-i)
+  normalised  ///< that, over (t + s)^n: only the ratio of t and s is used
+};
+
 /// The part of a method that is data.
 struct MethodInfo {
   std::string_view id;     ///< permanent key in files, command lines and reports
@@ -29,6 +36,7 @@ struct MethodInfo {
   int max_degree_float = bezierbench::max_degree;  ///< in float, whose range ends sooner
   std::optional<ErrorBound> bound = std::nullopt;
   bool bit_stable = true;  ///< false where libm decides the last bits
+  OneMinusT one_minus_t = OneMinusT::unused;
   std::string_view flops;  ///< in n and d: per point, of a conversion per curve
   std::string_view citation;
 

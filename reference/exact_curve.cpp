@@ -33,19 +33,36 @@ void next_binomials(int n, std::vector<mpz_class>& row) {
 }  // namespace
 
 const ExactPoint& ExactCurve::point(const CurveView<double>& curve, double t) {
-  evaluate(curve, t, false);
+  load(curve, false);
+  set_parameter(t, curve.form, false);
+  evaluate(curve);
   return point_;
 }
 
 const ExactPoint& ExactCurve::p_tilde(const CurveView<double>& curve, double t) {
-  evaluate(curve, t, true);
+  load(curve, true);
+  set_parameter(t, curve.form, true);
+  evaluate(curve);
   return point_;
 }
 
-void ExactCurve::evaluate(const CurveView<double>& curve, double t, bool magnitudes) {
-  load(curve, magnitudes);
-  set_parameter(t, magnitudes);
+const ExactPoint& ExactCurve::with_complement(const CurveView<double>& curve, double t, double complement,
+                                              bool normalised) {
+  load(curve, false);
+  set_parameter(t, curve.form, false);
+  set_complement(complement);
+  evaluate(curve);
+  if (normalised) {
+    t_power_ = t_numerator_ + one_minus_t_;  // over 2^k, like both
+    mpz_pow_ui(point_.denominator.get_mpz_t(), t_power_.get_mpz_t(), static_cast<unsigned long>(curve.degree));
+    point_.exponent = coefficient_exponent_;
+  }
+  return point_;
+}
+
+void ExactCurve::evaluate(const CurveView<double>& curve) {
   point_.dimension = curve.dimension;
+  point_.denominator = 1;
   point_.exponent = coefficient_exponent_ - static_cast<long>(t_shift_) * curve.degree;
   if (curve.form == Form::bernstein)
     sum_bernstein(curve.degree, curve.dimension);
@@ -54,20 +71,25 @@ void ExactCurve::evaluate(const CurveView<double>& curve, double t, bool magnitu
 }
 
 void ExactCurve::load(const CurveView<double>& curve, bool magnitudes) {
-  coefficients_.resize(curve.coefficients.size());
+  const std::size_t count = (static_cast<std::size_t>(curve.degree) + 1) * static_cast<std::size_t>(curve.dimension);
+  coefficients_.assign(count, 0);
   int lowest = std::numeric_limits<int>::max();
   for (const double value : curve.coefficients)
     if (value != 0) lowest = std::min(lowest, split(value).exponent);
   coefficient_exponent_ = lowest == std::numeric_limits<int>::max() ? 0 : lowest;
-  for (std::size_t k = 0; k < coefficients_.size(); ++k) {
-    const double value = magnitudes ? std::abs(curve.coefficients[k]) : curve.coefficients[k];
-    const auto [mantissa, exponent] = split(value);
-    mpz_set_si(coefficients_[k].get_mpz_t(), mantissa);
-    if (value != 0) coefficients_[k] <<= static_cast<mp_bitcnt_t>(exponent - lowest);
+  for (std::size_t k = 0; k < curve.coefficients.size();
+       ++k) {  // the low parts of a double-double follow the high ones
+    if (curve.coefficients[k] == 0) continue;
+    const auto [mantissa, exponent] = split(curve.coefficients[k]);
+    mpz_set_si(part_.get_mpz_t(), mantissa);
+    part_ <<= static_cast<mp_bitcnt_t>(exponent - lowest);
+    coefficients_[k % count] += part_;
   }
+  if (magnitudes)
+    for (auto& coefficient : coefficients_) coefficient = ::abs(coefficient);
 }
 
-void ExactCurve::set_parameter(double t, bool magnitudes) {
+void ExactCurve::set_parameter(double t, Form form, bool magnitudes) {
   auto [mantissa, exponent] = split(t);
   if (t == 0) exponent = 0;
   while (exponent < 0 && mantissa != 0 && mantissa % 2 == 0) {
@@ -77,6 +99,12 @@ void ExactCurve::set_parameter(double t, bool magnitudes) {
   mpz_set_si(t_numerator_.get_mpz_t(), mantissa);
   if (exponent > 0) t_numerator_ <<= static_cast<mp_bitcnt_t>(exponent);
   t_shift_ = exponent < 0 ? static_cast<unsigned long>(-exponent) : 0;
+  if (form == Form::power_centered) {
+    if (t_shift_ == 0) t_numerator_ <<= ++t_shift_;
+    one_minus_t_ = 1;
+    one_minus_t_ <<= t_shift_ - 1;
+    t_numerator_ -= one_minus_t_;
+  }
   one_minus_t_ = 1;
   one_minus_t_ <<= t_shift_;
   one_minus_t_ -= t_numerator_;
@@ -84,6 +112,17 @@ void ExactCurve::set_parameter(double t, bool magnitudes) {
     t_numerator_ = ::abs(t_numerator_);
     one_minus_t_ = ::abs(one_minus_t_);
   }
+}
+
+void ExactCurve::set_complement(double complement) {
+  const auto [mantissa, exponent] = split(complement);
+  const auto shift = exponent < 0 && mantissa != 0 ? static_cast<unsigned long>(-exponent) : 0;
+  if (shift > t_shift_) {
+    t_numerator_ <<= shift - t_shift_;
+    t_shift_ = shift;
+  }
+  mpz_set_si(one_minus_t_.get_mpz_t(), mantissa);
+  if (mantissa != 0) one_minus_t_ <<= static_cast<mp_bitcnt_t>(static_cast<long>(t_shift_) + exponent);
 }
 
 void ExactCurve::sum_bernstein(int n, int dimension) {

@@ -4,7 +4,9 @@
 // With t = T/2^k (T, k integers, k >= 0), S = 2^k - T, and coefficients B_i 2^e,
 //   Bernstein form   p = 2^(e - kn) sum C(n,i) T^i S^(n-i) B_i
 //   power form       p = 2^(e - kn) sum T^j 2^(k(n-j)) Q_j
-// which needs no fractions, and holds for every finite t: tiny, huge or negative.
+//   centred form     as the power form, with T - 2^(k-1) for T
+// which needs no fractions, and holds for every finite t: tiny, huge or negative. Double-double coefficients are the
+// sums of their parts.
 #pragma once
 
 #include <vector>
@@ -23,10 +25,15 @@ class ExactCurve {
   /// p~ = sum |c_i| |basis function i (t)| on each axis, over the coefficients in the form of `curve`, likewise.
   const ExactPoint& p_tilde(const CurveView<double>& curve, double t);
 
+  /// What the Bernstein form gives when 1 - t is taken to be `complement`: sum b_i C(n,i) t^i complement^(n-i), divided
+  /// by (t + complement)^n, which must not be 0, if `normalised`. Valid until the next call.
+  const ExactPoint& with_complement(const CurveView<double>& curve, double t, double complement, bool normalised);
+
  private:
-  void evaluate(const CurveView<double>& curve, double t, bool magnitudes);
+  void evaluate(const CurveView<double>& curve);
   void load(const CurveView<double>& curve, bool magnitudes);
-  void set_parameter(double t, bool magnitudes);
+  void set_parameter(double t, Form form, bool magnitudes);
+  void set_complement(double complement);
   void sum_bernstein(int n, int dimension);
   void sum_power(int n, int dimension);
 
@@ -39,6 +46,7 @@ class ExactCurve {
   std::vector<mpz_class> binomials_;  ///< C(n, 0..n) of the last degree
   mpz_class t_power_;
   mpz_class weight_;
+  mpz_class part_;
 };
 
 }  // namespace bezierbench::reference

@@ -57,6 +57,35 @@ ExactPoint exactly(std::span<const double> point) {
   return result;
 }
 
+namespace {
+
+Rational squared_distance(const ExactPoint& a, const ExactPoint& b) {
+  Rational sum;
+  for (int axis = 0; axis < a.dimension; ++axis) {
+    const Rational d = a.coordinate(axis) - b.coordinate(axis);
+    sum = sum + d * d;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double distance(const ExactPoint& a, const ExactPoint& b) { return square_root(error_format, squared_distance(a, b)); }
+
+double ulp_of_length(const ExactPoint& point, double length, const Format& format) {
+  const double smallest = std::ldexp(1.0, static_cast<int>(format.lowest_exponent));
+  if (length == 0) return smallest;
+  int exponent = 0;
+  if (std::isfinite(length) && std::frexp(length, &exponent) != 0.5) {
+    --exponent;
+  } else {  // `length` may have been rounded up to a power of two, or out of the range
+    ExactPoint origin;
+    origin.dimension = point.dimension;
+    exponent = static_cast<int>(std::floor(static_cast<double>(floor_log2(squared_distance(point, origin))) / 2));
+  }
+  return std::max(smallest, std::ldexp(1.0, exponent - format.precision + 1));
+}
+
 Distance::Distance(const ExactPoint& exact) : exact_(&exact) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(exact.dimension); ++axis)
     expansions_[axis] = expand(exact.numerator[axis], exact.denominator, exact.exponent);

@@ -28,6 +28,13 @@ struct ExactPoint {
 /// The coordinates of `point` (finite doubles), exactly.
 ExactPoint exactly(std::span<const double> point);
 
+/// The Euclidean distance of two points of one dimension, rounded once to `error_format`.
+double distance(const ExactPoint& a, const ExactPoint& b);
+
+/// The spacing of the numbers of `format` at |point|: 2^(e - precision + 1) with 2^e <= |point| < 2^(e+1), at least the
+/// smallest subnormal. `length` is |point| rounded to 24 bits; next to powers of two the integers decide.
+double ulp_of_length(const ExactPoint& point, double length, const Format& format);
+
 /// Distances from one exact point. Holds a high-order floating-point expansion of the exact coordinates, good enough
 /// for almost every distance; where rounding to 24 bits would not be certain from it, the integers decide.
 class Distance {
@@ -41,7 +48,14 @@ class Distance {
   /// to a multiple of 2^-1074). Infinite where it overflows or a coordinate is not finite.
   [[nodiscard]] double to(std::span<const double> point) const;
 
+  /// The distance of the origin, likewise: the length of a point of this dimension.
+  [[nodiscard]] double of_origin(int dimension) const {
+    return to(std::span(origin).first(static_cast<std::size_t>(dimension)));
+  }
+
  private:
+  static constexpr std::array<double, max_dimension> origin{};
+
   /// A coordinate as (high + middle + low) 2^exponent with |high| in [1/2, 1], each part at most half an ulp of the one
   /// before, and what is missing below 2^-155 (nothing, if `complete`).
   struct Expansion {

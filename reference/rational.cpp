@@ -117,9 +117,8 @@ double square_root(const Format& format, const Rational& value) {
   return round_integer(format, root, (value.exponent - extra) / 2, more);
 }
 
-Rational ulp(const Rational& x) {
-  if (x.numerator == 0) return {1, 1, -1074};
-  // floor(log2 |x|): from the bit lengths, corrected by one comparison.
+long floor_log2(const Rational& x) {
+  // From the bit lengths, corrected by one comparison.
   long e = bits(x.numerator) - bits(x.denominator);
   mpz_class magnitude = ::abs(x.numerator);
   mpz_class scaled = x.denominator;
@@ -128,8 +127,12 @@ Rational ulp(const Rational& x) {
   else
     magnitude = shifted(magnitude, -e);
   if (magnitude < scaled) --e;
-  e += x.exponent;
-  return {1, 1, std::max(e, -1022L) - 52};
+  return e + x.exponent;
+}
+
+Rational ulp(const Rational& x) {
+  if (x.numerator == 0) return {1, 1, -1074};
+  return {1, 1, std::max(floor_log2(x), -1022L) - 52};
 }
 
 }  // namespace bezierbench::reference

@@ -46,6 +46,9 @@ double quotient(const Format& format, const Rational& a, const Rational& b);
 /// The square root of a value >= 0 to nearest, once.
 double square_root(const Format& format, const Rational& value);
 
+/// floor(log2 |x|) for x != 0.
+long floor_log2(const Rational& x);
+
 /// ulp(x) = 2^(max(e, -1022) - 52) with 2^e <= |x| < 2^(e+1), and 2^-1074 at 0: the spacing of doubles at the exact x.
 Rational ulp(const Rational& x);
 

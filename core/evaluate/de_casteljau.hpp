@@ -22,6 +22,7 @@ struct DeCasteljau {
                                                        .factor = [](int n, double u) { return gamma_over_u(3 * n, u); },
                                                        .underflow = [](int n) { return 2.0 * n; },
                                                        .underflow_scales_with_coefficients = false},
+                                   .one_minus_t = OneMinusT::summed,
                                    .flops = "3d n(n+1)/2 + 1",
                                    .citation = "Farin 2002; seed report 001, section 1.5"};
 

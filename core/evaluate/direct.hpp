@@ -33,6 +33,7 @@ struct Direct {
                               },
                           .underflow = [](int n) { return 2 * (n + 1) * integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true},
+      .one_minus_t = OneMinusT::summed,
       .flops = "4n + d(2n+1)",
       .citation = "seed report 001, section 1.4"};
 

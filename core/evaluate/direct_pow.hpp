@@ -21,6 +21,7 @@ struct DirectPow {
                                    .form = Form::bernstein,
                                    .max_degree_float = 131,
                                    .bit_stable = false,
+                                   .one_minus_t = OneMinusT::summed,
                                    .flops = "2(n+1) pow + n + d(2n+1)",
                                    .citation = "seed document 000, section 1"};
 

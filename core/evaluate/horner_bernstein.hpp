@@ -29,6 +29,7 @@ struct HornerBernstein {
                      .factor = [](int n, double u) { return gamma_over_u(3 * n + 1 + binomial_roundings(n, u), u); },
                      .underflow = [](int n) { return 2 * (n + 1) * integer_power(2.0, n); },
                      .underflow_scales_with_coefficients = true},
+      .one_minus_t = OneMinusT::summed,
       .flops = "n(1+3d) + 1",
       .citation = "Farin 2002, nested multiplication"};
 

@@ -21,6 +21,42 @@ Curve<F, Scalar, Dimension> load(const CurveView<Scalar>& view) {
   return curve;
 }
 
+template <Form F, class Scalar, int Dimension>
+void append(const Curve<F, Scalar, Dimension>& curve, std::vector<Scalar>& coefficients) {
+  if constexpr (F == Form::power_double_double) {
+    append(curve.high, coefficients);
+    append(curve.low, coefficients);
+  } else {
+    for (int i = 0; i <= curve.degree(); ++i)
+      for (int axis = 0; axis < Dimension; ++axis) coefficients.push_back(curve(axis, i));
+  }
+}
+
+/// A converted path names its conversion.
+template <class E>
+concept Path = requires {
+  typename E::First;
+};
+
+template <class E>
+constexpr Form evaluated_form() {
+  if constexpr (Path<E>)
+    return E::First::target;
+  else
+    return E::info.form;
+}
+
+template <class E, class Scalar, int Dimension>
+constexpr auto converted() -> void (*)(const CurveView<Scalar>&, std::vector<Scalar>&) {
+  if constexpr (Path<E>)
+    return [](const CurveView<Scalar>& view, std::vector<Scalar>& coefficients) {
+      coefficients.clear();
+      append(E::First::convert(load<E::info.form, Dimension>(view)), coefficients);
+    };
+  else
+    return nullptr;
+}
+
 template <Evaluator E, class Scalar, int Dimension>
 constexpr Kernel<Scalar> kernel() {
   using Prepared = PreparedOf<E, Scalar, Dimension>;
@@ -39,7 +75,9 @@ constexpr Kernel<Scalar> kernel() {
               for (std::size_t axis = 0; axis < Dimension; ++axis)
                 points[k * Dimension + axis] = point[static_cast<Eigen::Index>(axis)];
             }
-          }};
+          },
+          evaluated_form<E>(),
+          converted<E, Scalar, Dimension>()};
 }
 
 template <Conversion C, class Scalar, int Dimension>

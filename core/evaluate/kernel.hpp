@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/curve.hpp"
 #include "core/method.hpp"
@@ -23,6 +24,10 @@ struct Kernel {
   void (*prepare)(const CurveView<Scalar>& curve, void* prepared);
   /// Evaluates at every t; points[k * dimension + axis] is the point at t[k].
   void (*evaluate)(const void* prepared, std::span<const Scalar> t, Scalar* points);
+  Form evaluated_form;  ///< of the coefficients that `evaluate` reads: the target of a path's conversion, else the form
+  /// The coefficients that a path evaluates, point by point (double-double: all high parts, then all low parts);
+  /// nullptr for a method that takes curves as they are given.
+  void (*converted)(const CurveView<Scalar>& curve, std::vector<Scalar>& coefficients);
 };
 
 /// A conversion for one scalar type and dimension.

@@ -66,6 +66,8 @@ struct Joined {
 /// `Converter` followed by `Method`; exists where the forms meet.
 template <Conversion Converter, Evaluator Method>
 requires(Converter::target == Method::info.form) struct Via {
+  using First = Converter;
+
   /// With |converted| <= (1 + factor u) times its amplification, errors compose as gamma_j + gamma_k + gamma_j gamma_k
   /// (Higham, Lemma 3.3); the amplification of the conversion is at least that of the evaluation. The evaluator's
   /// result is the converted curve's, away from the given curve's by the conversion's error: its roundings apply to
@@ -104,6 +106,7 @@ requires(Converter::target == Method::info.form) struct Via {
       .max_degree_float = std::min(Converter::info.max_degree_float, Method::info.max_degree_float),
       .bound = bound(),
       .bit_stable = Converter::info.bit_stable && Method::info.bit_stable,
+      .one_minus_t = Method::info.one_minus_t,
       .flops = Method::info.flops,
       .citation = detail::Joined<detail::CitationOf<Converter>, detail::And, detail::CitationOf<Method>>::text};
 

@@ -29,6 +29,7 @@ struct VolkSchumaker {
                      .factor = [](int n, double u) { return gamma_over_u(4 * n + 3 + binomial_roundings(n, u), u); },
                      .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1) * integer_power(2.0, n); },
                      .underflow_scales_with_coefficients = true},
+      .one_minus_t = OneMinusT::summed,
       .flops = "2dn + d + 2 log2 n + 2",
       .citation = "Schumaker and Volk 1986"};
 

@@ -17,6 +17,7 @@ struct WoznyChudy {
                                    .label = "Wozny-Chudy",
                                    .problem = Problem::evaluation,
                                    .form = Form::bernstein,
+                                   .one_minus_t = OneMinusT::normalised,
                                    .flops = "n(5+3d) + 2, n + 1 of them divisions",
                                    .citation = "Wozny and Chudy 2020, Algorithm 1.1"};
 

@@ -29,6 +29,7 @@ struct WoznyChudyPositive {
                           .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1) * integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true,
                           .unit_interval_only = true},
+      .one_minus_t = OneMinusT::normalised,
       .flops = "n(6+3d) + 2, 2n + 1 of them divisions",
       .citation = "Wozny and Chudy 2020, remark on the weights"};
 

@@ -18,6 +18,8 @@ class CsvTable {
   /// Throws std::invalid_argument unless there is one field per column, none with a NUL byte.
   void add_row(std::vector<std::string> fields);
 
+  [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
+
   /// Header and rows in the order added, quoted only where needed, every line ended by \n.
   [[nodiscard]] std::string text() const;
 

@@ -14,9 +14,15 @@
 #include "experiments/metric/trial_scale.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/accuracy_row.hpp"
+#include "experiments/studies/cell_fields.hpp"
+#include "experiments/studies/error_sources.hpp"
+#include "experiments/studies/input_fields.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/studies/judgement.hpp"
 #include "experiments/studies/method_choice.hpp"
+#include "experiments/studies/scalar_facts.hpp"
+#include "experiments/studies/trial_inputs.hpp"
 #include "experiments/studies/workspace.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/exact_curve.hpp"
@@ -36,10 +42,51 @@ struct OpenReplicate {
   std::int64_t blocks_left = 0;
 };
 
-template <class Scalar>
-constexpr metric::Arithmetic arithmetic_of() {
-  return sizeof(Scalar) == sizeof(float) ? metric::float_arithmetic : metric::double_arithmetic;
+/// Infinite where it overflows.
+void add(double value, metric::Tally& tally) {
+  const double rounded = metric::to_24_bits(value);
+  if (std::isfinite(rounded))
+    tally.add(rounded);
+  else
+    tally.add_infinite();
 }
+
+/// 0 / 0 is 0: no error, or nothing that an error could be measured with.
+void add_quotient(double value, double divisor, metric::Tally& tally) { add(value == 0 ? 0 : value / divisor, tally); }
+
+/// What a method returned, in double, which holds any float.
+struct Computed {
+  std::array<double, reference::max_dimension> point{};
+  bool finite = true;
+};
+
+/// What the errors of one trial are measured from. Empty distance: the baseline itself is not finite.
+struct Origin {
+  std::optional<reference::Distance> distance;
+  bool exact = false;
+  double length = 0;  ///< of the true point, and the spacing of numbers there; with the exact reference only
+  double ulp = 0;
+};
+
+/// Scratch of one thread.
+template <class Scalar>
+struct Scratch {
+  TrialInputs<Scalar> inputs;
+  PreparedStorage prepared;
+  reference::ExactCurve exact;
+  const reference::ExactPoint* truth = nullptr;  ///< the true point, in `exact`
+  metric::TrialScale scale;
+  SourceMeter<Scalar> sources;
+  std::vector<Computed> computed;  ///< per method
+  Computed baseline;               ///< the one that is measured from now
+};
+
+/// What a block of trials adds to its cell.
+struct Block {
+  std::vector<Judgement> judgements;
+  metric::Tally audit;
+  metric::Tally condition;  ///< p~ over |p|
+};
 
 template <class Scalar>
 class ScalarCell final : public AccuracyCell {
@@ -87,10 +134,10 @@ class ScalarCell final : public AccuracyCell {
     const auto part = static_cast<std::int64_t>(block) % blocks_per_replicate();
     const auto first = part * block_trials;
     const auto last = std::min(study_.trials, first + block_trials);
-    std::vector<Judgement> judged(judgement_count());
-    metric::Tally audit;
-    for (auto trial = first; trial < last && !interrupted(); ++trial) judge(replicate, trial, judged, audit);
-    keep(replicate, judged, audit);
+    Block work;
+    work.judgements.resize(judgement_count());
+    for (auto trial = first; trial < last && !interrupted(); ++trial) judge(replicate, trial, work);
+    keep(replicate, work);
   }
 
   void write(Tables& tables) const override;
@@ -111,20 +158,21 @@ class ScalarCell final : public AccuracyCell {
     return baselines_[baseline] != methods_[method] && supported(*methods_[method]) &&
            (baselines_[baseline] == nullptr || supported(*baselines_[baseline]));
   }
-  [[nodiscard]] std::string describe() const {
-    return fmt::format("study {}, {} {} degree {}, range {}, t in [{}, {}], generator {}", study_.id,
-                       suite::name(study_.curve), scalar_name(), cell_.degree, number::decimal(cell_.coordinate_range),
-                       number::decimal(cell_.t_interval.min), number::decimal(cell_.t_interval.max), cell_.generator);
-  }
-  [[nodiscard]] static std::string_view scalar_name() {
-    return suite::name(sizeof(Scalar) == sizeof(float) ? suite::ScalarKind::float32 : suite::ScalarKind::float64);
+  [[nodiscard]] bool is_stable(std::size_t method, std::size_t baseline) const {
+    return methods_[method]->info->bit_stable &&
+           (baselines_[baseline] == nullptr || baselines_[baseline]->info->bit_stable);
   }
 
-  void judge(std::int64_t replicate, std::int64_t trial, std::vector<Judgement>& judgements,
-             metric::Tally& audit) const;
-  static void count(double error, std::uint64_t trial, const std::optional<ErrorBound>& stated,
-                    metric::TrialScale& scale, Judgement& judgement);
-  void keep(std::int64_t replicate, std::vector<Judgement>& judged, metric::Tally& audit);
+  void judge(std::int64_t replicate, std::int64_t trial, Block& block) const;
+  [[nodiscard]] Origin origin(std::size_t baseline, Scratch<Scalar>& scratch) const;
+  void add_truth(std::int64_t replicate, std::int64_t trial, const Origin& from, Scratch<Scalar>& scratch,
+                 Block& block) const;
+  void count(const Kernel<Scalar>& method, double error, std::uint64_t trial, const Origin& from,
+             metric::TrialScale& scale, Judgement& judgement) const;
+  void take_apart(const Kernel<Scalar>& method, const Computed& computed, Scratch<Scalar>& scratch,
+                  Judgement& judgement) const;
+  void write_worst(std::size_t method, const Worst& worst, Tables& tables) const;
+  void keep(std::int64_t replicate, const Block& block);
 
   const suite::Study& study_;
   sample::Cell cell_;
@@ -138,23 +186,7 @@ class ScalarCell final : public AccuracyCell {
   std::vector<std::vector<double>> replicate_maxima_;
   std::map<std::int64_t, OpenReplicate> open_;
   metric::Tally audit_;  ///< of the long double tier, in ulp
-};
-
-/// What a method returned, in double, which holds any float.
-struct Computed {
-  std::array<double, reference::max_dimension> point{};
-  bool finite = true;
-};
-
-/// Scratch of one thread.
-template <class Scalar>
-struct Scratch {
-  sample::Trial trial;
-  std::vector<Scalar> coefficients;  ///< the trial's, in the scalar type of the methods
-  PreparedStorage prepared;
-  reference::ExactCurve exact;
-  metric::TrialScale scale;
-  std::vector<Computed> computed;  ///< per method
+  metric::Tally condition_;
 };
 
 template <class Scalar>
@@ -172,67 +204,85 @@ Computed computed_point(const Kernel<Scalar>& kernel, const CurveView<Scalar>& c
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::judge(std::int64_t replicate, std::int64_t trial, std::vector<Judgement>& judgements,
-                               metric::Tally& audit) const {
+void ScalarCell<Scalar>::judge(std::int64_t replicate, std::int64_t trial, Block& block) const {
   thread_local Scratch<Scalar> scratch;
   const auto number = static_cast<std::uint64_t>(replicate * study_.trials + trial);
-  sampler_.draw(number, scratch.trial);
-  const auto t = static_cast<Scalar>(scratch.trial.t);
-  auto& drawn = scratch.trial.coefficients;
-  scratch.coefficients.assign(drawn.begin(), drawn.end());
-  std::copy(scratch.coefficients.begin(), scratch.coefficients.end(), drawn.begin());  // as the methods see them
-  const Form form = form_of(study_.curve);
-  const CurveView<Scalar> curve{form, cell_.dimension, cell_.degree, scratch.coefficients};
-  const CurveView<double> true_curve{form, cell_.dimension, cell_.degree, drawn};
+  scratch.inputs = TrialInputs<Scalar>(form_of(study_.curve), cell_);
+  scratch.inputs.draw(sampler_, number);
+  const auto curve = scratch.inputs.curve();
   const auto d = static_cast<std::size_t>(cell_.dimension);
-  scratch.scale.set(true_curve, static_cast<double>(t));
-
+  scratch.scale.set(scratch.inputs.true_curve(), scratch.inputs.true_t());
   scratch.computed.resize(methods_.size());
   for (std::size_t m = 0; m < methods_.size(); ++m)
-    if (supported(*methods_[m])) scratch.computed[m] = computed_point(*methods_[m], curve, t, scratch.prepared);
+    if (supported(*methods_[m]))
+      scratch.computed[m] = computed_point(*methods_[m], curve, scratch.inputs.t(), scratch.prepared);
   for (std::size_t k = 0; k < baselines_.size(); ++k) {
-    Computed origin;
-    std::optional<reference::Distance> distance;  // stays empty where the baseline itself is not finite
-    if (baselines_[k] == nullptr) {
-      const auto& exact = scratch.exact.point(true_curve, static_cast<double>(t));
-      distance.emplace(exact);
-      if (replicate == 0 && trial < audited_trials && sizeof(Scalar) == sizeof(double))
-        audit.add(metric::to_24_bits(
-            reference::audit_ulp(reference::long_double_point(true_curve, static_cast<double>(t)), exact)));
-    } else if (supported(*baselines_[k])) {
-      origin = computed_point(*baselines_[k], curve, t, scratch.prepared);
-      if (origin.finite) distance.emplace(std::span<const double>(origin.point.data(), d));
-    }
+    const Origin from = origin(k, scratch);
+    if (from.exact) add_truth(replicate, trial, from, scratch, block);
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       if (!this->judged(m, k)) continue;
       const Computed& computed = scratch.computed[m];
-      const double error = computed.finite && distance ? distance->to({computed.point.data(), d})
-                                                       : std::numeric_limits<double>::infinity();
-      const bool against_truth = baselines_[k] == nullptr;
-      count(error, number, against_truth ? methods_[m]->info->bound : std::nullopt, scratch.scale,
-            judgements[index(m, k)]);
+      Judgement& judgement = block.judgements[index(m, k)];
+      if (!computed.finite || !from.distance) {
+        ++judgement.non_finite;
+        continue;
+      }
+      count(*methods_[m], from.distance->to({computed.point.data(), d}), number, from, scratch.scale, judgement);
+      if (from.exact && replicate == 0 && trial < study_.decomposed_trials)
+        take_apart(*methods_[m], computed, scratch, judgement);
     }
   }
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::count(double error, std::uint64_t trial, const std::optional<ErrorBound>& stated,
-                               metric::TrialScale& scale, Judgement& judgement) {
+Origin ScalarCell<Scalar>::origin(std::size_t baseline, Scratch<Scalar>& scratch) const {
+  Origin from;
+  if (baselines_[baseline] == nullptr) {
+    scratch.truth = &scratch.exact.point(scratch.inputs.true_curve(), scratch.inputs.true_t());
+    from.exact = true;
+    from.distance.emplace(*scratch.truth);
+    from.length = from.distance->of_origin(cell_.dimension);
+    from.ulp = reference::ulp_of_length(*scratch.truth, from.length, ScalarFacts<Scalar>::format);
+  } else if (supported(*baselines_[baseline])) {
+    scratch.baseline =
+        computed_point(*baselines_[baseline], scratch.inputs.curve(), scratch.inputs.t(), scratch.prepared);
+    if (scratch.baseline.finite)
+      from.distance.emplace(
+          std::span<const double>(scratch.baseline.point.data(), static_cast<std::size_t>(cell_.dimension)));
+  }
+  return from;
+}
+
+/// What is known of the trial itself, whatever the methods.
+template <class Scalar>
+void ScalarCell<Scalar>::add_truth(std::int64_t replicate, std::int64_t trial, const Origin& from,
+                                   Scratch<Scalar>& scratch, Block& block) const {
+  add_quotient(scratch.scale.p_tilde(), from.length, block.condition);
+  if (replicate == 0 && trial < audited_trials && sizeof(Scalar) == sizeof(double))
+    block.audit.add(metric::to_24_bits(reference::audit_ulp(
+        reference::long_double_point(scratch.inputs.true_curve(), scratch.inputs.true_t()), *scratch.truth)));
+}
+
+template <class Scalar>
+void ScalarCell<Scalar>::count(const Kernel<Scalar>& method, double error, std::uint64_t trial, const Origin& from,
+                               metric::TrialScale& scale, Judgement& judgement) const {
+  constexpr auto arithmetic = ScalarFacts<Scalar>::arithmetic;
   if (!std::isfinite(error)) {
     ++judgement.non_finite;
     return;
   }
   judgement.error.add(error);
-  const double error_u = metric::to_24_bits(scale.in_bound_units(error, arithmetic_of<Scalar>()));
-  if (std::isfinite(error_u))
-    judgement.error_u.add(error_u);
-  else
-    judgement.error_u.add_infinite();
-  if (!stated) return;
-  const double bound = scale.bound(*stated, arithmetic_of<Scalar>());
+  const double error_u = metric::to_24_bits(scale.in_bound_units(error, arithmetic));
+  add(error_u, judgement.error_u);
+  if (!from.exact) return;
+  add(error / from.ulp, judgement.error_ulp);
+  if (std::isfinite(from.length)) add_quotient(error, from.length, judgement.relative);
+  judgement.keep_worst({error_u, error, trial});
+  if (!method.info->bound) return;
+  const double bound = scale.bound(*method.info->bound, arithmetic);
   if (!std::isfinite(bound)) return;  // nothing is proved here
   ++judgement.bounded;
-  const double bound_u = scale.in_bound_units(bound, arithmetic_of<Scalar>());
+  const double bound_u = scale.in_bound_units(bound, arithmetic);
   if (std::isfinite(bound_u)) judgement.bound_u = std::max(judgement.bound_u, bound_u);  // p~ = 0 has no such unit
   if (metric::TrialScale::violates(error, bound)) {
     ++judgement.violations;
@@ -241,21 +291,31 @@ void ScalarCell<Scalar>::count(double error, std::uint64_t trial, const std::opt
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::keep(std::int64_t replicate, std::vector<Judgement>& judged, metric::Tally& audit) {
+void ScalarCell<Scalar>::take_apart(const Kernel<Scalar>& method, const Computed& computed, Scratch<Scalar>& scratch,
+                                    Judgement& judgement) const {
+  const auto sources = scratch.sources.measure(
+      method, scratch.inputs.curve(), scratch.inputs.t(),
+      std::span<const double>(computed.point.data(), static_cast<std::size_t>(cell_.dimension)), *scratch.truth);
+  if (sources) judgement.sources.add(*sources);
+}
+
+template <class Scalar>
+void ScalarCell<Scalar>::keep(std::int64_t replicate, const Block& block) {
   const std::lock_guard lock(mutex_);
   auto [entry, fresh] = open_.try_emplace(replicate);
   OpenReplicate& open = entry->second;
   if (fresh) {
-    open.errors.resize(judged.size());
+    open.errors.resize(block.judgements.size());
     open.blocks_left = blocks_per_replicate();
   }
-  for (std::size_t k = 0; k < judged.size(); ++k) {
-    open.errors[k].merge(judged[k].error);
-    judgements_[k].merge(judged[k]);
+  for (std::size_t k = 0; k < block.judgements.size(); ++k) {
+    open.errors[k].merge(block.judgements[k].error);
+    judgements_[k].merge(block.judgements[k]);
   }
-  audit_.merge(audit);
+  audit_.merge(block.audit);
+  condition_.merge(block.condition);
   if (--open.blocks_left > 0) return;
-  for (std::size_t k = 0; k < judged.size(); ++k) {
+  for (std::size_t k = 0; k < block.judgements.size(); ++k) {
     const bool empty = open.errors[k].count() == 0;  // every trial was non-finite: this replicate has no statistic
     const auto index = static_cast<std::size_t>(replicate);
     replicate_means_[k][index] = empty ? not_a_number : open.errors[k].mean();
@@ -264,33 +324,17 @@ void ScalarCell<Scalar>::keep(std::int64_t replicate, std::vector<Judgement>& ju
   open_.erase(entry);
 }
 
-const std::vector<std::string> accuracy_columns{"study",
-                                                "curve",
-                                                "method",
-                                                "scalar",
-                                                "dimension",
-                                                "degree",
-                                                "coordinate_range",
-                                                "t_min",
-                                                "t_max",
-                                                "generator",
-                                                "trials",
-                                                "baseline",
-                                                "status",
-                                                "mean_error",
-                                                "rms_error",
-                                                "p50_error",
-                                                "p99_error",
-                                                "max_error",
-                                                "mean_error_u",
-                                                "max_error_u",
-                                                "bound_u",
-                                                "bound_violations",
-                                                "non_finite"};
-
 const std::vector<std::string> audit_columns{
     "study", "curve", "tier",      "significand_bits", "dimension",      "degree",       "coordinate_range",
     "t_min", "t_max", "generator", "trials",           "mean_error_ulp", "max_error_ulp"};
+
+std::vector<std::string> worst_columns() {
+  std::vector<std::string> columns{"worst_id"};
+  columns.insert(columns.end(), cell_columns().begin(), cell_columns().end());
+  columns.insert(columns.end(), {"trial", "error", "error_u"});
+  columns.insert(columns.end(), input_columns().begin(), input_columns().end());
+  return columns;
+}
 
 template <class Scalar>
 void ScalarCell<Scalar>::write(Tables& tables) const {
@@ -298,35 +342,20 @@ void ScalarCell<Scalar>::write(Tables& tables) const {
   for (std::size_t m = 0; m < methods_.size(); ++m) {
     for (std::size_t k = 0; k < baselines_.size(); ++k) {
       if (baselines_[k] == methods_[m]) continue;
-      const bool stable =
-          methods_[m]->info->bit_stable && (baselines_[k] == nullptr || baselines_[k]->info->bit_stable);
-      std::vector<std::string> row{study_.id,
-                                   std::string(suite::name(study_.curve)),
-                                   std::string(methods_[m]->info->id),
-                                   std::string(scalar_name()),
-                                   std::to_string(cell_.dimension),
-                                   std::to_string(cell_.degree),
-                                   number(cell_.coordinate_range),
-                                   number(cell_.t_interval.min),
-                                   number(cell_.t_interval.max),
-                                   cell_.generator,
-                                   std::to_string(study_.trials * study_.replicates),
-                                   study_.baseline[k]};
+      auto row = cell_fields(study_, cell_, methods_[m]->info->id, ScalarFacts<Scalar>::kind);
+      row.push_back(std::to_string(study_.trials * study_.replicates));
+      row.push_back(study_.baseline[k]);
       if (!judged(m, k)) {
         row.emplace_back(supported(*methods_[m]) ? "baseline_degree_unsupported" : "degree_unsupported");
-        row.resize(accuracy_columns.size());
+        row.resize(accuracy_columns().size());
       } else {
-        const Judgement& j = judgements_[index(m, k)];
-        const bool bounded = j.bounded > 0;
-        const auto statistic = [&](double value) { return j.error.count() > 0 ? number(value) : std::string(); };
-        for (const auto& field :
-             {std::string("ok"), statistic(j.error.mean()), statistic(j.error.root_mean_square()),
-              statistic(j.error.quantile(0.5)), statistic(j.error.quantile(0.99)), statistic(j.error.max()),
-              statistic(j.error_u.mean()), statistic(j.error_u.max()), bounded ? number(j.bound_u) : std::string(),
-              bounded ? std::to_string(j.violations) : std::string(), std::to_string(j.non_finite)})
-          row.push_back(field);
+        const Judgement& judgement = judgements_[index(m, k)];
+        row.emplace_back("ok");
+        for (auto& field : accuracy_statistics(judgement, baselines_[k] == nullptr, condition_))
+          row.push_back(std::move(field));
+        if (judgement.worst && is_stable(m, k)) write_worst(m, *judgement.worst, tables);
       }
-      tables.table(stable ? "accuracy.csv" : "unstable.csv", accuracy_columns).add_row(std::move(row));
+      tables.table(is_stable(m, k) ? "accuracy.csv" : "unstable.csv", accuracy_columns()).add_row(std::move(row));
     }
   }
   if (audit_.count() > 0)
@@ -336,6 +365,21 @@ void ScalarCell<Scalar>::write(Tables& tables) const {
                   std::to_string(cell_.degree), number(cell_.coordinate_range), number(cell_.t_interval.min),
                   number(cell_.t_interval.max), cell_.generator, std::to_string(audit_.count()), number(audit_.mean()),
                   number(audit_.max())});
+}
+
+template <class Scalar>
+void ScalarCell<Scalar>::write_worst(std::size_t method, const Worst& worst, Tables& tables) const {
+  auto& table = tables.table("worst.csv", worst_columns());
+  TrialInputs<Scalar> inputs(form_of(study_.curve), cell_);
+  inputs.draw(sampler_, worst.trial);
+  std::vector<std::string> row{fmt::format("w{}", table.row_count() + 1)};
+  for (auto& field : cell_fields(study_, cell_, methods_[method]->info->id, ScalarFacts<Scalar>::kind))
+    row.push_back(std::move(field));
+  row.push_back(std::to_string(worst.trial));
+  row.push_back(number::decimal(worst.error));
+  row.push_back(number::decimal(worst.error_u));
+  for (auto& field : input_fields(inputs.values(), cell_.dimension)) row.push_back(std::move(field));
+  table.add_row(std::move(row));
 }
 
 /// The statistics of the replicates that have one.
@@ -374,7 +418,8 @@ void ScalarCell<Scalar>::collect(std::vector<Violation>& violations) const {
       const Judgement& j = judgements_[index(m, k)];
       if (j.violations == 0) continue;
       violations.push_back(
-          {fmt::format("{}, method {}, first at trial {}", describe(), methods_[m]->info->id, j.first_violation),
+          {fmt::format("{}, method {}, first at trial {}", describe(study_, cell_, ScalarFacts<Scalar>::kind),
+                       methods_[m]->info->id, j.first_violation),
            j.violations});
     }
 }

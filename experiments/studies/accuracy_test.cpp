@@ -155,5 +155,30 @@ TEST(Accuracy, RefusesAMethodOfTheOtherForm) {
   }
 }
 
+/// The largest error in units of u p~ and the row of worst.csv come from the same trial, however blocks are merged.
+TEST(Accuracy, KeepsTheWorstTrial) {
+  auto study = small_study();
+  study.degree = {3};
+  study.baseline = {"exact"};
+  const auto job = accuracy_job(study, 5);
+  for (std::size_t block = job->blocks(); block-- > 0;) job->run_block(block);
+  const auto rows = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  const auto worst = bundle::parse_csv(text_of(*job, "worst.csv"), "worst.csv");
+  ASSERT_EQ(worst.row_count(), 2U);  // direct_pow is not bit-stable
+  for (std::size_t row = 0; row < worst.row_count(); ++row) {
+    EXPECT_EQ(worst.at(row, "worst_id"), "w" + std::to_string(row + 1));
+    EXPECT_EQ(worst.at(row, "method"), rows.at(row, "method"));
+    EXPECT_EQ(worst.at(row, "error_u"), rows.at(row, "max_error_u"));
+    sample::Trial trial;
+    sample::draw(5, sample::key(study.id), {suite::CurveKind::bezier, 2, 3, 1, {}, "continuous"},
+                 static_cast<std::uint64_t>(number::parse_integer(worst.at(row, "trial")).value()), trial);
+    EXPECT_EQ(worst.at(row, "t"), number::hexadecimal(trial.t));
+    std::string coefficients;
+    for (const std::size_t k : {0U, 2U, 4U, 6U, 1U, 3U, 5U, 7U})
+      coefficients += (k == 0 ? "" : " ") + number::hexadecimal(trial.coefficients[k]);
+    EXPECT_EQ(worst.at(row, "coefficients"), coefficients);
+  }
+}
+
 }  // namespace
 }  // namespace bezierbench::studies

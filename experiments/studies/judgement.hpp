@@ -4,24 +4,49 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "experiments/metric/tally.hpp"
+#include "experiments/studies/error_sources.hpp"
 
 namespace bezierbench::studies {
+
+/// The trial in which a method was worst, in units of u p~; of equally bad ones the first.
+struct Worst {
+  double error_u;
+  double error;
+  std::uint64_t trial;
+
+  [[nodiscard]] bool is_worse_than(const Worst& other) const {
+    return error_u > other.error_u || (error_u == other.error_u && trial < other.trial);
+  }
+};
 
 /// What is kept of one method against one baseline.
 struct Judgement {
   metric::Tally error;
   metric::Tally error_u;
+  metric::Tally error_ulp;  ///< against the exact reference only, like all below
+  metric::Tally relative;
+  std::optional<Worst> worst;
+  SourceTallies sources;
   std::uint64_t non_finite = 0;
   std::uint64_t bounded = 0;  ///< trials for which a bound is proved
   std::uint64_t violations = 0;
   std::int64_t first_violation = std::numeric_limits<std::int64_t>::max();  ///< trial
   double bound_u = 0;
 
+  void keep_worst(const Worst& candidate) {
+    if (!worst || candidate.is_worse_than(*worst)) worst = candidate;
+  }
+
   void merge(const Judgement& other) {
     error.merge(other.error);
     error_u.merge(other.error_u);
+    error_ulp.merge(other.error_ulp);
+    relative.merge(other.relative);
+    if (other.worst) keep_worst(*other.worst);
+    sources.merge(other.sources);
     non_finite += other.non_finite;
     bounded += other.bounded;
     violations += other.violations;

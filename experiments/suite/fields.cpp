@@ -2,6 +2,8 @@
 #include "experiments/suite/fields.hpp"
 
 #include <array>
+#include <type_traits>
+#include <utility>
 
 #include "experiments/suite/toml_value.hpp"
 
@@ -13,17 +15,24 @@ void read_member(std::string_view source, std::string_view key, const toml::node
   read({source, key}, node, out.*Member);
 }
 
+/// True for a number that is not an axis.
+template <auto Member>
+constexpr bool is_count = std::is_same_v<std::remove_cvref_t<decltype(std::declval<Study>().*Member)>, std::int64_t>;
+
 template <auto Member>
 std::string write_member(const Study& study) {
   if constexpr (requires { (study.*Member).empty(); }) {
     if ((study.*Member).empty()) return {};  // left out means: does not apply, or for methods, all that apply
+  }
+  if constexpr (is_count<Member>) {
+    if (study.*Member == 0) return {};  // a count of nothing likewise
   }
   return to_text(study.*Member);
 }
 
 template <auto Member>
 constexpr Field field(std::string_view key, bool settable) {
-  return {key, &read_member<Member>, &write_member<Member>, settable};
+  return {key, &read_member<Member>, &write_member<Member>, settable, is_count<Member>};
 }
 
 /// One baseline may be written without brackets.
@@ -47,6 +56,8 @@ constexpr std::array fields{field<&Study::id>("id", false),
                             field<&Study::trials>("trials", true),
                             field<&Study::replicates>("replicates", true),
                             Field{"baseline", &read_baseline, &write_member<&Study::baseline>, true},
+                            field<&Study::decomposed_trials>("decomposed_trials", true),
+                            field<&Study::budget>("budget", true),
                             field<&Study::modes>("modes", true),
                             field<&Study::published>("published", false)};
 

@@ -23,15 +23,16 @@ template <class Enum>
 inline constexpr std::array<Word<Enum>, 0> words{};
 
 template <>
-inline constexpr std::array<Word<Kind>, 9> words<Kind>{{{Kind::accuracy, "accuracy"},
-                                                        {Kind::conversion, "conversion"},
-                                                        {Kind::timing, "timing"},
-                                                        {Kind::derivative, "derivative"},
-                                                        {Kind::arc_length, "arc_length"},
-                                                        {Kind::inverse_arc_length, "inverse_arc_length"},
-                                                        {Kind::projection, "projection"},
-                                                        {Kind::interpolation, "interpolation"},
-                                                        {Kind::fitting, "fitting"}}};
+inline constexpr std::array<Word<Kind>, 10> words<Kind>{{{Kind::accuracy, "accuracy"},
+                                                         {Kind::search, "search"},
+                                                         {Kind::conversion, "conversion"},
+                                                         {Kind::timing, "timing"},
+                                                         {Kind::derivative, "derivative"},
+                                                         {Kind::arc_length, "arc_length"},
+                                                         {Kind::inverse_arc_length, "inverse_arc_length"},
+                                                         {Kind::projection, "projection"},
+                                                         {Kind::interpolation, "interpolation"},
+                                                         {Kind::fitting, "fitting"}}};
 
 template <>
 inline constexpr std::array<Word<CurveKind>, 3> words<CurveKind>{

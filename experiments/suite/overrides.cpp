@@ -68,7 +68,7 @@ Setting parse_set(const std::string& text) {
 
 void set(const Setting& setting, Study& study) {
   const std::string_view key = setting.field->key;
-  const bool single = key == "trials" || key == "replicates";
+  const bool single = setting.field->single;
   if (single && setting.values.size() != 1)
     throw Failure(Exit::usage, fmt::format("{}: takes one value; write {}=N", setting.option, key));
   const toml::node& node = single ? *setting.values.get(0) : static_cast<const toml::node&>(setting.values);

@@ -10,6 +10,7 @@ namespace bezierbench::suite {
 
 enum class Kind {
   accuracy,
+  search,
   conversion,
   timing,
   derivative,
@@ -50,6 +51,8 @@ struct Study {
   std::int64_t trials = 1000;                  ///< per replicate
   std::int64_t replicates = 1;                 ///< independent repetitions, for a band
   std::vector<std::string> baseline{"exact"};  ///< what errors are measured against: `exact` or a method id
+  std::int64_t decomposed_trials = 0;          ///< accuracy only: so many trials of a cell have their error taken apart
+  std::int64_t budget = 0;                     ///< search only: inputs that the climb may try per cell and method
   std::vector<Mode> modes;                     ///< timing only
   std::string published;                       ///< file of printed values in reference/published; may be empty
 };

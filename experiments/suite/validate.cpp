@@ -79,6 +79,18 @@ Finding check_axes(const Study& study) {
 Finding check_counts(const Study& study) {
   if (study.trials < 1) return Problem{"trials", 0, {}, "trials must be at least 1"};
   if (study.replicates < 1) return Problem{"replicates", 0, {}, "replicates must be at least 1"};
+  if (study.decomposed_trials < 0) return Problem{"decomposed_trials", 0, {}, "decomposed_trials must not be negative"};
+  if (study.decomposed_trials > 0 && study.kind != Kind::accuracy) {
+    return Problem{"decomposed_trials", 0, "kind",
+                   "decomposed_trials belong to studies of kind \"accuracy\"; remove them"};
+  }
+  if (study.kind == Kind::search && study.budget < 1) {
+    return Problem{"budget", 0, "kind",
+                   "kind \"search\" needs a budget, how many inputs it may try; add budget = 20000"};
+  }
+  if (study.kind != Kind::search && study.budget != 0) {
+    return Problem{"budget", 0, "kind", "a budget belongs to studies of kind \"search\"; remove it"};
+  }
   if (study.replicates > most_replicates) {
     return Problem{
         "replicates", 0, {}, fmt::format("replicates must be at most {}, for each is kept", most_replicates)};

@@ -79,6 +79,8 @@ class Random {
     made.methods = below(2) == 0 ? std::vector<std::string>{} : std::vector<std::string>{"*"};
     made.trials = 1 + static_cast<std::int64_t>(bits_() >> 34U);
     made.replicates = 1 + static_cast<std::int64_t>(bits_() >> 45U);
+    if (made.kind == Kind::search) made.budget = 1 + static_cast<std::int64_t>(bits_() >> 1U);
+    if (made.kind == Kind::accuracy) made.decomposed_trials = static_cast<std::int64_t>(below(2) * (bits_() >> 1U));
     made.baseline = made.kind == Kind::conversion ? some<std::string>({"exact", "factorial"})
                                                   : some<std::string>({"exact", known.methods[0], known.methods[1]});
     if (made.kind == Kind::timing) made.modes = some<Mode>({Mode::one_shot, Mode::latency, Mode::batch});

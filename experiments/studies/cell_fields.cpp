@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/cell_fields.hpp"
+
+#include <fmt/format.h>
+
+#include "experiments/number/number.hpp"
+#include "experiments/suite/names.hpp"
+
+namespace bezierbench::studies {
+
+const std::vector<std::string>& cell_columns() {
+  static const std::vector<std::string> columns{
+      "study", "curve", "method", "scalar", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator"};
+  return columns;
+}
+
+std::vector<std::string> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
+                                     suite::ScalarKind scalar) {
+  return {study.id,
+          std::string(suite::name(study.curve)),
+          std::string(method),
+          std::string(suite::name(scalar)),
+          std::to_string(cell.dimension),
+          std::to_string(cell.degree),
+          number::decimal(cell.coordinate_range),
+          number::decimal(cell.t_interval.min),
+          number::decimal(cell.t_interval.max),
+          cell.generator};
+}
+
+std::string describe(const suite::Study& study, const sample::Cell& cell, suite::ScalarKind scalar) {
+  return fmt::format("study {}, {} {} degree {}, range {}, t in [{}, {}], generator {}", study.id,
+                     suite::name(study.curve), suite::name(scalar), cell.degree, number::decimal(cell.coordinate_range),
+                     number::decimal(cell.t_interval.min), number::decimal(cell.t_interval.max), cell.generator);
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/evaluate/kernel.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/studies/climb.hpp"
+#include "experiments/studies/point_judge.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+suite::Study small_study() {
+  suite::Study study;
+  study.id = "search";
+  study.kind = suite::Kind::search;
+  study.degree = {5};
+  study.methods = {"de_casteljau*", "horner_bernstein", "direct_pow"};
+  study.trials = 300;
+  study.budget = 1500;
+  return study;
+}
+
+bundle::CsvDocument table_of(const suite::Study& study) {
+  const auto job = search_job(study, 1);
+  for (std::size_t block = 0; block < job->blocks(); ++block) job->run_block(block);
+  EXPECT_TRUE(job->violations().empty());
+  Tables tables;
+  job->write(tables);
+  return bundle::parse_csv(tables.all().at("search.csv").text(), "search.csv");
+}
+
+double value(const bundle::CsvDocument& table, std::size_t row, std::string_view column) {
+  return number::parse_number(table.at(row, column)).value();
+}
+
+TEST(Search, StaysBetweenTheSampleAndTheBound) {
+  const auto table = table_of(small_study());
+  ASSERT_GT(table.row_count(), 4U);
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    EXPECT_NE(table.at(row, "method"), "direct_pow");  // nobody else could replay it
+    EXPECT_LE(value(table, row, "sampled_error_u"), value(table, row, "searched_error_u"));
+    if (table.at(row, "bound_u").empty()) continue;
+    EXPECT_LE(value(table, row, "searched_error_u"), value(table, row, "bound_u"));
+  }
+}
+
+/// a + t (b - a) has no bound in u p~: a tiny b beside a large a is all it takes.
+TEST(Search, FindsWhatSamplingDoesNot) {
+  auto study = small_study();
+  study.methods = {"de_casteljau_lerp"};
+  study.budget = 10000;
+  const auto table = table_of(study);
+  EXPECT_GT(value(table, 0, "searched_error_u"), 50 * value(table, 0, "sampled_error_u"));
+  EXPECT_EQ(table.at(0, "status"), "reached");
+}
+
+/// The recorded input gives the recorded error, judged afresh.
+TEST(Search, RowsCanBeReplayed) {
+  const auto table = table_of(small_study());
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const auto* kernel = find_kernel<double>(table.at(row, "method"), Form::bernstein, 2);
+    ASSERT_NE(kernel, nullptr);
+    sample::Trial trial;
+    trial.t = value(table, row, "t");
+    std::vector<double> by_axis;
+    const std::string& text = table.at(row, "coefficients");
+    for (std::size_t begin = 0; begin < text.size();) {
+      const auto end = std::min(text.find(' ', begin), text.size());
+      by_axis.push_back(number::parse_number(text.substr(begin, end - begin)).value());
+      begin = end + 1;
+    }
+    ASSERT_EQ(by_axis.size(), 12U);
+    for (std::size_t i = 0; i < 6; ++i)
+      trial.coefficients.insert(trial.coefficients.end(), {by_axis[i], by_axis[6 + i]});
+    sample::Cell cell;
+    cell.degree = 5;
+    TrialInputs<double> inputs(Form::bernstein, cell);
+    inputs.assign(trial);
+    PointJudge<double> judge;
+    EXPECT_EQ(judge.judge(*kernel, inputs).error_u, value(table, row, "searched_error_u"));
+  }
+}
+
+TEST(Climb, StaysInTheBox) {
+  sample::Cell cell;
+  cell.degree = 3;
+  cell.coordinate_range = 3;
+  cell.t_interval = {0.25, 0.75};
+  const Climb climb(cell, 0);
+  sample::Words words(1, 2, 3, 4);
+  sample::Trial trial{{0, 1, 2, 3, -3, -2, -1, 0}, 0.5};
+  bool moved = false;
+  for (int step = 0; step < 20000; ++step) {
+    const double before = trial.t;
+    climb.step(words, trial);
+    moved = moved || trial.t != before;
+    ASSERT_GE(trial.t, 0.25);
+    ASSERT_LE(trial.t, 0.75);
+    for (const double value : trial.coefficients) ASSERT_LE(std::abs(value), 3);
+  }
+  EXPECT_TRUE(moved);
+}
+
+}  // namespace
+}  // namespace bezierbench::studies
