@@ -2,7 +2,9 @@
 // How an input that can be replayed is written: every bit of it, in hexadecimal floating point.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/sample/draw.hpp"
@@ -14,5 +16,8 @@ const std::vector<std::string>& input_columns();
 
 /// The fields of those columns: coefficients separated by blanks, all of the first axis, then of the next.
 std::vector<std::string> input_fields(const sample::Trial& trial, int dimension);
+
+/// Reads such fields; nothing where one is not a finite number or there are more or fewer than the cell's curve has.
+std::optional<sample::Trial> parse_input(std::string_view t, std::string_view coefficients, const sample::Cell& cell);
 
 }  // namespace bezierbench::studies

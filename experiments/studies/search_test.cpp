@@ -6,6 +6,7 @@
 #include "core/evaluate/kernel.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/climb.hpp"
+#include "experiments/studies/input_fields.hpp"
 #include "experiments/studies/point_judge.hpp"
 
 namespace bezierbench::studies {
@@ -62,22 +63,12 @@ TEST(Search, RowsCanBeReplayed) {
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     const auto* kernel = find_kernel<double>(table.at(row, "method"), Form::bernstein, 2);
     ASSERT_NE(kernel, nullptr);
-    sample::Trial trial;
-    trial.t = value(table, row, "t");
-    std::vector<double> by_axis;
-    const std::string& text = table.at(row, "coefficients");
-    for (std::size_t begin = 0; begin < text.size();) {
-      const auto end = std::min(text.find(' ', begin), text.size());
-      by_axis.push_back(number::parse_number(text.substr(begin, end - begin)).value());
-      begin = end + 1;
-    }
-    ASSERT_EQ(by_axis.size(), 12U);
-    for (std::size_t i = 0; i < 6; ++i)
-      trial.coefficients.insert(trial.coefficients.end(), {by_axis[i], by_axis[6 + i]});
     sample::Cell cell;
     cell.degree = 5;
+    const auto trial = parse_input(table.at(row, "t"), table.at(row, "coefficients"), cell);
+    ASSERT_TRUE(trial);
     TrialInputs<double> inputs(Form::bernstein, cell);
-    inputs.assign(trial);
+    inputs.assign(*trial);
     PointJudge<double> judge;
     EXPECT_EQ(judge.judge(*kernel, inputs).error_u, value(table, row, "searched_error_u"));
   }

@@ -17,7 +17,7 @@ struct Field {
   void (*read)(std::string_view source, std::string_view key, const toml::node& node, Study& out);
   std::string (*write)(const Study& study);  ///< TOML text of the value; empty where the key is to be left out
   bool settable;                             ///< with `--set key=v1,v2`
-  bool single = false;  ///< one value, not a list of them to be swept
+  bool single = false;                       ///< one value, not a list of them to be swept
 };
 
 /// All keys of a study, in the order in which they are written.

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// `replay`: a recorded worst case, recomputed from its bits and taken apart.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/curve_file.hpp"
+#include "experiments/cli/diagnostics.hpp"
+#include "experiments/cli/worst_record.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/studies/error_sources.hpp"
+#include "experiments/studies/method_choice.hpp"
+#include "experiments/studies/point_judge.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+std::string both(double value) { return fmt::format("{} ({})", number::hexadecimal(value), number::decimal(value)); }
+
+template <class Scalar>
+void print_input(const studies::TrialInputs<Scalar>& inputs) {
+  const auto curve = inputs.curve();
+  fmt::print("\ninput\n  t          {}\n", both(inputs.true_t()));
+  for (int i = 0; i <= curve.degree; ++i)
+    for (int axis = 0; axis < curve.dimension; ++axis)
+      fmt::print("  {}[{}]{:<7}{}\n", axis_name(axis), i, "", both(static_cast<double>(curve(axis, i))));
+}
+
+template <class Scalar>
+void print_converted(const Kernel<Scalar>& kernel, const studies::TrialInputs<Scalar>& inputs) {
+  if (kernel.converted == nullptr) return;
+  std::vector<Scalar> coefficients;
+  kernel.converted(inputs.curve(), coefficients);
+  fmt::print("\nconverted to {} form, point by point\n", name(kernel.evaluated_form));
+  for (const Scalar value : coefficients) fmt::print("  {}\n", both(static_cast<double>(value)));
+}
+
+void print_sources(const studies::ErrorSources& sources) {
+  fmt::print(
+      "\nwhere the error comes from, distances between exact points\n  conversion         {}\n  rounding of 1-t    {}\n"
+      "  evaluation         {}\n",
+      number::decimal(sources.conversion), number::decimal(sources.one_minus_t), number::decimal(sources.evaluation));
+}
+
+void print_result(const studies::PointVerdict& verdict, const reference::ExactPoint& truth) {
+  fmt::print("\nresult\n");
+  for (int axis = 0; axis < truth.dimension; ++axis)
+    fmt::print("  {} computed {}\n    exact    {}\n", axis_name(axis),
+               both(verdict.point[static_cast<std::size_t>(axis)]),
+               both(reference::round_to(reference::binary64, truth.coordinate(axis))));
+  fmt::print("  error      {}\n  in u p~    {}\n", number::decimal(verdict.error), number::decimal(verdict.error_u));
+  if (verdict.bound_u) fmt::print("  bound      {}\n", number::decimal(*verdict.bound_u));
+}
+
+template <class Scalar>
+Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
+  const auto* kernel = find_kernel<Scalar>(record.text("method"), studies::form_of(cell.curve), cell.dimension);
+  if (kernel == nullptr) record.malformed("method", "is not one that this program knows");
+  studies::TrialInputs<Scalar> inputs(studies::form_of(cell.curve), cell);
+  inputs.assign(record.input(cell));
+  const double recorded = record.number("error");
+  const double recorded_u = record.error_u();
+  studies::PointJudge<Scalar> judge;
+  const auto verdict = judge.judge(*kernel, inputs);
+  const auto& truth = judge.truth(inputs);
+  fmt::print("{}: study {}, method {}, {} {}, degree {}\n", id, record.text("study"), record.text("method"),
+             record.text("scalar"), record.text("curve"), cell.degree);
+  print_input(inputs);
+  print_converted(*kernel, inputs);
+  if (verdict.finite) {
+    studies::SourceMeter<Scalar> meter;
+    const std::span<const double> point(verdict.point.data(), static_cast<std::size_t>(cell.dimension));
+    if (const auto sources = meter.measure(*kernel, inputs.curve(), inputs.t(), point, truth)) print_sources(*sources);
+  }
+  print_result(verdict, truth);
+  const bool same = verdict.finite && verdict.error == recorded && verdict.error_u == recorded_u;
+  fmt::print("  recorded   {}, {} u p~: {}\n", number::decimal(recorded), number::decimal(recorded_u),
+             same ? "the same" : "DIFFERENT");
+  if (!same)
+    say("the recorded error is not what this program computes; compare the builds with `bezierbench --version`");
+  return same ? Exit::fine : Exit::finding;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Exit& exit) {
+  struct Options {
+    std::string bundle;
+    std::string id;
+  };
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("replay", "recompute one recorded worst case, step by step");
+  command->add_option("bundle", options->bundle, "folder of the bundle")->required();
+  command->add_option("id", options->id, "worst_id of worst.csv or search_id of search.csv")->required();
+  command->callback([options, &exit] {
+    const WorstRecord record = find_worst_record(options->bundle, options->id);
+    const auto cell = record.cell();
+    exit = record.scalar() == suite::ScalarKind::float32 ? replay<float>(options->id, record, cell)
+                                                         : replay<double>(options->id, record, cell);
+  });
+}
+
+}  // namespace bezierbench::cli
