@@ -30,7 +30,7 @@ class Climb {
   static std::uint64_t below(sample::Words& words, std::uint64_t count) { return words.next() % count; }
 
   void change(sample::Words& words, sample::Trial& trial) const {
-    constexpr std::uint64_t one_in_parameter = 4;
+    constexpr std::uint64_t one_in_parameter = 2;
     if (below(words, one_in_parameter) == 0)
       trial.t = changed_parameter(words, trial.t);
     else
