@@ -222,6 +222,8 @@ class Suites(Case):
     def test_values_that_do_not_fit_together(self):
         self.at("coordinate_range", lines_of(generator='["integer"]', coordinate_range="[10, 0.5]"), "0.5")
         self.at("coordinate_range", lines_of(scalar='["float"]', coordinate_range="[1e39]"), "float")
+        self.at("generator", lines_of(generator='["weights_mild"]'), "only rational curves have")
+        self.at("generator", lines_of(curve='"rational"', generator='["continuous"]'), "weights_mild, weights_wild")
 
     def test_structure(self):
         for lines, line, needle in [
@@ -404,8 +406,9 @@ class Lists(Case):
         studies = rows(self.fine("list", "studies", "--format", "csv"))
         self.assertLessEqual({row["suite"] for row in studies}, suites)
         self.assertLessEqual({"2.2", "2.3.1-bezier", "2.4-polynomial"}, {row["id"] for row in studies})
-        generators = [row["id"] for row in rows(self.fine("list", "generators", "--format", "csv"))]
+        generators = {row["id"]: row for row in rows(self.fine("list", "generators", "--format", "csv"))}
         self.assertLessEqual({"continuous", "dyadic", "integer", "report"}, set(generators))
+        self.assertLessEqual({"weights_mild", "weights_wild"}, {k for k, row in generators.items() if row["weights"]})
         for topic in ("methods", "suites", "studies", "generators"):
             self.assertNotEqual(self.fine("list", topic), self.fine("list", topic, "--format", "csv"))
             self.assertEqual(self.fine("list", "--format", "csv", topic), self.fine("list", topic, "--format", "csv"))

@@ -38,9 +38,10 @@ std::string studies_csv() {
 }
 
 std::string generators_csv() {
-  bundle::CsvTable table({"id", "coordinates", "t"});
+  bundle::CsvTable table({"id", "coordinates", "t", "weights"});
   for (const auto& generator : sample::generators())
-    table.add_row({std::string(generator.id), std::string(generator.coordinates), std::string(generator.t)});
+    table.add_row({std::string(generator.id), std::string(generator.coordinates), std::string(generator.t),
+                   std::string(generator.weights)});
   return table.text();
 }
 

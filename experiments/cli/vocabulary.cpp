@@ -34,7 +34,8 @@ suite::Vocabulary vocabulary() {
   suite::Vocabulary known;
   for (const auto& kernel : kernels<double>(any_dimension)) add_once(known.methods, kernel.info->id);
   for (const auto& kernel : conversion_kernels<double>(any_dimension)) add_once(known.conversions, kernel.info->id);
-  for (const auto& generator : sample::generators()) known.generators.emplace_back(generator.id);
+  for (const auto& generator : sample::generators())
+    known.generators.push_back({std::string(generator.id), generator.limits});
   for (const auto& table : reference::published_tables()) known.published_files.emplace_back(table.file_name);
   return known;
 }

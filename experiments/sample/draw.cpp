@@ -13,13 +13,20 @@
 namespace bezierbench::sample {
 namespace {
 
-template <Generator G>
-void fill(Words& words, double range, suite::Interval t, Trial& out) {
-  out.t = G::parameter(words, t);
-  for (double& coordinate : out.coefficients) coordinate = G::coordinate(words, range);
+template <CoordinateGenerator G>
+void fill(Words& words, const Cell& cell, Trial& out) {
+  static_assert(WeightGenerator<G> == G::info.limits.weights, "what it draws is what suites are told");
+  out.t = G::parameter(words, cell.t_interval);
+  for (double& coordinate : out.coefficients) coordinate = G::coordinate(words, cell.coordinate_range);
+  out.weights.clear();
+  if constexpr (WeightGenerator<G>) {
+    if (cell.curve != suite::CurveKind::rational) return;
+    out.weights.resize(static_cast<std::size_t>(cell.degree) + 1);
+    for (double& weight : out.weights) weight = G::weight(words);
+  }
 }
 
-using Fill = void (*)(Words&, double, suite::Interval, Trial&);
+using Fill = void (*)(Words&, const Cell&, Trial&);
 
 constexpr auto infos = []<class... Gs>(const std::tuple<Gs...>*) {
   return std::array{Gs::info...};
@@ -42,18 +49,12 @@ Sampler::Sampler(std::uint64_t seed, std::string_view study_id, const Cell& cell
     : Sampler(seed, key(study_id), cell) {}
 
 Sampler::Sampler(std::uint64_t seed, std::uint64_t study_key, const Cell& cell)
-    : seed_(seed),
-      study_key_(study_key),
-      cell_key_(key(cell)),
-      size_(static_cast<std::size_t>(cell.degree + 1) * static_cast<std::size_t>(cell.dimension)),
-      range_(cell.coordinate_range),
-      t_interval_(cell.t_interval),
-      fill_(find(cell.generator)) {}
+    : seed_(seed), study_key_(study_key), cell_key_(key(cell)), cell_(cell), fill_(find(cell.generator)) {}
 
 void Sampler::draw(std::uint64_t trial, Trial& out) const {
   Words words(seed_, study_key_, cell_key_, trial);
-  out.coefficients.resize(size_);
-  fill_(words, range_, t_interval_, out);
+  out.coefficients.resize(static_cast<std::size_t>(cell_.degree + 1) * static_cast<std::size_t>(cell_.dimension));
+  fill_(words, cell_, out);
 }
 
 void draw(std::uint64_t seed, std::uint64_t study_key, const Cell& cell, std::uint64_t trial, Trial& out) {

@@ -15,11 +15,12 @@ namespace bezierbench::sample {
 struct Trial {
   std::vector<double> coefficients;  ///< point by point, ascending: x0 y0 x1 y1 ...; (degree + 1) * dimension values
   double t = 0;
+  std::vector<double> weights{};  ///< degree + 1 positive values for a rational curve, else none
 };
 
 /// Draws the trials of one cell. A trial is a pure function of (seed, study id, cell, trial number): t first, then the
-/// coefficients point by point, each from the words that follow (words.hpp), so t does not hang on how many
-/// coefficients there are. Values are doubles; for float, the caller rounds them.
+/// coefficients point by point, then the weights, each from the words that follow (words.hpp), so t does not hang on
+/// how many coefficients there are, nor these on the weights. Values are doubles; for float, the caller rounds them.
 class Sampler {
  public:
   /// Throws Failure(Exit::usage) for a generator that is not in the roster; suites are checked when they are read.
@@ -31,14 +32,12 @@ class Sampler {
   void draw(std::uint64_t trial, Trial& out) const;
 
  private:
-  using Fill = void (*)(Words&, double range, suite::Interval, Trial&);
+  using Fill = void (*)(Words&, const Cell&, Trial&);
 
   std::uint64_t seed_;
   std::uint64_t study_key_;
   std::uint64_t cell_key_;
-  std::size_t size_;
-  double range_;
-  suite::Interval t_interval_;
+  Cell cell_;
   Fill fill_;
 };
 

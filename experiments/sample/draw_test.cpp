@@ -22,16 +22,23 @@
 namespace bezierbench::sample {
 namespace {
 
+/// An empty line has no part; elsewhere parts may be empty.
 std::vector<std::string> split(const std::string& line, char separator) {
   std::vector<std::string> parts;
   std::istringstream stream(line);
   for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  if (line.ends_with(separator)) parts.emplace_back();
   return parts;
 }
 
 double number(const std::string& text) { return number::parse_number(text).value(); }
 
 std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
+
+void expect_bits(const std::vector<double>& values, const std::vector<std::string>& texts) {
+  ASSERT_EQ(values.size(), texts.size());
+  for (std::size_t i = 0; i < texts.size(); ++i) EXPECT_EQ(bits(values[i]), bits(number(texts[i]))) << i;
+}
 
 Trial drawn(std::uint64_t seed, const char* study, const Cell& cell, std::uint64_t trial) {
   Trial out;
@@ -66,11 +73,8 @@ TEST(Draw, AgreesWithTheIndependentImplementation) {
     Trial trial;
     draw(1, key(std::string_view(row["study"])), cell, std::stoull(row["trial"]), trial);
     EXPECT_EQ(bits(trial.t), bits(number(row["t"])));
-    const std::vector<std::string> coefficients = split(row["coefficients"], ' ');
-    ASSERT_EQ(trial.coefficients.size(), coefficients.size());
-    for (std::size_t i = 0; i < coefficients.size(); ++i) {
-      EXPECT_EQ(bits(trial.coefficients[i]), bits(number(coefficients[i]))) << i;
-    }
+    expect_bits(trial.coefficients, split(row["coefficients"], ' '));
+    expect_bits(trial.weights, split(row["weights"], ' '));
     seen.insert(cell.generator);
   }
   EXPECT_GE(rows, 30);
@@ -140,8 +144,20 @@ struct AsTypes<std::tuple<Gs...>> {
 };
 TYPED_TEST_SUITE(GeneratorTest, AsTypes<Generators>::type);
 
-TYPED_TEST(GeneratorTest, StaysInRangeAndFillsIt) {
-  static_assert(Generator<TypeParam>);
+template <class G>
+class CoordinateGeneratorTest : public ::testing::Test {};
+
+template <class G>
+using IfCoordinates = std::conditional_t<CoordinateGenerator<G>, std::tuple<G>, std::tuple<>>;
+template <class>
+struct OfCoordinates;
+template <class... Gs>
+struct OfCoordinates<std::tuple<Gs...>> {
+  using type = decltype(std::tuple_cat(IfCoordinates<Gs>{}...));
+};
+TYPED_TEST_SUITE(CoordinateGeneratorTest, AsTypes<OfCoordinates<Generators>::type>::type);
+
+TYPED_TEST(CoordinateGeneratorTest, StaysInRangeAndFillsIt) {
   const suite::Interval interval{0.25, 0.75};
   const double range = 1000;
   const Sampler sampler(1, "a", cell_of(TypeParam::info.id, range, interval));
@@ -179,7 +195,27 @@ TYPED_TEST(GeneratorTest, StaysInRangeAndFillsIt) {
   EXPECT_GT(high, 0.99 * range);
 }
 
+TYPED_TEST(GeneratorTest, HasWeightsForRationalCurvesWhereItSaysSo) {
+  Cell cell = cell_of(TypeParam::info.id, 1);
+  EXPECT_TRUE(drawn(1, "a", cell, 0).weights.empty());
+  EXPECT_EQ(TypeParam::info.limits.weights, !TypeParam::info.weights.empty());
+  if (!TypeParam::info.limits.weights) return;
+  cell.curve = suite::CurveKind::rational;
+  EXPECT_EQ(drawn(1, "a", cell, 0).weights.size(), 5U);
+}
+
+TYPED_TEST(GeneratorTest, ReplacesTheTrialOfAnotherSampler) {
+  Cell weighted = cell_of("weights_mild", 1);
+  weighted.curve = suite::CurveKind::rational;
+  Trial trial = drawn(1, "a", weighted, 0);
+  const Sampler sampler(1, "a", cell_of(TypeParam::info.id, 1));
+  sampler.draw(0, trial);
+  EXPECT_EQ(trial.coefficients, drawn(1, "a", cell_of(TypeParam::info.id, 1), 0).coefficients);
+  EXPECT_TRUE(trial.weights.empty());
+}
+
 TYPED_TEST(GeneratorTest, DescribesItself) {
+  static_assert(Generator<TypeParam>);
   EXPECT_FALSE(TypeParam::info.id.empty());
   EXPECT_FALSE(TypeParam::info.coordinates.empty());
   EXPECT_FALSE(TypeParam::info.t.empty());

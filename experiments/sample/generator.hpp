@@ -6,24 +6,41 @@
 #include <string_view>
 
 #include "experiments/sample/words.hpp"
+#include "experiments/suite/generator_limits.hpp"
 #include "experiments/suite/suite.hpp"
 
 namespace bezierbench::sample {
 
-/// The part of a generator that is data, for `list generators`.
+/// The part of a generator that is data, for `list generators` and for the check of suites.
 struct GeneratorInfo {
-  std::string_view id;           ///< as in suites
-  std::string_view coordinates;  ///< what coordinates are
-  std::string_view t;            ///< what parameters are
+  std::string_view id;            ///< as in suites
+  std::string_view coordinates;   ///< what coordinates are
+  std::string_view t;             ///< what parameters are
+  std::string_view weights = {};  ///< what weights are; empty where none are drawn
+  suite::GeneratorLimits limits = {};
 };
 
-/// A generator draws a coordinate in [-R, R] (finite R >= 0) and a parameter in [t.min, t.max] from the words of a
-/// trial. How many words it takes may depend on nothing but the generator, so that draws keep their places.
+/// Draws a parameter in [t.min, t.max] from the first words of a trial. How many words a draw takes may depend on
+/// nothing but the generator and the degree, so that draws keep their places.
 template <class G>
-concept Generator = requires(Words& words, double range, suite::Interval t) {
+concept ParameterGenerator = requires(Words& words, suite::Interval t) {
   { G::info } -> std::convertible_to<GeneratorInfo>;
-  { G::coordinate(words, range) } -> std::same_as<double>;
   { G::parameter(words, t) } -> std::same_as<double>;
 };
+
+/// Draws coordinates one by one, each in [-R, R] (finite R >= 0).
+template <class G>
+concept CoordinateGenerator = ParameterGenerator<G> && requires(Words& words, double range) {
+  { G::coordinate(words, range) } -> std::same_as<double>;
+};
+
+/// Draws weights, too: one by one, each positive.
+template <class G>
+concept WeightGenerator = CoordinateGenerator<G> && requires(Words& words) {
+  { G::weight(words) } -> std::same_as<double>;
+};
+
+template <class G>
+concept Generator = CoordinateGenerator<G>;
 
 }  // namespace bezierbench::sample

@@ -8,19 +8,17 @@
 
 namespace bezierbench::sample {
 
-/// Two words per coordinate. With m = floor(R) and N = 2m + 1 the coordinate is floor(N U / 2^128) - m for a 128-bit
-/// uniform U: no rejection, so that every draw has its place, at a bias below N / 2^128 <= 2^-73 of a probability.
+/// Two words per coordinate, below 2m + 1, less m, for m = floor(R).
 struct Integer {
-  static constexpr GeneratorInfo info{"integer", "integers, uniform in [-R, R]; 1 <= R <= 2^53", "as continuous"};
+  static constexpr GeneratorInfo info{.id = "integer",
+                                      .coordinates = "integers, uniform in [-R, R]; 1 <= R <= 2^53",
+                                      .t = "as continuous",
+                                      .limits = {.smallest_range = 1, .largest_range = 0x1p53}};
 
   static double coordinate(Words& words, double range) {
-    __extension__ using Wide = unsigned __int128;
     const auto m = static_cast<std::int64_t>(range);
-    const auto count = static_cast<std::uint64_t>(2 * m + 1);
-    const Uniform128 u = words.next_uniform();
-    const Wide carry = (Wide{count} * u.low) >> 64U;
-    const auto index = static_cast<std::int64_t>((Wide{count} * u.high + carry) >> 64U);
-    return static_cast<double>(index - m);
+    const std::uint64_t index = words.next_below(static_cast<std::uint64_t>(2 * m + 1));
+    return static_cast<double>(static_cast<std::int64_t>(index) - m);
   }
 
   static double parameter(Words& words, suite::Interval t) { return Continuous::parameter(words, t); }

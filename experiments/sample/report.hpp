@@ -9,8 +9,10 @@ namespace bezierbench::sample {
 /// One word per value, of which the leading 15 bits are r, the range of the C library's rand() in the report. The
 /// expressions are the report's, in its order of operations, each rounded to double.
 struct Report {
-  static constexpr GeneratorInfo info{"report", "R * ((r % 20001 - 10000) / 10000.0), r of 15 bits",
-                                      "t_min + (t_max - t_min) * (r / 32767.0), r of 15 bits"};
+  static constexpr GeneratorInfo info{.id = "report",
+                                      .coordinates = "R * ((r % 20001 - 10000) / 10000.0), r of 15 bits",
+                                      .t = "t_min + (t_max - t_min) * (r / 32767.0), r of 15 bits",
+                                      .limits = {.finite_width = true}};
 
   static double coordinate(Words& words, double range) {
     const int r = fifteen_bits(words);

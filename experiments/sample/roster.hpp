@@ -8,12 +8,16 @@
 #include "experiments/sample/dyadic.hpp"
 #include "experiments/sample/integer.hpp"
 #include "experiments/sample/report.hpp"
+#include "experiments/sample/weights_mild.hpp"
+#include "experiments/sample/weights_wild.hpp"
 
 namespace bezierbench::sample {
 
-using Generators = std::tuple<Continuous,  //
-                              Dyadic,      //
-                              Integer,     //
-                              Report>;
+using Generators = std::tuple<Continuous,   //
+                              Dyadic,       //
+                              Integer,      //
+                              Report,       //
+                              WeightsMild,  //
+                              WeightsWild>;
 
 }  // namespace bezierbench::sample

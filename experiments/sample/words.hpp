@@ -37,6 +37,15 @@ class Words {
     return {high, next()};
   }
 
+  /// floor(count U / 2^128) for the U of the next two words: uniform in [0, count). No rejection, so that every draw
+  /// has its place, at a bias below count / 2^128 of a probability.
+  std::uint64_t next_below(std::uint64_t count) {
+    __extension__ using Wide = unsigned __int128;
+    const Uniform128 u = next_uniform();
+    const Wide carry = (Wide{count} * u.low) >> 64U;
+    return static_cast<std::uint64_t>((Wide{count} * u.high + carry) >> 64U);
+  }
+
  private:
   Block counter_;
   std::array<std::uint64_t, 2> key_;

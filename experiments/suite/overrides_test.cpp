@@ -112,6 +112,10 @@ TEST(Overrides, ErrorsNameTheOption) {
   EXPECT_THAT(refused(setting({"replicates=1,2"})), HasSubstr("one value"));
   EXPECT_THAT(refused(setting({"degree=5", "coordinate_range=0.5", "generator=integer"})),
               StartsWith("--set coordinate_range=0.5: study \"a-1\": generator \"integer\""));
+  EXPECT_THAT(refused(setting({"generator=weights_mild"})),
+              StartsWith("--set generator=weights_mild: study \"a-1\": generator \"weights_mild\" draws weights"));
+  EXPECT_THAT(refused(setting({"generator=multiple_root", "degree=34"})),
+              StartsWith("--set degree=34: study \"a-1\": generator \"multiple_root\""));
   Overrides overrides;
   overrides.trials = 0;
   EXPECT_THAT(refused(overrides), StartsWith("--trials 0: study \"a-1\": trials must be at least 1"));

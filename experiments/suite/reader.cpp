@@ -119,6 +119,11 @@ class Reader {
     if (out.kind == Kind::timing && !table.contains("modes")) {
       for (const auto& entry : words<Mode>) out.modes.push_back(entry.value);
     }
+    if (out.curve == CurveKind::rational && !table.contains("generator")) {
+      const auto weighted = std::find_if(known_.generators.begin(), known_.generators.end(),
+                                         [](const KnownGenerator& known) { return known.limits.weights; });
+      if (weighted != known_.generators.end()) out.generator = {weighted->id};
+    }
     if (const auto problem = validate(out, known_)) fail(place(table, *problem), problem->what);
     if (!study_ids_.insert(out.id).second) {
       fail(*table.get("id"), fmt::format("another study has the id \"{}\"; rename one", out.id));

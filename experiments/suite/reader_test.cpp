@@ -65,6 +65,17 @@ TEST(Reader, ATimingStudyWithoutModesHasAll) {
   EXPECT_EQ(parsed(head + "kind = \"timing\"\ndegree = [3]\n").studies.front().modes.size(), 4U);
 }
 
+TEST(Reader, ARationalStudyWithoutGeneratorHasOneWithWeights) {
+  EXPECT_THAT(parsed(minimal + "curve = \"rational\"\ndegree = [3]\n").studies.front().generator,
+              ElementsAre("weights_mild"));
+}
+
+TEST(Reader, TakesWhatAGeneratorDrawsExactly) {
+  const std::string exact = "generator = [\"multiple_root\"]\ncoordinate_range = [\"0x1p-900\", 0.25, \"0x1p900\"]\n";
+  parsed(minimal + "degree = [0, 33]\n" + exact);
+  parsed(minimal + "curve = \"polynomial\"\ndegree = [27]\n" + exact);
+}
+
 TEST(Reader, ReadsNumbersInEveryNotation) {
   const Study study = parsed(minimal +
                              "degree = [\"3\", 0x4, 5.0]\ncoordinate_range = [\"0x1p-1022\", 2, \"1e-3\", -0.0e1]\n"
@@ -145,6 +156,20 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"degree = [3]\ntitle = 3", "8:9", "a string"},
         Refusal{"degree = [3]\ngenerator = [\"integer\"]\ncoordinate_range = [1, 0.5]", "9:24", "from 1 to 2^53"},
         Refusal{"degree = [3]\ngenerator = [\"integer\"]\ncoordinate_range = [1e16]", "9:21", "from 1 to 2^53"},
+        Refusal{"degree = [3]\ncurve = \"rational\"\ngenerator = [\"weights_wild\", \"dyadic\"]", "9:30",
+                "generator \"dyadic\" draws no weights, which rational curves need; use weights_mild, weights_wild"},
+        Refusal{"degree = [3]\ngenerator = [\"weights_mild\"]", "8:14",
+                "generator \"weights_mild\" draws weights, which only rational curves have; use continuous, dyadic"},
+        Refusal{"degree = [33, 34]\ngenerator = [\"multiple_root\"]", "7:15", "bezier curves up to degree 33 only"},
+        Refusal{"degree = [28]\ncurve = \"polynomial\"\ngenerator = [\"continuous\", \"multiple_root\"]", "7:11",
+                "polynomial curves up to degree 27 only"},
+        Refusal{"degree = [3]\ngenerator = [\"multiple_root\"]\ncoordinate_range = [2, 3]", "9:24",
+                "a power of two from 2^-900 to 2^900, not 3; change"},
+        Refusal{"degree = [3]\ngenerator = [\"multiple_root\"]\ncoordinate_range = [\"0x1p901\"]", "9:21",
+                "a power of two from"},
+        Refusal{"degree = [3]\ngenerator = [\"multiple_root\"]\ncoordinate_range = [0]", "9:21", "a power of two from"},
+        Refusal{"degree = [3]\ngenerator = [\"multiple_root\"]\nscalar = [\"double\", \"float\"]", "9:21",
+                "exact in double only"},
         Refusal{"degree = [3]\nscalar = [\"float\"]\ncoordinate_range = [1e39]", "9:21", "largest float"},
         Refusal{"degree = [3]\n[[study]]\nid = \"a\"\nkind = \"accuracy\"\ndegree = [3]", "9:6", "another study"},
         Refusal{"degree = [3]\n[[study]]\nid = \"a,b\"\nkind = \"accuracy\"\ndegree = [3]", "9:6", "letters"},

@@ -44,7 +44,7 @@ struct Study {
   std::vector<int> degree;
   std::vector<double> coordinate_range{1.0};
   std::vector<Interval> t_interval{Interval{}};
-  std::vector<std::string> generator{"continuous"};
+  std::vector<std::string> generator{"continuous"};  ///< of a rational study: the first that draws weights
   std::vector<int> dimension{2};
   std::vector<ScalarKind> scalar{ScalarKind::float64};
   std::vector<std::string> methods;            ///< ids or globs as written; empty: all that apply

@@ -16,7 +16,18 @@ inline const Vocabulary& test_vocabulary() {
        "positive_sum:de_casteljau", "positive_sum:de_casteljau_lerp", "positive_sum:direct_pow",
        "positive_sum:horner_bernstein"},
       {"factorial", "differences", "forward_substitution", "positive_sum", "exact"},
-      {"continuous", "dyadic", "integer", "report"},
+      {{"continuous", {}},
+       {"dyadic", {}},
+       {"integer", {.smallest_range = 1, .largest_range = 0x1p53}},
+       {"report", {.finite_width = true}},
+       {"weights_mild", {.weights = true}},
+       {"weights_wild", {.weights = true}},
+       {"multiple_root",
+        {.bezier_degree = 33,
+         .polynomial_degree = 27,
+         .smallest_range = 0x1p-900,
+         .largest_range = 0x1p900,
+         .exact_coefficients = true}}},
       {"report_tables.csv"}};
   return known;
 }

@@ -23,7 +23,6 @@ namespace {
 using Finding = std::optional<Problem>;
 
 constexpr std::int64_t most_replicates = 1000000;
-constexpr double largest_integer_range = 0x1p53;  // beyond, not every integer is a double
 
 bool contains(std::span<const std::string> ids, std::string_view id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -101,29 +100,100 @@ Finding check_counts(const Study& study) {
   return std::nullopt;
 }
 
+const KnownGenerator* find_generator(const Vocabulary& known, std::string_view id) {
+  const auto found = std::find_if(known.generators.begin(), known.generators.end(),
+                                  [&](const KnownGenerator& generator) { return generator.id == id; });
+  return found == known.generators.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> generator_ids(const Vocabulary& known) {
+  std::vector<std::string> ids;
+  for (const auto& generator : known.generators) ids.push_back(generator.id);
+  return ids;
+}
+
+/// As a power of two where that is shorter to read.
+std::string power_or_decimal(double x) {
+  int exponent = 0;
+  const bool power = std::frexp(x, &exponent) == 0.5;  // x = 2^(exponent - 1)
+  return power && std::abs(exponent - 1) > 10 ? fmt::format("2^{}", exponent - 1) : number::decimal(x);
+}
+
+/// Weights and rational curves belong together.
+std::string weights_problem(const Study& study, const KnownGenerator& generator, const Vocabulary& known) {
+  const bool rational = study.curve == CurveKind::rational;
+  if (rational == generator.limits.weights) return {};
+  std::vector<std::string> others;
+  for (const auto& other : known.generators) {
+    if (other.limits.weights == rational) others.push_back(other.id);
+  }
+  return fmt::format("generator \"{}\" draws {}weights, which {}; use {}", generator.id, rational ? "no " : "",
+                     rational ? "rational curves need" : "only rational curves have", fmt::join(others, ", "));
+}
+
+/// What the generator cannot draw of R, else empty.
+std::string range_problem(const KnownGenerator& generator, double range) {
+  const GeneratorLimits& limits = generator.limits;
+  int exponent = 0;
+  const bool fits = !limits.exact_coefficients || std::frexp(range, &exponent) == 0.5;
+  if (fits && range >= limits.smallest_range && range <= limits.largest_range) return {};
+  return fmt::format(
+      "generator \"{}\" needs a coordinate_range {}from {} to {}, not {}; change the range or the generator",
+      generator.id, limits.exact_coefficients ? "that is a power of two " : "", power_or_decimal(limits.smallest_range),
+      power_or_decimal(limits.largest_range), number::decimal(range));
+}
+
+/// What generator i of the study cannot draw.
+Finding check_generator(const Study& study, std::size_t i, const Vocabulary& known) {
+  const KnownGenerator& generator = *find_generator(known, study.generator[i]);
+  const GeneratorLimits& limits = generator.limits;
+  if (std::string what = weights_problem(study, generator, known); !what.empty()) {
+    return Problem{"generator", i, "curve", std::move(what)};
+  }
+  const int largest = study.curve == CurveKind::polynomial ? limits.polynomial_degree : limits.bezier_degree;
+  for (std::size_t k = 0; k < study.degree.size(); ++k) {
+    if (study.degree[k] > largest) {
+      return Problem{"degree", k, "generator",
+                     fmt::format("generator \"{}\" draws {} curves up to degree {} only, where their coefficients are "
+                                 "exact; lower the degree or change the generator",
+                                 generator.id, name(study.curve), largest)};
+    }
+  }
+  for (std::size_t k = 0; k < study.coordinate_range.size(); ++k) {
+    if (std::string what = range_problem(generator, study.coordinate_range[k]); !what.empty()) {
+      return Problem{"coordinate_range", k, "generator", std::move(what)};
+    }
+  }
+  for (std::size_t k = 0; k < study.t_interval.size(); ++k) {
+    if (limits.finite_width && !std::isfinite(study.t_interval[k].max - study.t_interval[k].min)) {
+      return Problem{
+          "t_interval", k, "generator",
+          fmt::format("generator \"{}\" needs t_max - t_min to be finite; narrow the interval", generator.id)};
+    }
+  }
+  for (std::size_t k = 0; k < study.scalar.size(); ++k) {
+    if (limits.exact_coefficients && study.scalar[k] != ScalarKind::float64) {
+      return Problem{"scalar", k, "generator",
+                     fmt::format("generator \"{}\" draws coefficients that are exact in double only; leave scalar out "
+                                 "or change the generator",
+                                 generator.id)};
+    }
+  }
+  return std::nullopt;
+}
+
 /// Values that are fine on their own and wrong together.
-Finding check_fit(const Study& study) {
-  const bool integer = contains(study.generator, "integer");
-  const bool report = contains(study.generator, "report");
+Finding check_fit(const Study& study, const Vocabulary& known) {
+  for (std::size_t i = 0; i < study.generator.size(); ++i) {
+    if (auto found = check_generator(study, i, known)) return found;
+  }
   const bool single = std::find(study.scalar.begin(), study.scalar.end(), ScalarKind::float32) != study.scalar.end();
   for (std::size_t i = 0; i < study.coordinate_range.size(); ++i) {
     const double range = study.coordinate_range[i];
-    if (integer && !(range >= 1 && range <= largest_integer_range)) {
-      return Problem{"coordinate_range", i, "generator",
-                     fmt::format("generator \"integer\" needs a coordinate_range from 1 to 2^53, not {}; "
-                                 "change the range or the generator",
-                                 number::decimal(range))};
-    }
     if (single && range > static_cast<double>(std::numeric_limits<float>::max())) {
       return Problem{"coordinate_range", i, "scalar",
                      fmt::format("coordinate_range {} is beyond the largest float; change the range or the scalar",
                                  number::decimal(range))};
-    }
-  }
-  for (std::size_t i = 0; i < study.t_interval.size(); ++i) {
-    if (report && !std::isfinite(study.t_interval[i].max - study.t_interval[i].min)) {
-      return Problem{"t_interval", i, "generator",
-                     "generator \"report\" needs t_max - t_min to be finite; narrow the interval"};
     }
   }
   if (study.kind != Kind::timing && !study.modes.empty()) {
@@ -154,8 +224,8 @@ std::string method_problem(const Study& study, std::string_view entry, const Voc
 
 Finding check_ids(const Study& study, const Vocabulary& known) {
   for (std::size_t i = 0; i < study.generator.size(); ++i) {
-    if (!contains(known.generators, study.generator[i])) {
-      return unknown("generator", i, study.generator[i], known.generators);
+    if (find_generator(known, study.generator[i]) == nullptr) {
+      return unknown("generator", i, study.generator[i], generator_ids(known));
     }
   }
   std::vector<std::string> baselines{"exact"};
@@ -199,7 +269,7 @@ std::optional<Problem> validate(const Study& study, const Vocabulary& known) {
   if (auto found = check_axes(study)) return found;
   if (auto found = check_counts(study)) return found;
   if (auto found = check_ids(study, known)) return found;
-  return check_fit(study);
+  return check_fit(study, known);
 }
 
 std::string seed_problem(std::uint64_t seed) {

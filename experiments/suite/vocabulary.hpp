@@ -5,12 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "experiments/suite/generator_limits.hpp"
+
 namespace bezierbench::suite {
+
+struct KnownGenerator {
+  std::string id;
+  GeneratorLimits limits;
+};
 
 struct Vocabulary {
   std::vector<std::string> methods;      ///< evaluators, paths and the methods of the other kinds of study
   std::vector<std::string> conversions;  ///< parts of conversion chains such as `factorial+positive_sum`
-  std::vector<std::string> generators;
+  std::vector<KnownGenerator> generators;
   std::vector<std::string> published_files;  ///< names in reference/published
 };
 

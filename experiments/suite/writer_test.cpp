@@ -74,7 +74,8 @@ class Random {
     made.coordinate_range = some<double>({real(), real(), real(), 0, 5e-324, 1.7976931348623157e308});
     const double edge = real();
     made.t_interval = {Interval{-edge, edge}, Interval{0, real()}};
-    made.generator = some<std::string>({"continuous", "dyadic"});
+    made.generator = made.curve == CurveKind::rational ? some<std::string>({"weights_mild", "weights_wild"})
+                                                       : some<std::string>({"continuous", "dyadic"});
     made.dimension = some<int>({1, 2, 3});
     made.methods = below(2) == 0 ? std::vector<std::string>{} : std::vector<std::string>{"*"};
     made.trials = 1 + static_cast<std::int64_t>(bits_() >> 34U);

@@ -4,7 +4,8 @@
 
 Written from the contract's table of generators and from the definitions of Philox (Salmon, Moraes, Dror, Shaw, SC'11)
 and FNV-1a alone; exact rational arithmetic where the program uses fixed-width integers. Compares the first trials of
-experiments/suites/report.toml with experiments/sample/first_draws.csv, which the C++ tests compare with as well.
+some suites, and of a study that draws weights, with experiments/sample/first_draws.csv, which the C++ tests compare
+with as well.
 
     python3 scripts/oracle/inputs.py [--write]    exit 1 where they differ; --write makes the file
 """
@@ -17,10 +18,12 @@ from fractions import Fraction
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SUITE = ROOT / "experiments/suites/report.toml"
+SUITES = [ROOT / "experiments/suites/report.toml"]
 DRAWS = ROOT / "experiments/sample/first_draws.csv"
 COLUMNS = ["study", "curve", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator", "trial", "t",
-           "coefficients"]
+           "coefficients", "weights"]
+WEIGHTED = {"id": "weights", "kind": "accuracy", "curve": "rational", "degree": [3], "coordinate_range": [10],
+            "generator": ["weights_mild", "weights_wild"]}
 TRIALS = 2
 MASK = (1 << 64) - 1
 
@@ -102,9 +105,13 @@ def dyadic_t(a, b, stream):
     return float(Fraction(round(Fraction(affine(a, b, stream)) * 2**53), 2**53))
 
 
+def below(count, stream):
+    return count * uniform128(stream) >> 128
+
+
 def integer(r, stream):
     m = int(r)
-    return float(((2 * m + 1) * uniform128(stream) >> 128) - m)
+    return float(below(2 * m + 1, stream) - m)
 
 
 def report(r, stream):
@@ -115,16 +122,30 @@ def report_t(a, b, stream):
     return a + (b - a) * ((next(stream) >> 49) / 32767.0)
 
 
-GENERATORS = {"continuous": (continuous, affine), "dyadic": (continuous, dyadic_t), "integer": (integer, affine),
-              "report": (report, report_t)}
+def mild(stream):
+    return affine(0.5, 2.0, stream)
+
+
+def wild(stream):
+    exponent = below(41, stream) - 20
+    return affine(1.0, 2.0, stream) * 2.0**exponent
+
+
+COORDINATES = {"continuous": continuous, "dyadic": continuous, "integer": integer, "report": report,
+               "weights_mild": continuous, "weights_wild": continuous}
+PARAMETERS = {"dyadic": dyadic_t, "report": report_t}  # the others: as continuous
+WEIGHTS = {"weights_mild": mild, "weights_wild": wild}
 
 
 def draw(seed, study, cell, trial):
-    """t and the coefficients, point by point."""
-    coordinate, parameter = GENERATORS[cell["generator"]]
+    """t, the coefficients, point by point, and the weights."""
+    generator = cell["generator"]
     stream = words(seed, study, cell, trial)
-    t = parameter(cell["t_min"], cell["t_max"], stream)
-    return t, [coordinate(cell["coordinate_range"], stream) for _ in range((cell["degree"] + 1) * cell["dimension"])]
+    t = PARAMETERS.get(generator, affine)(cell["t_min"], cell["t_max"], stream)
+    points = range(cell["degree"] + 1)
+    coefficients = [COORDINATES[generator](cell["coordinate_range"], stream)
+                    for _ in points for _ in range(cell["dimension"])]
+    return t, coefficients, [WEIGHTS[generator](stream) for _ in points] if generator in WEIGHTS else []
 
 
 def hexadecimal(x):
@@ -135,21 +156,32 @@ def hexadecimal(x):
     return f"{mantissa}p{exponent}"
 
 
+def number(value):
+    """A number of a suite, which may be a string in hexadecimal."""
+    return float.fromhex(value) if isinstance(value, str) and "x" in value else float(value)
+
+
+def studies():
+    for path in SUITES:
+        suite = tomllib.loads(path.read_text(encoding="utf-8"))
+        for study in suite["study"]:
+            if study["kind"] in ("accuracy", "conversion"):
+                yield suite["suite"].get("seed", 1), study
+    yield 1, WEIGHTED
+
+
 def rows():
-    suite = tomllib.loads(SUITE.read_text(encoding="utf-8"))
-    seed = suite["suite"].get("seed", 1)
-    for study in suite["study"]:
-        if study["kind"] not in ("accuracy", "conversion"):
-            continue
+    for seed, study in studies():
         t_min, t_max = study.get("t_interval", [[0, 1]])[0]
         for generator in study.get("generator", ["continuous"]):
             cell = {"curve": study.get("curve", "bezier"), "dimension": study.get("dimension", [2])[0],
-                    "degree": study["degree"][0], "coordinate_range": float(study.get("coordinate_range", [1])[0]),
-                    "t_min": float(t_min), "t_max": float(t_max), "generator": generator}
+                    "degree": study["degree"][0], "coordinate_range": number(study.get("coordinate_range", [1])[0]),
+                    "t_min": number(t_min), "t_max": number(t_max), "generator": generator}
             for trial in range(TRIALS):
-                t, coefficients = draw(seed, study["id"], cell, trial)
+                t, coefficients, weights = draw(seed, study["id"], cell, trial)
                 row = {"study": study["id"], **cell, "trial": trial, "t": hexadecimal(t),
-                       "coefficients": " ".join(map(hexadecimal, coefficients))}
+                       "coefficients": " ".join(map(hexadecimal, coefficients)),
+                       "weights": " ".join(map(hexadecimal, weights))}
                 for column in ("coordinate_range", "t_min", "t_max"):
                     row[column] = hexadecimal(row[column])
                 yield row
