@@ -224,6 +224,7 @@ class Suites(Case):
         self.at("coordinate_range", lines_of(scalar='["float"]', coordinate_range="[1e39]"), "float")
         self.at("generator", lines_of(generator='["weights_mild"]'), "only rational curves have")
         self.at("generator", lines_of(curve='"rational"', generator='["continuous"]'), "weights_mild, weights_wild")
+        self.at("degree", lines_of(generator='["multiple_root"]', degree="[34]"), "up to degree 33")
 
     def test_structure(self):
         for lines, line, needle in [

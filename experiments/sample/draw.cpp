@@ -26,6 +26,20 @@ void fill(Words& words, const Cell& cell, Trial& out) {
   }
 }
 
+template <PolynomialGenerator G>
+void fill(Words& words, const Cell& cell, Trial& out) {
+  static_assert(!G::info.limits.weights && G::info.limits.exact_coefficients);
+  out.t = G::parameter(words, cell.t_interval);
+  out.weights.clear();
+  const auto d = static_cast<std::size_t>(cell.dimension);
+  const auto count = static_cast<std::size_t>(cell.degree) + 1;
+  G::polynomial(words, cell.curve, std::span(out.coefficients).first(count));
+  for (std::size_t i = count; i-- > 0;) {  // backwards: point i lies at or behind coefficient i
+    const double coordinate = cell.coordinate_range * out.coefficients[i];
+    for (std::size_t axis = 0; axis < d; ++axis) out.coefficients[i * d + axis] = coordinate;
+  }
+}
+
 using Fill = void (*)(Words&, const Cell&, Trial&);
 
 constexpr auto infos = []<class... Gs>(const std::tuple<Gs...>*) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <span>
 #include <string_view>
 
 #include "experiments/sample/words.hpp"
@@ -40,7 +41,15 @@ concept WeightGenerator = CoordinateGenerator<G> && requires(Words& words) {
   { G::weight(words) } -> std::same_as<double>;
 };
 
+/// Draws the coefficients of a whole polynomial, in the form of the curve, ascending, whose number is the degree + 1.
+/// They are exact, and so is R times them for the R that the limits allow; every axis of a curve gets the same ones.
 template <class G>
-concept Generator = CoordinateGenerator<G>;
+concept PolynomialGenerator = ParameterGenerator<G> &&
+    requires(Words& words, suite::CurveKind curve, std::span<double> coefficients) {
+  { G::polynomial(words, curve, coefficients) } -> std::same_as<void>;
+};
+
+template <class G>
+concept Generator = CoordinateGenerator<G> || PolynomialGenerator<G>;
 
 }  // namespace bezierbench::sample

@@ -4,20 +4,24 @@
 
 #include <tuple>
 
+#include "experiments/sample/clustered_roots.hpp"
 #include "experiments/sample/continuous.hpp"
 #include "experiments/sample/dyadic.hpp"
 #include "experiments/sample/integer.hpp"
+#include "experiments/sample/multiple_root.hpp"
 #include "experiments/sample/report.hpp"
 #include "experiments/sample/weights_mild.hpp"
 #include "experiments/sample/weights_wild.hpp"
 
 namespace bezierbench::sample {
 
-using Generators = std::tuple<Continuous,   //
-                              Dyadic,       //
-                              Integer,      //
-                              Report,       //
-                              WeightsMild,  //
-                              WeightsWild>;
+using Generators = std::tuple<Continuous,    //
+                              Dyadic,        //
+                              Integer,       //
+                              Report,        //
+                              WeightsMild,   //
+                              WeightsWild,   //
+                              MultipleRoot,  //
+                              ClusteredRoots>;
 
 }  // namespace bezierbench::sample

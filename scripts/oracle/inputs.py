@@ -5,20 +5,21 @@
 Written from the contract's table of generators and from the definitions of Philox (Salmon, Moraes, Dror, Shaw, SC'11)
 and FNV-1a alone; exact rational arithmetic where the program uses fixed-width integers. Compares the first trials of
 some suites, and of a study that draws weights, with experiments/sample/first_draws.csv, which the C++ tests compare
-with as well.
+with as well. Where a generator means a polynomial, shows that its coefficients, doubles, are exactly that polynomial's.
 
     python3 scripts/oracle/inputs.py [--write]    exit 1 where they differ; --write makes the file
 """
 
 import csv
 import io
+import math
 import sys
 import tomllib
 from fractions import Fraction
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SUITES = [ROOT / "experiments/suites/report.toml"]
+SUITES = [ROOT / "experiments/suites/report.toml", ROOT / "experiments/suites/conditioning.toml"]
 DRAWS = ROOT / "experiments/sample/first_draws.csv"
 COLUMNS = ["study", "curve", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator", "trial", "t",
            "coefficients", "weights"]
@@ -131,10 +132,55 @@ def wild(stream):
     return affine(1.0, 2.0, stream) * 2.0**exponent
 
 
+def multiple_root(n, _stream):
+    """Leading coefficient and roots."""
+    return Fraction(1), [Fraction(3, 4)] * n
+
+
+def clustered_roots(n, stream):
+    multiple = math.lcm(*(math.comb(n, i) for i in range(n + 1)))
+    m = max(m for m in range(1, 54) if multiple * (2**(m - 1) + n)**n <= 2**53)
+    sites = [k for k in range(-n, n + 1) if k != 0]
+    offsets = [0] * min(n, 1)
+    for first in range(n - 1):
+        chosen = first + below(len(sites) - first, stream)
+        sites[first], sites[chosen] = sites[chosen], sites[first]
+        offsets.append(sites[first])
+    return Fraction(multiple, 1 << (multiple - 1).bit_length()), [Fraction(1, 2) + Fraction(k, 2**m) for k in offsets]
+
+
+def power_coefficients(leading, roots):
+    """Of leading * prod (t - root), ascending."""
+    coefficients = [leading]
+    for root in roots:
+        coefficients = [a - root * b for a, b in zip([0] + coefficients, coefficients + [0])]
+    return coefficients
+
+
+def bernstein_coefficients(power):
+    n = len(power) - 1
+    return [sum(Fraction(math.comb(i, j), math.comb(n, j)) * power[j] for j in range(i + 1)) for i in range(n + 1)]
+
+
+def polynomial(curve, leading, roots):
+    """The coefficients in the form of the curve, which must be doubles."""
+    power = power_coefficients(leading, roots)
+    exact = power if curve == "polynomial" else bernstein_coefficients(power)
+    doubles = [float(c) for c in exact]
+    if [Fraction(c) for c in doubles] != exact:
+        raise SystemExit(f"inputs.py: a {curve} curve of degree {len(roots)} is not exact in doubles; lower the limit "
+                         "of its generator")
+    return doubles
+
+
 COORDINATES = {"continuous": continuous, "dyadic": continuous, "integer": integer, "report": report,
                "weights_mild": continuous, "weights_wild": continuous}
+POLYNOMIALS = {"multiple_root": multiple_root, "clustered_roots": clustered_roots}
 PARAMETERS = {"dyadic": dyadic_t, "report": report_t}  # the others: as continuous
 WEIGHTS = {"weights_mild": mild, "weights_wild": wild}
+# The largest degrees that the program takes.
+DEGREES = {("multiple_root", "bezier"): 33, ("multiple_root", "polynomial"): 27, ("clustered_roots", "bezier"): 8,
+           ("clustered_roots", "polynomial"): 8}
 
 
 def draw(seed, study, cell, trial):
@@ -143,6 +189,10 @@ def draw(seed, study, cell, trial):
     stream = words(seed, study, cell, trial)
     t = PARAMETERS.get(generator, affine)(cell["t_min"], cell["t_max"], stream)
     points = range(cell["degree"] + 1)
+    if generator in POLYNOMIALS:
+        leading, roots = POLYNOMIALS[generator](cell["degree"], stream)
+        axis = polynomial(cell["curve"], leading * Fraction(cell["coordinate_range"]), roots)
+        return t, [c for c in axis for _ in range(cell["dimension"])], []
     coefficients = [COORDINATES[generator](cell["coordinate_range"], stream)
                     for _ in points for _ in range(cell["dimension"])]
     return t, coefficients, [WEIGHTS[generator](stream) for _ in points] if generator in WEIGHTS else []
@@ -195,11 +245,24 @@ def self_test():
         raise SystemExit("inputs.py: Philox does not give its known answer; mend philox4x64")
 
 
+def check_polynomials():
+    """Every degree that the program takes is exact in doubles, whatever is drawn: polynomial() sees to that."""
+    for (generator, curve), largest in DEGREES.items():
+        for n in range(largest + 1):
+            cell = {"curve": curve, "dimension": 1, "degree": n, "coordinate_range": 1.0, "t_min": 0.0, "t_max": 1.0,
+                    "generator": generator}
+            for trial in range(20):
+                draw(1, "exactness", cell, trial)
+            # Words of zeros put all roots below 1/2, which gives the largest integers in Bernstein form.
+            polynomial(curve, *POLYNOMIALS[generator](n, iter([0] * (2 * n))))
+
+
 def main():
     if sys.argv[1:] not in ([], ["--write"]):
         print(__doc__, file=sys.stderr)
         return 2
     self_test()
+    check_polynomials()
     text = io.StringIO()
     writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
     writer.writeheader()
