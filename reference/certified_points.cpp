@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "reference/certified_points.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "core/error_free.hpp"
+
+namespace bezierbench::reference {
+namespace {
+
+constexpr int exact_binomials = 56;  ///< through this degree every C(n,i) is a double
+constexpr int largest_power_degree = 128;
+constexpr double largest_t = 8;
+constexpr double smallest_t = 0x1p-100;  ///< below, the low part of the ratio may underflow
+constexpr double smallest_p_tilde = 0x1p-600;
+constexpr double largest_coefficient = 0x1p+600;
+
+struct Pair {
+  double high;
+  double low;
+};
+
+inline Pair normalised(Expansion2<double> sum) { return {sum.value, sum.error}; }
+
+inline Pair product(Pair x, Pair y) {
+  const auto high = two_prod(x.high, y.high);
+  return normalised(fast_two_sum(high.value, high.error + fused(x.high, y.low, x.low * y.high)));
+}
+
+inline Pair sum(Pair x, Pair y) {
+  const auto high = two_sum(x.high, y.high);
+  return normalised(two_sum(high.value, high.error + (x.low + y.low)));
+}
+
+inline Pair quotient(Pair x, Pair y) {
+  const double first = x.high / y.high;
+  const double rest = (fused(-first, y.high, x.high) + x.low) - first * y.low;
+  return normalised(fast_two_sum(first, rest / y.high));
+}
+
+/// Of the proof in the header, and one unit for underflow; the second order is covered by a relative 2^-20.
+double error_factor(Form form, int n) {
+  return (form == Form::bernstein ? 44.0 * n + 9 : 12.0 * n + 1) * (1 + 0x1p-20);
+}
+
+constexpr int kept_bits = 24;
+constexpr int dropped_bits = 53 - kept_bits;
+
+/// value > 0 rounded to 24 bits, where every number within a relative `uncertainty` of it would be rounded alike.
+std::optional<double> certainly_rounded(double value, double uncertainty) {
+  constexpr std::uint64_t mask = (1ULL << dropped_bits) - 1;
+  constexpr double half = 1ULL << (dropped_bits - 1);
+  if (!(uncertainty < 0x1p-26)) return std::nullopt;
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto tail = static_cast<double>(bits & mask);  // in units of 2^-52 of the binade
+  if (std::abs(tail - half) <= uncertainty * 0x1p+53 + 1) return std::nullopt;
+  return std::bit_cast<double>((bits & ~mask) + (tail > half ? mask + 1 : 0));
+}
+
+}  // namespace
+
+std::optional<double> CertifiedPoint::distance(std::span<const double> point) const {
+  std::array<double, max_dimension> differences{};
+  double largest = 0;
+  for (std::size_t axis = 0; axis < point.size(); ++axis) {
+    const auto top = two_sum(point[axis], -high[axis]);
+    differences[axis] = top.value + (top.error - low[axis]);  // right to a relative 4u: see Distance
+    largest = std::max(largest, std::abs(differences[axis]));
+  }
+  if (!(largest >= 0x1p-900 && largest <= 0x1p+900)) return std::nullopt;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const double scale = std::ldexp(1.0, -exponent);
+  double squares = 0;
+  for (const double difference : differences) squares += (difference * scale) * (difference * scale);
+  const double scaled = std::sqrt(squares);
+  constexpr double axes = 1.75;          // the square root of three axes, rounded up
+  constexpr double roundings = 0x1p-48;  // of the differences, squares, sum and root
+  const auto rounded = certainly_rounded(scaled, axes * error * scale / scaled + roundings);
+  if (!rounded) return std::nullopt;
+  return std::ldexp(*rounded, exponent);
+}
+
+bool CertifiedPoints::applies(Form form, int degree) {
+  return form == Form::bernstein ? degree <= exact_binomials : form == Form::power && degree <= largest_power_degree;
+}
+
+CertifiedPoints::CertifiedPoints(Form form, int dimension, int degree)
+    : form_(form),
+      dimension_(dimension),
+      degree_(degree),
+      binomials_(static_cast<std::size_t>(degree) + 1, 1),
+      coefficients_((static_cast<std::size_t>(degree) + 1) * static_cast<std::size_t>(dimension)) {
+  if (form != Form::bernstein) return;
+  std::uint64_t binomial = 1;
+  for (int i = 1; i <= degree; ++i) {
+    binomial = binomial * static_cast<std::uint64_t>(degree - i + 1) / static_cast<std::uint64_t>(i);
+    binomials_[static_cast<std::size_t>(i)] = static_cast<double>(binomial);  // below 2^53
+  }
+}
+
+void CertifiedPoints::set_ratio(std::size_t lane, double t) {
+  Pair ratio{t, 0};
+  if (form_ == Form::bernstein) {
+    const Pair s = normalised(two_sum(1.0, -t));
+    const Pair larger = t <= 0.5 ? s : Pair{t, 0};
+    ratio = quotient(t <= 0.5 ? Pair{t, 0} : s, larger);
+    larger_.high[lane] = larger.high;
+    larger_.low[lane] = larger.low;
+  }
+  ratio_.high[lane] = ratio.high;
+  ratio_.low[lane] = ratio.low;
+}
+
+void CertifiedPoints::load(std::size_t lane, const CurveView<double>& curve, double t) {
+  set_ratio(lane, t);
+  bool moderate = std::abs(t) >= smallest_t && std::abs(t) <= largest_t;
+  const bool descending = form_ == Form::bernstein && t > 0.5;
+  for (int i = 0; i <= degree_; ++i)
+    for (int axis = 0; axis < dimension_; ++axis) {
+      const double value = curve(axis, descending ? degree_ - i : i);
+      moderate = moderate && std::abs(value) <= largest_coefficient;
+      coefficients_[static_cast<std::size_t>(i * dimension_ + axis)][lane] = value;
+    }
+  moderate_[lane] = moderate;
+}
+
+void CertifiedPoints::evaluate() {
+  for (auto& axis : sums_) axis = {};
+  for (int i = degree_; i >= 0; --i) {
+    const double binomial = binomials_[static_cast<std::size_t>(i)];
+    for (int axis = 0; axis < dimension_; ++axis) {
+      const Lanes& coefficient = coefficients_[static_cast<std::size_t>(i * dimension_ + axis)];
+      Pairs& p = sums_[static_cast<std::size_t>(axis)];
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const auto term = two_prod(binomial, coefficient[lane]);
+        const Pair raised = product({p.high[lane], p.low[lane]}, {ratio_.high[lane], ratio_.low[lane]});
+        const Pair next = sum(raised, {term.value, term.error});
+        p.high[lane] = next.high;
+        p.low[lane] = next.low;
+      }
+    }
+  }
+  if (form_ == Form::bernstein) multiply_by_power();
+}
+
+void CertifiedPoints::multiply_by_power() {
+  Pairs power;
+  Pairs square = larger_;
+  power.high.fill(1);
+  for (int rest = degree_; rest > 0; rest /= 2) {
+    const bool odd = rest % 2 == 1;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const Pair base{square.high[lane], square.low[lane]};
+      if (odd) {
+        const Pair next = product({power.high[lane], power.low[lane]}, base);
+        power.high[lane] = next.high;
+        power.low[lane] = next.low;
+      }
+      const Pair next = product(base, base);
+      square.high[lane] = next.high;
+      square.low[lane] = next.low;
+    }
+  }
+  for (int axis = 0; axis < dimension_; ++axis) {
+    Pairs& p = sums_[static_cast<std::size_t>(axis)];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const Pair next = product({p.high[lane], p.low[lane]}, {power.high[lane], power.low[lane]});
+      p.high[lane] = next.high;
+      p.low[lane] = next.low;
+    }
+  }
+}
+
+std::optional<CertifiedPoint> CertifiedPoints::point(std::size_t lane, double p_tilde) const {
+  if (!moderate_[lane] || !(p_tilde >= smallest_p_tilde)) return std::nullopt;
+  CertifiedPoint result;
+  result.dimension = dimension_;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
+    // Products leave the low part at no more than an ulp or two of the high one; the nearest double is asked for.
+    const auto nearest = two_sum(sums_[axis].high[lane], sums_[axis].low[lane]);
+    result.high[axis] = nearest.value;
+    result.low[axis] = nearest.error;
+  }
+  result.error = error_factor(form_, degree_) * 0x1p-106 * p_tilde;
+  return result;
+}
+
+}  // namespace bezierbench::reference

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Many points at once in double-double arithmetic, each with a proved bound on its error: the fast truth.
+//
+// Bernstein form, n <= 56 so that C(n,i) is a double: with L the larger of t and 1-t in the sense of t <= 1/2, r the
+// other over L, and c_i = C(n,i) b_i (a pair without error), p = L^n (c_0 + r (c_1 + ...)), or from the other end.
+// Power form: Horner's scheme.
+//
+// Error, in units of u^2 = 2^-106 and to first order (Joldes, Muller and Popescu, ACM TOMS 44 (2017) 15, bound such
+// operations more tightly). A product of pairs drops low low (1) and rounds low high (1), the fused sum (2) and the
+// last sum (3): at most 8 |x y|. A sum of pairs rounds the sum of the low parts (1) and the last sum (2): at most
+// 4 (|x| + |y|). A quotient of pairs: at most 24. So a term passes n products, n sums, n factors r, and with L^n n
+// products more: 8n + 4n + 24n + 8n + 8; in power form 8n + 4n. All of it multiplies sum |terms| = p~. Each coordinate
+// is therefore right to error_factor(n) u^2 p~, with p~ the sum over Euclidean norms, which is no less.
+//
+// Underflow: with |t| <= 8 every partial sum loses at most 2^-1070 per operation, which L^n and the later steps raise
+// by less than 2^384; a point is certified only for 2^-600 <= p~, so that one unit of the factor, 2^-706, covers it.
+// Overflow: coefficients are at most 2^600 there.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/curve.hpp"
+#include "reference/exact_point.hpp"
+
+namespace bezierbench::reference {
+
+/// high + low, the nearest double and the rest, on each axis; right to `error` on each axis.
+struct CertifiedPoint {
+  int dimension = 0;
+  std::array<double, max_dimension> high{};
+  std::array<double, max_dimension> low{};
+  double error = 0;
+
+  /// The Euclidean distance of a finite point, rounded once to 24 significant bits; nothing where that is not proved.
+  [[nodiscard]] std::optional<double> distance(std::span<const double> point) const;
+};
+
+/// A block of trials of one form, dimension and degree, side by side, so that the processor's vectors are full.
+class CertifiedPoints {
+ public:
+  static constexpr std::size_t lanes = 16;
+
+  CertifiedPoints(Form form, int dimension, int degree);
+
+  /// False where the error is not proved whatever the values are: then nothing else may be called.
+  static bool applies(Form form, int degree);
+
+  /// Trial number `lane` of the block; every lane that is read after `evaluate` must have been loaded.
+  void load(std::size_t lane, const CurveView<double>& curve, double t);
+
+  void evaluate();
+
+  /// The point of a lane, with its p~ as metric::TrialScale gives it; nothing where the error is not proved.
+  [[nodiscard]] std::optional<CertifiedPoint> point(std::size_t lane, double p_tilde) const;
+
+ private:
+  using Lanes = std::array<double, lanes>;
+  struct Pairs {
+    Lanes high{};
+    Lanes low{};
+  };
+
+  void set_ratio(std::size_t lane, double t);
+  void multiply_by_power();
+
+  Form form_;
+  int dimension_;
+  int degree_;
+  std::vector<double> binomials_;       ///< 1 in power form
+  std::vector<Lanes> coefficients_;     ///< from the last one of Horner's scheme on, point by point
+  Pairs ratio_;                         ///< what Horner's scheme multiplies by
+  Pairs larger_;                        ///< L
+  std::array<bool, lanes> moderate_{};  ///< t and coefficients are in the range of the proof
+  std::array<Pairs, max_dimension> sums_;
+};
+
+}  // namespace bezierbench::reference
