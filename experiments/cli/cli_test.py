@@ -591,7 +591,7 @@ class Bundles(Case):
     def test_digest_is_that_of_the_contract(self):
         self.bundle(self.suite(STUDY, CONVERSION))
         lines = ""
-        for name in ("accuracy.csv", "conversion.csv"):
+        for name in ("accuracy.csv", "conversion.csv", "worst.csv"):
             lines += hashlib.sha256((self.folder / "b" / name).read_bytes()).hexdigest() + f"  {name}\n"
         self.assertEqual(self.manifest("b")["accuracy_digest"], hashlib.sha256(lines.encode()).hexdigest())
 
