@@ -72,18 +72,27 @@ Rational squared_distance(const ExactPoint& a, const ExactPoint& b) {
 
 double distance(const ExactPoint& a, const ExactPoint& b) { return square_root(error_format, squared_distance(a, b)); }
 
-double ulp_of_length(const ExactPoint& point, double length, const Format& format) {
-  const double smallest = std::ldexp(1.0, static_cast<int>(format.lowest_exponent));
-  if (length == 0) return smallest;
+namespace {
+
+double spacing(long exponent, const Format& format) {
+  return std::ldexp(1.0, static_cast<int>(std::max(exponent - format.precision + 1, format.lowest_exponent)));
+}
+
+}  // namespace
+
+std::optional<double> ulp_at_length(double length, const Format& format) {
+  if (length == 0) return spacing(format.lowest_exponent, format);
   int exponent = 0;
-  if (std::isfinite(length) && std::frexp(length, &exponent) != 0.5) {
-    --exponent;
-  } else {  // `length` may have been rounded up to a power of two, or out of the range
-    ExactPoint origin;
-    origin.dimension = point.dimension;
-    exponent = static_cast<int>(std::floor(static_cast<double>(floor_log2(squared_distance(point, origin))) / 2));
-  }
-  return std::max(smallest, std::ldexp(1.0, exponent - format.precision + 1));
+  if (!std::isfinite(length) || std::frexp(length, &exponent) == 0.5) return std::nullopt;
+  return spacing(exponent - 1L, format);
+}
+
+double ulp_of_length(const ExactPoint& point, double length, const Format& format) {
+  if (const auto decided = ulp_at_length(length, format)) return *decided;
+  ExactPoint origin;
+  origin.dimension = point.dimension;
+  const long of_square = floor_log2(squared_distance(point, origin));
+  return spacing(of_square >= 0 ? of_square / 2 : (of_square - 1) / 2, format);
 }
 
 Distance::Distance(const ExactPoint& exact) : exact_(&exact) {

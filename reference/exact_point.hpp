@@ -5,6 +5,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "reference/rational.hpp"
@@ -30,6 +31,10 @@ ExactPoint exactly(std::span<const double> point);
 
 /// The Euclidean distance of two points of one dimension, rounded once to `error_format`.
 double distance(const ExactPoint& a, const ExactPoint& b);
+
+/// The spacing that `ulp_of_length` gives, where `length` alone decides it: not next to a power of two, to which it may
+/// have been rounded up.
+std::optional<double> ulp_at_length(double length, const Format& format);
 
 /// The spacing of the numbers of `format` at |point|: 2^(e - precision + 1) with 2^e <= |point| < 2^(e+1), at least the
 /// smallest subnormal. `length` is |point| rounded to 24 bits; next to powers of two the integers decide.

@@ -26,7 +26,7 @@ struct Options {
   int jobs = 0;
   std::string seed;
   std::string trials;
-  std::string reference = "exact";
+  std::string reference = "certified";
   bool dry_run = false;
   bool quiet = false;
   suite::Overrides overrides;
@@ -43,6 +43,7 @@ Exit run(const Options& options) {
   suite::apply(options.overrides, request.suites, known);
   request.out = options.out;
   request.jobs = options.jobs;
+  request.tier = options.reference == "exact" ? reference::Tier::exact : reference::Tier::certified;
   request.dry_run = options.dry_run;
   request.quiet = options.quiet;
   request.build = {compiler, all_flags, build_type, fp_flags, program_version};
@@ -75,7 +76,8 @@ void add_run(CLI::App& app, Exit& exit) {
   auto* trials = command->add_option("--trials", options->trials, "trials per cell and replicate");
   command->add_option("--set", options->overrides.set, "axis=v1,v2 for every study; intervals as 0:0.2");
   command->add_option("--only", options->overrides.only, "only studies whose id matches this glob");
-  command->add_option("--reference", options->reference, "how the truth is computed")->check(CLI::IsMember({"exact"}));
+  command->add_option("--reference", options->reference, "how the truth is computed")
+      ->check(CLI::IsMember({"certified", "exact"}));
   command->add_flag("--dry-run", options->dry_run, "say what would be done");
   command->add_flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
   command->add_flag("--quiet", options->quiet, "no progress");

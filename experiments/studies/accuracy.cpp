@@ -8,9 +8,10 @@ namespace {
 
 class AccuracyJob final : public Job {
  public:
-  AccuracyJob(const suite::Study& study, std::uint64_t seed) : study_(study) {
+  AccuracyJob(const suite::Study& study, const JobContext& context) : study_(study) {
     for (const auto& cell : sample::cells(study_))
-      for (const auto scalar : study_.scalar) cells_.push_back(accuracy_cell(study_, seed, cell, scalar));
+      for (const auto scalar : study_.scalar)
+        cells_.push_back(accuracy_cell(study_, context.seed, cell, scalar, context.tier));
   }
 
   [[nodiscard]] std::size_t blocks() const override { return cells_.size() * blocks_per_cell(); }
@@ -51,8 +52,8 @@ class AccuracyJob final : public Job {
 
 }  // namespace
 
-std::unique_ptr<Job> accuracy_job(const suite::Study& study, std::uint64_t seed) {
-  return std::make_unique<AccuracyJob>(study, seed);
+std::unique_ptr<Job> accuracy_job(const suite::Study& study, const JobContext& context) {
+  return std::make_unique<AccuracyJob>(study, context);
 }
 
 }  // namespace bezierbench::studies

@@ -27,12 +27,13 @@
 #include "experiments/suite/names.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/long_double.hpp"
+#include "reference/true_point.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 constexpr std::int64_t block_trials = 1024;
-constexpr std::int64_t audited_trials = 1000;  ///< of replicate 0 of each cell
+constexpr std::int64_t audited_trials = 200;  ///< of replicate 0 of each cell
 constexpr std::string_view exact_baseline = "exact";
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -60,39 +61,56 @@ struct Computed {
   bool finite = true;
 };
 
-/// What the errors of one trial are measured from. Empty distance: the baseline itself is not finite.
+/// What the errors of one trial are measured from: the truth, or a baseline, or (where that is not finite) nothing.
 struct Origin {
-  std::optional<reference::Distance> distance;
-  bool exact = false;
-  double length = 0;  ///< of the true point, and the spacing of numbers there; with the exact reference only
+  reference::TruePoint* truth = nullptr;
+  double length = 0;  ///< of the true point, and the spacing of numbers there
   double ulp = 0;
+  std::optional<reference::Distance> baseline;
+
+  [[nodiscard]] bool exists() const { return truth != nullptr || baseline; }
+  [[nodiscard]] double distance(std::span<const double> point) const {
+    return truth != nullptr ? truth->distance(point) : baseline->to(point);
+  }
+};
+
+/// One trial of a group.
+template <class Scalar>
+struct Lane {
+  TrialInputs<Scalar> inputs;
+  metric::TrialScale scale;
 };
 
 /// Scratch of one thread.
 template <class Scalar>
 struct Scratch {
-  TrialInputs<Scalar> inputs;
+  std::array<Lane<Scalar>, reference::CertifiedPoints::lanes> group;
   PreparedStorage prepared;
   reference::ExactCurve exact;
-  const reference::ExactPoint* truth = nullptr;  ///< the true point, in `exact`
-  metric::TrialScale scale;
   SourceMeter<Scalar> sources;
   std::vector<Computed> computed;  ///< per method
   Computed baseline;               ///< the one that is measured from now
+};
+
+/// Which trial of which replicate.
+struct TrialNumber {
+  std::int64_t replicate;
+  std::int64_t trial;
 };
 
 /// What a block of trials adds to its cell.
 struct Block {
   std::vector<Judgement> judgements;
   metric::Tally audit;
-  metric::Tally condition;  ///< p~ over |p|
+  metric::Tally condition;      ///< p~ over |p|
+  std::uint64_t escalated = 0;  ///< trials that a certificate left to the integers
 };
 
 template <class Scalar>
 class ScalarCell final : public AccuracyCell {
  public:
-  ScalarCell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell)
-      : study_(study), cell_(cell), sampler_(seed, study.id, cell) {
+  ScalarCell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, reference::Tier tier)
+      : study_(study), cell_(cell), tier_(tier), sampler_(seed, study.id, cell) {
     methods_ = chosen_kernels<Scalar>(study, cell.dimension);
     for (const auto& id : study.baseline) {
       const Kernel<Scalar>* kernel = nullptr;
@@ -136,7 +154,9 @@ class ScalarCell final : public AccuracyCell {
     const auto last = std::min(study_.trials, first + block_trials);
     Block work;
     work.judgements.resize(judgement_count());
-    for (auto trial = first; trial < last && !interrupted(); ++trial) judge(replicate, trial, work);
+    constexpr auto together = static_cast<std::int64_t>(reference::CertifiedPoints::lanes);
+    for (auto trial = first; trial < last && !interrupted(); trial += together)
+      judge_group({replicate, trial}, std::min(together, last - trial), work);
     keep(replicate, work);
   }
 
@@ -163,19 +183,22 @@ class ScalarCell final : public AccuracyCell {
            (baselines_[baseline] == nullptr || baselines_[baseline]->info->bit_stable);
   }
 
-  void judge(std::int64_t replicate, std::int64_t trial, Block& block) const;
-  [[nodiscard]] Origin origin(std::size_t baseline, Scratch<Scalar>& scratch) const;
-  void add_truth(std::int64_t replicate, std::int64_t trial, const Origin& from, Scratch<Scalar>& scratch,
-                 Block& block) const;
+  void judge_group(TrialNumber first, std::int64_t count, Block& block) const;
+  void judge(TrialNumber number, Lane<Scalar>& lane, reference::TruePoint& truth, Scratch<Scalar>& scratch,
+             Block& block) const;
+  [[nodiscard]] Origin origin(std::size_t baseline, const Lane<Scalar>& lane, reference::TruePoint& truth,
+                              Scratch<Scalar>& scratch) const;
+  void add_truth(TrialNumber number, const Origin& from, Lane<Scalar>& lane, Block& block) const;
   void count(const Kernel<Scalar>& method, double error, std::uint64_t trial, const Origin& from,
              metric::TrialScale& scale, Judgement& judgement) const;
-  void take_apart(const Kernel<Scalar>& method, const Computed& computed, Scratch<Scalar>& scratch,
-                  Judgement& judgement) const;
+  void take_apart(const Kernel<Scalar>& method, const Computed& computed, const Lane<Scalar>& lane, const Origin& from,
+                  Scratch<Scalar>& scratch, Judgement& judgement) const;
   void write_worst(std::size_t method, const Worst& worst, Tables& tables) const;
   void keep(std::int64_t replicate, const Block& block);
 
   const suite::Study& study_;
   sample::Cell cell_;
+  reference::Tier tier_;
   sample::Sampler sampler_;
   std::vector<const Kernel<Scalar>*> methods_;
   std::vector<const Kernel<Scalar>*> baselines_;
@@ -187,6 +210,7 @@ class ScalarCell final : public AccuracyCell {
   std::map<std::int64_t, OpenReplicate> open_;
   metric::Tally audit_;  ///< of the long double tier, in ulp
   metric::Tally condition_;
+  std::uint64_t escalated_ = 0;
 };
 
 template <class Scalar>
@@ -204,50 +228,71 @@ Computed computed_point(const Kernel<Scalar>& kernel, const CurveView<Scalar>& c
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::judge(std::int64_t replicate, std::int64_t trial, Block& block) const {
+void ScalarCell<Scalar>::judge_group(TrialNumber first, std::int64_t count, Block& block) const {
   thread_local Scratch<Scalar> scratch;
-  const auto number = static_cast<std::uint64_t>(replicate * study_.trials + trial);
-  scratch.inputs = TrialInputs<Scalar>(form_of(study_.curve), cell_);
-  scratch.inputs.draw(sampler_, number);
-  const auto curve = scratch.inputs.curve();
+  const Form form = form_of(study_.curve);
+  std::optional<reference::CertifiedPoints> certified;
+  if (tier_ == reference::Tier::certified && reference::CertifiedPoints::applies(form, cell_.degree))
+    certified.emplace(form, cell_.dimension, cell_.degree);
+  for (std::int64_t k = 0; k < count; ++k) {
+    auto& lane = scratch.group[static_cast<std::size_t>(k)];
+    lane.inputs = TrialInputs<Scalar>(form, cell_);
+    lane.inputs.draw(sampler_, static_cast<std::uint64_t>(first.replicate * study_.trials + first.trial + k));
+    lane.scale.set(lane.inputs.true_curve(), lane.inputs.true_t());
+    if (certified) certified->load(static_cast<std::size_t>(k), lane.inputs.true_curve(), lane.inputs.true_t());
+  }
+  if (certified) certified->evaluate();
+  for (std::int64_t k = 0; k < count; ++k) {
+    auto& lane = scratch.group[static_cast<std::size_t>(k)];
+    std::optional<reference::CertifiedPoint> certificate;
+    if (certified) certificate = certified->point(static_cast<std::size_t>(k), lane.scale.p_tilde());
+    reference::TruePoint truth(scratch.exact, lane.inputs.true_curve(), lane.inputs.true_t(), certificate);
+    judge({first.replicate, first.trial + k}, lane, truth, scratch, block);
+    const bool left_to_integers = tier_ == reference::Tier::certified && (!certificate || truth.escalated());
+    block.escalated += left_to_integers ? 1 : 0;
+  }
+}
+
+template <class Scalar>
+void ScalarCell<Scalar>::judge(TrialNumber number, Lane<Scalar>& lane, reference::TruePoint& truth,
+                               Scratch<Scalar>& scratch, Block& block) const {
+  const auto counted = static_cast<std::uint64_t>(number.replicate * study_.trials + number.trial);
+  const auto curve = lane.inputs.curve();
   const auto d = static_cast<std::size_t>(cell_.dimension);
-  scratch.scale.set(scratch.inputs.true_curve(), scratch.inputs.true_t());
   scratch.computed.resize(methods_.size());
   for (std::size_t m = 0; m < methods_.size(); ++m)
     if (supported(*methods_[m]))
-      scratch.computed[m] = computed_point(*methods_[m], curve, scratch.inputs.t(), scratch.prepared);
+      scratch.computed[m] = computed_point(*methods_[m], curve, lane.inputs.t(), scratch.prepared);
   for (std::size_t k = 0; k < baselines_.size(); ++k) {
-    const Origin from = origin(k, scratch);
-    if (from.exact) add_truth(replicate, trial, from, scratch, block);
+    const Origin from = origin(k, lane, truth, scratch);
+    if (from.truth != nullptr) add_truth(number, from, lane, block);
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       if (!this->judged(m, k)) continue;
       const Computed& computed = scratch.computed[m];
       Judgement& judgement = block.judgements[index(m, k)];
-      if (!computed.finite || !from.distance) {
+      if (!computed.finite || !from.exists()) {
         ++judgement.non_finite;
         continue;
       }
-      count(*methods_[m], from.distance->to({computed.point.data(), d}), number, from, scratch.scale, judgement);
-      if (from.exact && replicate == 0 && trial < study_.decomposed_trials)
-        take_apart(*methods_[m], computed, scratch, judgement);
+      count(*methods_[m], from.distance({computed.point.data(), d}), counted, from, lane.scale, judgement);
+      if (from.truth != nullptr && number.replicate == 0 && number.trial < study_.decomposed_trials)
+        take_apart(*methods_[m], computed, lane, from, scratch, judgement);
     }
   }
 }
 
 template <class Scalar>
-Origin ScalarCell<Scalar>::origin(std::size_t baseline, Scratch<Scalar>& scratch) const {
+Origin ScalarCell<Scalar>::origin(std::size_t baseline, const Lane<Scalar>& lane, reference::TruePoint& truth,
+                                  Scratch<Scalar>& scratch) const {
   Origin from;
   if (baselines_[baseline] == nullptr) {
-    scratch.truth = &scratch.exact.point(scratch.inputs.true_curve(), scratch.inputs.true_t());
-    from.exact = true;
-    from.distance.emplace(*scratch.truth);
-    from.length = from.distance->of_origin(cell_.dimension);
-    from.ulp = reference::ulp_of_length(*scratch.truth, from.length, ScalarFacts<Scalar>::format);
+    from.truth = &truth;
+    from.length = truth.length();
+    from.ulp = truth.ulp(from.length, ScalarFacts<Scalar>::format);
   } else if (supported(*baselines_[baseline])) {
-    scratch.baseline =
-        computed_point(*baselines_[baseline], scratch.inputs.curve(), scratch.inputs.t(), scratch.prepared);
+    scratch.baseline = computed_point(*baselines_[baseline], lane.inputs.curve(), lane.inputs.t(), scratch.prepared);
     if (scratch.baseline.finite)
-      from.distance.emplace(
+      from.baseline.emplace(
           std::span<const double>(scratch.baseline.point.data(), static_cast<std::size_t>(cell_.dimension)));
   }
   return from;
@@ -255,12 +300,11 @@ Origin ScalarCell<Scalar>::origin(std::size_t baseline, Scratch<Scalar>& scratch
 
 /// What is known of the trial itself, whatever the methods.
 template <class Scalar>
-void ScalarCell<Scalar>::add_truth(std::int64_t replicate, std::int64_t trial, const Origin& from,
-                                   Scratch<Scalar>& scratch, Block& block) const {
-  add_quotient(scratch.scale.p_tilde(), from.length, block.condition);
-  if (replicate == 0 && trial < audited_trials && sizeof(Scalar) == sizeof(double))
+void ScalarCell<Scalar>::add_truth(TrialNumber number, const Origin& from, Lane<Scalar>& lane, Block& block) const {
+  add_quotient(lane.scale.p_tilde(), from.length, block.condition);
+  if (number.replicate == 0 && number.trial < audited_trials && sizeof(Scalar) == sizeof(double))
     block.audit.add(metric::to_24_bits(reference::audit_ulp(
-        reference::long_double_point(scratch.inputs.true_curve(), scratch.inputs.true_t()), *scratch.truth)));
+        reference::long_double_point(lane.inputs.true_curve(), lane.inputs.true_t()), from.truth->exact())));
 }
 
 template <class Scalar>
@@ -274,7 +318,7 @@ void ScalarCell<Scalar>::count(const Kernel<Scalar>& method, double error, std::
   judgement.error.add(error);
   const double error_u = metric::to_24_bits(scale.in_bound_units(error, arithmetic));
   add(error_u, judgement.error_u);
-  if (!from.exact) return;
+  if (from.truth == nullptr) return;
   add(error / from.ulp, judgement.error_ulp);
   if (std::isfinite(from.length)) add_quotient(error, from.length, judgement.relative);
   judgement.keep_worst({error_u, error, trial});
@@ -291,11 +335,11 @@ void ScalarCell<Scalar>::count(const Kernel<Scalar>& method, double error, std::
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::take_apart(const Kernel<Scalar>& method, const Computed& computed, Scratch<Scalar>& scratch,
-                                    Judgement& judgement) const {
+void ScalarCell<Scalar>::take_apart(const Kernel<Scalar>& method, const Computed& computed, const Lane<Scalar>& lane,
+                                    const Origin& from, Scratch<Scalar>& scratch, Judgement& judgement) const {
   const auto sources = scratch.sources.measure(
-      method, scratch.inputs.curve(), scratch.inputs.t(),
-      std::span<const double>(computed.point.data(), static_cast<std::size_t>(cell_.dimension)), *scratch.truth);
+      method, lane.inputs.curve(), lane.inputs.t(),
+      std::span<const double>(computed.point.data(), static_cast<std::size_t>(cell_.dimension)), from.truth->exact());
   if (sources) judgement.sources.add(*sources);
 }
 
@@ -314,6 +358,7 @@ void ScalarCell<Scalar>::keep(std::int64_t replicate, const Block& block) {
   }
   audit_.merge(block.audit);
   condition_.merge(block.condition);
+  escalated_ += block.escalated;
   if (--open.blocks_left > 0) return;
   for (std::size_t k = 0; k < block.judgements.size(); ++k) {
     const bool empty = open.errors[k].count() == 0;  // every trial was non-finite: this replicate has no statistic
@@ -323,6 +368,9 @@ void ScalarCell<Scalar>::keep(std::int64_t replicate, const Block& block) {
   }
   open_.erase(entry);
 }
+
+const std::vector<std::string> tier_columns{"study", "curve", "scalar",    "dimension", "degree", "coordinate_range",
+                                            "t_min", "t_max", "generator", "tier",      "trials", "escalated"};
 
 const std::vector<std::string> audit_columns{
     "study", "curve", "tier",      "significand_bits", "dimension",      "degree",       "coordinate_range",
@@ -358,6 +406,11 @@ void ScalarCell<Scalar>::write(Tables& tables) const {
       tables.table(is_stable(m, k) ? "accuracy.csv" : "unstable.csv", accuracy_columns()).add_row(std::move(row));
     }
   }
+  auto row = cell_fields(study_, cell_, "", ScalarFacts<Scalar>::kind);
+  row.erase(row.begin() + 2);  // whatever the method
+  row.insert(row.end(), {std::string(reference::name(tier_)), std::to_string(study_.trials * study_.replicates),
+                         std::to_string(escalated_)});
+  tables.table("reference.csv", tier_columns).add_row(std::move(row));
   if (audit_.count() > 0)
     tables.table("audit.csv", audit_columns)
         .add_row({study_.id, std::string(suite::name(study_.curve)), "long_double",
@@ -427,9 +480,9 @@ void ScalarCell<Scalar>::collect(std::vector<Violation>& violations) const {
 }  // namespace
 
 std::unique_ptr<AccuracyCell> accuracy_cell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell,
-                                            suite::ScalarKind scalar) {
-  if (scalar == suite::ScalarKind::float32) return std::make_unique<ScalarCell<float>>(study, seed, cell);
-  return std::make_unique<ScalarCell<double>>(study, seed, cell);
+                                            suite::ScalarKind scalar, reference::Tier tier) {
+  if (scalar == suite::ScalarKind::float32) return std::make_unique<ScalarCell<float>>(study, seed, cell, tier);
+  return std::make_unique<ScalarCell<double>>(study, seed, cell, tier);
 }
 
 }  // namespace bezierbench::studies

@@ -6,6 +6,7 @@
 
 #include "experiments/sample/cell.hpp"
 #include "experiments/studies/job.hpp"
+#include "reference/true_point.hpp"
 
 namespace bezierbench::studies {
 
@@ -31,6 +32,6 @@ class AccuracyCell {
 
 /// `study` must outlive the cell. Throws Failure(usage) for methods and baselines that do not take its curves.
 std::unique_ptr<AccuracyCell> accuracy_cell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell,
-                                            suite::ScalarKind scalar);
+                                            suite::ScalarKind scalar, reference::Tier tier);
 
 }  // namespace bezierbench::studies

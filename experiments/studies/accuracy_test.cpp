@@ -42,9 +42,9 @@ std::string text_of(const Job& job, const std::string& file) {
 
 TEST(Accuracy, OrderAndThreadsChangeNoByte) {
   const auto study = small_study();
-  const auto plain = accuracy_job(study, 1);
+  const auto plain = accuracy_job(study, {1});
   run_all(*plain);
-  const auto shuffled = accuracy_job(study, 1);
+  const auto shuffled = accuracy_job(study, {1});
   std::vector<std::size_t> blocks(shuffled->blocks());
   std::iota(blocks.begin(), blocks.end(), std::size_t{0});
   std::shuffle(blocks.begin(), blocks.end(), std::mt19937_64(7));
@@ -65,7 +65,7 @@ TEST(Accuracy, OrderAndThreadsChangeNoByte) {
 TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
   auto study = small_study();
   study.degree = {3};
-  const auto job = accuracy_job(study, 5);
+  const auto job = accuracy_job(study, {5});
   run_all(*job);
   const sample::Cell cell{suite::CurveKind::bezier, 2, 3, 1, {}, "continuous"};
   const sample::Sampler sampler(5, study.id, cell);
@@ -96,7 +96,7 @@ TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
 }
 
 TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
-  const auto job = accuracy_job(small_study(), 1);
+  const auto job = accuracy_job(small_study(), {1});
   run_all(*job);
   const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
   int unsupported = 0;
@@ -119,7 +119,7 @@ TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
 }
 
 TEST(Accuracy, LibmMethodsStayOutOfTheDigest) {
-  const auto job = accuracy_job(small_study(), 1);
+  const auto job = accuracy_job(small_study(), {1});
   run_all(*job);
   EXPECT_EQ(text_of(*job, "accuracy.csv").find("direct_pow"), std::string::npos);
   EXPECT_NE(text_of(*job, "unstable.csv").find("direct_pow"), std::string::npos);
@@ -131,7 +131,7 @@ TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
   study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
   study.methods = {"de_casteljau"};
   study.baseline = {"exact"};
-  const auto job = accuracy_job(study, 1);
+  const auto job = accuracy_job(study, {1});
   run_all(*job);
   const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
   ASSERT_EQ(csv.row_count(), 2U);
@@ -147,7 +147,7 @@ TEST(Accuracy, RefusesAMethodOfTheOtherForm) {
   auto study = small_study();
   study.methods = {"horner"};
   try {
-    accuracy_job(study, 1);
+    accuracy_job(study, {1});
     FAIL() << "accepted";
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.exit(), Exit::usage);
@@ -160,7 +160,7 @@ TEST(Accuracy, KeepsTheWorstTrial) {
   auto study = small_study();
   study.degree = {3};
   study.baseline = {"exact"};
-  const auto job = accuracy_job(study, 5);
+  const auto job = accuracy_job(study, {5});
   for (std::size_t block = job->blocks(); block-- > 0;) job->run_block(block);
   const auto rows = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
   const auto worst = bundle::parse_csv(text_of(*job, "worst.csv"), "worst.csv");
@@ -177,6 +177,42 @@ TEST(Accuracy, KeepsTheWorstTrial) {
     for (const std::size_t k : {0U, 2U, 4U, 6U, 1U, 3U, 5U, 7U})
       coefficients += (k == 0 ? "" : " ") + number::hexadecimal(trial.coefficients[k]);
     EXPECT_EQ(worst.at(row, "coefficients"), coefficients);
+  }
+}
+
+/// The certificate changes no byte, wherever it applies and wherever it gives up.
+TEST(Accuracy, TiersAgreeByteForByte) {
+  auto study = small_study();
+  study.degree = {0, 1, 20, 57};
+  study.dimension = {1, 3};
+  study.generator = {"continuous", "report"};
+  study.coordinate_range = {1e-250, 1, 1e250};
+  study.t_interval = {{0, 1}, {-20, 20}, {0, 0}, {0.5, 0.5}};
+  study.scalar = {suite::ScalarKind::float64};
+  study.trials = 70;
+  study.replicates = 1;
+  for (const auto curve : {suite::CurveKind::bezier, suite::CurveKind::polynomial}) {
+    study.curve = curve;
+    study.methods = curve == suite::CurveKind::bezier
+                        ? std::vector<std::string>{"de_casteljau", "compensated_de_casteljau", "exact:horner"}
+                        : std::vector<std::string>{"horner", "compensated_horner"};
+    study.baseline = {"exact", study.methods.front()};
+    const auto exact = accuracy_job(study, {7, reference::Tier::exact});
+    const auto certified = accuracy_job(study, {7, reference::Tier::certified});
+    run_all(*exact);
+    run_all(*certified);
+    for (const std::string file : {"accuracy.csv", "worst.csv", "audit.csv"})
+      EXPECT_EQ(text_of(*exact, file), text_of(*certified, file)) << file;
+    const auto reference = bundle::parse_csv(text_of(*certified, "reference.csv"), "reference.csv");
+    std::int64_t kept = 0;
+    for (std::size_t row = 0; row < reference.row_count(); ++row) {
+      const auto escalated = number::parse_integer(reference.at(row, "escalated")).value();
+      if (reference.at(row, "degree") == "57" && curve == suite::CurveKind::bezier) {
+        EXPECT_EQ(escalated, 70);
+      }
+      kept += 70 - escalated;
+    }
+    EXPECT_GT(kept, 0);
   }
 }
 

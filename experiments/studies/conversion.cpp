@@ -242,8 +242,8 @@ std::vector<Series> ConversionJob::series() const {
 
 }  // namespace
 
-std::unique_ptr<Job> conversion_job(const suite::Study& study, std::uint64_t seed) {
-  return std::make_unique<ConversionJob>(study, seed);
+std::unique_ptr<Job> conversion_job(const suite::Study& study, const JobContext& context) {
+  return std::make_unique<ConversionJob>(study, context.seed);
 }
 
 }  // namespace bezierbench::studies

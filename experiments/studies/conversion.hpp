@@ -10,6 +10,6 @@
 
 namespace bezierbench::studies {
 
-std::unique_ptr<Job> conversion_job(const suite::Study& study, std::uint64_t seed);
+std::unique_ptr<Job> conversion_job(const suite::Study& study, const JobContext& context);
 
 }  // namespace bezierbench::studies

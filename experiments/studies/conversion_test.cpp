@@ -10,7 +10,7 @@ namespace bezierbench::studies {
 namespace {
 
 bundle::CsvDocument rows_of(const suite::Study& study) {
-  const auto job = conversion_job(study, 1);
+  const auto job = conversion_job(study, {1});
   for (std::size_t block = 0; block < job->blocks(); ++block) job->run_block(block);
   Tables tables;
   job->write(tables);
@@ -55,8 +55,8 @@ TEST(Conversion, OneConversionIsJudgedAgainstTheExactOne) {
 }
 
 TEST(Conversion, AChainMustStartFromTheFormOfTheCurve) {
-  EXPECT_THROW(conversion_job(study_of({"forward_substitution"}), 1), Failure);
-  EXPECT_THROW(conversion_job(study_of({"factorial+factorial"}), 1), Failure);
+  EXPECT_THROW(conversion_job(study_of({"forward_substitution"}), {1}), Failure);
+  EXPECT_THROW(conversion_job(study_of({"factorial+factorial"}), {1}), Failure);
 }
 
 TEST(Conversion, SaysWhereADegreeIsNotSupported) {
@@ -68,7 +68,7 @@ TEST(Conversion, SaysWhereADegreeIsNotSupported) {
 }
 
 TEST(Conversion, CountsAreSummedOverDegrees) {
-  const auto job = conversion_job(study_of({"exact"}), 1);
+  const auto job = conversion_job(study_of({"exact"}), {1});
   for (std::size_t block = 0; block < job->blocks(); ++block) job->run_block(block);
   const auto series = job->series();
   ASSERT_EQ(series.size(), 3U);

@@ -12,6 +12,7 @@
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/suite/suite.hpp"
+#include "reference/true_point.hpp"
 
 namespace bezierbench::studies {
 
@@ -61,6 +62,12 @@ struct Extent {
     memory += other.memory;
     return *this;
   }
+};
+
+/// What all studies of a run share.
+struct JobContext {
+  std::uint64_t seed = 1;
+  reference::Tier tier = reference::Tier::exact;
 };
 
 class Job {

@@ -17,7 +17,7 @@ namespace {
 
 struct StudyKind {
   suite::Kind kind;
-  std::unique_ptr<Job> (*make)(const suite::Study& study, std::uint64_t seed);
+  std::unique_ptr<Job> (*make)(const suite::Study& study, const JobContext& context);
 };
 
 constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      //
@@ -27,13 +27,13 @@ constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      
 
 }  // namespace
 
-std::unique_ptr<Job> make_job(const suite::Study& study, std::uint64_t seed) {
+std::unique_ptr<Job> make_job(const suite::Study& study, const JobContext& context) {
   if (study.curve == suite::CurveKind::rational)
     throw Failure(
         Exit::usage,
         fmt::format("study \"{}\": rational curves are not available yet; leave the study out (--only)", study.id));
   for (const auto& [kind, make] : kinds)
-    if (kind == study.kind) return make(study, seed);
+    if (kind == study.kind) return make(study, context);
   throw Failure(Exit::usage, fmt::format("study \"{}\": kind \"{}\" is not available yet; leave the study out (--only)",
                                          study.id, suite::name(study.kind)));
 }

@@ -9,6 +9,6 @@
 namespace bezierbench::studies {
 
 /// The work of one study. Throws Failure(usage) where the kind has no implementation or the methods do not fit.
-std::unique_ptr<Job> make_job(const suite::Study& study, std::uint64_t seed);
+std::unique_ptr<Job> make_job(const suite::Study& study, const JobContext& context);
 
 }  // namespace bezierbench::studies

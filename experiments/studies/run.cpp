@@ -39,7 +39,7 @@ std::vector<suite::Study> studies_of(const RunRequest& request) {
 Jobs plan(const RunRequest& request) {
   Jobs jobs;
   for (const auto& one : request.suites)
-    for (const auto& study : one.studies) jobs.push_back(make_job(study, one.seed));
+    for (const auto& study : one.studies) jobs.push_back(make_job(study, {one.seed, request.tier}));
   return jobs;
 }
 

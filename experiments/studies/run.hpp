@@ -8,6 +8,7 @@
 
 #include "experiments/bundle/machine.hpp"
 #include "experiments/suite/suite.hpp"
+#include "reference/true_point.hpp"
 
 namespace bezierbench::studies {
 
@@ -15,6 +16,7 @@ struct RunRequest {
   std::vector<suite::Suite> suites;  ///< resolved: overrides applied
   std::filesystem::path out;
   int jobs = 0;  ///< threads; 0: all cores
+  reference::Tier tier = reference::Tier::certified;
   bool dry_run = false;
   bool quiet = false;
   bundle::BuildFacts build;

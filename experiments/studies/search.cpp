@@ -204,8 +204,8 @@ class SearchJob final : public Job {
 
 }  // namespace
 
-std::unique_ptr<Job> search_job(const suite::Study& study, std::uint64_t seed) {
-  return std::make_unique<SearchJob>(study, seed);
+std::unique_ptr<Job> search_job(const suite::Study& study, const JobContext& context) {
+  return std::make_unique<SearchJob>(study, context.seed);
 }
 
 }  // namespace bezierbench::studies

@@ -10,6 +10,6 @@ namespace bezierbench::studies {
 
 /// `trials` random inputs per cell and method, then `budget` steps of a climb. Rows go to search.csv; a method whose
 /// last bits hang on libm is left out, since nobody else could replay it.
-std::unique_ptr<Job> search_job(const suite::Study& study, std::uint64_t seed);
+std::unique_ptr<Job> search_job(const suite::Study& study, const JobContext& context);
 
 }  // namespace bezierbench::studies

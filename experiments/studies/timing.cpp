@@ -151,8 +151,8 @@ std::vector<Series> TimingJob::series() const {
 
 }  // namespace
 
-std::unique_ptr<Job> timing_job(const suite::Study& study, std::uint64_t seed) {
-  return std::make_unique<TimingJob>(study, seed);
+std::unique_ptr<Job> timing_job(const suite::Study& study, const JobContext& context) {
+  return std::make_unique<TimingJob>(study, context.seed);
 }
 
 }  // namespace bezierbench::studies

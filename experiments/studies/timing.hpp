@@ -8,6 +8,6 @@
 
 namespace bezierbench::studies {
 
-std::unique_ptr<Job> timing_job(const suite::Study& study, std::uint64_t seed);
+std::unique_ptr<Job> timing_job(const suite::Study& study, const JobContext& context);
 
 }  // namespace bezierbench::studies

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The true point of one trial as far as it is asked for: from a certificate where that proves the answer, else from the
+// integers, which are computed once they are needed. Both give the same bits.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/curve.hpp"
+#include "reference/certified_points.hpp"
+#include "reference/exact_curve.hpp"
+
+namespace bezierbench::reference {
+
+/// How the truth is computed. No result depends on it.
+enum class Tier {
+  exact,     ///< big integers, always
+  certified  ///< double-double with a proved error, integers where that is not enough
+};
+
+constexpr std::string_view name(Tier tier) { return tier == Tier::exact ? "exact" : "certified"; }
+
+class TruePoint {
+ public:
+  /// `exact` computes the integers; it, and what `curve` points to, must outlive the use of this object.
+  TruePoint(ExactCurve& exact, const CurveView<double>& curve, double t, std::optional<CertifiedPoint> certified)
+      : exact_(&exact), curve_(curve), t_(t), certified_(std::move(certified)) {}
+
+  /// As Distance::to.
+  [[nodiscard]] double distance(std::span<const double> point);
+
+  /// |point| to 24 bits.
+  [[nodiscard]] double length();
+
+  /// As ulp_of_length, at that length.
+  [[nodiscard]] double ulp(double length, const Format& format);
+
+  /// The integers.
+  [[nodiscard]] const ExactPoint& exact();
+
+  /// True where a certificate left a question to the integers.
+  [[nodiscard]] bool escalated() const { return escalated_; }
+
+ private:
+  const Distance& exact_distance();
+
+  ExactCurve* exact_;
+  CurveView<double> curve_;
+  double t_;
+  std::optional<CertifiedPoint> certified_;
+  const ExactPoint* point_ = nullptr;
+  std::optional<Distance> distance_;
+  bool escalated_ = false;
+};
+
+}  // namespace bezierbench::reference
