@@ -2,6 +2,8 @@
 // Every evaluator. One line here makes it exist everywhere: accuracy, timing, tests, `list`, the report, the README.
 #pragma once
 
+#include "core/evaluate/barycentric_chebyshev.hpp"
+#include "core/evaluate/barycentric_uniform.hpp"
 #include "core/evaluate/compensated_de_casteljau.hpp"
 #include "core/evaluate/compensated_de_casteljau_k3.hpp"
 #include "core/evaluate/compensated_de_casteljau_k4.hpp"
@@ -44,6 +46,8 @@ using Evaluators = TypeList<Direct,                    //
                             CompensatedVolkSchumaker,  //
                             WoznyChudy,                //
                             WoznyChudyPositive,        //
+                            BarycentricChebyshev,      //
+                            BarycentricUniform,        //
                             PowerSum,                  //
                             Horner,                    //
                             HornerFma,                 //
