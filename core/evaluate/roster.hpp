@@ -25,6 +25,7 @@
 #include "core/evaluate/horner_fma.hpp"
 #include "core/evaluate/power_sum.hpp"
 #include "core/evaluate/volk_schumaker.hpp"
+#include "core/evaluate/wang_ball.hpp"
 #include "core/evaluate/wozny_chudy.hpp"
 #include "core/evaluate/wozny_chudy_positive.hpp"
 
@@ -48,6 +49,7 @@ using Evaluators = TypeList<Direct,                    //
                             WoznyChudyPositive,        //
                             BarycentricChebyshev,      //
                             BarycentricUniform,        //
+                            WangBall,                  //
                             PowerSum,                  //
                             Horner,                    //
                             HornerFma,                 //
