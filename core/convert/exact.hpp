@@ -84,7 +84,7 @@ struct ExactToPowerDoubleDouble {
                                                        .factor = [](int, double u) { return u; },
                                                        .underflow = [](int n) { return n + 1.0; },
                                                        .underflow_scales_with_coefficients = true},
-                                   .flops = "big integers",
+                                   .flops = "big integers, per curve",
                                    .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
 
   static constexpr Form target = Form::power_double_double;
@@ -122,7 +122,7 @@ struct ExactToPowerCentered {
                                                        .factor = [](int, double) { return 1.0; },
                                                        .underflow = [](int n) { return n + 1.0; },
                                                        .underflow_scales_with_coefficients = true},
-                                   .flops = "big integers",
+                                   .flops = "big integers, per curve",
                                    .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
 
   static constexpr Form target = Form::power_centered;

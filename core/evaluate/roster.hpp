@@ -2,6 +2,8 @@
 // Every evaluator. One line here makes it exist everywhere: accuracy, timing, tests, `list`, the report, the README.
 #pragma once
 
+#include "core/evaluate/barycentric_chebyshev.hpp"
+#include "core/evaluate/barycentric_uniform.hpp"
 #include "core/evaluate/compensated_de_casteljau.hpp"
 #include "core/evaluate/compensated_de_casteljau_k3.hpp"
 #include "core/evaluate/compensated_de_casteljau_k4.hpp"
@@ -23,6 +25,7 @@
 #include "core/evaluate/horner_fma.hpp"
 #include "core/evaluate/power_sum.hpp"
 #include "core/evaluate/volk_schumaker.hpp"
+#include "core/evaluate/wang_ball.hpp"
 #include "core/evaluate/wozny_chudy.hpp"
 #include "core/evaluate/wozny_chudy_positive.hpp"
 
@@ -44,6 +47,9 @@ using Evaluators = TypeList<Direct,                    //
                             CompensatedVolkSchumaker,  //
                             WoznyChudy,                //
                             WoznyChudyPositive,        //
+                            BarycentricChebyshev,      //
+                            BarycentricUniform,        //
+                            WangBall,                  //
                             PowerSum,                  //
                             Horner,                    //
                             HornerFma,                 //

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The second barycentric form through n + 1 points of the curve. Only the nodes differ between the methods, so they
+// share this scheme, its cost and what can be proved of it.
+//
+//   p(t) = sum w_j/(t - x_j) p(x_j) / sum w_j/(t - x_j),     w_j = 1 / product over k != j of (x_j - x_k)
+//
+// Source: Berrut and Trefethen, SIAM Review 46 (2004) 501-517, eq. (4.2), weights by eq. (3.2).
+// Cost: (n+1)(3+2d) + d flops per point, n+1+d of them divisions. `prepare` takes n(n+1) flops for the weights and
+//   14 d n(n+1) for the values by compensated_volk_schumaker: as good as rounded ones at O(n) a node, where a triangle
+//   of de Casteljau would make O(n^3) of it.
+// The form interpolates with any weights, but it is p only with the weights of the very nodes that are kept. So nodes
+//   are rounded to multiples of u first, the right half as 1 minus the left: their differences are then exact, and the
+//   weights, products of those differences, are off by gamma_n. The closed forms would belong to unrounded nodes,
+//   which near 0 lie as close as 2.4/n^2 and move by about u: they are off by n^2 u. In float weights and values are
+//   formed in double and rounded once.
+// Bound: with M = max|b| and L = sum |l_j(t)|, the Lebesgue function of the nodes, |computed - p| <= (4n+7) u L M to
+//   first order: 2n+4 roundings in a term of the numerator (value, n in the weight, difference, quotient, product, n
+//   additions), 2n+2 in the denominator, one in their quotient (Higham, IMA J. Numer. Anal. 24 (2004) 547-556, second
+//   form). It is not a multiple of p~: where p~ vanishes at an end, the error need not. So `info` states none.
+// Fails: close to a node, where coordinates over |t - x_j| overflow; relative to p~ near the ends (see the bound).
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <type_traits>
+
+#include "core/evaluate/compensated_volk_schumaker.hpp"
+
+namespace bezierbench {
+
+template <class Scalar, int Dimension, int Degree>
+struct Barycentric {
+  PerCoefficient<Scalar, Degree> nodes;
+  PerCoefficient<Scalar, Degree> weights;
+  Curve<Form::bernstein, Scalar, Dimension, Degree> values;  ///< column j is the point at nodes[j]
+};
+
+namespace detail {
+
+/// What is formed per curve: in double for floating point, exactly for exact scalars.
+template <class Scalar>
+using PerCurve = std::conditional_t<std::floating_point<Scalar>, double, Scalar>;
+
+/// The nodes whose left half is `left(j)`, in [0, 1/2]: x_j + x_(n-j) = 1, and for floating point all are multiples of
+/// u, as every number is that was rounded in [1/2, 1].
+template <class Scalar, int Degree, class Left>
+PerCoefficient<Scalar, Degree> mirrored_nodes(int n, Left left) {
+  auto nodes = per_coefficient<Scalar, Degree>(n);
+  const Scalar half = Scalar(1) / Scalar(2);
+  for (int j = 0; 2 * j < n; ++j) {
+    const PerCurve<Scalar> beyond_half = left(j) + PerCurve<Scalar>(half);
+    nodes[j] = static_cast<Scalar>(beyond_half) - half;
+    nodes[n - j] = Scalar(1) - nodes[j];
+  }
+  if (n % 2 == 0) nodes[n / 2] = half;
+  return nodes;
+}
+
+/// The weights of these nodes in [0,1], the largest of them 1. Differences are quadrupled, by 1 over the capacity of
+/// the interval, so that no product leaves the range of double.
+template <class Scalar, int Degree>
+PerCoefficient<Scalar, Degree> weights_of(const PerCoefficient<Scalar, Degree>& nodes) {
+  using Wide = PerCurve<Scalar>;
+  const int n = static_cast<int>(nodes.size()) - 1;
+  auto products = per_coefficient<Wide, Degree>(n);
+  for (int j = 0; j <= n; ++j) {
+    products[j] = Wide(1);
+    for (int k = 0; k <= n; ++k)
+      if (k != j) products[j] *= Wide(4) * (static_cast<Wide>(nodes[j]) - static_cast<Wide>(nodes[k]));
+  }
+  const auto magnitude = [](const Wide& value) { return value < Wide(0) ? Wide(-value) : value; };
+  Wide smallest = magnitude(products[0]);
+  for (int j = 1; j <= n; ++j) smallest = std::min<Wide>(smallest, magnitude(products[j]));
+  auto weights = per_coefficient<Scalar, Degree>(n);
+  for (int j = 0; j <= n; ++j) weights[j] = static_cast<Scalar>(Wide(smallest / products[j]));
+  return weights;
+}
+
+}  // namespace detail
+
+/// All per-curve work, for these distinct nodes in [0,1].
+template <class Scalar, int Dimension, int Degree>
+Barycentric<Scalar, Dimension, Degree> prepare_barycentric(
+    const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, const PerCoefficient<Scalar, Degree>& nodes) {
+  using Wide = detail::PerCurve<Scalar>;
+  const int n = curve.degree();
+  Curve<Form::bernstein, Wide, Dimension, Degree> wide(n);
+  for (int i = 0; i <= n; ++i)
+    for (int axis = 0; axis < Dimension; ++axis) wide(axis, i) = static_cast<Wide>(curve(axis, i));
+  const auto scheme = CompensatedVolkSchumaker::prepare(wide);
+  Barycentric<Scalar, Dimension, Degree> prepared{nodes, detail::weights_of<Scalar, Degree>(nodes), curve};
+  for (int j = 0; j <= n; ++j) {
+    const auto point = CompensatedVolkSchumaker::evaluate(scheme, static_cast<Wide>(nodes[j]));
+    for (int axis = 0; axis < Dimension; ++axis) prepared.values(axis, j) = static_cast<Scalar>(point[axis]);
+  }
+  return prepared;
+}
+
+/// The second form at t; at a node the value there.
+template <class Scalar, int Dimension, int Degree>
+Point<Scalar, Dimension> evaluate_barycentric(const Barycentric<Scalar, Dimension, Degree>& prepared, const Scalar& t) {
+  const int n = prepared.values.degree();
+  Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
+  Scalar denominator(0);
+  for (int j = 0; j <= n; ++j) {
+    const Scalar distance = t - prepared.nodes[j];
+    if (distance == Scalar(0)) {
+      for (int axis = 0; axis < Dimension; ++axis) sum[axis] = prepared.values(axis, j);
+      return sum;
+    }
+    const Scalar quotient = prepared.weights[j] / distance;
+    denominator += quotient;
+    for (int axis = 0; axis < Dimension; ++axis) sum[axis] += quotient * prepared.values(axis, j);
+  }
+  for (int axis = 0; axis < Dimension; ++axis) sum[axis] /= denominator;
+  return sum;
+}
+
+}  // namespace bezierbench
