@@ -8,6 +8,7 @@
 #include "core/evaluate/compensated_horner.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
 #include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/de_casteljau_farin.hpp"
 #include "core/evaluate/de_casteljau_fma.hpp"
 #include "core/evaluate/de_casteljau_lerp.hpp"
 #include "core/evaluate/de_casteljau_lerp_fma.hpp"
@@ -15,6 +16,7 @@
 #include "core/evaluate/direct.hpp"
 #include "core/evaluate/direct_pow.hpp"
 #include "core/evaluate/estrin.hpp"
+#include "core/evaluate/homogeneous.hpp"
 #include "core/evaluate/horner.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
 #include "core/evaluate/horner_bernstein_fma.hpp"
@@ -25,31 +27,41 @@
 #include "core/evaluate/volk_schumaker.hpp"
 #include "core/evaluate/wozny_chudy.hpp"
 #include "core/evaluate/wozny_chudy_positive.hpp"
+#include "core/evaluate/wozny_chudy_positive_rational.hpp"
+#include "core/evaluate/wozny_chudy_rational.hpp"
 
 namespace bezierbench {
 
-using Evaluators = TypeList<Direct,                    //
-                            DirectPow,                 //
-                            DeCasteljau,               //
-                            DeCasteljauFma,            //
-                            DeCasteljauLerp,           //
-                            DeCasteljauLerpFma,        //
-                            DeCasteljauTwoSided,       //
-                            CompensatedDeCasteljau,    //
-                            CompensatedDeCasteljauK3,  //
-                            CompensatedDeCasteljauK4,  //
-                            HornerBernstein,           //
-                            HornerBernsteinFma,        //
-                            VolkSchumaker,             //
-                            CompensatedVolkSchumaker,  //
-                            WoznyChudy,                //
-                            WoznyChudyPositive,        //
-                            PowerSum,                  //
-                            Horner,                    //
-                            HornerFma,                 //
-                            CompensatedHorner,         //
-                            HornerDoubleDouble,        //
-                            HornerCentered,            //
-                            Estrin>;
+using Evaluators = TypeList<Direct,                            //
+                            DirectPow,                         //
+                            DeCasteljau,                       //
+                            DeCasteljauFma,                    //
+                            DeCasteljauLerp,                   //
+                            DeCasteljauLerpFma,                //
+                            DeCasteljauTwoSided,               //
+                            CompensatedDeCasteljau,            //
+                            CompensatedDeCasteljauK3,          //
+                            CompensatedDeCasteljauK4,          //
+                            HornerBernstein,                   //
+                            HornerBernsteinFma,                //
+                            VolkSchumaker,                     //
+                            CompensatedVolkSchumaker,          //
+                            WoznyChudy,                        //
+                            WoznyChudyPositive,                //
+                            PowerSum,                          //
+                            Horner,                            //
+                            HornerFma,                         //
+                            CompensatedHorner,                 //
+                            HornerDoubleDouble,                //
+                            HornerCentered,                    //
+                            Estrin,                            //
+                            Homogeneous<Direct>,               //
+                            Homogeneous<DeCasteljau>,          //
+                            Homogeneous<DeCasteljauTwoSided>,  //
+                            DeCasteljauFarin,                  //
+                            Homogeneous<HornerBernstein>,      //
+                            Homogeneous<VolkSchumaker>,        //
+                            WoznyChudyRational,                //
+                            WoznyChudyPositiveRational>;
 
 }  // namespace bezierbench

@@ -74,7 +74,7 @@ class TimingJob final : public Job {
 void TimingJob::run_block(std::size_t block) {
   Heat& heat = heats_[block];
   if (heat.methods.empty()) return;  // none supports the degree
-  timing::Inputs inputs{form_of(study_.curve), heat.cell.dimension, heat.cell.degree, {}, {}};
+  timing::Inputs inputs{form_of(study_.curve), heat.cell.dimension, heat.cell.degree, {}, {}, {}};
   const sample::Sampler sampler(seed_, study_.id, heat.cell);
   sample::Trial trial;
   for (std::size_t k = 0; k < inputs_per_cell; ++k) {
