@@ -265,7 +265,7 @@ class Suites(Case):
 
     def test_what_is_not_there_yet(self):
         """Kinds and curves that no study takes are refused at once, not after hours."""
-        for changes in ({"curve": '"rational"'}, {"kind": '"timing"', "scalar": '["float"]', "modes": '["point"]'}):
+        for changes in ({"curve": '"rational"', "kind": '"conversion"', "methods": None}, {"kind": '"timing"', "scalar": '["float"]', "modes": '["point"]'}):
             with self.subTest(changes=changes):
                 self.refused(USAGE, ["run", self.suite(**changes), "--out", "b"], 'study "a"')
 

@@ -60,7 +60,8 @@ struct Computed {
   bool finite = true;
 };
 
-/// What the errors of one trial are measured from. Empty distance: the baseline itself is not finite.
+/// What the errors of one trial are measured from. Empty distance: the baseline is not finite, or the
+/// weights of a rational curve sum to zero.
 struct Origin {
   std::optional<reference::Distance> distance;
   bool exact = false;
@@ -239,7 +240,8 @@ Origin ScalarCell<Scalar>::origin(std::size_t baseline, Scratch<Scalar>& scratch
   Origin from;
   if (baselines_[baseline] == nullptr) {
     scratch.truth = &scratch.exact.point(scratch.inputs.true_curve(), scratch.inputs.true_t());
-    from.exact = true;
+    from.exact = scratch.truth->exists();
+    if (!from.exact) return from;
     from.distance.emplace(*scratch.truth);
     from.length = from.distance->of_origin(cell_.dimension);
     from.ulp = reference::ulp_of_length(*scratch.truth, from.length, ScalarFacts<Scalar>::format);

@@ -81,6 +81,7 @@ void TimingJob::run_block(std::size_t block) {
     sampler.draw(k, trial);
     inputs.curves.push_back(trial.coefficients);
     inputs.t.push_back(trial.t);
+    inputs.weights.push_back(trial.weights);
   }
   std::vector<timing::Rival> rivals;
   for (const auto* kernel : heat.methods) {
