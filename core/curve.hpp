@@ -10,22 +10,24 @@
 
 namespace bezierbench {
 
-/// Representation of a polynomial curve. Curves are given in the first two; the others exist inside converted paths.
+/// Representation of a curve. Curves are given in the first three; the others exist inside converted paths.
 enum class Form {
   bernstein,            ///< sum b_i B_i,n(t)
   power,                ///< sum q_j t^j
+  rational,             ///< sum w_i b_i B_i,n(t) / sum w_i B_i,n(t): a rational Bezier curve
   power_centered,       ///< sum q_j (t - 1/2)^j
   power_double_double,  ///< sum (high q_j + low q_j) t^j, each coefficient an unevaluated sum of two
 };
 
 /// True for the forms in which a curve can be given.
-constexpr bool is_given(Form form) { return form == Form::bernstein || form == Form::power; }
+constexpr bool is_given(Form form) { return form == Form::bernstein || form == Form::power || form == Form::rational; }
 
 /// The word for a form in files and messages.
 constexpr std::string_view name(Form form) {
   switch (form) {
     case Form::bernstein: return "bernstein";
     case Form::power: return "power";
+    case Form::rational: return "rational";
     case Form::power_centered: return "power_centered";
     case Form::power_double_double: return "power_double_double";
   }
@@ -96,13 +98,30 @@ class Curve<Form::power_double_double, ScalarT, DimensionT, DegreeT> {
   Part low;
 };
 
+/// Control points, not premultiplied, and their weights.
+template <class ScalarT, int DimensionT, int DegreeT>
+class Curve<Form::rational, ScalarT, DimensionT, DegreeT> {
+ public:
+  using Scalar = ScalarT;
+  static constexpr Form form = Form::rational;
+  static constexpr int dimension = DimensionT;
+
+  explicit Curve(int degree) : points(degree), weights(per_coefficient<ScalarT, DegreeT>(degree)) {}
+
+  [[nodiscard]] int degree() const { return points.degree(); }
+
+  Curve<Form::bernstein, ScalarT, DimensionT, DegreeT> points;
+  PerCoefficient<ScalarT, DegreeT> weights;
+};
+
 /// A curve behind the erased interfaces: coefficients point by point (x0 y0 x1 y1 ...), not owned.
 template <class Scalar>
 struct CurveView {
   Form form = Form::bernstein;
   int dimension = 2;
   int degree = 0;
-  std::span<const Scalar> coefficients;  ///< (degree + 1) * dimension values
+  std::span<const Scalar> coefficients;  ///< (degree + 1) * dimension values; control points are not premultiplied
+  std::span<const Scalar> weights = {};  ///< degree + 1 values for a rational curve, else none
 
   [[nodiscard]] Scalar operator()(int axis, int i) const {
     return coefficients[static_cast<std::size_t>(i) * static_cast<std::size_t>(dimension) +

@@ -18,7 +18,8 @@ constexpr std::string_view name(Problem problem) {
   return problem == Problem::evaluation ? "evaluation" : "conversion";
 }
 
-/// How the rounded 1 - t, s, enters a result: what the curve would be if nothing else were rounded.
+/// How the rounded 1 - t, s, enters a result: what the curve would be if nothing else were rounded. In a rational curve
+/// the last two are one, for numerator and denominator have the same (t + s)^n.
 enum class OneMinusT {
   unused,     ///< not at all, or only where it is exact, or its error is compensated
   summed,     ///< sum b_i C(n,i) t^i s^(n-i)

@@ -30,19 +30,41 @@ void next_binomials(int n, std::vector<mpz_class>& row) {
   }
 }
 
+/// The integers (values[k] + values[k + count] + ...) 2^-e for k < count; returns e.
+long load_integers(std::span<const double> values, std::size_t count, std::vector<mpz_class>& integers) {
+  integers.assign(count, 0);
+  int lowest = std::numeric_limits<int>::max();
+  for (const double value : values)
+    if (value != 0) lowest = std::min(lowest, split(value).exponent);
+  thread_local mpz_class part;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (values[k] == 0) continue;
+    const auto [mantissa, exponent] = split(values[k]);
+    mpz_set_si(part.get_mpz_t(), mantissa);
+    part <<= static_cast<mp_bitcnt_t>(exponent - lowest);
+    integers[k % count] += part;
+  }
+  return lowest == std::numeric_limits<int>::max() ? 0 : lowest;
+}
+
 }  // namespace
 
 const ExactPoint& ExactCurve::point(const CurveView<double>& curve, double t) {
   load(curve, false);
   set_parameter(t, curve.form, false);
-  evaluate(curve);
+  sum(curve);
+  if (curve.form == Form::rational) divide_by_weights(curve.degree);
   return point_;
 }
 
 const ExactPoint& ExactCurve::p_tilde(const CurveView<double>& curve, double t) {
   load(curve, true);
   set_parameter(t, curve.form, true);
-  evaluate(curve);
+  sum(curve);
+  if (curve.form != Form::rational) return point_;
+  set_parameter(t, curve.form, false);  // the sum of the weights keeps its signs
+  divide_by_weights(curve.degree);
+  for (auto& numerator : point_.numerator) numerator = ::abs(numerator);
   return point_;
 }
 
@@ -51,8 +73,10 @@ const ExactPoint& ExactCurve::with_complement(const CurveView<double>& curve, do
   load(curve, false);
   set_parameter(t, curve.form, false);
   set_complement(complement);
-  evaluate(curve);
-  if (normalised) {
+  sum(curve);
+  if (curve.form == Form::rational) {
+    divide_by_weights(curve.degree);
+  } else if (normalised) {
     t_power_ = t_numerator_ + one_minus_t_;  // over 2^k, like both
     mpz_pow_ui(point_.denominator.get_mpz_t(), t_power_.get_mpz_t(), static_cast<unsigned long>(curve.degree));
     point_.exponent = coefficient_exponent_;
@@ -60,33 +84,37 @@ const ExactPoint& ExactCurve::with_complement(const CurveView<double>& curve, do
   return point_;
 }
 
-void ExactCurve::evaluate(const CurveView<double>& curve) {
+void ExactCurve::load(const CurveView<double>& curve, bool magnitudes) {
+  const auto d = static_cast<std::size_t>(curve.dimension);
+  const std::size_t count = static_cast<std::size_t>(curve.degree) + 1;
+  // The low parts of double-double coefficients follow the high ones.
+  coefficient_exponent_ = load_integers(curve.coefficients, count * d, coefficients_);
+  if (curve.form == Form::rational) {
+    load_integers(curve.weights, count, weights_);
+    for (std::size_t k = 0; k < coefficients_.size(); ++k) coefficients_[k] *= weights_[k / d];
+  }
+  if (magnitudes)
+    for (auto& coefficient : coefficients_) coefficient = ::abs(coefficient);
+}
+
+void ExactCurve::sum(const CurveView<double>& curve) {
   point_.dimension = curve.dimension;
   point_.denominator = 1;
   point_.exponent = coefficient_exponent_ - static_cast<long>(t_shift_) * curve.degree;
-  if (curve.form == Form::bernstein)
-    sum_bernstein(curve.degree, curve.dimension);
+  if (curve.form == Form::bernstein || curve.form == Form::rational)
+    sum_bernstein(curve.degree, coefficients_,
+                  std::span(point_.numerator).first(static_cast<std::size_t>(curve.dimension)));
   else
     sum_power(curve.degree, curve.dimension);
 }
 
-void ExactCurve::load(const CurveView<double>& curve, bool magnitudes) {
-  const std::size_t count = (static_cast<std::size_t>(curve.degree) + 1) * static_cast<std::size_t>(curve.dimension);
-  coefficients_.assign(count, 0);
-  int lowest = std::numeric_limits<int>::max();
-  for (const double value : curve.coefficients)
-    if (value != 0) lowest = std::min(lowest, split(value).exponent);
-  coefficient_exponent_ = lowest == std::numeric_limits<int>::max() ? 0 : lowest;
-  for (std::size_t k = 0; k < curve.coefficients.size();
-       ++k) {  // the low parts of a double-double follow the high ones
-    if (curve.coefficients[k] == 0) continue;
-    const auto [mantissa, exponent] = split(curve.coefficients[k]);
-    mpz_set_si(part_.get_mpz_t(), mantissa);
-    part_ <<= static_cast<mp_bitcnt_t>(exponent - lowest);
-    coefficients_[k % count] += part_;
-  }
-  if (magnitudes)
-    for (auto& coefficient : coefficients_) coefficient = ::abs(coefficient);
+/// The weights' powers of two are those of the numerators, too.
+void ExactCurve::divide_by_weights(int n) {
+  sum_bernstein(n, weights_, std::span(&point_.denominator, 1));
+  point_.exponent = coefficient_exponent_;
+  if (point_.denominator >= 0) return;
+  point_.denominator = -point_.denominator;
+  for (auto& numerator : point_.numerator) numerator = -numerator;
 }
 
 void ExactCurve::set_parameter(double t, Form form, bool magnitudes) {
@@ -125,18 +153,18 @@ void ExactCurve::set_complement(double complement) {
   if (mantissa != 0) one_minus_t_ <<= static_cast<mp_bitcnt_t>(static_cast<long>(t_shift_) + exponent);
 }
 
-void ExactCurve::sum_bernstein(int n, int dimension) {
+void ExactCurve::sum_bernstein(int n, const std::vector<mpz_class>& coefficients, std::span<mpz_class> sums) {
   next_binomials(n, binomials_);
-  const auto d = static_cast<std::size_t>(dimension);
-  for (std::size_t axis = 0; axis < d; ++axis) point_.numerator[axis] = coefficients_[axis];
+  const std::size_t d = sums.size();
+  for (std::size_t axis = 0; axis < d; ++axis) sums[axis] = coefficients[axis];
   t_power_ = 1;
   for (std::size_t i = 1; i <= static_cast<std::size_t>(n); ++i) {
     t_power_ *= t_numerator_;
     mpz_mul(weight_.get_mpz_t(), t_power_.get_mpz_t(), binomials_[i].get_mpz_t());
     for (std::size_t axis = 0; axis < d; ++axis) {
-      mpz_ptr sum = point_.numerator[axis].get_mpz_t();
+      mpz_ptr sum = sums[axis].get_mpz_t();
       mpz_mul(sum, sum, one_minus_t_.get_mpz_t());
-      mpz_addmul(sum, weight_.get_mpz_t(), coefficients_[i * d + axis].get_mpz_t());
+      mpz_addmul(sum, weight_.get_mpz_t(), coefficients[i * d + axis].get_mpz_t());
     }
   }
 }

@@ -66,6 +66,73 @@ TEST(ExactCurve, IsTheDefinitionOnNastyInputs) {
       }
 }
 
+const std::vector<std::vector<double>> nasty_weights{
+    {1, 1, 1, 1, 1, 1, 1, 1, 1},
+    {0x1p+60, 0x1p-60, 1, 3, 0x1p-60, 0x1p+60, 0.1, 1, 7},
+    {1, 0, 0, 2, 0, 1, 0, 0, 1},
+    {1, -0.5, 2, -3, 1, -0.25, 1, 1, 1},
+    {-1, -2, -0.25, -3, -1, -1, -5, -0.125, -1},
+    {0x1p-1074, 1e308, 0x1p-1074, -1e308, 1, 1e-300, 1, 1, 1e308},
+};
+
+/// numerator / denominator = point, without dividing.
+TEST(ExactCurve, OfRationalCurvesIsTheDefinitionOnNastyInputs) {
+  ExactCurve exact;
+  for (const auto& weights : nasty_weights)
+    for (const auto& c : nasty_c)
+      for (const double t : nasty_t) {
+        const std::vector<double> w(weights.begin(), weights.begin() + static_cast<std::ptrdiff_t>(c.size()));
+        const int n = static_cast<int>(c.size()) - 1;
+        Rational numerator;
+        Rational magnitudes;
+        Rational denominator;
+        for (int i = 0; i <= n; ++i) {
+          const auto k = static_cast<std::size_t>(i);
+          std::vector<double> unit(c.size(), 0.0);
+          unit[k] = 1;
+          const Rational basis = definition(Form::bernstein, unit, t);
+          denominator = denominator + exactly(w[k]) * basis;
+          numerator = numerator + exactly(w[k]) * exactly(c[k]) * basis;
+          magnitudes = magnitudes + abs(exactly(w[k]) * exactly(c[k]) * basis);
+        }
+        const CurveView<double> curve{Form::rational, 1, n, c, w};
+        const auto& point = exact.point(curve, t);
+        ASSERT_EQ(point.exists(), denominator.numerator != 0);
+        if (!point.exists()) continue;
+        EXPECT_GT(point.denominator, 0);
+        EXPECT_TRUE(same(point.coordinate(0) * denominator, numerator)) << "degree " << n << " t " << t;
+        EXPECT_TRUE(same(exact.p_tilde(curve, t).coordinate(0) * abs(denominator), magnitudes))
+            << "degree " << n << " t " << t;
+      }
+}
+
+/// The quarter circle ((1-t^2)/(1+t^2), 2t/(1+t^2)) (Farin, Curves and Surfaces for CAGD, 5th ed., conics) lies on the
+/// circle for every t, and at 1/2 is 3-4-5.
+TEST(ExactCurve, RunsAroundTheCircle) {
+  const std::vector<double> c{1, 0, 1, 1, 0, 1};
+  const std::vector<double> w{1, 1, 2};
+  ExactCurve exact;
+  for (const double t : nasty_t) {
+    const auto& point = exact.point({Form::rational, 2, 2, c, w}, t);
+    ASSERT_TRUE(point.exists());
+    const Rational x = point.coordinate(0);
+    const Rational y = point.coordinate(1);
+    EXPECT_TRUE(same(x * x + y * y, Rational{1, 1, 0})) << t;
+  }
+  const auto& half = exact.point({Form::rational, 2, 2, c, w}, 0.5);
+  EXPECT_TRUE(same(half.coordinate(0), Rational{3, 5, 0}));
+  EXPECT_TRUE(same(half.coordinate(1), Rational{4, 5, 0}));
+}
+
+TEST(ExactCurve, OfRationalCurvesHasNoPointWhereTheWeightsSumToZero) {
+  const std::vector<double> c{1, 2};
+  const std::vector<double> w{1, -3};  // 1 - 4t
+  ExactCurve exact;
+  EXPECT_FALSE(exact.point({Form::rational, 1, 1, c, w}, 0.25).exists());
+  EXPECT_TRUE(exact.point({Form::rational, 1, 1, c, w}, 0.5).exists());
+  EXPECT_TRUE(exact.point({Form::bernstein, 1, 1, c}, 0.25).exists());
+}
+
 TEST(ExactCurve, KeepsAxesApart) {
   const std::vector<double> c{1, 10, 2, 20, 3, 50};
   ExactCurve exact;
@@ -125,8 +192,13 @@ TEST(Distance, EqualsTheIntegersEverywhere) {
     const int scale = scales[words() % scales.size()];
     std::vector<double> c;
     for (int i = 0; i < (n + 1) * dimension; ++i) c.push_back(std::ldexp(random(), scale));
+    std::vector<double> w;
+    for (int i = 0; i <= n; ++i) w.push_back(std::ldexp(1.5 + random(), static_cast<int>(words() % 120) - 60));
     const double t = repeat % 5 == 0 ? nasty_t[words() % 9] : std::abs(random());
-    const auto& point = exact.point({repeat % 2 == 0 ? Form::bernstein : Form::power, dimension, n, c}, t);
+    CurveView<double> curve{repeat % 2 == 0 ? Form::bernstein : Form::power, dimension, n, c};
+    if (repeat % 3 == 0) curve = {Form::rational, dimension, n, c, w};
+    const auto& point = exact.point(curve, t);
+    if (!point.exists()) continue;
     bool in_range = true;
     for (int axis = 0; axis < dimension; ++axis)
       in_range = in_range && std::isfinite(2 * round_to(binary64, point.coordinate(axis)));

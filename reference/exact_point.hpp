@@ -14,13 +14,15 @@ namespace bezierbench::reference {
 
 inline constexpr int max_dimension = 3;
 
-/// Coordinate a is numerator[a] / denominator 2^exponent.
+/// Coordinate a is numerator[a] / denominator 2^exponent; denominator >= 0.
 struct ExactPoint {
   int dimension = 0;
   std::array<mpz_class, max_dimension> numerator;
   mpz_class denominator = 1;
   long exponent = 0;
 
+  /// False for a rational curve where its weights sum to zero: there is no such point.
+  [[nodiscard]] bool exists() const { return denominator != 0; }
   [[nodiscard]] Rational coordinate(int axis) const {
     return {numerator[static_cast<std::size_t>(axis)], denominator, exponent};
   }

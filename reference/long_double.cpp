@@ -22,26 +22,35 @@ Rational exactly_long(long double value) {
   return sum;
 }
 
+/// Horner's nested sum in Bernstein form of the coefficients c(0) .. c(n).
+template <class Coefficient>
+long double bernstein_sum(int n, long double t, Coefficient c) {
+  const long double one_minus_t = 1.0L - t;
+  long double weight = 1;
+  long double sum = c(0);
+  for (int i = 1; i <= n; ++i) {
+    weight = weight * t * static_cast<long double>(n - i + 1) / static_cast<long double>(i);
+    sum = sum * one_minus_t + weight * c(i);
+  }
+  return sum;
+}
+
 }  // namespace
 
 LongDoublePoint long_double_point(const CurveView<double>& curve, double t) {
   const int n = curve.degree;
-  const long double one_minus_t = 1.0L - static_cast<long double>(t);
+  const auto x = static_cast<long double>(t);
+  const auto weight = [&](int i) { return static_cast<long double>(curve.weights[static_cast<std::size_t>(i)]); };
   LongDoublePoint point{};
   for (int axis = 0; axis < curve.dimension; ++axis) {
-    long double sum = 0;
-    if (curve.form == Form::bernstein) {
-      long double weight = 1;
-      sum = curve(axis, 0);
-      for (int i = 1; i <= n; ++i) {
-        weight =
-            weight * static_cast<long double>(t) * static_cast<long double>(n - i + 1) / static_cast<long double>(i);
-        sum = sum * one_minus_t + weight * static_cast<long double>(curve(axis, i));
-      }
-    } else {
-      for (int j = n; j >= 0; --j) sum = sum * static_cast<long double>(t) + static_cast<long double>(curve(axis, j));
-    }
-    point[static_cast<std::size_t>(axis)] = sum;
+    const auto c = [&](int i) { return static_cast<long double>(curve(axis, i)); };
+    long double& sum = point[static_cast<std::size_t>(axis)];
+    if (curve.form == Form::bernstein)
+      sum = bernstein_sum(n, x, c);
+    else if (curve.form == Form::rational)
+      sum = bernstein_sum(n, x, [&](int i) { return weight(i) * c(i); }) / bernstein_sum(n, x, weight);
+    else
+      for (int j = n; j >= 0; --j) sum = sum * x + c(j);
   }
   return point;
 }

@@ -13,6 +13,8 @@ const ExactPoint& TruePoint::exact() {
   return *point_;
 }
 
+bool TruePoint::exists() { return curve_.form != Form::rational || exact().exists(); }
+
 const Distance& TruePoint::exact_distance() {
   if (!distance_) distance_.emplace(exact());
   return *distance_;

@@ -27,6 +27,9 @@ class TruePoint {
   TruePoint(ExactCurve& exact, const CurveView<double>& curve, double t, std::optional<CertifiedPoint> certified)
       : exact_(&exact), curve_(curve), t_(t), certified_(std::move(certified)) {}
 
+  /// False where the weights of a rational curve sum to zero: then nothing below may be asked for.
+  [[nodiscard]] bool exists();
+
   /// As Distance::to.
   [[nodiscard]] double distance(std::span<const double> point);
 

@@ -16,6 +16,7 @@
 //   Bernstein -> centred   q_j = C(n,j) M^(n-j) D^j b_0 with midpoints M = (1 + E)/2 and differences D = E - 1 (E moves
 //                          to the next control point), so |q_j| <= C(n,j) M^(n-j) (1 + E)^j c_0 = C(n,j) 2^j M^n c_0;
 //                          summing over j with z^j leaves (1 + 2z)^n M^n c_0 = (1/2 + z)^n sum c_i C(n,i)
+// For rational curves c_i stands for |w_i b_i|, and p~ is the sum for the Bernstein form over |sum w_i B_i(t)|.
 #pragma once
 
 #include <algorithm>
@@ -115,7 +116,8 @@ inline double amplification(Amplification kind, std::span<const double> c, doubl
 /// The amplification that the definition of p~ uses for a form.
 constexpr Amplification p_tilde_of(Form form) {
   switch (form) {
-    case Form::bernstein: return Amplification::p_tilde_bernstein;
+    case Form::bernstein:
+    case Form::rational: return Amplification::p_tilde_bernstein;
     case Form::power_centered: return Amplification::p_tilde_centered;
     case Form::power:
     case Form::power_double_double: break;

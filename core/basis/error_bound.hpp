@@ -25,14 +25,22 @@ inline constexpr int amplification_count = 7;
 /// where A is the amplification, eta the smallest subnormal, and S = 1 or, where powers of t are rounded apart from
 /// the coefficients, S = 1 + max|c|. Holds while nothing overflows; infinite where no bound is proved. Whoever does not
 /// know p takes |p| <= p~ of the given form, which is far below A on a converted path.
+///
+/// Of a rational curve with weights >= 0 and W = sum w_i B_i(t) > 0, for 0 <= t <= 1 only,
+///   |computed - true| <= factor(n, u) u p~ + eta + underflow(n) eta (S + S_W p~) / W
+/// with S = S_W = 1 or, as above, S = 1 + max|w_i b_i| and S_W = 1 + max w_i; proved while underflow(n) eta S_W / W is
+/// at most 1/8 and 2^n (1 + max w_i) is in range. A method that divides by weights needs them positive; then
+///   |computed - true| <= factor(n, u) u p~ + eta + underflow(n) eta (1 + max|b_i|) (1 + max w_i) / min w_i
+/// while 2^n (n + 1) (1 + max w_i) (1 + 1/min w_i) is in range.
 struct ErrorBound {
   std::string_view text;  ///< for people, e.g. "gamma_3n p~"
   Amplification amplification;
   double (*factor)(int degree, double u);  ///< u is the unit roundoff: 2^-53, or 2^-24 for float
   double (*underflow)(int degree);
   bool underflow_scales_with_coefficients;
-  bool unit_interval_only = false;  ///< proved for 0 <= t <= 1 only
-  double result_roundings = 0;      ///< roundings of the result itself: all that is left when the rest is compensated
+  bool unit_interval_only = false;     ///< proved for 0 <= t <= 1 only
+  bool positive_weights_only = false;  ///< of a rational method: weights of 0 are not allowed
+  double result_roundings = 0;  ///< roundings of the result itself: all that is left when the rest is compensated
 };
 
 /// gamma_k / u = k / (1 - k u): what k roundings can do to a product (Higham, Accuracy and Stability of Numerical

@@ -34,7 +34,7 @@ Rational power(const Rational& base, int exponent) {
   return result;
 }
 
-/// The definition of the curve, term by term.
+/// The definition of a polynomial curve, term by term.
 Rational definition(Form form, const std::vector<Rational>& c, const Rational& t) {
   Rational sum = 0;
   Rational binomial = 1;
@@ -47,18 +47,52 @@ Rational definition(Form form, const std::vector<Rational>& c, const Rational& t
   return sum;
 }
 
+/// A sample curve in form F, on one axis, and its point by definition.
+template <Form F>
+struct Sample {
+  explicit Sample(int number) {
+    std::vector<Rational> c;
+    for (int i = 0; i <= degree; ++i) {
+      c.emplace_back((7 * i * i - 11 * i * number + 3) % 17, 1 + (i + number) % 5);
+      curve(0, i) = c.back();
+    }
+    point = definition(F, c, t_of(number));
+  }
+  /// On both sides of 0; no denominator of a rational scheme vanishes.
+  static Rational t_of(int number) { return {2 * number - 5, 7}; }
+
+  Curve<F, Rational, 1, degree> curve{degree};
+  Rational point;
+};
+
+template <>
+struct Sample<Form::rational> {
+  explicit Sample(int number) {
+    const Sample<Form::bernstein> points(number);
+    std::vector<Rational> weighted;
+    std::vector<Rational> weights;
+    for (int i = 0; i <= degree; ++i) {
+      weights.emplace_back(1 + (5 * i + number) % 7, 2 + i % 3);
+      weighted.emplace_back(weights.back() * points.curve(0, i));
+      curve.weights[i] = weights.back();
+    }
+    curve.points = points.curve;
+    const Rational t = t_of(number);
+    point = definition(Form::bernstein, weighted, t) / definition(Form::bernstein, weights, t);
+  }
+  static Rational t_of(int number) { return Sample<Form::bernstein>::t_of(number); }
+
+  Curve<Form::rational, Rational, 1, degree> curve{degree};
+  Rational point;
+};
+
 template <class M>
 void expect_exact() {
   if constexpr (algebraic<M>) {
-    for (int sample = 1; sample <= 5; ++sample) {
-      std::vector<Rational> c;
-      Curve<M::info.form, Rational, 1, degree> curve(degree);
-      for (int i = 0; i <= degree; ++i) {
-        c.emplace_back((7 * i * i - 11 * i * sample + 3) % 17, 1 + (i + sample) % 5);
-        curve(0, i) = c.back();
-      }
-      const Rational t(2 * sample - 5, 7);  // on both sides of 0; no denominator of a rational scheme vanishes
-      EXPECT_EQ(M::evaluate(M::prepare(curve), t)[0], definition(M::info.form, c, t)) << M::info.id;
+    for (int number = 1; number <= 5; ++number) {
+      const Sample<M::info.form> sample(number);
+      EXPECT_EQ(M::evaluate(M::prepare(sample.curve), sample.t_of(number))[0], sample.point)
+          << M::info.id << " " << name(M::info.form);
     }
   }
 }

@@ -15,10 +15,17 @@ namespace bezierbench::instantiate {
 
 template <Form F, int Dimension, class Scalar>
 Curve<F, Scalar, Dimension> load(const CurveView<Scalar>& view) {
-  Curve<F, Scalar, Dimension> curve(view.degree);
-  for (int i = 0; i <= view.degree; ++i)
-    for (int axis = 0; axis < Dimension; ++axis) curve(axis, i) = view(axis, i);
-  return curve;
+  if constexpr (F == Form::rational) {
+    Curve<F, Scalar, Dimension> curve(view.degree);
+    curve.points = load<Form::bernstein, Dimension>(view);
+    for (int i = 0; i <= view.degree; ++i) curve.weights[i] = view.weights[static_cast<std::size_t>(i)];
+    return curve;
+  } else {
+    Curve<F, Scalar, Dimension> curve(view.degree);
+    for (int i = 0; i <= view.degree; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) curve(axis, i) = view(axis, i);
+    return curve;
+  }
 }
 
 template <Form F, class Scalar, int Dimension>

@@ -10,6 +10,7 @@
 #include "core/evaluate/compensated_horner.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
 #include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/de_casteljau_farin.hpp"
 #include "core/evaluate/de_casteljau_fma.hpp"
 #include "core/evaluate/de_casteljau_lerp.hpp"
 #include "core/evaluate/de_casteljau_lerp_fma.hpp"
@@ -17,6 +18,7 @@
 #include "core/evaluate/direct.hpp"
 #include "core/evaluate/direct_pow.hpp"
 #include "core/evaluate/estrin.hpp"
+#include "core/evaluate/homogeneous.hpp"
 #include "core/evaluate/horner.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
 #include "core/evaluate/horner_bernstein_fma.hpp"
@@ -28,34 +30,44 @@
 #include "core/evaluate/wang_ball.hpp"
 #include "core/evaluate/wozny_chudy.hpp"
 #include "core/evaluate/wozny_chudy_positive.hpp"
+#include "core/evaluate/wozny_chudy_positive_rational.hpp"
+#include "core/evaluate/wozny_chudy_rational.hpp"
 
 namespace bezierbench {
 
-using Evaluators = TypeList<Direct,                    //
-                            DirectPow,                 //
-                            DeCasteljau,               //
-                            DeCasteljauFma,            //
-                            DeCasteljauLerp,           //
-                            DeCasteljauLerpFma,        //
-                            DeCasteljauTwoSided,       //
-                            CompensatedDeCasteljau,    //
-                            CompensatedDeCasteljauK3,  //
-                            CompensatedDeCasteljauK4,  //
-                            HornerBernstein,           //
-                            HornerBernsteinFma,        //
-                            VolkSchumaker,             //
-                            CompensatedVolkSchumaker,  //
-                            WoznyChudy,                //
-                            WoznyChudyPositive,        //
-                            BarycentricChebyshev,      //
-                            BarycentricUniform,        //
-                            WangBall,                  //
-                            PowerSum,                  //
-                            Horner,                    //
-                            HornerFma,                 //
-                            CompensatedHorner,         //
-                            HornerDoubleDouble,        //
-                            HornerCentered,            //
-                            Estrin>;
+using Evaluators = TypeList<Direct,                            //
+                            DirectPow,                         //
+                            DeCasteljau,                       //
+                            DeCasteljauFma,                    //
+                            DeCasteljauLerp,                   //
+                            DeCasteljauLerpFma,                //
+                            DeCasteljauTwoSided,               //
+                            CompensatedDeCasteljau,            //
+                            CompensatedDeCasteljauK3,          //
+                            CompensatedDeCasteljauK4,          //
+                            HornerBernstein,                   //
+                            HornerBernsteinFma,                //
+                            VolkSchumaker,                     //
+                            CompensatedVolkSchumaker,          //
+                            WoznyChudy,                        //
+                            WoznyChudyPositive,                //
+                            BarycentricChebyshev,              //
+                            BarycentricUniform,                //
+                            WangBall,                          //
+                            PowerSum,                          //
+                            Horner,                            //
+                            HornerFma,                         //
+                            CompensatedHorner,                 //
+                            HornerDoubleDouble,                //
+                            HornerCentered,                    //
+                            Estrin,                            //
+                            Homogeneous<Direct>,               //
+                            Homogeneous<DeCasteljau>,          //
+                            Homogeneous<DeCasteljauTwoSided>,  //
+                            DeCasteljauFarin,                  //
+                            Homogeneous<HornerBernstein>,      //
+                            Homogeneous<VolkSchumaker>,        //
+                            WoznyChudyRational,                //
+                            WoznyChudyPositiveRational>;
 
 }  // namespace bezierbench

@@ -265,7 +265,7 @@ class Suites(Case):
 
     def test_what_is_not_there_yet(self):
         """Kinds and curves that no study takes are refused at once, not after hours."""
-        for changes in ({"curve": '"rational"'}, {"kind": '"timing"', "scalar": '["float"]', "modes": '["point"]'}):
+        for changes in ({"curve": '"rational"', "kind": '"conversion"', "methods": None}, {"kind": '"timing"', "scalar": '["float"]', "modes": '["point"]'}):
             with self.subTest(changes=changes):
                 self.refused(USAGE, ["run", self.suite(**changes), "--out", "b"], 'study "a"')
 
@@ -293,10 +293,12 @@ class Curves(Case):
                 ("x,y\n1,2\ninf,1\n", "c.csv:3: ", "row 2, column x"), ("x\n-inf\n", "c.csv:2: ", '"-inf"'),
                 ("x,y\n1,two\n", "c.csv:2: ", '"two"'), ("x\n1e999\n", "c.csv:2: "), ("x,y\n1,\n", "c.csv:2: ", "column y"),
                 ("x\n 1\n", "c.csv:2: "), ("x\n1\n\n", "c.csv:3: "), ("a,b\n1,2\n", "c.csv:1: ", "a,b"),
-                ("1,2\n3,4\n", "c.csv:1: "), ("y,x\n1,2\n", "c.csv:1: "), ("x,x\n1,2\n", "c.csv:1: ", "twice"),
+                ("1,2\n3,4\n", "c.csv:1: "), ("y\n1\n", "c.csv:1: "), ("w\n1\n", "c.csv:1: "), ("x,x\n1,2\n", "c.csv:1: ", "twice"),
                 ("x,y,z,v\n1,2,3,4\n", "c.csv:1: "), ("x,\n1,2\n", "c.csv:1: "), ("x\n1\0\n", "c.csv:2: ", "NUL"),
                 ("x\n\x1b[31m\n", "c.csv:2: "), ('x\n"1\n', "c.csv:2: "), ('x\n"a\nb"\n', "c.csv:2: "),
-                ("x\n" + "1\n" * 1025, "c.csv", "1025")]:
+                ("x\n" + "1\n" * 1025, "c.csv", "1025"), ("x,w,v\n1,1,1\n", "c.csv:1: "), ("x,z,w\n1,1,1\n", "c.csv:1: "),
+                ("x,y,w\n1,2,3\n1,2,nan\n", "c.csv:3: ", "row 2, column w"), ("x,w\n1,inf\n", "c.csv:2: ", "column w"),
+                ("x,w\n1,\n", "c.csv:2: ", "column w"), ("x,w\n1,0\n2,-0\n", "c.csv:2: ", "rows 1 to 2, column w", "0")]:
             with self.subTest(content=content[:30]):
                 self.write("c.csv", content)
                 self.refused(INPUT_OUTPUT, ["curve", "eval", "--curve", "c.csv", "--t", "0.5"], *needles)
@@ -358,6 +360,34 @@ class Curves(Case):
                              [row["id"] for row in listed if row["problem"] == "evaluation" and row["form"] == form])
             for row in found:
                 self.assertLessEqual(float(row["error_ulp"]), 4, row)
+
+    def test_rational(self):
+        """The quarter circle ((1-t^2)/(1+t^2), 2t/(1+t^2)): at 1/2 it is 3-4-5."""
+        self.write("c.csv", "x,y,w\n1,0,1\n1,1,1\n0,1,2\n")
+        evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.5"]
+        text = self.fine(*evaluate)
+        found = rows(text)
+        listed = rows(self.fine("list", "methods", "--format", "csv"))
+        self.assertEqual(list(dict.fromkeys(row["method"] for row in found)),
+                         [row["id"] for row in listed if row["form"] == "rational"])
+        for row in found:
+            self.assertEqual(row["exact"], {"x": "0.6", "y": "0.8"}[row["axis"]])
+            self.assertLessEqual(float(row["error_ulp"]), 4, row)
+        self.assertTrue(any(row["bound_u"] for row in found))
+        self.write("c.csv", "w,y,x\n1,0,1\n1,1,1\n2,1,0\n")  # columns are found by name
+        self.assertEqual(self.fine(*evaluate), text)
+        for method in ("horner", "compensated_de_casteljau"):
+            self.refused(USAGE, evaluate + ["--method", method], method, "column w")
+        self.refused(USAGE, evaluate + ["--form", "power"], "--form power", "column w")
+        self.refused(USAGE, ["curve", "convert", "--curve", "c.csv", "--method", "exact"], "exact", "column w")
+        self.refused(USAGE, ["curve", "eval", "--curve", self.write("p.csv", "x\n1\n"), "--t", "0", "--method",
+                             "de_casteljau_farin"], "de_casteljau_farin", "column w")
+
+    def test_rational_with_weights_of_both_signs(self):
+        self.write("c.csv", "x,w\n1,1\n2,-3\n")  # the weights sum to 1 - 4t
+        found = rows(self.fine("curve", "eval", "--curve", "c.csv", "--t", "0.5", "--method", "de_casteljau"))
+        self.assertEqual([(row["exact"], row["value"], row["bound_u"]) for row in found], [("2.5", "2.5", "")])
+        self.refused(USAGE, ["curve", "eval", "--curve", "c.csv", "--t", "0.5", "--t", "0.25"], "--t 0.25", "c.csv")
 
     def test_same_numbers_however_written(self):
         values = [(0.1, -1e-310), (1e308, 5e-324), (-3.25, 7.0)]

@@ -30,6 +30,13 @@ struct Options {
 };
 
 std::string why_not(const MethodInfo& info, const CurveFile& curve) {
+  if (info.form != curve.form && curve.form == Form::rational)
+    return fmt::format(
+        "takes curves in {} form, the file has weights (column w); see `list methods` for methods that "
+        "take the rational form",
+        name(info.form));
+  if (info.form == Form::rational && curve.form != Form::rational)
+    return fmt::format("takes curves in rational form, the file has no weights (column w); see `list methods`");
   if (info.form != curve.form)
     return fmt::format("takes curves in {} form, the file is in {} form; see --form and `list methods`",
                        name(info.form), name(curve.form));
@@ -54,7 +61,7 @@ std::vector<const typename Table::element_type*> chosen(Table table, const std::
   std::vector<const typename Table::element_type*> result;
   for (const auto& id : ids) {
     const typename Table::element_type* candidate = nullptr;
-    for (const auto& entry : table)  // an id may exist for both forms
+    for (const auto& entry : table)  // an id may exist for several forms
       if (entry.info->id == id && (candidate == nullptr || applies(*entry.info, curve))) candidate = &entry;
     if (candidate == nullptr) unknown_method(id, known);
     if (!applies(*candidate->info, curve))
@@ -84,7 +91,7 @@ std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis
   std::vector<double> coefficients;
   for (int i = 0; i <= curve.degree(); ++i) coefficients.push_back(curve.view()(axis, i));
   metric::TrialScale scale;
-  scale.set({curve.form, 1, curve.degree(), coefficients}, t);
+  scale.set({curve.form, 1, curve.degree(), coefficients, curve.weights}, t);
   const double bound = scale.bound(*info.bound, metric::double_arithmetic);
   if (!std::isfinite(bound)) return "";
   return number::decimal(reference::quotient(reference::binary64, reference::exactly(bound), unit_of(p_tilde)));
@@ -120,6 +127,11 @@ void evaluate(const Options& options) {
   reference::ExactCurve exact;
   for (const double t : ts) {
     truths.push_back(exact.point(curve.view(), t));
+    if (!truths.back().exists())
+      throw Failure(Exit::usage,
+                    fmt::format("--t {}: the weights of {} sum to zero there, so the curve has no point; see "
+                                "column w or choose another t",
+                                number::decimal(t), options.curve));
     p_tildes.push_back(exact.p_tilde(curve.view(), t));
   }
   bundle::CsvTable table({"method", "t", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
@@ -17,17 +18,46 @@ namespace {
 
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 
-/// How many axes the header names: x | x,y | x,y,z.
-int dimension_of(const bundle::CsvDocument& csv) {
+constexpr std::string_view weight_name = "w";
+
+/// Where a file has its columns.
+struct Columns {
+  std::vector<std::size_t> axes;
+  std::optional<std::size_t> weight;
+};
+
+std::optional<std::size_t> find_column(const std::vector<std::string>& header, std::string_view name) {
+  const auto found = std::ranges::find(header, name);
+  if (found == header.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - header.begin());
+}
+
+/// The header names x | x,y | x,y,z, and w or not, in any order.
+Columns columns_of(const bundle::CsvDocument& csv) {
   const auto& header = csv.header();
-  if (header.size() > 1 && header.back() == "w")
-    throw Failure(Exit::usage,
-                  fmt::format("{}:1: weights (column w) are not available yet; leave the column out", csv.file_name()));
-  const bool good = header.size() <= axes.size() && std::equal(header.begin(), header.end(), axes.begin());
-  if (!good)
-    throw Failure(Exit::input_output, fmt::format("{}:1: header is \"{}\"; write x, or x,y, or x,y,z", csv.file_name(),
-                                                  fmt::join(header, ",")));
-  return static_cast<int>(header.size());
+  Columns columns;
+  columns.weight = find_column(header, weight_name);
+  for (const auto axis : axes) {
+    const auto column = find_column(header, axis);
+    if (!column) break;
+    columns.axes.push_back(*column);
+  }
+  if (columns.axes.empty() || columns.axes.size() + (columns.weight ? 1 : 0) != header.size())
+    throw Failure(Exit::input_output,
+                  fmt::format("{}:1: header is \"{}\"; write x, or x,y, or x,y,z, and w for the weights of a rational "
+                              "curve",
+                              csv.file_name(), fmt::join(header, ",")));
+  return columns;
+}
+
+double number_at(const bundle::CsvDocument& csv, std::size_t row, std::size_t column) {
+  const auto& text = csv.row(row)[column];
+  const auto value = number::parse_number(text);
+  if (!value || !std::isfinite(*value))
+    throw Failure(Exit::input_output, fmt::format("{}:{}: row {}, column {}: \"{}\" is not a finite number; write a "
+                                                  "decimal or hexadecimal double",
+                                                  csv.file_name(), csv.line(row), row + 1, csv.header()[column], text));
+  return *value;
 }
 
 }  // namespace
@@ -36,23 +66,26 @@ std::string axis_name(int axis) { return std::string(axes.at(static_cast<std::si
 
 CurveFile read_curve(const std::filesystem::path& file, Form form) {
   const auto csv = bundle::parse_csv(bundle::read_file(file), file.string());
-  CurveFile curve{form, dimension_of(csv), {}};
+  const auto columns = columns_of(csv);
+  CurveFile curve{columns.weight ? Form::rational : form, static_cast<int>(columns.axes.size()), {}, {}};
+  if (columns.weight && form != Form::bernstein)
+    throw Failure(Exit::usage,
+                  fmt::format("--form {}: {} has weights (column w), which belong to control points; leave "
+                              "--form out, it must be bernstein",
+                              name(form), file.string()));
   if (csv.row_count() == 0)
     throw Failure(Exit::input_output, fmt::format("{}: no coefficients; write one per row", file.string()));
   if (csv.row_count() > static_cast<std::size_t>(max_degree) + 1)
     throw Failure(Exit::input_output, fmt::format("{}: {} coefficients; the largest degree is {}", file.string(),
                                                   csv.row_count(), max_degree));
-  for (std::size_t row = 0; row < csv.row_count(); ++row)
-    for (std::size_t column = 0; column < csv.header().size(); ++column) {
-      const auto& text = csv.row(row)[column];
-      const auto value = number::parse_number(text);
-      if (!value || !std::isfinite(*value))
-        throw Failure(Exit::input_output,
-                      fmt::format("{}:{}: row {}, column {}: \"{}\" is not a finite number; write a "
-                                  "decimal or hexadecimal double",
-                                  file.string(), csv.line(row), row + 1, csv.header()[column], text));
-      curve.coefficients.push_back(*value);
-    }
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    for (const auto column : columns.axes) curve.coefficients.push_back(number_at(csv, row, column));
+    if (columns.weight) curve.weights.push_back(number_at(csv, row, *columns.weight));
+  }
+  if (columns.weight && std::ranges::all_of(curve.weights, [](double weight) { return weight == 0; }))
+    throw Failure(Exit::input_output,
+                  fmt::format("{}:{}: rows 1 to {}, column w: every weight is 0; one of them must not be",
+                              file.string(), csv.line(0), csv.row_count()));
   return curve;
 }
 

@@ -26,6 +26,8 @@ void print_input(const studies::TrialInputs<Scalar>& inputs) {
   for (int i = 0; i <= curve.degree; ++i)
     for (int axis = 0; axis < curve.dimension; ++axis)
       fmt::print("  {}[{}]{:<7}{}\n", axis_name(axis), i, "", both(static_cast<double>(curve(axis, i))));
+  for (std::size_t i = 0; i < curve.weights.size(); ++i)
+    fmt::print("  w[{}]{:<7}{}\n", i, "", both(static_cast<double>(curve.weights[i])));
 }
 
 template <class Scalar>

@@ -61,8 +61,8 @@ sample::Cell WorstRecord::cell() const {
 }
 
 sample::Trial WorstRecord::input(const sample::Cell& cell) const {
-  const auto trial = studies::parse_input(text("t"), text("coefficients"), cell);
-  if (!trial) malformed("coefficients", "and t are not the numbers of a curve of this degree and dimension");
+  const auto trial = studies::parse_input({text("t"), text("coefficients"), text("weights")}, cell);
+  if (!trial) malformed("coefficients", "weights and t are not the numbers of a curve of this degree and dimension");
   return *trial;
 }
 

@@ -8,6 +8,11 @@
 #include "core/basis/amplification.hpp"
 
 namespace bezierbench::metric {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 void TrialScale::set(const CurveView<double>& curve, double t) {
   form_ = curve.form;
@@ -30,11 +35,40 @@ void TrialScale::set(const CurveView<double>& curve, double t) {
     largest_ = std::max(largest_, norm);
   }
   amplified_.fill(std::nullopt);
+  if (form_ == Form::rational) weigh(curve);
+}
+
+void TrialScale::weigh(const CurveView<double>& curve) {
+  const auto [smallest, largest] = std::ranges::minmax(curve.weights);
+  weights_ = {smallest, largest, 0, largest_};
+  const auto points = norms_;
+  largest_ = 0;
+  bool plain = smallest >= 0 && t_ >= 0 && t_ <= 1 && detail::are_moderate(curve.weights);
+  for (std::size_t i = 0; i < norms_.size(); ++i) {
+    norms_[i] *= std::abs(curve.weights[i]);
+    largest_ = std::max(largest_, norms_[i]);
+    plain = plain && detail::is_moderate(norms_[i]) && (norms_[i] != 0 || points[i] == 0 || curve.weights[i] == 0);
+  }
+  if (plain)
+    weights_.sum = amplification(Amplification::p_tilde_bernstein, curve.weights, t_);
+  else
+    weigh_exactly({Form::rational, 1, curve.degree, points, curve.weights});
+}
+
+void TrialScale::weigh_exactly(const CurveView<double>& norms) {
+  auto& p_tilde = amplified_[static_cast<std::size_t>(Amplification::p_tilde_bernstein)];
+  p_tilde = infinite;
+  if (!std::isfinite(weights_.largest_point)) return;  // so long are the points that their norms overflow
+  const auto& exact = exact_.p_tilde(norms, t_);
+  if (!exact.exists()) return;
+  p_tilde = reference::round_to(reference::binary64, exact.coordinate(0));
+  const auto& sum = exact_.point({Form::bernstein, 1, norms.degree, norms.weights}, t_);
+  weights_.sum = std::abs(reference::round_to(reference::binary64, sum.coordinate(0)));
 }
 
 double TrialScale::amplified(Amplification kind) {
   auto& cached = amplified_[static_cast<std::size_t>(kind)];
-  if (!cached) cached = amplification(kind, norms_, t_);
+  if (!cached) cached = amplification(kind, norms_, t_) / (form_ == Form::rational ? weights_.sum : 1);
   return *cached;
 }
 
@@ -45,15 +79,38 @@ double TrialScale::in_bound_units(double error, const Arithmetic& arithmetic) {
   return error / p_tilde() / arithmetic.unit_roundoff;  // x / 0 is infinite, as defined
 }
 
-double TrialScale::bound(const ErrorBound& bound, const Arithmetic& arithmetic) {
-  if (bound.unit_interval_only && (t_ < 0 || t_ > 1)) return std::numeric_limits<double>::infinity();
+double TrialScale::polynomial_underflow(const ErrorBound& bound, const Arithmetic& arithmetic) const {
   const int n = static_cast<int>(norms_.size()) - 1;
-  const double factor = bound.factor(n, arithmetic.unit_roundoff);
   const double growth = integer_power(std::abs(t_) + std::abs(1 - t_), n);
   const double size = bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
   // The tiny unit first, so that large factors do not overflow on the way.
-  const double underflow = arithmetic.smallest_subnormal * size * bound.underflow(n) * growth;
-  if (!std::isfinite(factor) || !std::isfinite(underflow)) return std::numeric_limits<double>::infinity();
+  return arithmetic.smallest_subnormal * size * bound.underflow(n) * growth;
+}
+
+double TrialScale::rational_underflow(const ErrorBound& bound, const Arithmetic& arithmetic) {
+  const int n = static_cast<int>(norms_.size()) - 1;
+  const double eta = arithmetic.smallest_subnormal;
+  const double in_range = arithmetic.range / integer_power(2.0, n);
+  const auto& w = weights_;
+  if (bound.positive_weights_only) {
+    if (!(w.smallest > 0 && (n + 1) * (1 + w.largest) * (1 + 1 / w.smallest) <= in_range)) return infinite;
+    return eta + eta * bound.underflow(n) * (1 + w.largest_point) * ((1 + w.largest) / w.smallest);
+  }
+  if (!(w.smallest >= 0 && w.sum > 0 && 1 + w.largest <= in_range)) return infinite;
+  const double of_numerator = bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
+  const double of_denominator = bound.underflow_scales_with_coefficients ? 1 + w.largest : 1;
+  const double lost = eta * bound.underflow(n);
+  if (!(lost * of_denominator / w.sum <= 0.125)) return infinite;
+  return eta + lost * (of_numerator + of_denominator * p_tilde()) / w.sum;
+}
+
+double TrialScale::bound(const ErrorBound& bound, const Arithmetic& arithmetic) {
+  if (bound.unit_interval_only && (t_ < 0 || t_ > 1)) return infinite;
+  const int n = static_cast<int>(norms_.size()) - 1;
+  const double factor = bound.factor(n, arithmetic.unit_roundoff);
+  const double underflow =
+      form_ == Form::rational ? rational_underflow(bound, arithmetic) : polynomial_underflow(bound, arithmetic);
+  if (!std::isfinite(factor) || !std::isfinite(underflow)) return infinite;
   const double result = bound.result_roundings == 0 ? 0 : bound.result_roundings * p_tilde();  // |p| <= p~
   const double rounding = result + factor * amplified(bound.amplification);
   return rounding * arithmetic.unit_roundoff + dimension_ * underflow;

@@ -3,6 +3,8 @@
 //
 // A bound that holds on each axis holds for the Euclidean norm: by the triangle inequality the norm of the
 // amplifications is at most the amplification of the norms, and d axes add at most d underflow terms.
+//
+// Of a rational curve the coefficients are w_i b_i, and every amplification is divided by |sum w_i B_i(t)|.
 #pragma once
 
 #include <array>
@@ -11,6 +13,7 @@
 
 #include "core/basis/error_bound.hpp"
 #include "core/curve.hpp"
+#include "reference/exact_curve.hpp"
 
 namespace bezierbench::metric {
 
@@ -18,9 +21,10 @@ namespace bezierbench::metric {
 struct Arithmetic {
   double unit_roundoff;       ///< u = 2^-53, or 2^-24 for float
   double smallest_subnormal;  ///< 2^-1074, or 2^-149
+  double range;               ///< a power of two that, and whose reciprocal, is far from overflow and underflow
 };
-inline constexpr Arithmetic double_arithmetic{0x1p-53, 0x1p-1074};
-inline constexpr Arithmetic float_arithmetic{0x1p-24, 0x1p-149};
+inline constexpr Arithmetic double_arithmetic{0x1p-53, 0x1p-1074, 0x1p+1000};
+inline constexpr Arithmetic float_arithmetic{0x1p-24, 0x1p-149, 0x1p+120};
 
 /// Scales of one (curve, t); amplifications are computed when first asked for. Reusable.
 class TrialScale {
@@ -28,7 +32,7 @@ class TrialScale {
   /// Must be called before anything else, for every trial.
   void set(const CurveView<double>& curve, double t);
 
-  /// p~ of the curve in its own form.
+  /// p~ of the curve in its own form; infinite where the weights sum to zero.
   double p_tilde();
 
   /// error / (u p~); where p~ is 0: 0 for error 0, else infinite.
@@ -41,13 +45,28 @@ class TrialScale {
   static bool violates(double error, double bound) { return error > bound * (1 + 0x1p-20); }
 
  private:
+  /// What is known of the weights of a rational curve.
+  struct Weights {
+    double smallest = 0;
+    double largest = 0;
+    double sum = 0;            ///< |sum w_i B_i(t)|
+    double largest_point = 0;  ///< max |b_i|
+  };
+
+  void weigh(const CurveView<double>& curve);
+  /// For sums that may cancel and magnitudes that leave the range of double; `norms` holds |b_i| and w_i.
+  void weigh_exactly(const CurveView<double>& norms);
   double amplified(Amplification kind);
+  [[nodiscard]] double polynomial_underflow(const ErrorBound& bound, const Arithmetic& arithmetic) const;
+  [[nodiscard]] double rational_underflow(const ErrorBound& bound, const Arithmetic& arithmetic);
 
   Form form_ = Form::bernstein;
   double t_ = 0;
   int dimension_ = 0;
   double largest_ = 0;
-  std::vector<double> norms_;
+  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|
+  Weights weights_;
+  reference::ExactCurve exact_;
   std::array<std::optional<double>, amplification_count> amplified_;
 };
 

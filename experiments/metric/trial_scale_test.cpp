@@ -69,6 +69,64 @@ TEST(TrialScale, BoundCountsTheResultsRoundingsInUnitsOfTheGivenFormsPTilde) {
   EXPECT_DOUBLE_EQ(scale.bound(bound, double_arithmetic), (2 * 7.5 + 3 * 12.5) * 0x1p-53);
 }
 
+/// By hand: weights 1, 1, 2 and points of norm 5, 10, 1 at t = 1/2; sum w B = 5/4, sum w |b| B = (5 + 20 + 2) / 4.
+TEST(TrialScale, OfRationalCurvesDividesByTheSumOfTheWeights) {
+  const std::vector<double> c{3, 4, -6, 8, 0, 1};
+  const std::vector<double> w{1, 1, 2};
+  TrialScale scale;
+  scale.set({Form::rational, 2, 2, c, w}, 0.5);
+  EXPECT_DOUBLE_EQ(scale.p_tilde(), 27.0 / 5);
+  // 1 - 2t at t = 1/4 and 3/4: magnitudes above, the signed sum below
+  const std::vector<double> ones{1, 1};
+  const std::vector<double> signs{1, -1};
+  for (const double t : {0.25, 0.75}) {
+    scale.set({Form::rational, 1, 1, ones, signs}, t);
+    EXPECT_DOUBLE_EQ(scale.p_tilde(), 2);
+  }
+  // (1 + 2t - 2t^2) at t = 2 is -3, cancelled from 1 - 8 + 4; magnitudes 1 + 8 + 4
+  const std::vector<double> three_ones{1, 1, 1};
+  const std::vector<double> middle{1, 2, 1};
+  scale.set({Form::rational, 1, 2, three_ones, middle}, 2);
+  EXPECT_DOUBLE_EQ(scale.p_tilde(), 13.0 / 3);
+}
+
+TEST(TrialScale, BoundOfRationalCurvesAddsUnderflowOverTheSumOfTheWeights) {
+  ErrorBound bound{"", Amplification::p_tilde_bernstein, [](int, double) { return 0.0; }, [](int) { return 4.0; },
+                   true};
+  bound.unit_interval_only = true;
+  const std::vector<double> c{1, 1};
+  const std::vector<double> w{2, 6};
+  TrialScale scale;
+  scale.set({Form::rational, 1, 1, c, w}, 0.5);  // the sum is 4, p~ = 1, max |w b| = max w = 6
+  EXPECT_EQ(scale.bound(bound, double_arithmetic), (1 + 4 * (7 + 7 * 1) / 4) * 0x1p-1074);
+  bound.positive_weights_only = true;
+  EXPECT_EQ(scale.bound(bound, double_arithmetic), (1 + 4 * (1 + 1) * (1 + 6) / 2) * 0x1p-1074);
+}
+
+/// Each condition of the proof, one after the other.
+TEST(TrialScale, BoundOfRationalCurvesHasConditions) {
+  ErrorBound bound{"", Amplification::p_tilde_bernstein, [](int, double) { return 1.0; }, [](int) { return 5.0; },
+                   false};
+  bound.unit_interval_only = true;
+  const std::vector<double> c{1, 1};
+  TrialScale scale;
+  const auto with = [&](const std::vector<double>& w, double t) {
+    scale.set({Form::rational, 1, 1, c, w}, t);
+    return scale.bound(bound, double_arithmetic);
+  };
+  EXPECT_TRUE(std::isfinite(with({1, 2}, 0.5)));
+  EXPECT_EQ(with({1, 2}, 1.25), infinite);
+  EXPECT_EQ(with({1, -0.5}, 0.5), infinite);
+  EXPECT_TRUE(std::isfinite(with({1, 0}, 0.5)));
+  EXPECT_EQ(with({1, 0}, 1), infinite);                    // no weight is left
+  EXPECT_EQ(with({0x1p-1070, 0x1p-1070}, 0.5), infinite);  // underflow may be 5/16 of the sum
+  EXPECT_TRUE(std::isfinite(with({0x1p-1068, 0x1p-1068}, 0.5)));
+  EXPECT_EQ(with({1, 0x1p+1000}, 0.5), infinite);  // may overflow
+  bound.positive_weights_only = true;
+  EXPECT_TRUE(std::isfinite(with({1, 2}, 0.5)));
+  EXPECT_EQ(with({1, 0}, 0.5), infinite);
+}
+
 TEST(TrialScale, ViolationNeedsMoreThanTheSlack) {
   EXPECT_FALSE(TrialScale::violates(1, 1));
   EXPECT_FALSE(TrialScale::violates(1 + 0x1p-21, 1));

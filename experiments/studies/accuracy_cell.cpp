@@ -61,7 +61,8 @@ struct Computed {
   bool finite = true;
 };
 
-/// What the errors of one trial are measured from: the truth, or a baseline, or (where that is not finite) nothing.
+/// What the errors of one trial are measured from: the truth or a baseline, or nothing where the baseline is not finite
+/// or the weights of a rational curve sum to zero.
 struct Origin {
   reference::TruePoint* truth = nullptr;
   double length = 0;  ///< of the true point, and the spacing of numbers there
@@ -286,6 +287,7 @@ Origin ScalarCell<Scalar>::origin(std::size_t baseline, const Lane<Scalar>& lane
                                   Scratch<Scalar>& scratch) const {
   Origin from;
   if (baselines_[baseline] == nullptr) {
+    if (!truth.exists()) return from;
     from.truth = &truth;
     from.length = truth.length();
     from.ulp = truth.ulp(from.length, ScalarFacts<Scalar>::format);

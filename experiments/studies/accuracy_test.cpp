@@ -12,6 +12,7 @@
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/method_choice.hpp"
 #include "experiments/studies/workspace.hpp"
 #include "reference/exact_curve.hpp"
 
@@ -62,14 +63,18 @@ TEST(Accuracy, OrderAndThreadsChangeNoByte) {
 }
 
 /// The mean and maximum of every replicate, recomputed here without tallies.
-TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
+void expect_errors_of_the_trials(suite::CurveKind kind, const std::string& generator) {
   auto study = small_study();
   study.degree = {3};
+  study.curve = kind;
+  study.generator = {generator};
+  study.methods = {"direct", "de_casteljau"};
+  const Form form = form_of(kind);
   const auto job = accuracy_job(study, {5});
   run_all(*job);
-  const sample::Cell cell{suite::CurveKind::bezier, 2, 3, 1, {}, "continuous"};
+  const sample::Cell cell{kind, 2, 3, 1, {}, generator};
   const sample::Sampler sampler(5, study.id, cell);
-  const auto& kernel = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
+  const auto& kernel = *find_kernel<double>("de_casteljau", form, 2);
   PreparedStorage storage;
   reference::ExactCurve exact;
   sample::Trial trial;
@@ -80,7 +85,7 @@ TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
       double largest = 0;
       for (std::uint64_t k = 0; k < 2500; ++k) {
         sampler.draw(replicate * 2500 + k, trial);
-        const CurveView<double> curve{Form::bernstein, 2, 3, trial.coefficients};
+        const CurveView<double> curve{form, 2, 3, trial.coefficients, trial.weights};
         std::array<double, 2> point{};
         evaluate_once<double>(kernel, curve, trial.t, storage, point);
         const double error = reference::Distance(exact.point(curve, trial.t)).to(point);
@@ -93,6 +98,11 @@ TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
         EXPECT_EQ(series.values[replicate], largest);
     }
   }
+}
+
+TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
+  expect_errors_of_the_trials(suite::CurveKind::bezier, "continuous");
+  expect_errors_of_the_trials(suite::CurveKind::rational, "weights_wild");
 }
 
 TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
@@ -141,6 +151,31 @@ TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
   EXPECT_NEAR(float_error / double_error, 0x1p29, 0x1p28);
   EXPECT_NEAR(*number::parse_number(csv.at(0, "mean_error_u")) / *number::parse_number(csv.at(1, "mean_error_u")), 1,
               0.2);
+}
+
+/// Bounds are proved for such weights, and hold; float weights are rounded like the coordinates.
+TEST(Accuracy, RationalCurvesKeepTheirBounds) {
+  auto study = small_study();
+  study.degree = {1, 4, 12};
+  study.curve = suite::CurveKind::rational;
+  study.generator = {"weights_mild", "weights_wild"};
+  study.methods = {};
+  study.baseline = {"exact"};
+  study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
+  study.trials = 500;
+  study.decomposed_trials = 50;
+  const auto job = accuracy_job(study, {1});
+  run_all(*job);
+  EXPECT_TRUE(job->violations().empty());
+  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  std::size_t bounded = 0;
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    EXPECT_EQ(csv.at(row, "non_finite"), "0");
+    if (csv.at(row, "bound_u").empty()) continue;
+    ++bounded;
+    EXPECT_LE(*number::parse_number(csv.at(row, "max_error_u")), *number::parse_number(csv.at(row, "bound_u")));
+  }
+  EXPECT_GT(bounded, csv.row_count() / 2);
 }
 
 TEST(Accuracy, RefusesAMethodOfTheOtherForm) {

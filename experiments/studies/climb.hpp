@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"
@@ -14,8 +15,8 @@
 
 namespace bezierbench::studies {
 
-/// Random neighbours within the box of a cell: coordinates in [-R, R], t in its interval. What is drawn hangs on the
-/// words alone.
+/// Random neighbours within the box of a cell: coordinates in [-R, R], t in its interval, weights in the binades of the
+/// weights that were drawn. What is drawn hangs on the words alone.
 class Climb {
  public:
   /// Bits of a double below `lowest_bit` are left alone: 29 for methods in float, which would not see them.
@@ -31,8 +32,11 @@ class Climb {
 
   void change(sample::Words& words, sample::Trial& trial) const {
     constexpr std::uint64_t one_in_parameter = 2;
+    constexpr std::uint64_t one_in_weight = 3;
     if (below(words, one_in_parameter) == 0)
       trial.t = changed_parameter(words, trial.t);
+    else if (!trial.weights.empty() && below(words, one_in_weight) == 0)
+      change_weight(words, trial.weights);
     else
       change_coordinate(words, trial);
   }
@@ -63,6 +67,14 @@ class Climb {
       default: value = with_other_bits(words, value);
     }
     if (!(std::abs(value) <= range)) value = old;
+  }
+
+  void change_weight(sample::Words& words, std::vector<double>& weights) const {
+    double& weight = weights[below(words, weights.size())];
+    if (below(words, 2) == 0)
+      weight = weights[below(words, weights.size())];
+    else
+      weight = with_other_bits(words, weight);
   }
 
   /// In [0, 1).

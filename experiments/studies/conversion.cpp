@@ -60,6 +60,11 @@ Chain chain_of(const suite::Study& study, const std::string& id, int dimension) 
 
 /// All conversions from this form where the study names none.
 std::vector<Chain> chains_of(const suite::Study& study, int dimension) {
+  if (study.curve == suite::CurveKind::rational)
+    throw Failure(
+        Exit::usage,
+        fmt::format("study \"{}\": conversions take polynomial curves; write curve = \"bezier\" or \"polynomial\"",
+                    study.id));
   std::vector<Chain> chains;
   for (const auto& id : study.methods) chains.push_back(chain_of(study, id, dimension));
   if (!study.methods.empty()) return chains;

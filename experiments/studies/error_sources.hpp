@@ -47,13 +47,13 @@ template <class Scalar>
 class SourceMeter {
  public:
   /// `truth` is the exact point of `curve` at `t`, `computed` what `kernel` returned (finite). Nothing where a
-  /// converted coefficient is not finite.
+  /// converted coefficient is not finite, or where the weights of a rational curve sum to zero with the rounded 1 - t.
   std::optional<ErrorSources> measure(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve, Scalar t,
                                       std::span<const double> computed, const reference::ExactPoint& truth) {
     load(kernel, curve);
     for (const double value : coefficients_)
       if (!std::isfinite(value)) return std::nullopt;
-    const CurveView<double> evaluated{kernel.evaluated_form, curve.dimension, curve.degree, coefficients_};
+    const CurveView<double> evaluated{kernel.evaluated_form, curve.dimension, curve.degree, coefficients_, weights_};
     const auto at = static_cast<double>(t);
     ErrorSources sources;
     before_ = exact_.point(evaluated, at);
@@ -62,6 +62,7 @@ class SourceMeter {
       const bool normalised = kernel.info->one_minus_t == OneMinusT::normalised;
       const auto complement = static_cast<double>(Scalar(1) - t);
       const auto& with_rounded = exact_.with_complement(evaluated, at, complement, normalised);
+      if (!with_rounded.exists()) return std::nullopt;
       sources.one_minus_t = reference::distance(with_rounded, before_);
       before_ = with_rounded;
     }
@@ -71,6 +72,7 @@ class SourceMeter {
 
  private:
   void load(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve) {
+    weights_.assign(curve.weights.begin(), curve.weights.end());
     if (kernel.converted == nullptr) {
       coefficients_.assign(curve.coefficients.begin(), curve.coefficients.end());
     } else {
@@ -83,6 +85,7 @@ class SourceMeter {
   reference::ExactPoint before_;
   std::vector<Scalar> converted_;
   std::vector<double> coefficients_;
+  std::vector<double> weights_;
 };
 
 }  // namespace bezierbench::studies

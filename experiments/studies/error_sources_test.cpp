@@ -37,6 +37,14 @@ std::vector<double> random_coefficients(std::mt19937_64& bits, int degree, bool 
   return all;
 }
 
+/// The curve in the form of the kernel; a rational one with weights that rounding moves.
+CurveView<double> view(const Kernel<double>& kernel, int degree, const std::vector<double>& coefficients) {
+  static const std::vector<double> weights{1, 0.3, 5, 0.7, 1e-3, 2, 1, 40, 0.1, 3};
+  CurveView<double> curve{kernel.info->form, 2, degree, coefficients};
+  if (curve.form == Form::rational) curve.weights = std::span(weights).first(static_cast<std::size_t>(degree) + 1);
+  return curve;
+}
+
 /// Every method: the parts explain the whole, and it explains each of them where the others are nothing.
 TEST(ErrorSources, AddUpToTheError) {
   constexpr int degree = 9;
@@ -45,7 +53,7 @@ TEST(ErrorSources, AddUpToTheError) {
     const auto coefficients = random_coefficients(bits, degree, false);
     const double t = static_cast<double>(bits() >> 11U) * 0x1p-53;
     for (const auto& kernel : kernels<double>(2)) {
-      const auto [total, s] = measured(kernel, {kernel.info->form, 2, degree, coefficients}, t);
+      const auto [total, s] = measured(kernel, view(kernel, degree, coefficients), t);
       EXPECT_LE(total, (s.conversion + s.one_minus_t + s.evaluation) * (1 + 0x1p-20)) << kernel.info->id;
       EXPECT_TRUE(kernel.converted != nullptr || s.conversion == 0) << kernel.info->id;
       EXPECT_TRUE(kernel.info->one_minus_t != OneMinusT::unused || s.one_minus_t == 0) << kernel.info->id;
@@ -61,8 +69,8 @@ TEST(ErrorSources, AreNothingWhereTheStepIsExact) {
     const auto coefficients = random_coefficients(bits, degree, true);
     const double t = static_cast<double>(bits() >> 44U) * 0x1p-20;
     for (const auto& kernel : kernels<double>(2)) {
-      if (kernel.info->form != Form::bernstein) continue;
-      const auto sources = measured(kernel, {Form::bernstein, 2, degree, coefficients}, t).sources;
+      if (kernel.info->form == Form::power) continue;
+      const auto sources = measured(kernel, view(kernel, degree, coefficients), t).sources;
       EXPECT_EQ(sources.conversion, 0) << kernel.info->id;
       EXPECT_EQ(sources.one_minus_t, 0) << kernel.info->id;
     }
@@ -77,6 +85,18 @@ TEST(ErrorSources, SeesTheRoundingOfOneMinusT) {
   EXPECT_EQ(total, 0x1p-60);
   EXPECT_EQ(sources.one_minus_t, 0x1p-60);
   EXPECT_EQ(sources.evaluation, 0);
+}
+
+/// Likewise with weights 1 and 2: the truth is (1 - 2^-60) / (1 + 2^-60), with 1 for 1 - t it is 1 / (1 + 2^-59).
+TEST(ErrorSources, SeesTheRoundingOfOneMinusTInRationalCurves) {
+  const std::vector<double> coefficients{1, 0};
+  const std::vector<double> weights{1, 2};
+  for (const auto* id : {"de_casteljau", "de_casteljau_farin", "wozny_chudy"}) {
+    const auto [total, sources] =
+        measured(*find_kernel<double>(id, Form::rational, 1), {Form::rational, 1, 1, coefficients, weights}, 0x1p-60);
+    EXPECT_EQ(total, 0x1p-59) << id;                 // 1 is returned; to 24 bits
+    EXPECT_EQ(sources.one_minus_t, 0x1p-119) << id;  // (1-t)/(1+t) - 1/(1+2t) = -2t^2 / ((1+t)(1+2t))
+  }
 }
 
 }  // namespace

@@ -11,13 +11,21 @@
 
 namespace bezierbench::studies {
 
-/// t,coefficients
+/// t,coefficients,weights
 const std::vector<std::string>& input_columns();
 
-/// The fields of those columns: coefficients separated by blanks, all of the first axis, then of the next.
+/// The fields of those columns: coefficients separated by blanks, all of the first axis, then of the next; weights
+/// likewise, none but for rational curves.
 std::vector<std::string> input_fields(const sample::Trial& trial, int dimension);
 
+/// What those columns hold of one input.
+struct InputTexts {
+  std::string_view t;
+  std::string_view coefficients;
+  std::string_view weights;
+};
+
 /// Reads such fields; nothing where one is not a finite number or there are more or fewer than the cell's curve has.
-std::optional<sample::Trial> parse_input(std::string_view t, std::string_view coefficients, const sample::Cell& cell);
+std::optional<sample::Trial> parse_input(const InputTexts& texts, const sample::Cell& cell);
 
 }  // namespace bezierbench::studies

@@ -10,7 +10,14 @@
 
 namespace bezierbench::studies {
 
-Form form_of(suite::CurveKind curve) { return curve == suite::CurveKind::polynomial ? Form::power : Form::bernstein; }
+Form form_of(suite::CurveKind curve) {
+  switch (curve) {
+    case suite::CurveKind::bezier: break;
+    case suite::CurveKind::polynomial: return Form::power;
+    case suite::CurveKind::rational: return Form::rational;
+  }
+  return Form::bernstein;
+}
 
 template <class Scalar>
 std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, int dimension) {

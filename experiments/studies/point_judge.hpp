@@ -41,8 +41,10 @@ class PointJudge {
       verdict.point[axis] = static_cast<double>(point[axis]);
       verdict.finite = verdict.finite && std::isfinite(point[axis]);
     }
+    const auto& exact = truth(inputs);
+    verdict.finite = verdict.finite && exact.exists();
     if (!verdict.finite) return verdict;
-    verdict.error = reference::Distance(truth(inputs)).to({verdict.point.data(), d});
+    verdict.error = reference::Distance(exact).to({verdict.point.data(), d});
     verdict.finite = std::isfinite(verdict.error);
     if (verdict.finite) weigh(kernel, inputs, verdict);
     return verdict;

@@ -28,10 +28,6 @@ constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      
 }  // namespace
 
 std::unique_ptr<Job> make_job(const suite::Study& study, const JobContext& context) {
-  if (study.curve == suite::CurveKind::rational)
-    throw Failure(
-        Exit::usage,
-        fmt::format("study \"{}\": rational curves are not available yet; leave the study out (--only)", study.id));
   for (const auto& [kind, make] : kinds)
     if (kind == study.kind) return make(study, context);
   throw Failure(Exit::usage, fmt::format("study \"{}\": kind \"{}\" is not available yet; leave the study out (--only)",

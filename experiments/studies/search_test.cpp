@@ -7,6 +7,7 @@
 #include "experiments/number/number.hpp"
 #include "experiments/studies/climb.hpp"
 #include "experiments/studies/input_fields.hpp"
+#include "experiments/studies/method_choice.hpp"
 #include "experiments/studies/point_judge.hpp"
 
 namespace bezierbench::studies {
@@ -57,21 +58,52 @@ TEST(Search, FindsWhatSamplingDoesNot) {
   EXPECT_EQ(table.at(0, "status"), "reached");
 }
 
-/// The recorded input gives the recorded error, judged afresh.
-TEST(Search, RowsCanBeReplayed) {
-  const auto table = table_of(small_study());
+/// The recorded inputs give the recorded errors, judged afresh.
+void expect_replay(const suite::Study& study) {
+  const auto table = table_of(study);
+  ASSERT_GT(table.row_count(), 0U);
   for (std::size_t row = 0; row < table.row_count(); ++row) {
-    const auto* kernel = find_kernel<double>(table.at(row, "method"), Form::bernstein, 2);
+    const auto* kernel = find_kernel<double>(table.at(row, "method"), form_of(study.curve), 2);
     ASSERT_NE(kernel, nullptr);
     sample::Cell cell;
+    cell.curve = study.curve;
     cell.degree = 5;
-    const auto trial = parse_input(table.at(row, "t"), table.at(row, "coefficients"), cell);
+    const auto trial = parse_input({table.at(row, "t"), table.at(row, "coefficients"), table.at(row, "weights")}, cell);
     ASSERT_TRUE(trial);
-    TrialInputs<double> inputs(Form::bernstein, cell);
+    TrialInputs<double> inputs(form_of(study.curve), cell);
     inputs.assign(*trial);
     PointJudge<double> judge;
     EXPECT_EQ(judge.judge(*kernel, inputs).error_u, value(table, row, "searched_error_u"));
   }
+}
+
+TEST(Search, RowsCanBeReplayed) {
+  expect_replay(small_study());
+  auto rational = small_study();
+  rational.curve = suite::CurveKind::rational;
+  rational.generator = {"weights_mild"};
+  rational.methods = {"de_casteljau*", "wozny_chudy"};
+  expect_replay(rational);
+}
+
+TEST(InputFields, AreReadBackOrRefused) {
+  sample::Cell cell;
+  cell.curve = suite::CurveKind::rational;
+  cell.degree = 1;
+  const sample::Trial trial{{1, 2, -3, 0.1}, 0.25, {0.5, 3}};
+  const auto fields = input_fields(trial, 2);
+  EXPECT_EQ(fields,
+            (std::vector<std::string>{"0x1p-2", "0x1p+0 -0x1.8p+1 0x1p+1 0x1.999999999999ap-4", "0x1p-1 0x1.8p+1"}));
+  const auto read = parse_input({fields[0], fields[1], fields[2]}, cell);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->coefficients, trial.coefficients);
+  EXPECT_EQ(read->weights, trial.weights);
+  EXPECT_EQ(read->t, trial.t);
+  for (const std::string weights : {"", "1", "1 2 3", "1 nan", "1 2 ", " 1 2", "1  2"})
+    EXPECT_FALSE(parse_input({fields[0], fields[1], weights}, cell)) << weights;
+  cell.curve = suite::CurveKind::bezier;
+  EXPECT_FALSE(parse_input({fields[0], fields[1], fields[2]}, cell));
+  EXPECT_TRUE(parse_input({fields[0], fields[1], ""}, cell));
 }
 
 TEST(Climb, StaysInTheBox) {
@@ -81,7 +113,7 @@ TEST(Climb, StaysInTheBox) {
   cell.t_interval = {0.25, 0.75};
   const Climb climb(cell, 0);
   sample::Words words(1, 2, 3, 4);
-  sample::Trial trial{{0, 1, 2, 3, -3, -2, -1, 0}, 0.5};
+  sample::Trial trial{{0, 1, 2, 3, -3, -2, -1, 0}, 0.5, {0.75, 1, 1.5, 0.5}};
   bool moved = false;
   for (int step = 0; step < 20000; ++step) {
     const double before = trial.t;
@@ -90,6 +122,10 @@ TEST(Climb, StaysInTheBox) {
     ASSERT_GE(trial.t, 0.25);
     ASSERT_LE(trial.t, 0.75);
     for (const double value : trial.coefficients) ASSERT_LE(std::abs(value), 3);
+    for (const double weight : trial.weights) {
+      ASSERT_GE(weight, 0.5);
+      ASSERT_LT(weight, 2);
+    }
   }
   EXPECT_TRUE(moved);
 }

@@ -13,12 +13,12 @@ namespace {
 
 /// What is asked of a method where no bound is proved.
 ErrorBound lenient_bound(Form form) {
-  return {.text = "",
-          .amplification =
-              form == Form::bernstein ? Amplification::bernstein_to_power : Amplification::forward_substitution,
-          .factor = [](int n, double) { return 64.0 * (n + 1); },
-          .underflow = [](int n) { return integer_power(4.0, n); },
-          .underflow_scales_with_coefficients = true};
+  return {
+      .text = "",
+      .amplification = form == Form::power ? Amplification::forward_substitution : Amplification::bernstein_to_power,
+      .factor = [](int n, double) { return 64.0 * (n + 1); },
+      .underflow = [](int n) { return integer_power(4.0, n); },
+      .underflow_scales_with_coefficients = true};
 }
 
 }  // namespace

@@ -74,13 +74,14 @@ class TimingJob final : public Job {
 void TimingJob::run_block(std::size_t block) {
   Heat& heat = heats_[block];
   if (heat.methods.empty()) return;  // none supports the degree
-  timing::Inputs inputs{form_of(study_.curve), heat.cell.dimension, heat.cell.degree, {}, {}};
+  timing::Inputs inputs{form_of(study_.curve), heat.cell.dimension, heat.cell.degree, {}, {}, {}};
   const sample::Sampler sampler(seed_, study_.id, heat.cell);
   sample::Trial trial;
   for (std::size_t k = 0; k < inputs_per_cell; ++k) {
     sampler.draw(k, trial);
     inputs.curves.push_back(trial.coefficients);
     inputs.t.push_back(trial.t);
+    inputs.weights.push_back(trial.weights);
   }
   std::vector<timing::Rival> rivals;
   for (const auto* kernel : heat.methods) {

@@ -29,18 +29,24 @@ class TrialInputs {
     round();
   }
 
-  [[nodiscard]] CurveView<Scalar> curve() const { return {form_, dimension_, degree_, coefficients_}; }
+  [[nodiscard]] CurveView<Scalar> curve() const { return {form_, dimension_, degree_, coefficients_, weights_}; }
   [[nodiscard]] Scalar t() const { return static_cast<Scalar>(drawn_.t); }
   /// The same curve and parameter in double, for the reference.
-  [[nodiscard]] CurveView<double> true_curve() const { return {form_, dimension_, degree_, drawn_.coefficients}; }
+  [[nodiscard]] CurveView<double> true_curve() const {
+    return {form_, dimension_, degree_, drawn_.coefficients, drawn_.weights};
+  }
   [[nodiscard]] double true_t() const { return drawn_.t; }
   [[nodiscard]] const sample::Trial& values() const { return drawn_; }
 
  private:
   void round() {
-    coefficients_.assign(drawn_.coefficients.begin(), drawn_.coefficients.end());
-    std::copy(coefficients_.begin(), coefficients_.end(), drawn_.coefficients.begin());
+    round(drawn_.coefficients, coefficients_);
+    round(drawn_.weights, weights_);
     drawn_.t = static_cast<double>(t());
+  }
+  static void round(std::vector<double>& drawn, std::vector<Scalar>& rounded) {
+    rounded.assign(drawn.begin(), drawn.end());
+    std::copy(rounded.begin(), rounded.end(), drawn.begin());
   }
 
   Form form_ = Form::bernstein;
@@ -48,6 +54,7 @@ class TrialInputs {
   int degree_ = 0;
   sample::Trial drawn_;
   std::vector<Scalar> coefficients_;
+  std::vector<Scalar> weights_;
 };
 
 }  // namespace bezierbench::studies

@@ -16,10 +16,15 @@ struct Inputs {
   Form form = Form::bernstein;
   int dimension = 2;
   int degree = 0;
-  std::vector<std::vector<double>> curves;  ///< coefficients point by point
-  std::vector<double> t;                    ///< as many as curves
+  std::vector<std::vector<double>> curves;   ///< coefficients point by point
+  std::vector<double> t;                     ///< as many as curves
+  std::vector<std::vector<double>> weights;  ///< as many as curves, if these are rational
 
-  [[nodiscard]] CurveView<double> curve(std::size_t k) const { return {form, dimension, degree, curves[k]}; }
+  [[nodiscard]] CurveView<double> curve(std::size_t k) const {
+    CurveView<double> view{form, dimension, degree, curves[k]};
+    if (form == Form::rational) view.weights = weights[k];
+    return view;
+  }
 };
 
 /// The rival; `inputs` must outlive it.

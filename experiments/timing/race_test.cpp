@@ -64,20 +64,20 @@ TEST(Race, StopsWhenAsked) {
   EXPECT_EQ(laps[0].ns_per_point.size(), 1U);
 }
 
-Inputs cubic_inputs() {
-  Inputs inputs{Form::bernstein, 2, 3, {}, {}};
+Inputs cubic_inputs(Form form) {
+  Inputs inputs{form, 2, 3, {}, {}, {}};
   for (int k = 0; k < 7; ++k) {
     inputs.curves.push_back({0, 0, 1.0 + k, 2, 3, -1, 4, 0.5});
+    inputs.weights.push_back({1, 2, 0.5, 3.0 + k});
     inputs.t.push_back((k + 0.5) / 7);
   }
   return inputs;
 }
 
 TEST(KernelRival, ReproducesTheJudgedPointsInEveryMode) {
-  const Inputs inputs = cubic_inputs();
   for (const auto mode : {suite::Mode::one_shot, suite::Mode::point, suite::Mode::latency, suite::Mode::batch})
     for (const auto& kernel : kernels<double>(2)) {
-      if (kernel.info->form != inputs.form) continue;
+      const Inputs inputs = cubic_inputs(kernel.info->form);
       const Rival rival = kernel_rival(kernel, mode, inputs);
       EXPECT_EQ(rival.points_per_batch, 7U);
       EXPECT_FALSE(rival.check()) << "nothing ran yet";

@@ -25,7 +25,11 @@ EVAL_COLUMNS = "method,t,axis,value,exact,error,error_ulp,error_u,bound_u".split
 SHOWN = 12  # mismatches printed
 
 # Methods that must answer in each form, whatever else the program offers.
-EXPECTED = {"bernstein": ["direct", "de_casteljau"], "power": ["power_sum", "horner"]}
+EXPECTED = {
+    "bernstein": ["direct", "de_casteljau"],
+    "power": ["power_sum", "horner"],
+    "rational": ["de_casteljau", "de_casteljau_farin", "horner_bernstein", "volk_schumaker", "wozny_chudy"],
+}
 CONVERSIONS = {
     "bernstein": ["exact", "factorial", "differences"],
     "power": ["exact", "forward_substitution", "positive_sum", "triangle"],
@@ -44,6 +48,7 @@ class Case:
     form: str
     axes: list  # one list of coefficients per axis
     parameters: list
+    weights: list = None  # of a rational curve
 
     @property
     def degree(self):
@@ -51,8 +56,8 @@ class Case:
 
     def write(self, place):
         with open(place, "w", encoding="ascii", newline="") as file:
-            file.write(",".join(AXES[: len(self.axes)]) + "\n")
-            for point in zip(*self.axes):
+            file.write(",".join(AXES[: len(self.axes)] + (("w",) if self.weights else ())) + "\n")
+            for point in zip(*self.axes, *([self.weights] if self.weights else [])):
                 file.write(",".join(c.hex() for c in point) + "\n")
 
 
@@ -94,6 +99,27 @@ KINDS = {
 }
 
 
+# Weights, by kind.
+WEIGHTS = {
+    "mild": lambda draw, n: [draw.uniform(0.5, 2) for _ in range(n + 1)],
+    "equal": lambda draw, n: [draw.uniform(0.5, 2)] * (n + 1),
+    "wild": lambda draw, n: [draw.uniform(1, 2) * 2.0 ** draw.randint(-60, 60) for _ in range(n + 1)],
+    "a zero": lambda draw, n: [0.0 if i == (n + 1) // 2 and n > 0 else draw.uniform(0.5, 2) for i in range(n + 1)],
+    "ends zero": lambda draw, n: [1.0 if 0 < i < n or n < 2 else 0.0 for i in range(n + 1)],
+    "negative": lambda draw, n: [-draw.uniform(0.5, 2) for _ in range(n + 1)],
+    "both signs": lambda draw, n: [draw.uniform(-1, 1) for _ in range(n + 1)],
+    "one negative": lambda draw, n: [-1e-3 if i == n // 2 and n > 0 else 1.0 for i in range(n + 1)],
+    "tiny": lambda draw, n: [draw.randint(1, 1000) * TINY for _ in range(n + 1)],
+    "huge": lambda draw, n: [draw.uniform(0.5, 1.79) * 1e308 for _ in range(n + 1)],
+    "mixed": lambda draw, n: [draw.uniform(1, 2) * 2.0 ** draw.randint(-1070, 1000) for _ in range(n + 1)],
+}
+
+
+def has_point(degree, t, weights):
+    zeros = [0.0] * (degree + 1)
+    return exact.rational_value(exact.basis_terms("rational", degree, t), zeros, weights) is not None
+
+
 def some_parameters(draw, degree):
     """All extreme t at low degree; at high degree few, since exact values then have 10^5 bits."""
     chosen = ORDINARY_T + [draw.random() for _ in range(3)] + [draw.uniform(-1, 2)]
@@ -104,8 +130,21 @@ def some_parameters(draw, degree):
     return draw.sample(chosen, 5)
 
 
+def rational_cases(draw):
+    for index, (of_weights, weights_of) in enumerate(WEIGHTS.items()):
+        for kind, coefficients in KINDS.items():
+            degree = draw.choice([index % 3, 3 + index % 3, draw.randint(6, 40)])
+            axes = [coefficients(draw, degree) for _ in range(1 + (index + degree) % 3)]
+            weights = weights_of(draw, degree)
+            parameters = [t for t in some_parameters(draw, degree) if has_point(degree, t, weights)]
+            yield Case(f"{kind}, weights {of_weights} {degree}", "rational", axes, parameters, weights)
+    circle = [[1.0, 1.0, 0.0], [0.0, 1.0, 1.0]]
+    yield Case("quarter circle 2", "rational", circle, some_parameters(draw, 2), [1.0, 1.0, 2.0])
+
+
 def cases(seed):
     draw = random.Random(seed)
+    yield from rational_cases(random.Random(seed))
     degrees = [0, 1, 2, 3, 4, 5, 6, 9, 13, 20, 21, 33]
     for form in ("bernstein", "power"):
         for index, (kind, coefficients) in enumerate(KINDS.items()):
@@ -141,7 +180,8 @@ class Judge:
 
     def call(self, case, *arguments):
         """The program's standard output on the file of `case`, or None."""
-        command = [self.program, "curve", arguments[0], "--curve", self.file, "--form", case.form, *arguments[1:]]
+        form = "bernstein" if case.weights else case.form
+        command = [self.program, "curve", arguments[0], "--curve", self.file, "--form", form, *arguments[1:]]
         result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
         failed = result.returncode != 0
         self.compare(
@@ -155,7 +195,8 @@ class Judge:
         self.file = self.folder / f"curve_{number:03}.csv"
         case.write(self.file)
         self.judge_eval(case)
-        self.judge_convert(case)
+        if not case.weights:
+            self.judge_convert(case)
 
     # curve eval
 
@@ -177,7 +218,7 @@ class Judge:
         for t in case.parameters:
             terms = exact.basis_terms(case.form, case.degree, t)
             for axis, coefficients in zip(AXES, case.axes):
-                truth, amplification = exact.value(terms, coefficients), exact.p_tilde(terms, coefficients)
+                truth, amplification = truth_of(case, terms, coefficients)
                 truths[t, axis] = truth, exact.to_double(truth), amplification
         for row in rows:
             key = float_of(row["t"]), row["axis"]
@@ -265,6 +306,14 @@ class Judge:
         underflow = Fraction(TINY) * 4 ** (n + 2) * (n + 2)
         tolerance = (8 * n + 16) * exact.UNIT_ROUNDOFF * amplification + underflow
         return abs(Fraction(computed) - truth) <= tolerance, f"{rounded} within {float(tolerance):.3g}"
+
+
+def truth_of(case, terms, coefficients):
+    """p(t) and p~(t) on one axis."""
+    if case.weights:
+        return (exact.rational_value(terms, coefficients, case.weights),
+                exact.rational_p_tilde(terms, coefficients, case.weights))
+    return exact.value(terms, coefficients), exact.p_tilde(terms, coefficients)
 
 
 def absolute_sums(coefficients, inverse):

@@ -47,7 +47,7 @@ def power_terms(degree, t):
 
 
 def basis_terms(form, degree, t):
-    return {"bernstein": bernstein_terms, "power": power_terms}[form](degree, t)
+    return {"bernstein": bernstein_terms, "power": power_terms, "rational": bernstein_terms}[form](degree, t)
 
 
 def value(terms, coefficients):
@@ -62,6 +62,30 @@ def p_tilde(terms, coefficients):
     numerators, denominator = terms
     c, d = with_common_denominator(coefficients)
     return sum(abs(k * b) for k, b in zip(c, numerators)), d * denominator
+
+
+def weighted_ratio(terms, coefficients, weights, magnitude):
+    """sum magnitude(w_i c_i basis_i) and sum w_i basis_i as a pair of integers; None where the latter is zero."""
+    numerators, _ = terms
+    products, d = with_common_denominator([Fraction(w) * Fraction(c) for w, c in zip(weights, coefficients)])
+    w, e = with_common_denominator(weights)
+    denominator = sum(a * k for a, k in zip(w, numerators))
+    if denominator == 0:
+        return None
+    numerator = sum(magnitude(a * k) for a, k in zip(products, numerators))
+    return numerator * e, denominator * d
+
+
+def rational_value(terms, coefficients, weights):
+    """p(t) = sum w_i c_i basis_i(t) / sum w_i basis_i(t), from basis_terms(); None where the denominator is zero."""
+    pair = weighted_ratio(terms, coefficients, weights, lambda x: x)
+    return pair and (pair if pair[1] > 0 else (-pair[0], -pair[1]))
+
+
+def rational_p_tilde(terms, coefficients, weights):
+    """p~(t) = sum |w_i c_i basis_i(t)| / |sum w_i basis_i(t)|, likewise."""
+    pair = weighted_ratio(terms, coefficients, weights, abs)
+    return pair and (pair[0], abs(pair[1]))
 
 
 # Conversions, by their definitions.

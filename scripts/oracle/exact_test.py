@@ -169,6 +169,33 @@ class Curves(unittest.TestCase):
             self.assertEqual(as_fraction(exact.p_tilde(exact.basis_terms("bernstein", n, t), b)), sum(map(abs, terms)))
 
 
+class RationalCurves(unittest.TestCase):
+    def test_quarter_circle(self):
+        # ((1-t^2)/(1+t^2), 2t/(1+t^2)), Farin, Curves and Surfaces for CAGD, conics
+        for t in (0.0, 0.25, 0.5, 1 / 3, 1.0, -2.5, 1e300):
+            terms = exact.basis_terms("rational", 2, t)
+            x = as_fraction(exact.rational_value(terms, [1.0, 1.0, 0.0], [1.0, 1.0, 2.0]))
+            y = as_fraction(exact.rational_value(terms, [0.0, 1.0, 1.0], [1.0, 1.0, 2.0]))
+            self.assertEqual((x, y), ((1 - Fraction(t) ** 2) / (1 + Fraction(t) ** 2), 2 * Fraction(t) / (1 + Fraction(t) ** 2)))
+
+    def test_weights_of_both_signs(self):
+        # 1 - 4t below; at 1/2 the points 1 and 2 give (1/2 - 3) / -1, and magnitudes (1/2 + 3) / 1
+        terms = exact.basis_terms("rational", 1, 0.5)
+        self.assertEqual(as_fraction(exact.rational_value(terms, [1.0, 2.0], [1.0, -3.0])), Fraction(5, 2))
+        self.assertEqual(as_fraction(exact.rational_p_tilde(terms, [1.0, 2.0], [1.0, -3.0])), Fraction(7, 2))
+        self.assertIsNone(exact.rational_value(exact.basis_terms("rational", 1, 0.25), [1.0, 2.0], [1.0, -3.0]))
+
+    def test_equal_weights_are_no_weights(self):
+        for b in some_curves(10):
+            for t in PARAMETERS:
+                terms = exact.basis_terms("bernstein", len(b) - 1, t)
+                for w in (1.0, -0.1, TINY):
+                    weights = [w] * len(b)
+                    self.assertEqual(as_fraction(exact.rational_value(terms, b, weights)), as_fraction(exact.value(terms, b)))
+                    self.assertEqual(as_fraction(exact.rational_p_tilde(terms, b, weights)),
+                                     as_fraction(exact.p_tilde(terms, b)))
+
+
 class Conversions(unittest.TestCase):
     def test_worked_in_the_report(self):
         for points, coefficients in WORKED_CONVERSIONS:

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// w_i^k = (1-t) w_i^(k-1) + t w_(i+1)^(k-1); b_i^k = ((1-t) w_i^(k-1) / w_i^k) b_i^(k-1) + (t w_(i+1)^(k-1) / w_i^k)
+// b_(i+1)^(k-1); p(t) = b_0^n. Every intermediate point is a convex combination of control points.
+//
+// Source: Farin, "Algorithms for rational Bezier curves", Computer-Aided Design 15 (1983) 73-77.
+// Cost: (5 + 3d) n(n+1)/2 + 1 flops per point, n(n+1) of them divisions.
+// Bound, for weights > 0 and 0 <= t <= 1: along a path through the triangle each computed w_i^k divides at one level
+// and
+//   multiplies at the next, so their errors cancel but for the last weight's, 3n. A level is left with 1-t, its product
+//   with a weight, the quotient, the product with a point and the sum: 5n. In all gamma_8n. Underflow costs a level
+//   eta / min w in the product, eta in the quotient and 2 eta in the points, and eta / min w in the last weight; each
+//   times max|b|.
+// Fails: a weight of 0 can make 0/0; outside [0,1] or with weights of both signs an intermediate weight may vanish.
+#pragma once
+
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+struct DeCasteljauFarin {
+  static constexpr MethodInfo info{.id = "de_casteljau_farin",
+                                   .label = "de Casteljau, Farin's convex combinations",
+                                   .problem = Problem::evaluation,
+                                   .form = Form::rational,
+                                   .bound = ErrorBound{.text = "gamma_8n p~ for positive weights",
+                                                       .amplification = Amplification::p_tilde_bernstein,
+                                                       .factor = [](int n, double u) { return gamma_over_u(8 * n, u); },
+                                                       .underflow = [](int n) { return 8.0 * n; },
+                                                       .underflow_scales_with_coefficients = true,
+                                                       .unit_interval_only = true,
+                                                       .positive_weights_only = true},
+                                   .one_minus_t = OneMinusT::normalised,
+                                   .flops = "(5+3d) n(n+1)/2 + 1, n(n+1) of them divisions",
+                                   .citation = "Farin 1983"};
+
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<Form::rational, Scalar, Dimension, Degree> prepare(
+      const Curve<Form::rational, Scalar, Dimension, Degree>& curve) {
+    return curve;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Curve<Form::rational, Scalar, Dimension, Degree>& curve, Scalar t) {
+    const int n = curve.degree();
+    const Scalar s = Scalar(1) - t;
+    auto b = curve.points;
+    auto w = curve.weights;
+    for (int k = 1; k <= n; ++k)
+      for (int i = 0; i <= n - k; ++i) {
+        const Scalar left = s * w[i];
+        const Scalar right = t * w[i + 1];
+        w[i] = left + right;
+        const Scalar of_left = left / w[i];
+        const Scalar of_right = right / w[i];
+        for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = of_left * b(axis, i) + of_right * b(axis, i + 1);
+      }
+    Point<Scalar, Dimension> point;
+    for (int axis = 0; axis < Dimension; ++axis) point[axis] = b(axis, 0);
+    return point;
+  }
+};
+
+}  // namespace bezierbench

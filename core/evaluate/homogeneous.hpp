@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// A rational curve is a polynomial one in homogeneous coordinates: evaluate (w_i b_i, w_i), divide by the last one.
+//
+// Source: Farin, "Algorithms for rational Bezier curves", Computer-Aided Design 15 (1983) 73-77.
+// Cost: the polynomial method's in d + 1 dimensions, and d divisions.
+// Bound, for weights >= 0 and 0 <= t <= 1: with phi = factor u of the polynomial method, the numerator N is off by the
+//   roundings of w_i b_i and by phi, (u + phi (1 + u)) sum w_i |b_i| B_i, the denominator W by phi W, and the quotient
+//   rounds once: together (1 + u)^2 (1 + phi) / (1 - phi) - 1 times p~, which is gamma_(2k+2) for phi = gamma_k.
+//   With e_N and e_W lost to underflow in N and W, phi and e_W / W at most 1/8, it adds at most
+//   (1.3 e_W p~ / W + e_N / W) (1 + u) / (1 - phi - e_W / W) < 2 (e_W p~ + e_N) / W, and eta / 2 in the quotient.
+// Fails: w_i b_i overflows or underflows where b_i would not; outside [0,1] or with weights of both signs W may cancel.
+#pragma once
+
+#include <limits>
+
+#include "core/evaluate/joined.hpp"
+
+namespace bezierbench {
+
+/// `Method` on homogeneous coordinates; keeps its id, in the rational form.
+template <Evaluator Method>
+requires(Method::info.form == Form::bernstein) struct Homogeneous {
+  static constexpr double bound_factor(int n, double u) {
+    const double factor = Method::info.bound->factor(n, u);
+    const double phi = factor * u;
+    if (!(phi <= 0.125)) return std::numeric_limits<double>::infinity();
+    return (2 * factor + (2 + u) * (1 + phi)) / (1 - phi);
+  }
+  /// Half a unit for each product w_i b_i beside what the polynomial method loses.
+  static constexpr double bound_underflow(int n) { return 2 * Method::info.bound->underflow(n) + 1; }
+
+  struct BoundPrefix {
+    static constexpr std::string_view text = "numerator and denominator: ";
+  };
+  static constexpr std::optional<ErrorBound> bound() {
+    if constexpr (Method::info.bound && Method::info.bound->amplification == Amplification::p_tilde_bernstein &&
+                  Method::info.bound->result_roundings == 0)
+      return ErrorBound{.text = detail::Joined<BoundPrefix, detail::BoundOf<Method>>::text,
+                        .amplification = Amplification::p_tilde_bernstein,
+                        .factor = bound_factor,
+                        .underflow = bound_underflow,
+                        .underflow_scales_with_coefficients = Method::info.bound->underflow_scales_with_coefficients,
+                        .unit_interval_only = true};
+    else
+      return std::nullopt;
+  }
+
+  struct LabelSuffix {
+    static constexpr std::string_view text = ", homogeneous";
+  };
+  struct FlopsSuffix {
+    static constexpr std::string_view text = " with d + 1 for d; d divisions";
+  };
+  struct CitationSuffix {
+    static constexpr std::string_view text = "; Farin 1983";
+  };
+  static constexpr MethodInfo info{.id = Method::info.id,
+                                   .label = detail::Joined<detail::LabelOf<Method>, LabelSuffix>::text,
+                                   .problem = Problem::evaluation,
+                                   .form = Form::rational,
+                                   .min_degree = Method::info.min_degree,
+                                   .max_degree = Method::info.max_degree,
+                                   .max_degree_float = Method::info.max_degree_float,
+                                   .bound = bound(),
+                                   .bit_stable = Method::info.bit_stable,
+                                   .one_minus_t = Method::info.one_minus_t,
+                                   .flops = detail::Joined<detail::FlopsOf<Method>, FlopsSuffix>::text,
+                                   .citation = detail::Joined<detail::CitationOf<Method>, CitationSuffix>::text};
+
+  template <class Scalar, int Dimension, int Degree>
+  static auto prepare(const Curve<Form::rational, Scalar, Dimension, Degree>& curve) {
+    Curve<Form::bernstein, Scalar, Dimension + 1, Degree> lifted(curve.degree());
+    for (int i = 0; i <= curve.degree(); ++i) {
+      for (int axis = 0; axis < Dimension; ++axis) lifted(axis, i) = curve.weights[i] * curve.points(axis, i);
+      lifted(Dimension, i) = curve.weights[i];
+    }
+    return Method::prepare(lifted);
+  }
+
+  template <class Prepared, class Scalar>
+  static auto evaluate(const Prepared& prepared, Scalar t) {
+    const auto lifted = Method::evaluate(prepared, t);
+    constexpr int dimension = decltype(lifted)::RowsAtCompileTime - 1;
+    Point<Scalar, dimension> point;
+    for (int axis = 0; axis < dimension; ++axis) point[axis] = lifted[axis] / lifted[dimension];
+    return point;
+  }
+};
+
+}  // namespace bezierbench
