@@ -17,7 +17,9 @@
 //   first order: 2n+4 roundings in a term of the numerator (value, n in the weight, difference, quotient, product, n
 //   additions), 2n+2 in the denominator, one in their quotient (Higham, IMA J. Numer. Anal. 24 (2004) 547-556, second
 //   form). It is not a multiple of p~: where p~ vanishes at an end, the error need not. So `info` states none.
-// Fails: close to a node, where coordinates over |t - x_j| overflow; relative to p~ near the ends (see the bound).
+// Fails: where coordinates over |t - x_j| overflow, for t next to 0 and coordinates past 2^500 (in float 2^60);
+// relative
+//   to p~ near the ends (see the bound).
 #pragma once
 
 #include <algorithm>
@@ -76,6 +78,18 @@ PerCoefficient<Scalar, Degree> weights_of(const PerCoefficient<Scalar, Degree>& 
   return weights;
 }
 
+/// True at a node, and so close to one that a quotient might overflow: only the node 0 has doubles so near it, and the
+/// curve moves by no more than 2 n max|b| |distance| from there.
+template <class Scalar>
+constexpr bool at_node(const Scalar& distance) {
+  if constexpr (std::same_as<Scalar, double>)
+    return distance > -0x1p-500 && distance < 0x1p-500;
+  else if constexpr (std::same_as<Scalar, float>)
+    return distance > -0x1p-60F && distance < 0x1p-60F;
+  else
+    return distance == Scalar(0);
+}
+
 }  // namespace detail
 
 /// All per-curve work, for these distinct nodes in [0,1].
@@ -104,7 +118,7 @@ Point<Scalar, Dimension> evaluate_barycentric(const Barycentric<Scalar, Dimensio
   Scalar denominator(0);
   for (int j = 0; j <= n; ++j) {
     const Scalar distance = t - prepared.nodes[j];
-    if (distance == Scalar(0)) {
+    if (detail::at_node(distance)) {
       for (int axis = 0; axis < Dimension; ++axis) sum[axis] = prepared.values(axis, j);
       return sum;
     }
