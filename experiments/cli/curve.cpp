@@ -86,13 +86,14 @@ reference::Rational unit_of(const reference::Rational& p_tilde) { return p_tilde
 
 /// bound / (u p~) on one axis; nothing where no bound is stated or proved, or p~ is zero.
 std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis, double t,
-                        const reference::Rational& p_tilde) {
+                        const reference::Rational& truth, const reference::Rational& p_tilde) {
   if (!info.bound || p_tilde.numerator == 0) return "";
   std::vector<double> coefficients;
   for (int i = 0; i <= curve.degree(); ++i) coefficients.push_back(curve.view()(axis, i));
   metric::TrialScale scale;
   scale.set({curve.form, 1, curve.degree(), coefficients, curve.weights}, t);
-  const double bound = scale.bound(*info.bound, metric::double_arithmetic);
+  const double length = std::abs(reference::round_to(reference::binary64, truth));
+  const double bound = scale.bound(*info.bound, metric::double_arithmetic, length);
   if (!std::isfinite(bound)) return "";
   return number::decimal(reference::quotient(reference::binary64, reference::exactly(bound), unit_of(p_tilde)));
 }
@@ -145,7 +146,8 @@ void evaluate(const Options& options) {
         for (auto& field :
              judged(point[static_cast<std::size_t>(axis)], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)))
           row.push_back(std::move(field));
-        row.push_back(bound_units(*kernel->info, curve, axis, ts[k], p_tildes[k].coordinate(axis)));
+        row.push_back(
+            bound_units(*kernel->info, curve, axis, ts[k], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)));
         table.add_row(std::move(row));
       }
     }

@@ -104,14 +104,15 @@ double TrialScale::rational_underflow(const ErrorBound& bound, const Arithmetic&
   return eta + lost * (of_numerator + of_denominator * p_tilde()) / w.sum;
 }
 
-double TrialScale::bound(const ErrorBound& bound, const Arithmetic& arithmetic) {
+double TrialScale::bound(const ErrorBound& bound, const Arithmetic& arithmetic, std::optional<double> length) {
   if (bound.unit_interval_only && (t_ < 0 || t_ > 1)) return infinite;
   const int n = static_cast<int>(norms_.size()) - 1;
   const double factor = bound.factor(n, arithmetic.unit_roundoff);
   const double underflow =
       form_ == Form::rational ? rational_underflow(bound, arithmetic) : polynomial_underflow(bound, arithmetic);
   if (!std::isfinite(factor) || !std::isfinite(underflow)) return infinite;
-  const double result = bound.result_roundings == 0 ? 0 : bound.result_roundings * p_tilde();  // |p| <= p~
+  // |p| <= p~
+  const double result = bound.result_roundings == 0 ? 0 : bound.result_roundings * (length ? *length : p_tilde());
   const double rounding = result + factor * amplified(bound.amplification);
   return rounding * arithmetic.unit_roundoff + dimension_ * underflow;
 }

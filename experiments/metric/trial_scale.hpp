@@ -38,8 +38,9 @@ class TrialScale {
   /// error / (u p~); where p~ is 0: 0 for error 0, else infinite.
   double in_bound_units(double error, const Arithmetic& arithmetic);
 
-  /// The bound in coordinate units.
-  double bound(const ErrorBound& bound, const Arithmetic& arithmetic);
+  /// The bound in coordinate units. `length` is |p| to 24 bits where it is known: a compensated method promises a few
+  /// roundings of the result itself, which may be far less than those of p~.
+  double bound(const ErrorBound& bound, const Arithmetic& arithmetic, std::optional<double> length = std::nullopt);
 
   /// True where `error` is certainly beyond `bound`: both are known to a relative 2^-20 only.
   static bool violates(double error, double bound) { return error > bound * (1 + 0x1p-20); }

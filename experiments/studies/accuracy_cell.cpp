@@ -325,7 +325,7 @@ void ScalarCell<Scalar>::count(const Kernel<Scalar>& method, double error, std::
   if (std::isfinite(from.length)) add_quotient(error, from.length, judgement.relative);
   judgement.keep_worst({error_u, error, trial});
   if (!method.info->bound) return;
-  const double bound = scale.bound(*method.info->bound, arithmetic);
+  const double bound = scale.bound(*method.info->bound, arithmetic, from.length);
   if (!std::isfinite(bound)) return;  // nothing is proved here
   ++judgement.bounded;
   const double bound_u = scale.in_bound_units(bound, arithmetic);

@@ -44,9 +44,10 @@ class PointJudge {
     const auto& exact = truth(inputs);
     verdict.finite = verdict.finite && exact.exists();
     if (!verdict.finite) return verdict;
-    verdict.error = reference::Distance(exact).to({verdict.point.data(), d});
+    const reference::Distance distance(exact);
+    verdict.error = distance.to({verdict.point.data(), d});
     verdict.finite = std::isfinite(verdict.error);
-    if (verdict.finite) weigh(kernel, inputs, verdict);
+    if (verdict.finite) weigh(kernel, inputs, distance.of_origin(kernel.dimension), verdict);
     return verdict;
   }
 
@@ -56,12 +57,12 @@ class PointJudge {
   }
 
  private:
-  void weigh(const Kernel<Scalar>& kernel, const TrialInputs<Scalar>& inputs, PointVerdict& verdict) {
+  void weigh(const Kernel<Scalar>& kernel, const TrialInputs<Scalar>& inputs, double length, PointVerdict& verdict) {
     constexpr auto arithmetic = ScalarFacts<Scalar>::arithmetic;
     scale_.set(inputs.true_curve(), inputs.true_t());
     verdict.error_u = metric::to_24_bits(scale_.in_bound_units(verdict.error, arithmetic));
     if (!kernel.info->bound) return;
-    const double bound = scale_.bound(*kernel.info->bound, arithmetic);
+    const double bound = scale_.bound(*kernel.info->bound, arithmetic, length);
     if (!std::isfinite(bound)) return;
     verdict.bound_u = scale_.in_bound_units(bound, arithmetic);
     verdict.violates = metric::TrialScale::violates(verdict.error, bound);
