@@ -159,7 +159,7 @@ def check(root):
         file
         for top in TOPS
         for file in (root / top).rglob("*")
-        if file.suffix in SUFFIXES and not file.name.endswith("_test.cpp")
+        if file.suffix in SUFFIXES and not file.stem.endswith("_test")
     )
     for file in files:
         path = file.relative_to(root).as_posix()
