@@ -8,6 +8,8 @@
 //   rounds once: together (1 + u)^2 (1 + phi) / (1 - phi) - 1 times p~, which is gamma_(2k+2) for phi = gamma_k.
 //   With e_N and e_W lost to underflow in N and W, phi and e_W / W at most 1/8, it adds at most
 //   (1.3 e_W p~ / W + e_N / W) (1 + u) / (1 - phi - e_W / W) < 2 (e_W p~ + e_N) / W, and eta / 2 in the quotient.
+//   Where the polynomial method states none (barycentric, Wang-Ball), none follows; an error of theirs that goes with
+//   max|b| goes with max w_i over W here.
 // Fails: w_i b_i overflows or underflows where b_i would not; outside [0,1] or with weights of both signs W may cancel.
 #pragma once
 

@@ -68,6 +68,7 @@ using Evaluators = TypeList<Direct,                            //
                             Homogeneous<HornerBernstein>,      //
                             Homogeneous<VolkSchumaker>,        //
                             WoznyChudyRational,                //
-                            WoznyChudyPositiveRational>;
+                            WoznyChudyPositiveRational, Homogeneous<BarycentricChebyshev>,
+                            Homogeneous<BarycentricUniform>, Homogeneous<WangBall>>;
 
 }  // namespace bezierbench
