@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The first minute: what holds and what does not."""
 
-from ..document import Heading, Text
+from ..document import Bullets, Heading, Text
 from ..findings.roster import grouped
 
 TITLE = "What was found"
@@ -18,7 +18,10 @@ def blocks(bundle, findings):
                    "computed from the bundle; under each statement stand the rows that decide it.")
     for heading, members in grouped(found):
         yield Heading(heading)
-        yield from members
+        if all(f.suite for f in members):  # each stands in full in the chapter of its suite
+            yield Bullets(tuple(f.headline for f in members))
+        else:
+            yield from members
     if undecided:
         yield Heading("What this bundle cannot decide")
         for name, lack in undecided:

@@ -15,6 +15,8 @@ def find_all(bundle):
     """(findings, [(name, what the bundle lacks)]): a finding that cannot be decided is named, never guessed."""
     found, undecided = [], []
     for module in ROSTER:
+        if hasattr(module, "SUITE") and not bundle.has_suite(module.SUITE):
+            continue  # its chapter says that the suite is not there
         try:
             found.append(module.find(bundle))
         except Missing as lack:
@@ -32,6 +34,7 @@ GROUPS = (
     ("Conclusions of the report that hold",
      lambda f: f.about == "conclusion" and f.holds or f.about == "correction" and not f.holds),
     ("Worth knowing", lambda f: f.about == "note"),
+    ("Beyond the report's tables", lambda f: f.about == "suite"),
 )
 
 
