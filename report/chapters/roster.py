@@ -3,9 +3,9 @@
 
 from ..bundle import Missing
 from ..document import Chapter
-from . import audit, figures, found, how_measured, provenance, scorecard, tables, timing, truth
+from . import audit, figures, found, how_measured, method_list, provenance, scorecard, tables, timing, truth
 
-ROSTER = (found, scorecard, tables, figures, truth, timing, audit, how_measured, provenance)
+ROSTER = (found, scorecard, tables, figures, truth, timing, audit, method_list, how_measured, provenance)
 
 
 def build_all(bundle, findings):
