@@ -56,6 +56,11 @@ def _where(row, across, down):
     return ", ".join(text for name, text in parts.items() if name not in (across, down))
 
 
+def named(down, kind):
+    """A kind of inputs in words: `degree 3`."""
+    return NAMES[down].format(shortest(kind) if isinstance(kind, float) else kind)
+
+
 def _pair(study, rows, across, down):
     english, chinese = form(rows[0]["curve"])
     where, trials = _where(rows[0], across, down), large(max(r["trials"] for r in rows))
@@ -64,14 +69,12 @@ def _pair(study, rows, across, down):
     def line(text, column, kind):
         return (text, _number(column), lambda r: r[down] == kind)
 
-    def named(kind):
-        return NAMES[down].format(shortest(kind) if isinstance(kind, float) else kind)
-    means = [line(named(k) + (" inputs" if down == "generator" else ""), "mean_error_u", k) for k in kinds]
+    means = [line(named(down, k) + (" inputs" if down == "generator" else ""), "mean_error_u", k) for k in kinds]
     yield by_axis(rows, across, f"{study}-mean", f"Mean error over u p~, {english} ({where}, {trials} trials per cell)",
                   f"平均误差（以 u p~ 计），{chinese}", means, row_head="inputs" if down == "generator" else down)
-    lines = [line(f"largest, {named(k)}", "max_error_u", k) for k in kinds]
+    lines = [line(f"largest, {named(down, k)}", "max_error_u", k) for k in kinds]
     # the bound hangs on method and degree; inputs of another kind do not move it
-    lines += [line("proved bound" + (f", {named(k)}" if down != "generator" else ""), "bound_u", k)
+    lines += [line("proved bound" + (f", {named(down, k)}" if down != "generator" else ""), "bound_u", k)
               for k in (kinds[:1] if down == "generator" else kinds)]
     lines += [("violations", _counted("bound_violations"), lambda r: True), ("not finite", _counted("non_finite"), lambda r: True)]
     yield by_axis(rows, across, f"{study}-largest", f"Largest error over u p~ and its proved bound, {english} ({where})",

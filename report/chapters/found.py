@@ -3,6 +3,7 @@
 
 from ..document import Bullets, Heading, Text
 from ..findings.roster import grouped
+from ..wording import listing
 
 TITLE = "What was found"
 
@@ -24,7 +25,11 @@ def blocks(bundle, findings):
             yield from members
     if undecided:
         yield Heading("What this bundle cannot decide")
+        by_lack = {}
         for name, lack in undecided:
-            yield Text(f"**{name.replace('_', ' ').capitalize()}**: {lack}.")
+            by_lack.setdefault(lack, []).append(name.replace("_", " "))
+        for lack, names in by_lack.items():
+            words = listing(names)
+            yield Text(f"**{words[0].upper()}{words[1:]}**: {lack}.")
     if not found and not undecided:
         yield Text("There is nothing to judge in this bundle.")
