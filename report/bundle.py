@@ -16,7 +16,8 @@ SCHEMA_VERSION = 1
 # Columns that are words wherever they occur, even where a value looks like a number (study 2.2, table 2.4).
 TEXT = frozenset(
     "study table curve method conversion scalar generator baseline status statistic verdict note tier mode "
-    "relative_to quality checked id problem form bound bit_stable flops citation worst_id coefficients".split())
+    "relative_to quality checked id problem form bound bit_stable flops citation worst_id search_id t coefficients "
+    "weights".split())
 
 _ACCURACY = ("study curve method scalar dimension degree coordinate_range t_min t_max generator trials baseline status "
              "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split()
@@ -33,12 +34,16 @@ REQUIRED = {
                        "within_1e-5 within_1e-3 within_0.1").split(),
     "timing.csv": "study curve method degree mode median_ns low_ns high_ns checked".split(),
     "audit.csv": "study curve tier degree generator trials mean_error_ulp max_error_ulp".split(),
+    "search.csv": ("search_id study curve method scalar dimension degree coordinate_range t_min t_max generator trials budget "
+                   "status sampled_error_u searched_error_u bound_u error t coefficients").split(),
+    "worst.csv": ("worst_id study curve method scalar dimension degree coordinate_range t_min t_max generator trial error "
+                  "error_u t coefficients").split(),
     "methods.csv": "id problem form min_degree max_degree bound bit_stable flops citation".split(),
 }
 
 # Columns that say what a row is about; a row of the files above without one of them is malformed.
 KEYS = frozenset("study table curve method conversion scalar dimension degree generator trials baseline status statistic "
-                 "tier mode id".split())
+                 "tier mode id search_id worst_id".split())
 
 _DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?inf|nan", re.ASCII)
 _HEX = re.compile(r"[+-]?0[xX][0-9a-fA-F]*\.?[0-9a-fA-F]*([pP][+-]?\d+)?", re.ASCII)
@@ -117,6 +122,13 @@ class Table:
             raise Missing(f"`{self.file}` has {len(rows)} rows with {_describe(key)} where one is meant")
         return rows[0]
 
+    def starting(self, prefix):
+        """The rows of the studies whose id starts with `prefix`; Missing where there are none."""
+        rows = [row for row in self.rows if (row["study"] or "").startswith(prefix)]
+        if not rows:
+            raise Missing(f"`{self.file}` has no study whose id starts with `{prefix}`")
+        return Table(self.file, self.columns, rows)
+
     def distinct(self, column, **key):
         """The different values of a column, in order of first appearance."""
         return list(dict.fromkeys(row[column] for row in self.select(**key)))
@@ -169,6 +181,16 @@ class Bundle:
         if not tables:
             raise Missing("the bundle has no `accuracy.csv`")
         return Table("accuracy.csv", tables[0].columns, [row for t in tables for row in t.rows])
+
+    def exact(self, prefix):
+        """Rows of every method against the exact value, of the studies whose id starts with `prefix`."""
+        table = self.judged().starting(prefix)
+        return Table(table.file, table.columns, table.some(baseline="exact"))
+
+    def has_suite(self, suite):
+        """Whether any file holds a study of that suite: studies are named after the suite that they stand in."""
+        return any((row["study"] or "").startswith(f"{suite}-") for table in self.tables.values() if "study" in table.columns
+                   for row in table.rows)
 
     def accuracy(self, **key):
         """The accuracy row, in double and in the plane, that fits."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 
 SENTENCE = 30  # characters from which a cell is a sentence
+LONG = 40  # lines from which a table scrolls by itself
 
 
 @dataclass(frozen=True)
@@ -54,6 +55,11 @@ class Table:
         """For each value column, whether it holds sentences rather than numbers."""
         rows = [cells for g in self.groups for _, cells in g.rows]
         return [any(len(cells[i].text) > SENTENCE for cells in rows) for i in range(len(self.head))]
+
+    @property
+    def long(self):
+        """True where the table would fill more than a screen."""
+        return sum(len(g.rows) for g in self.groups) > LONG
 
     def csv(self):
         """Header and rows of the table's CSV file, with every digit that the bundle has."""
@@ -107,12 +113,13 @@ class Finding:
     """One statement about the source report that the bundle decides."""
 
     id: str
-    about: str  # conclusion: the report's, tested; correction: ours, against it; reproduction; note
+    about: str  # conclusion: the report's, tested; correction: ours, against it; reproduction; note; suite: another suite's
     claim: str  # what the report says, in our words; empty where the statement is about the reproduction
     holds: bool  # whether the bundle supports the statement; where it does not, the sentences say the opposite
     headline: str
     detail: tuple = ()
     rows: tuple = ()  # the rows of the bundle that decide it
+    suite: str = ""  # the suite whose chapter it stands in; the report's own stand under their headings
     kind: str = field(default="finding", init=False)
 
     @property

@@ -66,6 +66,20 @@ def _fractions_of_ms(at, row):
         row["published"] = 2.5
 
 
+def _raise(column, value, **key):
+    return _set(column, value, "accuracy.csv", **key)
+
+
+def _milder_paths(at, row):
+    if at == "accuracy.csv" and row["study"].startswith("ladder-") and row["degree"] == 20:
+        row["mean_error_u"] = min(row["mean_error_u"], 2.0)
+
+
+def _more_short(at, row):
+    if at == "search.csv":
+        row.update(status="short", searched_error_u=row["sampled_error_u"] * 1.1)
+
+
 # finding: a change of the data that must turn it over
 FLIPS = {
     "cells_inside_band": _all_outside,
@@ -84,6 +98,20 @@ FLIPS = {
     "growth_with_t": _scale("against_exact", 1e9, "scorecard.csv", table="2.3.3", t_min=0),
     "conversion_dominates": _scale("ours_median", 2, "scorecard.csv", method="forward_substitution:direct", degree=20),
     "time_order": _scale("ours_median", 100, "scorecard_timing.csv", method="direct"),
+    "ladder_best": _raise("mean_error_u", 9.0, study="ladder-bezier", method="compensated_de_casteljau", degree=20),
+    "ladder_growth": _milder_paths,
+    "regimes_parameter": _raise("mean_error_u", 1e7, study="regimes-parameter", method="wozny_chudy", t_max=2),
+    "regimes_range": _raise("mean_error_u", 9.0, study="regimes-range", method="de_casteljau", coordinate_range=1e300),
+    "regimes_degree": _raise("non_finite", 7, study="regimes-degree", degree=1023),
+    "regimes_float": _raise("mean_error_u", 9.0, study="regimes-float", scalar="float", degree=20),
+    "regimes_dimension": _raise("mean_error_u", 9.0, study="regimes-dimension", dimension=3),
+    "conditioning_digits": _raise("p50_relative", 1e-10, study="conditioning-bernstein", method="compensated_de_casteljau", t_max=0.78),
+    "conversion_norm": _set("max_error", 1.0, "conversion.csv", conversion="positive_sum", degree=20),
+    "conversion_parts": _raise("mean_conversion_error", 0, study="conversion-paths-to-power", method="factorial:horner", t_max=1),
+    "conversion_growth": _raise("mean_error", 1e9, study="conversion-paths-to-power", method="factorial:horner", t_max=1),
+    "worst_bounds": _set("searched_error_u", 18, "search.csv", search_id="s1"),
+    "worst_gain": _more_short,
+    "rational_weights": _raise("mean_error_u", 1e3, study="rational-ladder", method="direct", degree=20, generator="weights_wild"),
     "sample_maximum": _scale("max_error", 0.5, generator="report", study=("2.3.1-bezier", "2.3.1-polynomial")),
 }
 
@@ -143,14 +171,28 @@ class Findings(unittest.TestCase):
 
     def test_missing_file_leaves_undecided(self):
         found, undecided = _findings(without=("conversion.csv", "scorecard_timing.csv"))
-        self.assertEqual({name for name, _ in undecided}, {"round_trip_grid", "timings_quantised", "time_order"})
+        self.assertEqual({name for name, _ in undecided}, {"round_trip_grid", "timings_quantised", "time_order", "conversion_norm"})
         self.assertIn("the bundle has no `conversion.csv`", dict(undecided)["round_trip_grid"])
-        self.assertEqual(len(found), len(ROSTER) - 3)
+        self.assertEqual(len(found), len(ROSTER) - 4)
 
     def test_nothing_but_bundle_json(self):
         found, undecided = _findings(without=tuple(fixture.FILES))
         self.assertEqual(found, [])
-        self.assertEqual(len(undecided), len(ROSTER))
+        self.assertEqual(len(undecided), sum(not hasattr(m, "SUITE") for m in ROSTER))
+
+    def test_overflow_is_said_and_not_compared(self):
+        def overflow(at, row):
+            if at == "accuracy.csv" and row["study"] == "regimes-range" and row["coordinate_range"] == 1e300 and ":" in row["method"]:
+                row.update(non_finite=400, mean_error_u=1.0)
+        range_found = next(f for f in _findings(overflow)[0] if f.id == "regimes_range")
+        self.assertTrue(range_found.holds)
+        self.assertIn("1 method overflows at R = 1e300, degree 20", range_found.headline)
+        self.assertIn("400 trials", range_found.detail[1])
+
+    def test_a_finding_of_a_suite_names_it(self):
+        self.assertEqual([f.suite for f in self.found], [getattr(module, "SUITE", "") for module in ROSTER])
+        for f in self.found:
+            self.assertEqual(f.about == "suite", bool(f.suite), f.id)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,11 @@ MEAN = {("de_casteljau", 4): 7e-11, ("de_casteljau", 20): 9.5e-11, ("factorial:p
         ("factorial:power_sum", 20): 1.2e-3, ("forward_substitution:de_casteljau", 4): 1.4e-10,
         ("forward_substitution:de_casteljau", 20): 7.5e-4, ("forward_substitution:direct", 4): 1.3e-10,
         ("forward_substitution:direct", 20): 7.5e-4}
+# Columns that apply to some rows only; bundles of older programs have none of them.
+SOMETIMES = ("mean_error_ulp", "max_error_ulp", "mean_relative", "p50_relative", "max_relative", "p50_condition", "max_condition",
+             "mean_conversion_error", "max_conversion_error", "mean_one_minus_t_error", "max_one_minus_t_error",
+             "mean_evaluation_error", "max_evaluation_error")
+U = 2.0 ** -53
 BEND = {100: 3.0, 10000: 1.1, 1000000: 1.0}  # error over range on the report's grid
 
 
@@ -70,7 +75,36 @@ def _judged(study, method, degree, mean, generator="continuous", baseline="exact
                generator=generator, trials=1000, baseline=baseline, status="ok", mean_error=mean, rms_error=mean,
                p50_error=mean, p99_error=mean * 5, max_error=mean * 60, mean_error_u=mean * 1e10, max_error_u=mean * 1e11,
                bound_u=mean * 1e12, bound_violations=0, non_finite=0)
-    return {**row, **more}
+    return {**row, **dict.fromkeys(SOMETIMES, ""), **more}
+
+
+def _suites():
+    """Rows of the other suites, by mean error over u p~."""
+    def row(study, method, degree, mean_u, *rest, **more):
+        return _judged(study, method, degree, mean_u * 1e-10, *rest, **more)
+    ladder = {"bezier": {"de_casteljau": (0.5, 1.5), "compensated_de_casteljau": (0.25, 0.125), "factorial:power_sum": (1, 1e17)},
+              "polynomial": {"horner": (0.5, 0.5), "forward_substitution:direct": (1, 1e17)}}
+    rows = [row(f"ladder-{curve}", m, n, u, g) for curve, methods in ladder.items() for m, ends in methods.items()
+            for n, u in zip(DEGREES, ends) for g in ("continuous", "integer")]
+    rows += [row("regimes-parameter", m, 20, u, interval=i) for m in ("de_casteljau", "wozny_chudy")
+             for i, u in (((0, 0.001), 2), ((1, 2), 1))]
+    rows += [row("regimes-range", m, 20, u, coordinate_range=r) for m, u in (("de_casteljau", 1.5), ("factorial:power_sum", 1e6))
+             for r in (1e-300, 1, 1e300)]
+    rows += [row("regimes-degree", "de_casteljau", n, 2) for n in (100, 1023)]
+    rows += [row("regimes-float", "de_casteljau", n, 1, scalar=s) for s in ("float", "double") for n in DEGREES]
+    rows += [row("regimes-dimension", "de_casteljau", 20, 1, dimension=d) for d in (1, 2, 3)]
+    rows += [row("conditioning-bernstein", m, 5, 1, "multiple_root", interval=i, p50_condition=c, max_condition=3 * c,
+                 p50_relative=max(U / 2, c * U ** k), max_relative=max(U, 3 * c * U ** k))
+             for m, k in (("de_casteljau", 1), ("compensated_de_casteljau", 2))
+             for c, i in ((1, (0, 0.25)), (1e10, (0.76, 0.78)), (1e20, (0.751, 0.752)), (1e36, (0.7501, 0.7502)))]
+    rows += [_judged("conversion-paths-to-power", m, 20, e[0], interval=i, mean_conversion_error=e[1], mean_one_minus_t_error=e[2],
+                     mean_evaluation_error=e[3], max_conversion_error=e[1], max_one_minus_t_error=e[2], max_evaluation_error=e[3])
+             for m, errors in (("de_casteljau", ((2e-10, 0, 1e-10, 1e-10), (1e-10, 0, 0, 1e-10))),
+                               ("factorial:horner", ((3e-9, 2e-9, 0, 1e-9), (4e-3, 3e-3, 0, 1e-3))))
+             for i, e in zip(((0, 0.2), (0.8, 1)), errors)]
+    rows += [row("rational-ladder", m, n, u * (1.5 if g == "weights_wild" else 1), g, curve="rational")
+             for m, u in (("direct", 1), ("de_casteljau", 1.25)) for n in DEGREES for g in ("weights_mild", "weights_wild")]
+    return rows
 
 
 def accuracy():
@@ -92,14 +126,44 @@ def accuracy():
         rows += [_judged("2.3.2-bezier", "factorial:power_sum", 20, r * 1e-9 * bend, g, "direct", r, mean_error_u=4e7 * bend)
                  for g, bend in (("report", BEND[r]), ("continuous", 3.0))]
     rows += [_judged("2.3.3-bezier", "de_casteljau", 20, e, interval=i) for i, e in zip(INTERVALS, (2.4e-13, 1e-13, 0.8e-13))]
-    return rows
+    return rows + _suites()
 
 
 def conversion():
     share = {"report": (95, 98, 100), "continuous": (59, 80, 99), "integer": (100, 100, 100)}
-    return [{"study": "2.2", "conversion": "factorial+forward_substitution+factorial", "degree": n, "coordinate_range": 1000000,
-             "generator": g, "trials": 100, "mean_error": 1e-6, "max_error": 1e-2, "within_1e-5": a, "within_1e-3": b,
-             "within_0.1": c} for n in (1, 2) for g, (a, b, c) in share.items()]
+    def row(study, conversion, degree, generator, mean, largest, within, curve="bezier"):
+        return {"study": study, "conversion": conversion, "degree": degree, "coordinate_range": 1000000, "generator": generator,
+                "trials": 100, "mean_error": mean, "max_error": largest, "within_1e-5": within[0], "within_1e-3": within[1],
+                "within_0.1": within[2], "curve": curve, "dimension": 2, "status": "ok", "non_finite": 0}
+    rows = [row("2.2", "factorial+forward_substitution+factorial", n, g, 1e-6, 1e-2, within) for n in (1, 2)
+            for g, within in share.items()]
+    errors = {("bezier", "factorial"): (1e-9, 0.1), ("polynomial", "forward_substitution"): (1e-9, 0.1),
+              ("polynomial", "positive_sum"): (1e-10, 1e-9)}
+    return rows + [row(f"conversion-{curve}", m, n, "continuous", e / 4, e, (100, 100, 100), curve)
+                   for (curve, m), ends in errors.items() for n, e in zip(DEGREES, ends)]
+
+
+def _bits(curve):
+    return dict(coordinate_range=1, t_min=0, t_max=1, error=1e-16, t="0x1p-2", coefficients="0x1p+0 -0x1p-1 0.25 1",
+                weights="0x1p+0 0x1p-1" if curve == "rational" else "")
+
+
+def search():
+    cases = [("worst-bezier", "direct", 4, "reached", 4, 8, 17), ("worst-bezier", "direct", 20, "reached", 10, 22, 62),
+             ("worst-bezier", "de_casteljau_lerp", 4, "reached", 4, 20, ""), ("worst-bezier", "de_casteljau_lerp", 20, "short", 4, 5, ""),
+             ("worst-bezier", "compensated_de_casteljau", 4, "near_bound", 0.7, 0.8, 1),
+             ("worst-bezier", "factorial:horner", 20, "reached", 100, 1e40, 1e41),
+             ("rational-worst", "direct", 4, "reached", 3, 6, 24)]
+    return [dict(search_id=f"s{i}", study=study, curve="rational" if "rational" in study else "bezier", method=m, scalar="double",
+                 dimension=2, degree=n, generator="continuous", trials=1000, budget=2000, status=status, sampled_error_u=a,
+                 searched_error_u=b, bound_u=bound, **_bits(study[:8]))
+            for i, (study, m, n, status, a, b, bound) in enumerate(cases, 1)]
+
+
+def worst():
+    return [dict(worst_id=f"w{i}", study=r["study"], curve=r["curve"], method=r["method"], scalar=r["scalar"], dimension=r["dimension"],
+                 degree=r["degree"], generator=r["generator"], trial=i, error_u=r["max_error_u"], **_bits(r["curve"]))
+            for i, r in enumerate(_suites(), 1)]
 
 
 def methods():
@@ -121,7 +185,8 @@ def timing():
 
 
 FILES = {"accuracy.csv": accuracy, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
-         "conversion.csv": conversion, "methods.csv": methods, "audit.csv": audit, "timing.csv": timing}
+         "conversion.csv": conversion, "search.csv": search, "worst.csv": worst, "methods.csv": methods, "audit.csv": audit,
+         "timing.csv": timing}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}
 

@@ -24,7 +24,8 @@ STATISTIC = {
     "max_error": ("largest error", "最大误差"),
     "total_time": ("time", "用时"),
 }
-FORM = {"bezier": ("Bézier curves", "贝塞尔曲线"), "polynomial": ("polynomial curves", "多项式曲线")}
+FORM = {"bezier": ("Bézier curves", "贝塞尔曲线"), "polynomial": ("polynomial curves", "多项式曲线"),
+        "rational": ("rational curves", "有理曲线")}
 
 
 def name(method):

@@ -4,7 +4,8 @@
 
 readme.py            compares, and exits 1 where README.md says something else than the bundle
 readme.py --update   writes them
-readme.py --methods PROGRAM   also compares the bundle's list of methods with what PROGRAM lists
+readme.py --methods PROGRAM   also compares the bundle's list of methods with what PROGRAM lists; README.md, the report and
+                              `list methods` then show the same methods
 """
 import argparse
 import csv
@@ -17,6 +18,10 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+sys.dont_write_bytecode = True  # the source tree may be read-only
+from report.bundle import Bundle  # noqa: E402
+from report.chapters import method_list  # noqa: E402
 BASELINE = ROOT / "results" / "baseline"
 README = ROOT / "README.md"
 VERDICTS = ("inside", "explained", "outside")
@@ -47,11 +52,10 @@ def digest():
 
 
 def methods():
-    body = [[f"`{row['id']}`", row["form"], f"{row['min_degree']}–{row['max_degree']}", row["flops"],
-             row["bound"] or "none", row["citation"]]
-            for row in rows("methods.csv") if ":" not in row["id"]]
-    escaped = [[field.replace("|", "\\|") for field in line] for line in body]
-    return table(["id", "takes", "degrees", "flops per point", "error bound", "source"], escaped)
+    """The table of the report's chapter, so that the two cannot differ."""
+    listed = method_list.listed(Bundle(BASELINE))
+    body = [[write(row).replace("|", "\\|") for _, write in method_list.COLUMNS] for row in listed]
+    return table([heading for heading, _ in method_list.COLUMNS], body)
 
 
 PARTS = {"scorecard": scorecard, "digest": digest, "methods": methods}

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The first minute: what holds and what does not."""
 
-from ..document import Heading, Text
+from ..document import Bullets, Heading, Text
 from ..findings.roster import grouped
+from ..wording import listing
 
 TITLE = "What was found"
 
@@ -18,10 +19,17 @@ def blocks(bundle, findings):
                    "computed from the bundle; under each statement stand the rows that decide it.")
     for heading, members in grouped(found):
         yield Heading(heading)
-        yield from members
+        if all(f.suite for f in members):  # each stands in full in the chapter of its suite
+            yield Bullets(tuple(f.headline for f in members))
+        else:
+            yield from members
     if undecided:
         yield Heading("What this bundle cannot decide")
+        by_lack = {}
         for name, lack in undecided:
-            yield Text(f"**{name.replace('_', ' ').capitalize()}**: {lack}.")
+            by_lack.setdefault(lack, []).append(name.replace("_", " "))
+        for lack, names in by_lack.items():
+            words = listing(names)
+            yield Text(f"**{words[0].upper()}{words[1:]}**: {lack}.")
     if not found and not undecided:
         yield Text("There is nothing to judge in this bundle.")

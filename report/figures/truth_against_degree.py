@@ -8,6 +8,7 @@ from ..wording import general
 from .canvas import INK, PAPER, finish, log_axis, panels, styled
 
 ID = "truth-against-degree"
+CURVES = ("bezier", "polynomial")
 
 
 def _shade(i, n):
@@ -32,12 +33,13 @@ def _errors(bundle, curve):
 @styled
 def draw(bundle):
     """Mean error over u p~: one line per method, one dot per degree."""
-    errors = {curve: _errors(bundle, curve) for curve in FORM}
+    errors = {curve: _errors(bundle, curve) for curve in CURVES}
     heights = [len(e) for e in errors.values()]
     degrees = sorted({n for e in errors.values() for _, points in e for n in points})
     canvas, axes = panels(2, 1, height=0.105 * sum(heights) + 0.9, gridspec_kw={"height_ratios": heights}, sharex=True)
     words = []
-    for (curve, (title, _)), ax in zip(FORM.items(), axes[:, 0]):
+    for curve, ax in zip(CURVES, axes[:, 0]):
+        title = FORM[curve][0]
         for line, (_, points) in enumerate(errors[curve]):
             ax.plot(list(points.values()), [line] * len(points), color=INK, linewidth=0.6, alpha=0.5, zorder=1)
             for degree in sorted(points):

@@ -2,19 +2,25 @@
 """All findings, in the order of the page."""
 
 from ..bundle import Missing
-from . import (bounds_hold, cells_inside, common_rounding, conversion_dominates, de_casteljau_flat, factorial_overflow,
-               forward_substitution, growth_with_degree, growth_with_t, printed_slip, range_bend, round_trip_grid,
-               sample_maximum, time_order, timings_quantised, via_power_worse, yardstick_ranking)
+from . import (bounds_hold, cells_inside, common_rounding, conditioning, conversion_dominates, conversion_growth, conversion_norm,
+               conversion_parts, de_casteljau_flat, factorial_overflow, forward_substitution, growth_with_degree, growth_with_t,
+               ladder_best, ladder_growth, printed_slip, range_bend, rational_weights, regimes_degree, regimes_dimension,
+               regimes_float, regimes_parameter, regimes_range, round_trip_grid, sample_maximum, time_order, timings_quantised,
+               via_power_worse, worst_bounds, worst_gain, yardstick_ranking)
 
 ROSTER = (cells_inside, bounds_hold, yardstick_ranking, common_rounding, forward_substitution, range_bend,
           round_trip_grid, de_casteljau_flat, factorial_overflow, timings_quantised, printed_slip, via_power_worse,
-          growth_with_degree, growth_with_t, conversion_dominates, time_order, sample_maximum)
+          growth_with_degree, growth_with_t, conversion_dominates, time_order, sample_maximum,
+          ladder_best, ladder_growth, regimes_parameter, regimes_range, regimes_degree, regimes_float, regimes_dimension,
+          conditioning, conversion_norm, conversion_parts, conversion_growth, worst_bounds, worst_gain, rational_weights)
 
 
 def find_all(bundle):
     """(findings, [(name, what the bundle lacks)]): a finding that cannot be decided is named, never guessed."""
     found, undecided = [], []
     for module in ROSTER:
+        if hasattr(module, "SUITE") and not bundle.has_suite(module.SUITE):
+            continue  # its chapter says that the suite is not there
         try:
             found.append(module.find(bundle))
         except Missing as lack:
@@ -32,6 +38,7 @@ GROUPS = (
     ("Conclusions of the report that hold",
      lambda f: f.about == "conclusion" and f.holds or f.about == "correction" and not f.holds),
     ("Worth knowing", lambda f: f.about == "note"),
+    ("Beyond the report's tables", lambda f: f.about == "suite"),
 )
 
 

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+"""What the chapters of the suites have in common: findings first, figures where there are rows, how to replay."""
+
+import importlib
+
+from ..bundle import Missing
+from ..document import Text
+from ..wording import general, interval, large, shortest
+
+
+def of_suite(findings, suite):
+    """The findings of a suite, in their order."""
+    return [f for f in findings[0] if f.suite == suite]
+
+
+def figure(name, bundle):
+    """The figure of that file as a list, empty where the bundle has no rows for it."""
+    module = importlib.import_module(f"..figures.{name}", __package__)  # needs matplotlib, which --summary does without
+    try:
+        return [module.draw(bundle)]
+    except Missing:
+        return []
+
+
+def replay(bundle, prefix):
+    """Where the inputs of the largest errors are, with the largest of them all as the example."""
+    try:
+        kept = bundle["worst.csv"].starting(prefix).rows
+    except Missing:
+        return []
+    worst = max(kept, key=lambda r: r["error_u"] or 0)
+    return [Text(f"The trial behind each largest error is kept in `worst.csv` with its inputs to the last bit ({large(len(kept))} "
+                 f"here). `bezierbench replay BUNDLE {worst['worst_id']}` recomputes the largest of them, {general(worst['error_u'])} "
+                 f"u p~ by `{worst['method']}` (degree {shortest(worst['degree'])}, `{worst['generator']}`, t in "
+                 f"{interval(worst['t_min'], worst['t_max'])}), step by step against the exact value.")]

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+"""The ladder: every method by degree, evaluators of the given form apart from converted paths."""
+
+from ..bundle import Missing
+from ..methods import FORM
+from ..wording import general
+from .canvas import finish, panels, styled
+from .method_lines import conversion, degree_axis, draw_methods, draw_paths, ends, error_axis, looks, series
+
+ID = "ladder-against-degree"
+GENERATOR = "continuous"
+APART = 1e3  # paths that end above this many u p~ have a panel of their own: on its axis the others would be one line
+KINDS = ("evaluated in the given form", f"converted first, ending below {APART:g} u p~: one line per path",
+         f"converted first, ending above {APART:g} u p~: one line per path")
+
+
+def _kind(method, points):
+    return KINDS[0] if not conversion(method) else KINDS[1] if points[-1][1] < APART else KINDS[2]
+
+
+@styled
+def draw(bundle):
+    """Mean error over u p~ against degree, continuous inputs: per form of curve, the evaluators, then the paths."""
+    table = bundle.exact("ladder-")
+    parts = []
+    for curve in table.distinct("curve"):
+        rows = table.select(curve=curve, generator=GENERATOR, scalar="double", dimension=2)
+        lines = series(rows, lambda r: r["degree"], "mean_error_u")
+        for kind in KINDS:
+            some = {m: points for m, points in lines.items() if _kind(m, points) == kind}
+            if some:
+                parts.append((curve, kind, some))
+    if not parts:
+        raise Missing(f"`accuracy.csv` has no `ladder-` row with `{GENERATOR}` inputs")
+    canvas, axes = panels(len(parts), 1, height=2.7)
+    words = []
+    for ax, (curve, kind, some) in zip(axes[:, 0], parts):
+        if kind == KINDS[0]:
+            draw_methods(ax, some, looks(list(some)))
+        else:
+            draw_paths(ax, some)
+        title = f"{FORM.get(curve, (curve,))[0]}, {kind}"
+        title = title[0].upper() + title[1:]
+        ax.set_title(title, loc="left")
+        error_axis(ax)
+        degree_axis(ax, {x for points in some.values() for x, _ in points})
+        ax.set_ylabel("mean error / (u p~)")
+        best, worst, last = ends(some)
+        words.append(f"{title}: at the highest degree {best} has {general(last[best])}, {worst} {general(last[worst])}")
+    axes[-1][0].set_xlabel("degree n")
+    return finish(canvas, ID, "Mean error over u p~ against degree, every method, continuous inputs", "各方法的平均误差与阶数（以 u p~ 计）",
+                  "Doubly logarithmic. " + "; ".join(words) + ".", bottom=0.1)

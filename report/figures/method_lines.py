@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: MIT
+"""Many methods in one panel: colours by family, one line for methods that agree in every point, a legend in the lines' order."""
+
+import math
+
+from matplotlib.ticker import LogLocator
+
+from .canvas import COLOURS, DASHED, DOTTED, log_axis
+
+STROKES = ("solid", DASHED, DOTTED, (0, (5, 1.5, 1, 1.5)), (0, (7, 3)))
+MARKERS = (None, "s", "^", "v")
+
+
+def positive(row, column):
+    """The value where a logarithmic axis can show it, else None."""
+    value = row[column]
+    return value if isinstance(value, float) and math.isfinite(value) and value > 0 else None
+
+
+def series(rows, x, column):
+    """{method: [(x, value)] ascending} of the rows that a logarithmic axis can show."""
+    points = {}
+    for row in rows:
+        value = positive(row, column)
+        if value is not None:
+            points.setdefault(row["method"], []).append((x(row), value))
+    return {method: sorted(line) for method, line in points.items()}
+
+
+def conversion(method):
+    """`factorial` of `factorial:horner`; empty for a method that evaluates the given form."""
+    return method.rpartition(":")[0]
+
+
+def looks(methods):
+    """{method: how to draw it}: methods whose ids start alike (`direct`, `direct_pow`) share a colour and differ in stroke."""
+    def root(method):
+        return min((m for m in methods if method == m or method.startswith(f"{m}_")), key=len)
+    families = {}
+    for method in methods:
+        families.setdefault(root(method), []).append(method)
+    return {method: {"color": COLOURS[i % len(COLOURS)], "linestyle": STROKES[j % len(STROKES)],
+                     "marker": MARKERS[i // len(COLOURS) % len(MARKERS)], "markersize": 4}
+            for i, family in enumerate(families.values()) for j, method in enumerate(family)}
+
+
+def draw_methods(ax, lines, look):
+    """One line per method, those that agree everywhere as one; the legend beside the axes, highest end first."""
+    alike = {}
+    for method, points in lines.items():
+        alike.setdefault(tuple(points), []).append(method)
+    for points, (first, *others) in sorted(alike.items(), key=lambda item: -item[0][-1][1]):
+        ax.plot(*zip(*points), **look[first], label=first + (f" (+{len(others)} alike)" if others else ""))
+    beside(ax)
+
+
+def draw_paths(ax, lines):
+    """One thin line per path, coloured by its conversion."""
+    groups = {}
+    for method, points in lines.items():
+        groups.setdefault(conversion(method), []).append(points)
+    ordered = sorted(groups.items(), key=lambda item: -max(points[-1][1] for points in item[1]))
+    for i, (name, group) in enumerate(ordered):
+        for k, points in enumerate(group):
+            ax.plot(*zip(*points), color=COLOURS[i % len(COLOURS)], linewidth=0.9, alpha=0.85,
+                    label=f"{name} ({len(group)})" if k == 0 else None)
+    beside(ax)
+
+
+def beside(ax):
+    """The legend at the right of the axes."""
+    ax.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), fontsize=7.5, handlelength=2.6, labelspacing=0.35)
+
+
+def error_axis(ax):
+    """Logarithmic; within two decades 2 and 5 are named as well."""
+    ax.set_yscale("log")
+    log_axis(ax.yaxis)
+    low, high = ax.get_ylim()
+    if high < 100 * low:
+        ax.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+
+
+def degree_axis(ax, degrees):
+    """Degrees on a logarithmic axis, as many of them named as there is room for."""
+    ax.set_xscale("log")
+    log_axis(ax.xaxis, _apart(sorted(degrees)))
+    ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+
+
+def _apart(values):
+    kept = []
+    for value in values:
+        if not kept or value >= 1.3 * kept[-1]:
+            kept.append(value)
+    return kept
+
+
+def ends(lines):
+    """`best` and `worst` at the last point, for people who cannot see the lines."""
+    last = {method: points[-1][1] for method, points in lines.items()}
+    return min(last, key=last.get), max(last, key=last.get), last

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""Sampled maximum, searched maximum and proved bound of the methods that evaluate the given form."""
+
+from ..bundle import Missing
+from ..methods import FORM
+from ..wording import general
+from .canvas import COLOURS, FAINT, INK, finish, log_axis, panels, styled
+from .method_lines import conversion, positive
+
+ID = "searched-maxima"
+MARKS = (("sampled_error_u", "sampled", "o", COLOURS[0]), ("searched_error_u", "searched", "D", COLOURS[1]),
+         ("bound_u", "proved bound", "|", INK))
+
+
+@styled
+def draw(bundle):
+    """A panel for each form and degree; converted paths, whose bounds lie decades higher, stand in the table."""
+    rows = [r for r in bundle["search.csv"].starting("worst-").rows if not conversion(r["method"]) and positive(r, "searched_error_u")]
+    if not rows:
+        raise Missing("`search.csv` has no `worst-` row of a method without conversion")
+    curves = list(dict.fromkeys(r["curve"] for r in rows))
+    degrees = sorted({r["degree"] for r in rows})
+    methods = {c: list(dict.fromkeys(r["method"] for r in rows if r["curve"] == c)) for c in curves}
+    heights = [len(m) + 1 for m in methods.values()]
+    canvas, axes = panels(len(curves), len(degrees), height=0.115 * sum(heights) + 0.6, gridspec_kw={"height_ratios": heights},
+                          sharex=True)
+    words = []
+    for line, curve in enumerate(curves):
+        for ax, degree in zip(axes[line], degrees):
+            cells = {r["method"]: r for r in rows if r["curve"] == curve and r["degree"] == degree}
+            for y, method in enumerate(methods[curve]):
+                ends = [positive(cells[method], c) for c, *_ in MARKS if positive(cells[method], c)] if method in cells else []
+                if ends:
+                    ax.plot([min(ends), max(ends)], [y, y], color=FAINT, linewidth=0.8, zorder=1)
+                for column, _, mark, colour in MARKS:
+                    if method in cells and positive(cells[method], column):
+                        ax.plot(cells[method][column], y, marker=mark, color=colour, markersize=9 if mark == "|" else 5,
+                                markeredgewidth=2 if mark == "|" else 0.5, zorder=2)
+            ax.set_yticks(range(len(methods[curve])), methods[curve] if ax is axes[line][0] else [""] * len(methods[curve]), fontsize=8)
+            ax.set_ylim(len(methods[curve]) - 0.4, -0.6)
+            ax.set_xscale("log")
+            log_axis(ax.xaxis)
+            ax.set_title(f"{FORM.get(curve, (curve,))[0]}, degree {degree:g}", loc="left", fontsize=9)
+            if cells:
+                worst = max(cells.values(), key=lambda r: r["searched_error_u"])
+                words.append(f"{FORM.get(curve, (curve,))[0]}, degree {degree:g}: the largest searched maximum is "
+                             f"{general(worst['searched_error_u'])} by {worst['method']}")
+    for ax in axes[-1]:
+        ax.set_xlabel("error / (u p~)")
+    handles = [axes[0][0].plot([], [], linestyle="none", marker=mark, color=colour, markersize=7, markeredgewidth=2 if mark == "|" else 0.5,
+                               label=name)[0] for _, name, mark, colour in MARKS]
+    canvas.legend(handles=handles, loc="lower center", ncol=3, fontsize=9)
+    return finish(canvas, ID, "Sampled and searched maximum and proved bound, methods that evaluate the given form",
+                  "抽样最大误差、搜索最大误差与已证误差界", "Logarithmic. " + "; ".join(words) + ".", bottom=0.35)

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+"""What the search for worst cases found, as findings and tables look at it."""
+
+import math
+
+from ..bundle import Missing
+
+GAIN = 1.5  # what the search is asked to gain over the sample; search.csv says `reached` where it did
+
+
+def rows_of(bundle, prefix):
+    """Rows whose maxima are numbers."""
+    rows = [r for r in bundle["search.csv"].starting(prefix).rows
+            if all(isinstance(r[c], float) and math.isfinite(r[c]) for c in ("sampled_error_u", "searched_error_u"))]
+    if not rows:
+        raise Missing(f"`search.csv` has no finite maximum of a study whose id starts with `{prefix}`")
+    return rows
+
+
+def gain(row):
+    """Searched over sampled maximum; infinite where the sample saw no error at all."""
+    return row["searched_error_u"] / row["sampled_error_u"] if row["sampled_error_u"] else math.inf
+
+
+def exceeding(rows):
+    """Rows whose searched maximum exceeds the proved bound."""
+    return [r for r in rows if r["bound_u"] is not None and not r["searched_error_u"] <= r["bound_u"]]
