@@ -189,6 +189,14 @@ class Findings(unittest.TestCase):
         self.assertIn("1 method overflows at R = 1e300, degree 20", range_found.headline)
         self.assertIn("400 trials", range_found.detail[1])
 
+    def test_scatter_of_the_trials_explains_a_difference(self):
+        def heavy(at, row):
+            if at == "accuracy.csv" and row["study"] == "regimes-range" and row["method"] == "de_casteljau":
+                row["rms_error"] = row["mean_error"] * 20
+                if row["coordinate_range"] == 1e300:
+                    row["mean_error_u"] = 9.0
+        self.assertTrue(next(f for f in _findings(heavy)[0] if f.id == "regimes_range").holds)
+
     def test_a_finding_of_a_suite_names_it(self):
         self.assertEqual([f.suite for f in self.found], [getattr(module, "SUITE", "") for module in ROSTER])
         for f in self.found:

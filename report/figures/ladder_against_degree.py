@@ -9,13 +9,13 @@ from .method_lines import conversion, degree_axis, draw_methods, draw_paths, end
 
 ID = "ladder-against-degree"
 GENERATOR = "continuous"
-APART = 1e3  # paths that end above this many u p~ have a panel of their own: on its axis the others would be one line
-KINDS = ("evaluated in the given form", f"converted first, ending below {APART:g} u p~: one line per path",
-         f"converted first, ending above {APART:g} u p~: one line per path")
+APART = 1e3  # what ends above this many u p~ has a panel of its own: on its axis the others would be one line
+KINDS = tuple(f"{how}, ending {where} {APART:g} u p~" for how in ("evaluated in the given form", "converted first, one line per path")
+              for where in ("below", "above"))
 
 
 def _kind(method, points):
-    return KINDS[0] if not conversion(method) else KINDS[1] if points[-1][1] < APART else KINDS[2]
+    return KINDS[2 * bool(conversion(method)) + (points[-1][1] >= APART)]
 
 
 @styled
@@ -35,7 +35,7 @@ def draw(bundle):
     canvas, axes = panels(len(parts), 1, height=2.7)
     words = []
     for ax, (curve, kind, some) in zip(axes[:, 0], parts):
-        if kind == KINDS[0]:
+        if kind in KINDS[:2]:
             draw_methods(ax, some, looks(list(some)))
         else:
             draw_paths(ax, some)

@@ -10,6 +10,20 @@ from .method_lines import conversion, positive
 ID = "searched-maxima"
 MARKS = (("sampled_error_u", "sampled", "o", COLOURS[0]), ("searched_error_u", "searched", "D", COLOURS[1]),
          ("bound_u", "proved bound", "|", INK))
+LIMIT = 1e4  # an error beyond it is written at the edge: on its axis the others would be one point
+
+
+def _line(ax, y, row):
+    shown = [(positive(row, column), name, mark, colour) for column, name, mark, colour in MARKS if positive(row, column)]
+    values = [value for value, *_ in shown]
+    ax.plot([min(values), min(max(values), LIMIT)], [y, y], color=FAINT, linewidth=0.8, zorder=1)
+    for value, name, mark, colour in shown:
+        if value < LIMIT:
+            ax.plot(value, y, marker=mark, color=colour, markersize=9 if mark == "|" else 5,
+                    markeredgewidth=2 if mark == "|" else 0.5, zorder=2)
+        else:
+            ax.annotate(f"{name} {general(value)} →", (LIMIT, y), xytext=(-3, 4), textcoords="offset points", ha="right", fontsize=7.5,
+                        color=colour)
 
 
 @styled
@@ -29,16 +43,12 @@ def draw(bundle):
         for ax, degree in zip(axes[line], degrees):
             cells = {r["method"]: r for r in rows if r["curve"] == curve and r["degree"] == degree}
             for y, method in enumerate(methods[curve]):
-                ends = [positive(cells[method], c) for c, *_ in MARKS if positive(cells[method], c)] if method in cells else []
-                if ends:
-                    ax.plot([min(ends), max(ends)], [y, y], color=FAINT, linewidth=0.8, zorder=1)
-                for column, _, mark, colour in MARKS:
-                    if method in cells and positive(cells[method], column):
-                        ax.plot(cells[method][column], y, marker=mark, color=colour, markersize=9 if mark == "|" else 5,
-                                markeredgewidth=2 if mark == "|" else 0.5, zorder=2)
+                if method in cells:
+                    _line(ax, y, cells[method])
             ax.set_yticks(range(len(methods[curve])), methods[curve] if ax is axes[line][0] else [""] * len(methods[curve]), fontsize=8)
             ax.set_ylim(len(methods[curve]) - 0.4, -0.6)
             ax.set_xscale("log")
+            ax.set_xlim(right=min(2 * max(positive(r, c) or 0 for r in rows for c, *_ in MARKS), LIMIT))
             log_axis(ax.xaxis)
             ax.set_title(f"{FORM.get(curve, (curve,))[0]}, degree {degree:g}", loc="left", fontsize=9)
             if cells:

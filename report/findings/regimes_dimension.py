@@ -2,24 +2,24 @@
 """The number of axes does not matter."""
 
 from ..document import Finding
-from ..wording import factor, general, shortest
-from .regimes import ALIKE, SUITE, spread, study
+from ..wording import count, factor, general, shortest
+from .regimes import SUITE, in_words, spreads, study
 from .series import names
 
 
 def find(bundle):
-    """Holds where the mean error over u p~ of every method that evaluates the given form is alike on all numbers of axes."""
+    """Holds where no method's mean error over u p~ hangs on the number of axes."""
     rows = study(bundle, "dimension")
-    found = {m: w for m, w in spread(rows, "dimension").items() if ":" not in m}
-    apart = [m for m, w in found.items() if w[0] > ALIKE]
-    worst = max(found, key=lambda m: found[m][0])
-    ratio, low, high = found[worst]
+    found = spreads(rows, "dimension")
+    apart = [m for m, s in found.items() if s.apart]
+    widest = max(found.values(), key=lambda s: (s.apart, s.ratio))
     axes = sorted({r["dimension"] for r in rows})
     return Finding(
         id="regimes_dimension", about="suite", suite=SUITE, claim="", holds=not apart,
-        headline=f"From {shortest(axes[0])} to {shortest(axes[-1])} axes the mean error over u p~ of every method that evaluates the given "
-                 f"form varies by a factor of {factor(ratio)} at most." if not apart else
-        f"The mean error over u p~ of {names(apart)} depends on the number of axes, by a factor of up to {factor(ratio)}.",
-        detail=(f"The largest variation is that of `{worst}` at degree {high['degree']:g}: {general(low['mean_error_u'])} on "
-                f"{shortest(low['dimension'])} and {general(high['mean_error_u'])} on {shortest(high['dimension'])}.",),
-        rows=(low, high))
+        headline=f"From {shortest(axes[0])} to {shortest(axes[-1])} axes the mean error over u p~ of no method changes beyond the scatter of "
+                 "its trials." if not apart else
+        f"The mean error over u p~ of {names(apart)} depends on the number of axes, by a factor of up to {factor(widest.ratio)}.",
+        detail=(f"{in_words(found)}; the largest variation is that of `{widest.high['method']}` at degree {widest.high['degree']:g}: "
+                f"{general(widest.low['mean_error_u'])} on {count(int(widest.low['dimension']), 'axis', 'axes')} and "
+                f"{general(widest.high['mean_error_u'])} on {shortest(widest.high['dimension'])}.",),
+        rows=(widest.low, widest.high))

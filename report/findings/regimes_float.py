@@ -2,24 +2,23 @@
 """float errs in its own unit roundoff as double does in its own."""
 
 from ..document import Finding
-from ..wording import factor, general, scientific
-from .regimes import ALIKE, SUITE, spread, study
+from ..wording import count, general
+from .regimes import SUITE, in_words, spreads, study
 from .series import names
 
 
 def find(bundle):
     """Holds where the mean errors of every method, in the unit of its scalar, agree between float and double."""
-    found = spread(study(bundle, "float"), "scalar")
-    apart = {m: w for m, w in found.items() if w[0] > ALIKE}
-    worst = max(found, key=lambda m: found[m][0])
-    ratio, low, high = found[worst]
-    alike = [w[0] for m, w in found.items() if m not in apart]
+    found = spreads(study(bundle, "float"), "scalar")
+    apart = {m: s for m, s in found.items() if s.apart}
+    widest = max(found.values(), key=lambda s: (s.apart, s.ratio))
     return Finding(
         id="regimes_float", about="suite", suite=SUITE, claim="", holds=not apart,
-        headline=f"In units of its own u p~ float errs as double does: the mean errors of all {len(found)} methods agree within a factor of "
-                 f"{factor(ratio)}." if not apart else
-        f"In units of its own u p~ float errs as double does for {len(alike)} of {len(found)} methods, but not for {names(apart)}.",
-        detail=(f"The largest difference is that of `{worst}` at degree {high['degree']:g}: {scientific(low['mean_error_u'])} in "
-                f"{low['scalar']} and {scientific(high['mean_error_u'])} in {high['scalar']}."
-                + (f" The others agree within a factor of {general(max(alike), 2)}." if apart and alike else ""),),
-        rows=tuple(r for w in (apart or found).values() for r in w[1:]))
+        headline=f"In units of its own u p~ float errs as double does: the mean errors of {count(len(found), 'method')} agree up to the scatter "
+                 "of their trials." if not apart else
+        f"In units of its own u p~ float errs as double does for {len(found) - len(apart)} of {count(len(found), 'method')}, but not for "
+        f"{names(apart)}.",
+        detail=(f"{in_words(found)}; the largest difference is that of `{widest.high['method']}` at degree {widest.high['degree']:g}: "
+                f"{general(widest.low['mean_error_u'])} in {widest.low['scalar']} and {general(widest.high['mean_error_u'])} in "
+                f"{widest.high['scalar']}.",),
+        rows=tuple(r for s in (apart or found).values() for r in (s.low, s.high)))
