@@ -84,5 +84,6 @@ def _pair(study, rows, across, down):
 def _bounds(rows):
     judged = [r for r in rows if r["bound_violations"] is not None]
     broken = sum(r["bound_violations"] for r in judged)
-    return Text(f"Bound violations: {broken:g} in {large(sum(r['trials'] for r in judged))} trials. The bound is the largest of "
+    return Text(f"Bound violations: {broken:g} in {large(sum(r['trials'] for r in judged))} trials. The bound is the largest "
+                "of "
                 "bound over u p~ among the trials; a method without a line has no proved bound.")

@@ -22,8 +22,10 @@ def blocks(bundle, findings):
     for study in table.distinct("study"):
         for degree in table.distinct("degree", study=study):
             yield _study(study, degree, table.select(study=study, degree=degree))
-    yield Text("The coefficients are exact, so the error is that of the evaluation alone, and the condition number is that of the form in "
-               "which the curve is given, converted paths included. Medians are of relative error and condition number each by itself. A "
+    yield Text("The coefficients are exact, so the error is that of the evaluation alone, and the condition number is that "
+               "of the form in "
+               "which the curve is given, converted paths included. Medians are of relative error and condition number each "
+               "by itself. A "
                "relative error of exactly 1 is a computed 0.")
     yield from replay(bundle, PREFIX)
 
@@ -41,7 +43,8 @@ def _study(study, degree, rows):
         own = [r for r in rows if r["method"] == method]
         groups.append(Group(f"`{method}`", method, (line("median", "p50_relative", own), line("largest", "max_relative", own))))
     english, chinese = form(rows[0]["curve"])
-    return Table(id=f"{study}-{shortest(degree)}", caption=f"Condition number and relative error, degree {shortest(degree)}, {english} "
+    return Table(id=f"{study}-{shortest(degree)}", caption=f"Condition number and relative error, degree {shortest(degree)}, "
+                                                           f"{english} "
                  f"({rows[0]['generator']} inputs)", caption_zh=f"条件数与相对误差，{shortest(degree)} 阶，{chinese}", groups=tuple(groups),
                  axis="interval of t, by rising condition number", row_head="over the trials",
                  head=tuple(f"[{r['t_min']:.6g}, {r['t_max']:.6g}]" for r in cells), csv_head=CSV,

@@ -41,8 +41,10 @@ def _coefficients(bundle):
     yield from figure("conversion_coefficients", bundle)
     for study in dict.fromkeys(r["study"] for r in rows):
         yield _coefficient_table(study, [r for r in rows if r["study"] == study])
-    yield Text("The error of a conversion is the largest distance of a converted coefficient from the exact one, in coordinate units; R is "
-               "the range, d the number of axes. The dashed lines are not fitted: u R √d times the norm is what one rounding of the given "
+    yield Text("The error of a conversion is the largest distance of a converted coefficient from the exact one, in "
+               "coordinate units; R is "
+               "the range, d the number of axes. The dashed lines are not fitted: u R √d times the norm is what one rounding "
+               "of the given "
                "coefficients can do. A conversion of whole numbers is exact as long as they fit into 53 bits.")
 
 
@@ -78,8 +80,10 @@ def _parts(bundle):
                           f"平均误差及其来源，{shortest(degree)} 阶，{chinese}",
                           [(name, lambda r, c=column: Cell(scientific(r[c]), r.text(c)), lambda r: True) for name, column in PARTS],
                           row_head="part")
-    yield Text("Conversion: the exactly evaluated converted curve against the given one. Rounding of 1-t: what t and the rounded 1-t make of "
-               "the curve. Evaluation: the rest. Each is a mean of distances, so the parts need not add up, and the error is over more trials "
+    yield Text("Conversion: the exactly evaluated converted curve against the given one. Rounding of 1-t: what t and the "
+               "rounded 1-t make of "
+               "the curve. Evaluation: the rest. Each is a mean of distances, so the parts need not add up, and the error is "
+               "over more trials "
                "than its parts.")
 
 
@@ -93,6 +97,8 @@ def _over_t(bundle):
     for study in dict.fromkeys(r["study"] for r in rows):
         yield from error_tables(study, [r for r in rows if r["study"] == study], "interval", "degree")
     if drawn:
-        yield Text("(1+2t)^n is the sum of |C(n,j)| (2t)^j: what the power form of a curve with coefficients of size one can reach at t. It is "
-                   "drawn at the middles of the intervals, and its scale is fixed by the first interval alone: there it starts at the error of "
+        yield Text("(1+2t)^n is the sum of |C(n,j)| (2t)^j: what the power form of a curve with coefficients of size one can "
+                   "reach at t. It is "
+                   "drawn at the middles of the intervals, and its scale is fixed by the first interval alone: there it "
+                   "starts at the error of "
                    "the path that is worst in the last one.")

@@ -18,11 +18,15 @@ def blocks(_bundle, _findings):
         ("`bound_u`", "the largest of proved bound over u p~ among the trials"),
         ("`bound_violations`", "trials whose error exceeds the proved bound; anything but none is a mistake in bound or code"),
         ("relative error", "error over the size of the exact point; `p50_relative` is the median over the trials of a cell"),
-        ("condition number", "p~/|p|: by what relative errors of the coefficients can grow at t; `p50_condition` is its median"),
-        ("conversion, rounding of 1-t, evaluation", "parts of the error of a path, on as many trials as `decomposed_trials`: the converted "
-                                                    "curve against the given one, the curve with 1-t rounded against that, and the "
+        ("condition number", "p~/|p|: by what relative errors of the coefficients can grow at t; `p50_condition` is its "
+                             "median"),
+        ("conversion, rounding of 1-t, evaluation", "parts of the error of a path, on as many trials as `decomposed_trials`: "
+                                                    "the converted "
+                                                    "curve against the given one, the curve with 1-t rounded against that, "
+                                                    "and the "
                                                     "computed point against that; they need not add up"),
-        ("searched maximum", "the largest error over u p~ that a climb over control points and t reached from the worst of the sample"),
+        ("searched maximum", "the largest error over u p~ that a climb over control points and t reached from the worst of "
+                             "the sample"),
         ("`baseline`", "what the error is measured against: `exact`, or the report's yardstick (`direct` for Bézier curves, "
                        "`power_sum` for polynomial curves)"),
         ("replicate", "one independent repetition of the report's experiment; the band is over replicates"),
@@ -30,7 +34,8 @@ def blocks(_bundle, _findings):
         ("generator `continuous`", "coordinates and t use every bit of a double"),
         ("generator `dyadic`", "as `continuous`, with t rounded so that 1-t is exact"),
         ("generator `integer`", "whole-number coordinates"),
-        ("generators `multiple_root`, `clustered_roots`", "curves whose coordinates vanish at a multiple root or near a cluster, with exact "
+        ("generators `multiple_root`, `clustered_roots`", "curves whose coordinates vanish at a multiple root or near a "
+                                                          "cluster, with exact "
                                                          "coefficients"),
         ("generators `weights_mild`, `weights_wild`", "rational curves with weights in [1/2, 2], and over forty powers of two"),
         ("path", "`conversion:evaluator`: convert to the other form, then evaluate there"),

@@ -16,6 +16,7 @@ def blocks(bundle, findings):
     yield from figure("ladder_against_degree", bundle)
     for study in table.distinct("study"):
         yield from error_tables(study, table.select(study=study))
-    yield Text("The p~ of a converted path is that of the form in which the curve is given, so the tables show what the conversion adds. "
+    yield Text("The p~ of a converted path is that of the form in which the curve is given, so the tables show what the "
+               "conversion adds. "
                "The figure draws methods that agree at every degree as one line.")
     yield from replay(bundle, PREFIX)

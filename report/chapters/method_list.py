@@ -29,7 +29,8 @@ def blocks(bundle, _findings):
     """One row per method and form that it takes; converted paths are counted."""
     rows = listed(bundle)
     paths = len(bundle["methods.csv"].rows) - len(rows)
-    yield Text(f"What `bezierbench list methods` says: {count(len(rows), 'entry', 'entries')}, one per method and form of curve that "
+    yield Text(f"What `bezierbench list methods` says: {count(len(rows), 'entry', 'entries')}, one per method and form of "
+               "curve that "
                f"it takes. The {count(paths, 'path')} `conversion:evaluator` are compositions of these.")
     lines = [[write(row) for _, write in COLUMNS] for row in rows]
     groups = tuple(Group(line[0], row["id"], (("", [Cell(text, text) for text in line[1:]]),)) for row, line in zip(rows, lines))

@@ -23,6 +23,7 @@ def blocks(bundle, findings):
         yield from search_tables(bundle, PREFIX)
     except Missing:
         pass  # searches are a study of their own, which a bundle may do without
-    yield Text("p~ of a rational curve is the sum of the absolute terms of its numerator over the absolute value of its denominator. Weights "
+    yield Text("p~ of a rational curve is the sum of the absolute terms of its numerator over the absolute value of its "
+               "denominator. Weights "
                "are positive: a bound holds under the conditions that stand with the method.")
     yield from replay(bundle, PREFIX)

@@ -18,6 +18,7 @@ def blocks(bundle, findings):
         rows = table.select(study=study)
         yield Heading(study.removeprefix(PREFIX).capitalize())
         yield from error_tables(study, rows, *swept(rows))
-    yield Text("u is that of the scalar: 2^-53 for double, 2^-24 for float. Means are over finite trials; where trials overflow, the finite "
+    yield Text("u is that of the scalar: 2^-53 for double, 2^-24 for float. Means are over finite trials; where trials "
+               "overflow, the finite "
                "ones of that cell are its milder ones, and its mean cannot be compared with those of other cells.")
     yield from replay(bundle, PREFIX)

@@ -29,7 +29,9 @@ def replay(bundle, prefix):
     except Missing:
         return []
     worst = max(kept, key=lambda r: r["error_u"] or 0)
-    return [Text(f"The trial behind each largest error is kept in `worst.csv` with its inputs to the last bit ({large(len(kept))} "
-                 f"here). `bezierbench replay BUNDLE {worst['worst_id']}` recomputes the largest of them, {general(worst['error_u'])} "
+    return [Text("The trial behind each largest error is kept in `worst.csv` with its inputs to the last bit "
+                 f"({large(len(kept))} "
+                 f"here). `bezierbench replay BUNDLE {worst['worst_id']}` recomputes the largest of them, "
+                 f"{general(worst['error_u'])} "
                  f"u p~ by `{worst['method']}` (degree {shortest(worst['degree'])}, `{worst['generator']}`, t in "
                  f"{interval(worst['t_min'], worst['t_max'])}), step by step against the exact value.")]

@@ -39,5 +39,6 @@ def draw(bundle):
         ax.set_ylabel("error of a coefficient\n(coordinate units)")
         beside(ax)
     axes[-1][0].set_xlabel("degree n")
-    return finish(canvas, ID, "Error of converted coefficients against degree, continuous inputs: largest (solid) and mean (dotted)",
+    return finish(canvas, ID, "Error of converted coefficients against degree, continuous inputs: largest (solid) and mean "
+                              "(dotted)",
                   "转换后系数的误差与阶数", "Doubly logarithmic, with the norm of the conversion dashed. " + "; ".join(words) + ".", bottom=0.1)

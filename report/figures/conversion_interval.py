@@ -32,9 +32,11 @@ def draw(bundle):
         ax.set_title(f"degree {degree:g}", loc="left")
         ax.set_ylabel("mean error\n(coordinate units)")
         beside(ax)
-        words.append(f"degree {degree:g}: the worst path goes from {scientific(level)} to {scientific(worst[-1][1])}, (1+2t)^n from "
+        words.append(f"degree {degree:g}: the worst path goes from {scientific(level)} to {scientific(worst[-1][1])}, "
+                     "(1+2t)^n from "
                      f"there to {scientific(level * growth(start, worst[-1][0], degree))}")
     axes[-1][0].set_xticks([(a + b) / 2 for a, b in places], [interval(a, b) for a, b in places])
     axes[-1][0].set_xlabel("interval of t")
-    return finish(canvas, ID, "Error of paths to power form against the interval of t; (1+2t)^n is scaled to the worst path's error in "
+    return finish(canvas, ID, "Error of paths to power form against the interval of t; (1+2t)^n is scaled to the worst "
+                              "path's error in "
                   "the first interval", "经幂基求值的误差与参数区间", "; ".join(words) + ".", bottom=0.1)

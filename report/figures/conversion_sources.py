@@ -46,5 +46,6 @@ def draw(bundle):
     handles = [axes[0][0].plot([], [], linestyle="none", marker=MARKERS[k], color=COLOURS[k], label=name)[0]
                for k, (_, name) in enumerate(SOURCES)]
     canvas.legend(handles=handles, loc="lower center", ncol=3, fontsize=9)
-    return finish(canvas, ID, "Parts of the error of a path: conversion, rounding of 1-t, evaluation; a part that is 0 has no mark",
+    return finish(canvas, ID, "Parts of the error of a path: conversion, rounding of 1-t, evaluation; a part that is 0 has "
+                              "no mark",
                   "路径误差的来源：转换、1-t 的舍入、求值", "; ".join(words) + ".", bottom=0.35)

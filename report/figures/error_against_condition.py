@@ -29,7 +29,8 @@ def draw(bundle):
             points = sorted((r["p50_condition"], r["p50_relative"]) for r in rows if r["curve"] == curve and r["method"] == method)
             ax.plot(*zip(*points), linestyle="none", marker=MARKS[methods.index(method) % len(MARKS)], markersize=4.5,
                     markeredgewidth=1.1, markerfacecolor="none", color=look["color"], label=method)
-            words.append(f"{FORM.get(curve, (curve,))[0]}, {method}: {general(points[0][1])} at condition {general(points[0][0])} "
+            words.append(f"{FORM.get(curve, (curve,))[0]}, {method}: {general(points[0][1])} at condition "
+                         f"{general(points[0][0])} "
                          f"to {general(points[-1][1])} at {general(points[-1][0])}")
         ax.set_xscale("log")
         ax.set_yscale("log")

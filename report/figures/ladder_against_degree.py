@@ -10,7 +10,8 @@ from .method_lines import conversion, degree_axis, draw_methods, draw_paths, end
 ID = "ladder-against-degree"
 GENERATOR = "continuous"
 APART = 1e3  # what ends above this many u p~ has a panel of its own: on its axis the others would be one line
-KINDS = tuple(f"{how}, ending {where} {APART:g} u p~" for how in ("evaluated in the given form", "converted first, one line per path")
+KINDS = tuple(f"{how}, ending {where} {APART:g} u p~" for how in ("evaluated in the given form", "converted first, one line "
+                                                                                                 "per path")
               for where in ("below", "above"))
 
 

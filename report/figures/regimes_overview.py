@@ -61,6 +61,7 @@ def draw(bundle):
         ax.set_ylabel("mean error / (u p~)")
     handles = [axes.flat[0].plot([], [], **look[m], label=m)[0] for m in look]
     canvas.legend(handles=handles, loc="lower center", ncol=3, fontsize=8, handlelength=3, columnspacing=1.6)
-    return finish(canvas, ID, "Mean error over u p~ at the limits, methods that evaluate the given form; those that agree share a line", "极端情形下的平均误差（以 u p~ 计）",
+    return finish(canvas, ID, "Mean error over u p~ at the limits, methods that evaluate the given form; those that agree "
+                              "share a line", "极端情形下的平均误差（以 u p~ 计）",
                   f"{len(parts)} panels, logarithmic: " + ", ".join(f"{s.removeprefix('regimes-')} along {a}" for s, a, *_ in parts) +
                   ". The numbers stand in the tables below.", bottom=0.25 + 0.17 * ((len(look) + 2) // 3))

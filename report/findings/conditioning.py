@@ -54,7 +54,8 @@ def find(bundle):
     names = listing(dict.fromkeys(f"`{r['method']}`" for r, _ in broken))
     return Finding(
         id="conditioning_digits", about="suite", suite=SUITE, claim="", holds=not broken,
-        headline=f"With K-fold precision the median relative error stays below about u + condition u^K, for K = 1 to {top} in all "
+        headline=f"With K-fold precision the median relative error stays below about u + condition u^K, for K = 1 to {top} "
+                 "in all "
                  f"{len(judged)} cells: accurate to u until the condition number nears 1/u^(K-1)." if not broken else
         f"The rule u + condition u^K does not describe {names}.",
         detail=("Condition number from which the median relative error exceeds 2u, and from which it exceeds 1: "

@@ -29,8 +29,10 @@ def find(bundle):
         id="conversion_growth", about="suite", suite=SUITE, claim="", holds=not faster,
         headline="Over t the error of every path through power form grows at most as (1+2t)^n, up to a constant." if not faster else
         f"The error of {names(dict.fromkeys(m for m, _ in faster))} grows over t faster than (1+2t)^n.",
-        detail=(f"At degree {shortest(top)} from the middle of the first interval, t = {shortest(middle(first))}, to that of the last, t = "
-                f"{shortest(middle(last))}, (1+2t)^n grows by {factor(norm)}; the mean error of `{method}`, which grows most, by "
+        detail=(f"At degree {shortest(top)} from the middle of the first interval, t = {shortest(middle(first))}, to that of "
+                "the last, t = "
+                f"{shortest(middle(last))}, (1+2t)^n grows by {factor(norm)}; the mean error of `{method}`, which grows "
+                "most, by "
                 f"{factor(ours)}, from {scientific(first['mean_error'])} to {scientific(last['mean_error'])}."
                 + (f" Less than a hundredth of that growth have {names(slow)}." if slow else ""),),
         rows=tuple(r for _, _, *pair in grown.values() for r in pair))

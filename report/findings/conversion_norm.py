@@ -36,7 +36,9 @@ def find(bundle):
     lost = listing(f"`{m}`" for c, m in broken if c == "polynomial")
     return Finding(
         id="conversion_norm", about="suite", suite=SUITE, claim="", holds=holds,
-        headline="To power form every conversion loses what the problem itself loses; to Bernstein form, where the norm is only n+1, "
+        headline="To power form every conversion loses what the problem itself loses; to Bernstein form, where the norm is "
+                 "only n+1, "
                  f"{names(kept['polynomial'])} keep to it" + (f" and {lost} does not." if lost else ".") if holds else
-        f"{count(len(broken), 'conversion exceeds', 'conversions exceed')} the norm: {names(dict.fromkeys(m for _, m in broken))}.",
+        f"{count(len(broken), 'conversion exceeds', 'conversions exceed')} the norm: "
+        f"{names(dict.fromkeys(m for _, m in broken))}.",
         detail=tuple(lines), rows=tuple(row for _, row in ratios.values()))

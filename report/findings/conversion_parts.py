@@ -28,11 +28,15 @@ def find(bundle):
     parts = listing(f"{scientific(worst[column])} from {name}" for column, name in SOURCES)
     return Finding(
         id="conversion_parts", about="suite", suite=SUITE, claim="", holds=of_conversion == len(bad),
-        headline=f"Wherever a path errs more than {BAD} times as much as the best method for the given form, the conversion is the largest "
+        headline=f"Wherever a path errs more than {BAD} times as much as the best method for the given form, the conversion "
+                 "is the largest "
                  f"part of its error: in all {len(bad)} cells." if of_conversion == len(bad) else
-        f"Where a path errs more than {BAD} times as much as the best method for the given form, the conversion is the largest part of its "
+        f"Where a path errs more than {BAD} times as much as the best method for the given form, the conversion is the "
+        "largest part of its "
         f"error in {of_conversion} of {len(bad)} cells ({percent(of_conversion / len(bad))}), {listing(others)} in the others.",
-        detail=(f"The worst is `{worst['method']}` at degree {worst['degree']:g}, t in {interval(worst['t_min'], worst['t_max'])}: of a mean "
-                f"error of {scientific(worst['mean_error'])}, {parts}. The parts are averages over the trials whose error was taken apart "
+        detail=(f"The worst is `{worst['method']}` at degree {worst['degree']:g}, t in "
+                f"{interval(worst['t_min'], worst['t_max'])}: of a mean "
+                f"error of {scientific(worst['mean_error'])}, {parts}. The parts are averages over the trials whose error "
+                "was taken apart "
                 f"and need not add up; {general(len(rows))} cells have them.",),
         rows=tuple(bad))

@@ -33,16 +33,20 @@ def find(bundle):
             f"{title}. Flat, at most doubled from the lowest degree to any other: {names(mine['flat']) or 'none'}. "
             + (f"Growing, but no faster than the degree: {names(between)}, by a factor of "
                f"{span(min(grown[m] for m in between), max(grown[m] for m in between), factor)}. " if between else "")
-            + (f"Faster than the degree: {names(mine['fast'])}, by {span(min(grown[m] for m in mine['fast']), max(grown[m] for m in mine['fast']), factor)}"
-               + (f"; {'all' if len(at) == len(lost) else len(at)} of these {len(lost)} lose every digit on average, the first at degree {min(at):g}." if at else ".")
+            + (f"Faster than the degree: {names(mine['fast'])}, by "
+               f"{span(min(grown[m] for m in mine['fast']), max(grown[m] for m in mine['fast']), factor)}"
+               + (f"; {'all' if len(at) == len(lost) else len(at)} of these {len(lost)} lose every digit on average, the "
+                  f"first at degree {min(at):g}." if at else ".")
                if mine["fast"] else "None grows faster than the degree."))
     holds = bool(fast) and not native_fast
     paths = len({r["method"] for r in table.rows if ":" in r["method"]})
     return Finding(
         id="ladder_growth", about="suite", suite=SUITE, claim="", holds=holds,
-        headline=f"No method that evaluates the given form grows faster than the degree; {len(fast)} of {general(paths)} converted paths do."
+        headline=f"No method that evaluates the given form grows faster than the degree; {len(fast)} of {general(paths)} "
+                 "converted paths do."
         if holds else
-        (f"Of the methods that evaluate the given form, {names(native_fast)} grow faster than the degree; of {general(paths)} converted "
+        (f"Of the methods that evaluate the given form, {names(native_fast)} grow faster than the degree; of "
+         f"{general(paths)} converted "
          f"paths {len(fast) - len(native_fast)} do." if native_fast else
          "No method and no converted path grows faster than the degree."),
         detail=tuple(lines), rows=tuple(used))

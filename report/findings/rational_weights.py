@@ -30,13 +30,16 @@ def find(bundle):
             groups.setdefault(winners, []).append(n)
         steepest = max(some, key=lambda m: growth(some[m]))
         lines.append(f"`{g}`: the least mean error has " + "; ".join(f"{names(w)} at {degrees(at)}" for w, at in groups.items())
-                     + f". Over the ladder no mean error grows by more than a factor of {factor(growth(some[steepest]))} (`{steepest}`).")
+                     + f". Over the ladder no mean error grows by more than a factor of {factor(growth(some[steepest]))} "
+                       f"(`{steepest}`).")
     holds = ratio <= COST
     return Finding(
         id="rational_weights", about="suite", suite=SUITE, claim="", holds=holds,
-        headline=f"Weights over forty powers of two cost the methods for rational curves at most a factor of {factor(ratio)} in mean error "
+        headline=f"Weights over forty powers of two cost the methods for rational curves at most a factor of {factor(ratio)} "
+                 "in mean error "
                  "over u p~." if holds else
         f"Weights over forty powers of two cost `{wild['method']}` a factor of {factor(ratio)} in mean error over u p~.",
-        detail=(f"The dearest is `{wild['method']}` at degree {wild['degree']:g}: {general(mild['mean_error_u'])} u p~ with `{MILD}`, "
+        detail=(f"The dearest is `{wild['method']}` at degree {wild['degree']:g}: {general(mild['mean_error_u'])} u p~ with "
+                f"`{MILD}`, "
                 f"{general(wild['mean_error_u'])} with `{WILD}`.", *lines),
         rows=(mild, wild, *(r for pair in pairs for r in pair)))

@@ -24,8 +24,10 @@ def find(bundle):
         headline=f"Up to degree {shortest(top)} no method returns a value that is not finite"
                  + (" (not for this degree: " + listing(f"`{m}` from {shortest(min(at))}" for m, at in refused.items()) + ")."
                     if refused else ".")
-        if not broken else f"{names(dict.fromkeys(r['method'] for r in broken))} return values that are not finite, first at degree "
+        if not broken else f"{names(dict.fromkeys(r['method'] for r in broken))} return values that are not finite, first at "
+                           "degree "
         f"{shortest(min(r['degree'] for r in broken))}.",
-        detail=(f"At degree {shortest(top)} the mean error is {general(last[best])} u p~ (`{best}`) to {general(last[worst])} (`{worst}`) "
+        detail=(f"At degree {shortest(top)} the mean error is {general(last[best])} u p~ (`{best}`) to "
+                f"{general(last[worst])} (`{worst}`) "
                 f"among {count(len(last), 'method')}; {large(sum(r['non_finite'] or 0 for r in rows))} trials are not finite.",),
         rows=tuple(broken or [at[top] for at in methods.values() if top in at]))

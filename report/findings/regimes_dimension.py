@@ -16,10 +16,13 @@ def find(bundle):
     axes = sorted({r["dimension"] for r in rows})
     return Finding(
         id="regimes_dimension", about="suite", suite=SUITE, claim="", holds=not apart,
-        headline=f"From {shortest(axes[0])} to {shortest(axes[-1])} axes the mean error over u p~ of no method changes beyond the scatter of "
+        headline=f"From {shortest(axes[0])} to {shortest(axes[-1])} axes the mean error over u p~ of no method changes "
+                 "beyond the scatter of "
                  "its trials." if not apart else
-        f"The mean error over u p~ of {names(apart)} depends on the number of axes, by a factor of up to {factor(widest.ratio)}.",
-        detail=(f"{in_words(found)}; the largest variation is that of `{widest.high['method']}` at degree {widest.high['degree']:g}: "
+        f"The mean error over u p~ of {names(apart)} depends on the number of axes, by a factor of up to "
+        f"{factor(widest.ratio)}.",
+        detail=(f"{in_words(found)}; the largest variation is that of `{widest.high['method']}` at degree "
+                f"{widest.high['degree']:g}: "
                 f"{general(widest.low['mean_error_u'])} on {count(int(widest.low['dimension']), 'axis', 'axes')} and "
                 f"{general(widest.high['mean_error_u'])} on {shortest(widest.high['dimension'])}.",),
         rows=(widest.low, widest.high))

@@ -14,11 +14,15 @@ def find(bundle):
     widest = max(found.values(), key=lambda s: (s.apart, s.ratio))
     return Finding(
         id="regimes_float", about="suite", suite=SUITE, claim="", holds=not apart,
-        headline=f"In units of its own u p~ float errs as double does: the mean errors of {count(len(found), 'method')} agree up to the scatter "
+        headline=f"In units of its own u p~ float errs as double does: the mean errors of {count(len(found), 'method')} "
+                 "agree up to the scatter "
                  "of their trials." if not apart else
-        f"In units of its own u p~ float errs as double does for {len(found) - len(apart)} of {count(len(found), 'method')}, but not for "
+        f"In units of its own u p~ float errs as double does for {len(found) - len(apart)} of {count(len(found), 'method')}, "
+        "but not for "
         f"{names(apart)}.",
-        detail=(f"{in_words(found)}; the largest difference is that of `{widest.high['method']}` at degree {widest.high['degree']:g}: "
-                f"{general(widest.low['mean_error_u'])} in {widest.low['scalar']} and {general(widest.high['mean_error_u'])} in "
+        detail=(f"{in_words(found)}; the largest difference is that of `{widest.high['method']}` at degree "
+                f"{widest.high['degree']:g}: "
+                f"{general(widest.low['mean_error_u'])} in {widest.low['scalar']} and {general(widest.high['mean_error_u'])} "
+                "in "
                 f"{widest.high['scalar']}.",),
         rows=tuple(r for s in (apart or found).values() for r in (s.low, s.high)))

@@ -18,11 +18,13 @@ def find(bundle):
     places = listing(dict.fromkeys(f"R = {shortest(r['coordinate_range'])}, degree {r['degree']:g}" for r in broken))
     return Finding(
         id="regimes_range", about="suite", suite=SUITE, claim="", holds=not uneven,
-        headline=f"From R = {shortest(ranges[0])} to {shortest(ranges[-1])} the mean error over u p~ of no method changes beyond the scatter "
+        headline=f"From R = {shortest(ranges[0])} to {shortest(ranges[-1])} the mean error over u p~ of no method changes "
+                 "beyond the scatter "
                  f"of its trials" + (f", but {count(len({r['method'] for r in broken}), 'method overflows', 'methods overflow')} at {places}."
                                      if broken else ".") if not uneven else
         f"The mean error over u p~ of {names(uneven)} depends on the range, by a factor of up to {factor(widest.ratio)}.",
-        detail=(f"{in_words(found)}; the largest variation is that of `{widest.high['method']}` at degree {widest.high['degree']:g}: "
+        detail=(f"{in_words(found)}; the largest variation is that of `{widest.high['method']}` at degree "
+                f"{widest.high['degree']:g}: "
                 f"{general(widest.low['mean_error_u'])} at R = {shortest(widest.low['coordinate_range'])}, "
                 f"{general(widest.high['mean_error_u'])} at R = {shortest(widest.high['coordinate_range'])}.",
                 f"Not finite: {large(sum(r['non_finite'] for r in broken))} trials, of "

@@ -23,8 +23,10 @@ def find(bundle):
         id="worst_bounds", about="suite", suite=SUITE, claim="", holds=not broken,
         headline=f"No searched worst case exceeds a proved bound, in {count(len(bounded), 'cell')} of "
                  f"{count(len({r['method'] for r in bounded}), 'method')}." if not broken else
-        f"A searched worst case exceeds the proved bound of {names(dict.fromkeys(r['method'] for r in broken))}: a bound or its condition "
+        f"A searched worst case exceeds the proved bound of {names(dict.fromkeys(r['method'] for r in broken))}: a bound or "
+        "its condition "
         "is wrong.",
-        detail=(f"The closest comes to {general(closest['searched_error_u'] / closest['bound_u'], 2)} of its bound (`{closest['method']}`, "
+        detail=(f"The closest comes to {general(closest['searched_error_u'] / closest['bound_u'], 2)} of its bound "
+                f"(`{closest['method']}`, "
                 f"degree {shortest(closest['degree'])}, `{closest['search_id']}`)."
                 + (f" No bound is proved for {names(unbounded)}." if unbounded else ""),), rows=tuple(broken or [closest]))
