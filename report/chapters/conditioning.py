@@ -4,7 +4,7 @@
 from ..bundle import Missing
 from ..document import Cell, Group, Table, Text
 from ..methods import form
-from ..wording import scientific, shortest
+from ..wording import factor, scientific, shortest
 from .suite_parts import figure, of_suite, replay
 
 TITLE = "Near multiple roots: relative error against the condition number"
@@ -46,6 +46,6 @@ def _study(study, degree, rows):
     return Table(id=f"{study}-{shortest(degree)}", caption=f"Condition number and relative error, degree {shortest(degree)}, "
                                                            f"{english} "
                  f"({rows[0]['generator']} inputs)", caption_zh=f"条件数与相对误差，{shortest(degree)} 阶，{chinese}", groups=tuple(groups),
-                 axis="interval of t, by rising condition number", row_head="over the trials",
-                 head=tuple(f"[{r['t_min']:.6g}, {r['t_max']:.6g}]" for r in cells), csv_head=CSV,
+                 axis="median condition number; the intervals of t stand in the CSV", row_head="over the trials",
+                 head=tuple(factor(r.number("p50_condition")) for r in cells), csv_head=CSV,
                  csv_rows=tuple(tuple(r.text(c) for c in CSV) for r in rows))

@@ -35,10 +35,9 @@ def find(bundle):
     holds = ratio <= COST
     return Finding(
         id="rational_weights", about="suite", suite=SUITE, claim="", holds=holds,
-        headline=f"Weights over forty powers of two cost the methods for rational curves at most a factor of {factor(ratio)} "
-                 "in mean error "
-                 "over u p~." if holds else
-        f"Weights over forty powers of two cost `{wild['method']}` a factor of {factor(ratio)} in mean error over u p~.",
+        headline=f"Against `{MILD}`, the weights of `{WILD}` cost the methods for rational curves at most a factor of "
+                 f"{factor(ratio)} in mean error over u p~." if holds else
+        f"Against `{MILD}`, the weights of `{WILD}` cost `{wild['method']}` a factor of {factor(ratio)} in mean error over u p~.",
         detail=(f"The dearest is `{wild['method']}` at degree {wild['degree']:g}: {general(mild['mean_error_u'])} u p~ with "
                 f"`{MILD}`, "
                 f"{general(wild['mean_error_u'])} with `{WILD}`.", *lines),
