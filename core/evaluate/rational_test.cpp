@@ -158,8 +158,7 @@ TEST_P(RationalMethod, CommonFactorOfTheWeightsChangesNoBit) {
   for (const int degree : {0, 1, 3, 8, 20}) {
     const auto c = inputs.coefficients(degree, 2);
     const auto w = positive_weights(inputs, degree, 30);
-    auto ts = some_parameters(inputs);
-    std::erase(ts, 0x1p-1000);  // so near to a node of theirs barycentric quotients overflow, with large weights sooner
+    const auto ts = some_parameters(inputs);
     const auto points = evaluate<double>(kernel(), {Form::rational, 2, degree, c, w}, ts);
     for (const double factor : {0x1p-300, 0.5, 0x1p+40, 0x1p+300}) {
       auto scaled = w;

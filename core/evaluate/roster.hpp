@@ -35,40 +35,42 @@
 
 namespace bezierbench {
 
-using Evaluators = TypeList<Direct,                            //
-                            DirectPow,                         //
-                            DeCasteljau,                       //
-                            DeCasteljauFma,                    //
-                            DeCasteljauLerp,                   //
-                            DeCasteljauLerpFma,                //
-                            DeCasteljauTwoSided,               //
-                            CompensatedDeCasteljau,            //
-                            CompensatedDeCasteljauK3,          //
-                            CompensatedDeCasteljauK4,          //
-                            HornerBernstein,                   //
-                            HornerBernsteinFma,                //
-                            VolkSchumaker,                     //
-                            CompensatedVolkSchumaker,          //
-                            WoznyChudy,                        //
-                            WoznyChudyPositive,                //
-                            BarycentricChebyshev,              //
-                            BarycentricUniform,                //
-                            WangBall,                          //
-                            PowerSum,                          //
-                            Horner,                            //
-                            HornerFma,                         //
-                            CompensatedHorner,                 //
-                            HornerDoubleDouble,                //
-                            HornerCentered,                    //
-                            Estrin,                            //
-                            Homogeneous<Direct>,               //
-                            Homogeneous<DeCasteljau>,          //
-                            Homogeneous<DeCasteljauTwoSided>,  //
-                            DeCasteljauFarin,                  //
-                            Homogeneous<HornerBernstein>,      //
-                            Homogeneous<VolkSchumaker>,        //
-                            WoznyChudyRational,                //
-                            WoznyChudyPositiveRational, Homogeneous<BarycentricChebyshev>,
-                            Homogeneous<BarycentricUniform>, Homogeneous<WangBall>>;
+using Evaluators = TypeList<Direct,                             //
+                            DirectPow,                          //
+                            DeCasteljau,                        //
+                            DeCasteljauFma,                     //
+                            DeCasteljauLerp,                    //
+                            DeCasteljauLerpFma,                 //
+                            DeCasteljauTwoSided,                //
+                            CompensatedDeCasteljau,             //
+                            CompensatedDeCasteljauK3,           //
+                            CompensatedDeCasteljauK4,           //
+                            HornerBernstein,                    //
+                            HornerBernsteinFma,                 //
+                            VolkSchumaker,                      //
+                            CompensatedVolkSchumaker,           //
+                            WoznyChudy,                         //
+                            WoznyChudyPositive,                 //
+                            BarycentricChebyshev,               //
+                            BarycentricUniform,                 //
+                            WangBall,                           //
+                            PowerSum,                           //
+                            Horner,                             //
+                            HornerFma,                          //
+                            CompensatedHorner,                  //
+                            HornerDoubleDouble,                 //
+                            HornerCentered,                     //
+                            Estrin,                             //
+                            Homogeneous<Direct>,                //
+                            Homogeneous<DeCasteljau>,           //
+                            Homogeneous<DeCasteljauTwoSided>,   //
+                            DeCasteljauFarin,                   //
+                            Homogeneous<HornerBernstein>,       //
+                            Homogeneous<VolkSchumaker>,         //
+                            WoznyChudyRational,                 //
+                            WoznyChudyPositiveRational,         //
+                            Homogeneous<BarycentricChebyshev>,  //
+                            Homogeneous<BarycentricUniform>,    //
+                            Homogeneous<WangBall>>;
 
 }  // namespace bezierbench
