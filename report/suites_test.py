@@ -127,6 +127,16 @@ class Suites(unittest.TestCase):
         self.assertEqual(axes, {"parameter": ("interval", "generator"), "range": ("coordinate_range", "generator"),
                                 "degree": ("degree", "generator"), "float": ("degree", "scalar"), "dimension": ("degree", "dimension")})
 
+    def test_a_table_explains_an_error_above_the_bound(self):
+        def outside(at, row):
+            if at == "accuracy.csv" and row["study"] == "regimes-parameter" and row["method"] == "wozny_chudy" and row["t_max"] == 2:
+                row["max_error_u"] = 1e20
+
+        def notes(bundle):
+            return [b.text for b in self.blocks("regimes", bundle) if b.kind == "text" and "outside what is proved" in b.text]
+        self.assertEqual(notes(self.bundle()), [])
+        self.assertEqual(len(notes(self.bundle(outside))), 1)
+
     def test_columns_of_a_conditioning_table_rise_with_the_condition_number(self):
         table = next(b for b in self.blocks("conditioning", self.bundle()) if b.kind == "table")
         medians = [float(c.raw) for c in table.groups[0].rows[0][1]]
