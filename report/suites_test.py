@@ -137,6 +137,13 @@ class Suites(unittest.TestCase):
         self.assertEqual(notes(self.bundle()), [])
         self.assertEqual(len(notes(self.bundle(outside))), 1)
 
+    def test_maxima_beyond_the_axis_share_a_line_of_text(self):
+        def ruin(at, row):
+            if at == "search.csv" and row["search_id"] == "s1":
+                row.update(sampled_error_u=2e5, searched_error_u=5e9)
+        drawn = next(b for b in self.blocks("worst", self.bundle(ruin)) if b.kind == "figure")
+        self.assertIn(">sampled 200000, searched 5.00e9 →<", drawn.svg)
+
     def test_columns_of_a_conditioning_table_rise_with_the_condition_number(self):
         table = next(b for b in self.blocks("conditioning", self.bundle()) if b.kind == "table")
         medians = [float(c.raw) for c in table.groups[0].rows[0][1]]
