@@ -2,6 +2,7 @@
 """Mean and largest error of a study as tables: methods down, one axis across, a line for each kind of inputs."""
 
 from .document import Cell, Text
+from .findings.bounds_hold import in_part
 from .methods import form
 from .tables import axis_value, by_axis
 from .wording import count, general, interval, large, shortest
@@ -84,6 +85,7 @@ def _pair(study, rows, across, down):
 def _bounds(rows):
     judged = [r for r in rows if r["bound_violations"] is not None]
     broken = sum(r["bound_violations"] for r in judged)
-    return Text(f"Bound violations: {broken:g} in {large(sum(r['trials'] for r in judged))} trials. The bound is the largest "
-                "of "
-                "bound over u p~ among the trials; a method without a line has no proved bound.")
+    return Text(f"Bound violations: {broken:g} in {large(sum(r['trials'] for r in judged))} trials. The bound is the largest of bound "
+                "over u p~ among the trials; a method without a line has no proved bound."
+                + (" An error above it that is no violation is that of a trial outside what is proved." if any(map(in_part, judged))
+                   else ""))

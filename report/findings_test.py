@@ -165,6 +165,17 @@ class Findings(unittest.TestCase):
         self.assertIn(f"of the {len(cells) - 8} distinct", self.by_id["cells_inside_band"].headline)
         self.assertIn("8 repeat others", self.by_id["cells_inside_band"].detail[1])
 
+    def test_an_error_without_a_bound_is_not_held_against_one(self):
+        def outside(at, row):
+            if at == "accuracy.csv" and row["study"] == "regimes-parameter" and row["method"] == "wozny_chudy" and row["t_max"] == 2:
+                row["max_error_u"] = 1e20
+        bounds = next(f for f in _findings(outside)[0] if f.id == "bounds_hold")
+        whole = self.by_id["bounds_hold"]
+        self.assertTrue(bounds.holds)
+        self.assertEqual(bounds.detail[0], whole.detail[0])
+        self.assertEqual(whole.detail[1], "")
+        self.assertIn("In 1 cell of `regimes-parameter` some trials lie outside what is proved", bounds.detail[1])
+
     def test_evidence_names_lines(self):
         for f in self.found:
             self.assertTrue(f.evidence, f.id)

@@ -127,6 +127,23 @@ class Suites(unittest.TestCase):
         self.assertEqual(axes, {"parameter": ("interval", "generator"), "range": ("coordinate_range", "generator"),
                                 "degree": ("degree", "generator"), "float": ("degree", "scalar"), "dimension": ("degree", "dimension")})
 
+    def test_a_table_explains_an_error_above_the_bound(self):
+        def outside(at, row):
+            if at == "accuracy.csv" and row["study"] == "regimes-parameter" and row["method"] == "wozny_chudy" and row["t_max"] == 2:
+                row["max_error_u"] = 1e20
+
+        def notes(bundle):
+            return [b.text for b in self.blocks("regimes", bundle) if b.kind == "text" and "outside what is proved" in b.text]
+        self.assertEqual(notes(self.bundle()), [])
+        self.assertEqual(len(notes(self.bundle(outside))), 1)
+
+    def test_maxima_beyond_the_axis_share_a_line_of_text(self):
+        def ruin(at, row):
+            if at == "search.csv" and row["search_id"] == "s1":
+                row.update(sampled_error_u=2e5, searched_error_u=5e9)
+        drawn = next(b for b in self.blocks("worst", self.bundle(ruin)) if b.kind == "figure")
+        self.assertIn(">sampled 200000, searched 5.00e9 →<", drawn.svg)
+
     def test_columns_of_a_conditioning_table_rise_with_the_condition_number(self):
         table = next(b for b in self.blocks("conditioning", self.bundle()) if b.kind == "table")
         medians = [float(c.raw) for c in table.groups[0].rows[0][1]]

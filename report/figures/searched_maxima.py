@@ -15,15 +15,17 @@ LIMIT = 1e4  # an error beyond it is written at the edge: on its axis the others
 
 def _line(ax, y, row):
     shown = [(positive(row, column), name, mark, colour) for column, name, mark, colour in MARKS if positive(row, column)]
-    values = [value for value, *_ in shown]
-    ax.plot([min(values), min(max(values), LIMIT)], [y, y], color=FAINT, linewidth=0.8, zorder=1)
-    for value, name, mark, colour in shown:
+    ends = [min(value, LIMIT) for value, *_ in shown]
+    ax.plot([min(ends), max(ends)], [y, y], color=FAINT, linewidth=0.8, zorder=1)
+    for value, _, mark, colour in shown:
         if value < LIMIT:
             ax.plot(value, y, marker=mark, color=colour, markersize=9 if mark == "|" else 5,
                     markeredgewidth=2 if mark == "|" else 0.5, zorder=2)
-        else:
-            ax.annotate(f"{name} {general(value)} →", (LIMIT, y), xytext=(-3, 4), textcoords="offset points", ha="right", fontsize=7.5,
-                        color=colour)
+    beyond = [(f"{name} {general(value)}", colour) for value, name, _, colour in shown if value >= LIMIT]
+    if beyond:  # in one text: each at the same edge would lie upon the others
+        colour = beyond[0][1] if len(beyond) == 1 else INK
+        ax.annotate(", ".join(text for text, _ in beyond) + " →", (LIMIT, y), xytext=(-3, 4), textcoords="offset points", ha="right",
+                    fontsize=7.5, color=colour)
 
 
 @styled
