@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 namespace bezierbench::timing {
 namespace {
@@ -47,6 +48,21 @@ std::vector<std::vector<std::size_t>> counterbalanced_orders(std::size_t rivals)
   return orders;
 }
 
+/// One rival's turn in one round. The counters are read outside the clock.
+double run_turn(const Rival& rival, std::size_t repetitions, const Counters* counters, Lap& lap) {
+  const auto before = counters != nullptr ? counters->read() : std::nullopt;
+  const double seconds = seconds_of(rival, repetitions);
+  const auto after = before ? counters->read() : std::nullopt;
+  const auto points = static_cast<double>(lap.points_per_round);
+  lap.ns_per_point.push_back(seconds * 1e9 / points);
+  if (const auto counts = after ? counts_between(*before, *after) : std::nullopt) {
+    lap.cycles_per_point.push_back(counts->cycles / points);
+    lap.instructions_per_point.push_back(counts->instructions / points);
+  }
+  lap.checked = rival.check() && lap.checked;
+  return seconds;
+}
+
 /// Google Benchmark prints nothing: the laps are the result.
 class SilentReporter final : public benchmark::BenchmarkReporter {
  public:
@@ -59,26 +75,25 @@ class SilentReporter final : public benchmark::BenchmarkReporter {
 std::vector<Lap> race(const std::string& name, std::span<const Rival> rivals, const RaceOptions& options) {
   std::vector<Lap> laps(rivals.size());
   std::vector<std::size_t> repetitions;
-  for (const auto& rival : rivals) repetitions.push_back(calibrated_repetitions(rival, options.round_seconds));
+  for (std::size_t who = 0; who < rivals.size(); ++who) {
+    repetitions.push_back(calibrated_repetitions(rivals[who], options.round_seconds));
+    laps[who].points_per_round = repetitions[who] * rivals[who].points_per_batch;
+  }
 
   const auto orders = counterbalanced_orders(rivals.size());
   const std::size_t rounds = (options.rounds + orders.size() - 1) / orders.size() * orders.size();
 
   const auto body = [&](benchmark::State& state) {
     std::size_t round = 0;
+    double total_seconds = 0;
     for ([[maybe_unused]] auto iteration : state) {
       double round_seconds = 0;
-      for (const std::size_t who : orders[round % orders.size()]) {
-        const double seconds = seconds_of(rivals[who], repetitions[who]);
-        const auto points = repetitions[who] * rivals[who].points_per_batch;
-        laps[who].ns_per_point.push_back(seconds * 1e9 / static_cast<double>(points));
-        laps[who].points_per_round = points;
-        laps[who].checked = laps[who].checked && rivals[who].check();
-        round_seconds += seconds;
-      }
+      for (const std::size_t who : orders[round % orders.size()])
+        round_seconds += run_turn(rivals[who], repetitions[who], options.counters, laps[who]);
       state.SetIterationTime(round_seconds);
+      total_seconds += round_seconds;
       ++round;
-      if (options.stop != nullptr && options.stop()) {
+      if (total_seconds >= options.most_seconds || (options.stop != nullptr && options.stop())) {
         state.SkipWithError("stopped");
         break;
       }

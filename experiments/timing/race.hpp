@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/timing/counters.hpp"
+
 namespace bezierbench::timing {
 
 /// One contestant. `run` does its whole batch once and writes its results where `check` looks.
@@ -19,8 +21,11 @@ struct Rival {
   std::function<bool()> check;  ///< outside the clock, after every round: are the results the judged ones?
 };
 
+/// What a race says of one rival.
 struct Lap {
-  std::vector<double> ns_per_point;  ///< one per round
+  std::vector<double> ns_per_point;            ///< one per round
+  std::vector<double> cycles_per_point;        ///< one per round in which the counters ran; none without counters
+  std::vector<double> instructions_per_point;  ///< likewise
   std::size_t points_per_round = 0;
   bool checked = true;  ///< every check held
 };
@@ -28,7 +33,9 @@ struct Lap {
 struct RaceOptions {
   std::size_t rounds = 41;      ///< at least; rounded up so that every order of the rivals occurs equally often
   double round_seconds = 5e-4;  ///< least time of one rival in one round
-  bool (*stop)() = nullptr;     ///< asked between rounds; true ends the race early
+  double most_seconds = 30;     ///< ends the race after the round that reaches it
+  const Counters* counters = nullptr;
+  bool (*stop)() = nullptr;  ///< asked between rounds; true ends the race early
 };
 
 /// Runs the race as one Google Benchmark benchmark with manual time; laps are in the order of the rivals.
