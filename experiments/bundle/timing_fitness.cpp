@@ -18,8 +18,8 @@ using Json = nlohmann::json;
 constexpr std::array<std::string_view, 4> quick_clocks{"tsc", "arch_sys_counter", "kvm-clock",
                                                        "hyperv_clocksource_tsc_page"};
 
-/// A turn of one method in a race takes half a millisecond or more; 1000 ns are 0.2 % of it.
-constexpr double coarse_step_ns = 1000;
+/// A turn of one method in a race takes 50 microseconds or more; 100 ns are 0.2 % of it.
+constexpr double coarse_step_ns = 100;
 
 /// This process is the only load that there should be; a run under way has raised the average by up to 1 itself.
 constexpr double quiet_load = 1;

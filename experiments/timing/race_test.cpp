@@ -68,6 +68,30 @@ TEST(Race, EndsWhenItsTimeIsUp) {
   EXPECT_EQ(laps[0].ns_per_point.size(), 1U);
 }
 
+TEST(Race, SlowRivalsRunFewerRoundsButWholeCycles) {
+  const Rival rival{"one", 1, [] {}, [] { return true; }};
+  const std::vector<Rival> three(3, rival);  // six orders
+  const auto laps = race("test", three, {.rounds = 1000, .least_rounds = 7, .round_seconds = 1e-9, .rival_seconds = 0});
+  EXPECT_EQ(laps[0].ns_per_point.size(), 12U);
+}
+
+/// A turn is preceded by one batch that is not timed, and equal rivals do equal work in their turns, about.
+TEST(Race, WarmsUpBeforeEveryTurn) {
+  int runs = 0;
+  int at_last_check = 0;
+  std::vector<int> runs_per_turn;
+  const std::vector<Rival> rivals{{"one", 1, [&] { ++runs; },
+                                   [&] {
+                                     runs_per_turn.push_back(runs - at_last_check);
+                                     at_last_check = runs;
+                                     return true;
+                                   }}};
+  const auto laps = race("test", rivals, {.rounds = 4, .round_seconds = 1e-7});
+  ASSERT_EQ(runs_per_turn.size(), 4U);
+  for (std::size_t turn = 1; turn < 4; ++turn)
+    EXPECT_EQ(static_cast<std::size_t>(runs_per_turn[turn]), laps[0].points_per_round + 1);
+}
+
 TEST(Race, CountsPerPointWhereThereAreCounters) {
   const Counters counters;
   const std::vector<Rival> rivals{{"one", 1, [] {}, [] { return true; }}};
