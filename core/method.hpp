@@ -38,7 +38,9 @@ struct MethodInfo {
   std::optional<ErrorBound> bound = std::nullopt;
   bool bit_stable = true;  ///< false where libm decides the last bits
   OneMinusT one_minus_t = OneMinusT::unused;
-  std::string_view flops;  ///< in n and d: per point, of a conversion per curve
+  std::string_view flops;    ///< in n and d: per point, of a conversion per curve
+  int cost_exponent = 1;     ///< k of the claim that those are O(n^k)
+  int prepare_exponent = 1;  ///< k of the claim that `prepare` costs O(n^k); not for conversions
   std::string_view citation;
 
   /// True for the degrees that the method promises in this scalar type.

@@ -44,6 +44,8 @@ REQUIRED = {
 # Columns that say what a row is about; a row of the files above without one of them is malformed.
 KEYS = frozenset("study table curve method conversion scalar dimension degree generator trials baseline status statistic "
                  "tier mode id search_id worst_id".split())
+# The exceptions: a sentinel is timed over all degrees of a study.
+MAY_BE_EMPTY = frozenset({("timing.csv", "degree")})
 
 _DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?inf|nan", re.ASCII)
 _HEX = re.compile(r"[+-]?0[xX][0-9a-fA-F]*\.?[0-9a-fA-F]*([pP][+-]?\d+)?", re.ASCII)
@@ -252,7 +254,7 @@ class Bundle:
         values = {}
         for column, text in fields.items():
             value = None if text == "" else text
-            if value is None and column in strict and column in KEYS:
+            if value is None and column in strict and column in KEYS and (path.name, column) not in MAY_BE_EMPTY:
                 raise BundleError(f"{path}:{line}: `{column}` is empty; run `bezierbench verify` on the bundle")
             if value is not None and column not in TEXT:
                 value = parse_number(text)

@@ -179,9 +179,12 @@ def audit():
 
 
 def timing():
-    return [dict(study="2.4-bezier", curve="bezier", method="direct", scalar="double", dimension=2, degree=n, mode="point",
-                 median_ns=n * 1.5, low_ns=n * 1.4, high_ns=n * 1.6, rounds=9, points_per_round=64, relative_to="", ratio="",
-                 ratio_low="", ratio_high="", cycles="", instructions="", quality="", checked="yes") for n in DEGREES]
+    def row(method, degree, ns, quality="ok"):
+        return dict(study="2.4-bezier", curve="bezier", method=method, scalar="double", dimension=2 if degree else "",
+                    degree=degree, mode="point", median_ns=ns, low_ns=ns * 0.9, high_ns=ns * 1.1, rounds=9,
+                    points_per_round=64, relative_to="", ratio="", ratio_low="", ratio_high="", cycles="", instructions="",
+                    quality=quality, checked="yes")
+    return [row("direct", n, n * 1.5) for n in DEGREES] + [row("sentinel", "", 1.5)]
 
 
 FILES = {"accuracy.csv": accuracy, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,

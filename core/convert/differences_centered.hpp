@@ -29,6 +29,7 @@ struct DifferencesCentered {
                           .underflow = [](int n) { return 2 * (n + 1) * integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true},
       .flops = "d n(n+1)(2n+7)/6 + d(n+1) + 3n/2 per curve",
+      .cost_exponent = 3,
       .citation = "Farin 2002, derivatives by differences"};
 
   static constexpr Form target = Form::power_centered;

@@ -5,7 +5,8 @@
 //   to power about t = 1/2:    q_j = C(n,j) 2^(j-n) sum_i C(n-j,i) D^j b_i, a dyadic rational
 //   to Bernstein:  b_i = (1/n!) sum_j C(i,j) j! (n-j)! q_j, a rational with denominator n!
 //
-// Cost: O(n^2) big-integer operations, far from the flops of the others.
+// Cost: n^2/2 operations on big integers, far from the flops of the others. On integers of O(n) bits sums make that
+//   O(n^3) to power form, products O(n^4) about t = 1/2; n! has O(n log n) bits, so O(n^4 log n) to Bernstein form.
 // Bound: u |coefficient|: one rounding each; u^2 |coefficient| in double-double.
 // Fails: nothing but overflow of the rounded coefficient; yet a correctly rounded power coefficient already carries the
 //   error that ruins power form at high degree.
@@ -62,6 +63,7 @@ struct ExactToPower {
                                                        .underflow = [](int n) { return n + 1.0; },
                                                        .underflow_scales_with_coefficients = true},
                                    .flops = "big integers, per curve",
+                                   .cost_exponent = 3,
                                    .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
 
   static constexpr Form target = Form::power;
@@ -85,6 +87,7 @@ struct ExactToPowerDoubleDouble {
                                                        .underflow = [](int n) { return n + 1.0; },
                                                        .underflow_scales_with_coefficients = true},
                                    .flops = "big integers, per curve",
+                                   .cost_exponent = 3,
                                    .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
 
   static constexpr Form target = Form::power_double_double;
@@ -123,6 +126,7 @@ struct ExactToPowerCentered {
                                                        .underflow = [](int n) { return n + 1.0; },
                                                        .underflow_scales_with_coefficients = true},
                                    .flops = "big integers, per curve",
+                                   .cost_exponent = 4,
                                    .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
 
   static constexpr Form target = Form::power_centered;
@@ -146,6 +150,7 @@ struct ExactToBernstein {
                                                        .underflow = [](int) { return 1.0; },
                                                        .underflow_scales_with_coefficients = true},
                                    .flops = "big integers, per curve",
+                                   .cost_exponent = 5,
                                    .citation = "Farouki and Rajan 1987, in exact arithmetic"};
 
   static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }

@@ -28,6 +28,7 @@ struct Factorial {
                      .underflow = [](int n) { return 1.0 * (n + 1) * (n + 1); },
                      .underflow_scales_with_coefficients = true},
       .flops = "(n+1)(n+2)(3/2+d) per curve",
+      .cost_exponent = 2,
       .citation = "seed report 001, section 1.1"};
 
   static constexpr Form target = Form::power;

@@ -38,6 +38,7 @@ struct ForwardSubstitution {
                           .underflow = [](int n) { return 1.0 * (n + 2) * (n + 2) + integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true},
       .flops = "(n+1)(n+2)(3/2+d) per curve",
+      .cost_exponent = 2,
       .citation = "seed report 001, section 1.2; Higham 2002, Theorem 8.5"};
 
   static constexpr Form target = Form::bernstein;

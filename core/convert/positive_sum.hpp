@@ -29,6 +29,7 @@ struct PositiveSum {
                      .underflow = [](int n) { return 2.0 * (n + 1); },
                      .underflow_scales_with_coefficients = true},
       .flops = "(n+1)(n+2)(3/2+d) per curve",
+      .cost_exponent = 2,
       .citation = "Farouki and Rajan 1987"};
 
   static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }

@@ -27,6 +27,7 @@ struct Triangle {
                           .underflow = [](int n) { return integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true},
       .flops = "d n(n+1)/2 + d(n+1) + 3n/2 per curve",
+      .cost_exponent = 2,
       .citation = "Farin 2002, monomial form"};
 
   static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }

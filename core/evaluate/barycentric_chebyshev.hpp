@@ -35,6 +35,7 @@ struct BarycentricChebyshev {
                                    .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .flops = "(n+1)(3+2d) + d, n+1+d of them divisions",
+                                   .prepare_exponent = 2,
                                    .citation =
                                        "Berrut and Trefethen 2004, eq. (4.2); Fuda, Ramanantoanina and Hormann "
                                        "2024, CHE"};

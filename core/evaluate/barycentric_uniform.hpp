@@ -21,6 +21,7 @@ struct BarycentricUniform {
                                    .form = Form::bernstein,
                                    .max_degree_float = 129,
                                    .flops = "(n+1)(3+2d) + d, n+1+d of them divisions",
+                                   .prepare_exponent = 2,
                                    .citation =
                                        "Berrut and Trefethen 2004, eq. (4.2); Fuda, Ramanantoanina and Hormann "
                                        "2024, UNI"};

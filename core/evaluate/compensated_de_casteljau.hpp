@@ -22,6 +22,7 @@ struct CompensatedDeCasteljau {
       .form = Form::bernstein,
       .bound = compensated_bound<2>("u p~ + c_2 u^2 p~, c_2 = 9 C(n,2) + 15 n; below u p~ + 2 gamma_3n^2 p~"),
       .flops = "18d n(n+1)/2 + 7d + 6",
+      .cost_exponent = 2,
       .citation = "Jiang, Li, Cheng and Su 2010, Theorem 5"};
 
   template <class Scalar, int Dimension, int Degree>

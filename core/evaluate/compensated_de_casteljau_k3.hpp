@@ -21,6 +21,7 @@ struct CompensatedDeCasteljauK3 {
       .form = Form::bernstein,
       .bound = compensated_bound<3>("(u + 12 u^2) p~ + (c_3 + 64) u^3 p~, c_3 = 27 C(n,3) + 135 C(n,2) + 150 n"),
       .flops = "59d n(n+1)/2 + 26d + 6",
+      .cost_exponent = 2,
       .citation = "Hermes 2019, Algorithm 4.2 and section 4.2"};
 
   template <class Scalar, int Dimension, int Degree>

@@ -22,6 +22,7 @@ struct CompensatedDeCasteljauK4 {
       .bound = compensated_bound<4>(
           "(u + 27 u^2) p~ + (c_4 + 1296) u^4 p~, c_4 = 81 C(n,4) + 810 C(n,3) + 2475 C(n,2) + 2250 n"),
       .flops = "130d n(n+1)/2 + 57d + 6",
+      .cost_exponent = 2,
       .citation = "Hermes 2019, Algorithm 4.2 and section 4.2"};
 
   template <class Scalar, int Dimension, int Degree>

@@ -24,6 +24,7 @@ struct DeCasteljau {
                                                        .underflow_scales_with_coefficients = false},
                                    .one_minus_t = OneMinusT::summed,
                                    .flops = "3d n(n+1)/2 + 1",
+                                   .cost_exponent = 2,
                                    .citation = "Farin 2002; seed report 001, section 1.5"};
 
   template <class Scalar, int Dimension, int Degree>

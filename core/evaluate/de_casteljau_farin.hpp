@@ -31,6 +31,7 @@ struct DeCasteljauFarin {
                                                        .positive_weights_only = true},
                                    .one_minus_t = OneMinusT::normalised,
                                    .flops = "(5+3d) n(n+1)/2 + 1, n(n+1) of them divisions",
+                                   .cost_exponent = 2,
                                    .citation = "Farin 1983"};
 
   template <class Scalar, int Dimension, int Degree>

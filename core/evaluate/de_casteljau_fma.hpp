@@ -24,6 +24,7 @@ struct DeCasteljauFma {
                                                        .underflow = [](int n) { return 2.0 * n; },
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "2 fma, d n(n+1)/2 times",
+                                   .cost_exponent = 2,
                                    .citation = "fused linear interpolation; bound derived here"};
 
   template <class Scalar, int Dimension, int Degree>

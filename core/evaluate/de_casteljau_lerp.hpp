@@ -17,6 +17,7 @@ struct DeCasteljauLerp {
                                    .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .flops = "3d n(n+1)/2",
+                                   .cost_exponent = 2,
                                    .citation = "seed document 004"};
 
   template <class Scalar, int Dimension, int Degree>

@@ -18,6 +18,7 @@ struct DeCasteljauLerpFma {
                                    .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .flops = "1 sub + 1 fma, d n(n+1)/2 times",
+                                   .cost_exponent = 2,
                                    .citation = "fused linear interpolation"};
 
   template <class Scalar, int Dimension, int Degree>

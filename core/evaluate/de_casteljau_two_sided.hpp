@@ -24,6 +24,7 @@ struct DeCasteljauTwoSided {
                                                        .underflow = [](int n) { return 1.0 * n; },
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "3d n(n+1)/2 + 1",
+                                   .cost_exponent = 2,
                                    .citation = "two-sided linear interpolation; bound derived here"};
 
   template <class Scalar, int Dimension, int Degree>

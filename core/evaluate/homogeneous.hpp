@@ -67,6 +67,8 @@ requires(Method::info.form == Form::bernstein) struct Homogeneous {
                                    .bit_stable = Method::info.bit_stable,
                                    .one_minus_t = Method::info.one_minus_t,
                                    .flops = detail::Joined<detail::FlopsOf<Method>, FlopsSuffix>::text,
+                                   .cost_exponent = Method::info.cost_exponent,
+                                   .prepare_exponent = Method::info.prepare_exponent,
                                    .citation = detail::Joined<detail::CitationOf<Method>, CitationSuffix>::text};
 
   template <class Scalar, int Dimension, int Degree>

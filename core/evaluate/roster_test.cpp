@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "core/evaluate/evaluation_test.hpp"
 #include "experiments/metric/trial_scale.hpp"
@@ -34,6 +37,55 @@ class Method : public testing::TestWithParam<std::size_t> {
     return kernels<float>(dimension)[GetParam()];
   }
 };
+
+/// The highest power of n in a text such as "3d n(n+1)/2 + 1": factors n and factors in brackets that hold an n.
+int power_of_n(std::string_view text) {
+  int highest = 0;
+  int power = 0;
+  int depth = 0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto letter = [&](std::size_t at) { return at < text.size() && std::isalpha(text[at]) != 0; };
+    const bool in_word = letter(k + 1) || (k > 0 && letter(k - 1) && text[k - 1] != 'd');
+    const bool n = text[k] == 'n' && !in_word;
+    if (text[k] == '(') ++depth;
+    if (text[k] == ')') --depth;
+    if (n && (depth == 0 || text.substr(0, k).find_last_of("(n") == text.substr(0, k).rfind('('))) ++power;
+    if (depth == 0 && (text[k] == ' ' || text[k] == ',')) power = 0;
+    highest = std::max(highest, power);
+  }
+  return highest;
+}
+
+TEST(Roster, ReadsPowersOfN) {
+  EXPECT_EQ(power_of_n("2dn + log2 n"), 1);
+  EXPECT_EQ(power_of_n("n(5+3d) + 2, n + 1 of them divisions"), 1);
+  EXPECT_EQ(power_of_n("3d n(n+1)/2 + 1"), 2);
+  EXPECT_EQ(power_of_n("(n+1)(n+2)(3/2+d) per curve"), 2);
+  EXPECT_EQ(power_of_n("d n(n+1)(2n+7)/6 + d(n+1) + 3n/2 per curve"), 3);
+  EXPECT_EQ(power_of_n("big integers"), 0);
+}
+
+/// What flops say is what is claimed of their growth; operations on big integers cost more than one.
+void expect_consistent_cost(const MethodInfo& info) {
+  if (info.flops.find("integers") == std::string_view::npos)
+    EXPECT_EQ(info.cost_exponent, std::max(1, power_of_n(info.flops))) << info.id;
+  else
+    EXPECT_GT(info.cost_exponent, 2) << info.id;
+}
+
+TEST(Roster, ClaimsTheGrowthOfItsFlops) {
+  for (const auto* info : conversion_infos()) expect_consistent_cost(*info);
+  for (const auto& kernel : kernels<double>(2)) expect_consistent_cost(*kernel.info);
+}
+
+TEST(Roster, APathPreparesAsItsConversionCosts) {
+  const auto prepare_exponent = [](std::string_view id, Form form) {
+    return find_kernel<double>(id, form, 2)->info->prepare_exponent;
+  };
+  EXPECT_EQ(prepare_exponent("horner", Form::power), 1);
+  EXPECT_EQ(prepare_exponent("factorial:horner", Form::bernstein), 2);
+  EXPECT_EQ(prepare_exponent("differences_centered:horner_centered", Form::bernstein), 3);
+}
 
 TEST_P(Method, StatesWhatItIs) {
   const auto& info = *kernel().info;

@@ -75,6 +75,8 @@ requires(Converter::target == Method::info.form) struct Via {
       .bit_stable = Converter::info.bit_stable && Method::info.bit_stable,
       .one_minus_t = Method::info.one_minus_t,
       .flops = Method::info.flops,
+      .cost_exponent = Method::info.cost_exponent,
+      .prepare_exponent = std::max(Converter::info.cost_exponent, Method::info.prepare_exponent),
       .citation = detail::Joined<detail::CitationOf<Converter>, detail::And, detail::CitationOf<Method>>::text};
 
   template <class Scalar, int Dimension, int Degree>

@@ -35,6 +35,7 @@ struct WangBall {
       .form = Form::bernstein,
       .max_degree_float = 131,
       .flops = "9dn/2 + 1",
+      .prepare_exponent = 2,
       .citation = "Wang 1987; Phien and Dejdumrong 2000; Fuda, Ramanantoanina and Hormann 2024, RWB"};
 
   /// Column i holds v_i.

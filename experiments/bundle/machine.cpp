@@ -244,7 +244,7 @@ Json build_facts(const BuildFacts& build) {
 
 }  // namespace
 
-std::string machine_json(const BuildFacts& build, const MachineRoots& roots) {
+std::string machine_json(const BuildFacts& build, const std::string& counters, const MachineRoots& roots) {
   const Text information = content(roots.proc / "cpuinfo");
   const Text allowed = field(content(roots.proc / "self/status"), "Cpus_allowed_list");
   const auto available = processors(allowed);
@@ -258,6 +258,7 @@ std::string machine_json(const BuildFacts& build, const MachineRoots& roots) {
   json["system"] = system_facts(roots);
   json["load_average"] = load_average(roots);
   json["clock"] = clock_facts(roots);
+  json["counters"] = known(counters);
   json["build"] = build_facts(build);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

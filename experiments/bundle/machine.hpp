@@ -23,9 +23,10 @@ struct MachineRoots {
 };
 
 /// The text of machine.json, as of now, for the first processor this process may run on: `cpu`, `caches` and `memory`
-/// (bytes), `frequency`, `system`, `load_average` (1, 5 and 15 minutes), `clock` (ns), `build`. Every value that cannot
-/// be read is the string "unknown"; nothing throws for it. The host's name is left out: it says who, not what.
-/// Takes up to 20 ms, to measure the clock.
-[[nodiscard]] std::string machine_json(const BuildFacts& build, const MachineRoots& roots = {});
+/// (bytes), `frequency`, `system`, `load_average` (1, 5 and 15 minutes), `clock` (ns), `counters` (as whoever opened
+/// them found them), `build`. Every value that cannot be read is the string "unknown"; nothing throws for it. The
+/// host's name is left out: it says who, not what. Takes up to 20 ms, to measure the clock.
+[[nodiscard]] std::string machine_json(const BuildFacts& build, const std::string& counters,
+                                       const MachineRoots& roots = {});
 
 }  // namespace bezierbench::bundle

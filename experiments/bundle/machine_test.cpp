@@ -15,6 +15,8 @@ using Json = nlohmann::ordered_json;
 
 const BuildFacts facts{"GNU 12.2.0", "-O3 -DX=\"y\"", "Release", "-ffp-contract=off", "0.1.0"};
 
+const std::string counters = "unavailable: this is a test";
+
 // A machine that may run on processors 2, 3 and 5 only.
 class Machine : public testing::Test {
  protected:
@@ -51,7 +53,7 @@ class Machine : public testing::Test {
   void remove(const std::string& name) { std::filesystem::remove_all(folder_.path() / name); }
 
   [[nodiscard]] MachineRoots roots() const { return {folder_.path() / "proc", folder_.path() / "sys"}; }
-  [[nodiscard]] Json read() const { return Json::parse(machine_json(facts, roots())); }
+  [[nodiscard]] Json read() const { return Json::parse(machine_json(facts, counters, roots())); }
 
  private:
   ScratchFolder folder_;
@@ -77,6 +79,7 @@ TEST_F(Machine, ReadsWhatTheKernelSays) {
   EXPECT_EQ(json["system"]["aslr"], 2);
   EXPECT_EQ(json["load_average"], Json({0.25, 1.5, 12.75}));
   EXPECT_EQ(json["clock"]["source"], "tsc");
+  EXPECT_EQ(json["counters"], counters);
   EXPECT_EQ(json["build"], Json({{"compiler", facts.compiler},
                                  {"flags", facts.flags},
                                  {"build_type", facts.build_type},
@@ -84,7 +87,9 @@ TEST_F(Machine, ReadsWhatTheKernelSays) {
                                  {"program_version", facts.program_version}}));
 }
 
-TEST_F(Machine, HostNameIsLeftOut) { EXPECT_EQ(machine_json(facts, roots()).find("secret-host"), std::string::npos); }
+TEST_F(Machine, HostNameIsLeftOut) {
+  EXPECT_EQ(machine_json(facts, counters, roots()).find("secret-host"), std::string::npos);
+}
 
 TEST_F(Machine, BareMetalIsNotVirtualised) {
   put("proc/cpuinfo", "flags\t\t: fpu nohypervisor hypervisors\n");
@@ -120,7 +125,7 @@ TEST_F(Machine, WithoutProcAndSysTheKeysStayAndSayUnknown) {
   const Json full = read();
   remove("proc");
   remove("sys");
-  const Json json = Json::parse(machine_json({}, roots()));
+  const Json json = Json::parse(machine_json({}, "", roots()));
   for (const auto& group : full.items()) {
     ASSERT_TRUE(json.contains(group.key()));
     if (!group.value().is_object()) {
@@ -137,7 +142,7 @@ TEST_F(Machine, WithoutProcAndSysTheKeysStayAndSayUnknown) {
 }
 
 TEST(MachineHere, ClockIsMeasuredAndTextIsJson) {
-  const Json json = Json::parse(machine_json(facts));
+  const Json json = Json::parse(machine_json(facts, counters));
   ASSERT_TRUE(json["clock"]["resolution_ns"].is_number_integer());
   EXPECT_GT(json["clock"]["resolution_ns"], 0);
   EXPECT_LT(json["clock"]["resolution_ns"], 20'000'000);

@@ -178,6 +178,14 @@ class CommandLine(Case):
     def test_no_timing_leaves_nothing(self):
         self.refused(USAGE, ["run", self.suite(TIMING), "--no-timing", "--out", "b"], "--no-timing")
 
+    def test_doctor(self):
+        """Warnings are no failure: few machines are free of them."""
+        lines = [line.split(maxsplit=1) for line in self.fine("doctor").replace("floating point", "arithmetic").splitlines()]
+        self.assertEqual([aspect for aspect, _ in lines],
+                         ["arithmetic", "clock", "governor", "boost", "load", "virtualised", "counters"])
+        for aspect, text in lines:
+            self.assertIn(text.split()[0], ("fine", "warning"), aspect)
+
     def test_help_and_version(self):
         self.assertIn("run", self.fine("--help"))
         self.assertIn("--out", self.fine("run", "--help"))
@@ -265,7 +273,7 @@ class Suites(Case):
 
     def test_what_is_not_there_yet(self):
         """Kinds and curves that no study takes are refused at once, not after hours."""
-        for changes in ({"curve": '"rational"', "kind": '"conversion"', "methods": None}, {"kind": '"timing"', "scalar": '["float"]', "modes": '["point"]'}):
+        for changes in ({"curve": '"rational"', "kind": '"conversion"', "methods": None}, {"kind": '"fitting"'}):
             with self.subTest(changes=changes):
                 self.refused(USAGE, ["run", self.suite(**changes), "--out", "b"], 'study "a"')
 
@@ -659,6 +667,39 @@ class Bundles(Case):
     def test_no_method_to_time(self):
         self.bundle(self.suite(TIMING, degree="[171]", methods='["direct"]'))
         self.assertEqual(rows((self.folder / "b/timing.csv").read_text()), [])
+
+    def test_timing(self):
+        """What is in the files; never how long anything took."""
+        modes = ["point", "batch", "latency", "one_shot"]
+        self.bundle(self.suite(TIMING, degree="[1, 2, 3]", methods='["horner_bernstein", "de_casteljau"]',
+                               scalar='["double", "float"]', modes=json.dumps(modes), baseline='"horner_bernstein"'))
+        table = rows((self.folder / "b/timing.csv").read_text())
+        timed = [row for row in table if row["method"] != "sentinel"]
+        self.assertEqual(len({tuple(row[key] for key in ("method", "scalar", "degree", "mode")) for row in timed}),
+                         2 * 2 * 3 * 4)
+        for row in timed:
+            self.assertEqual((row["checked"], row["relative_to"]), ("yes", "horner_bernstein"), row)
+            self.assertIn(row["quality"], ("ok", "noisy"))
+            self.assertGreaterEqual(int(row["rounds"]), 41)
+            self.assertGreater(float(row["median_ns"]), 0)
+            self.assertLessEqual(float(row["ratio_low"]), float(row["ratio"]))
+            self.assertLessEqual(float(row["ratio"]), float(row["ratio_high"]))
+            self.assertEqual(row["cycles"] == "", row["instructions"] == "")
+        sentinels = [row for row in table if row["method"] == "sentinel"]
+        self.assertEqual([row["mode"] for row in sentinels], modes)
+        self.assertEqual({(row["dimension"], row["degree"], row["checked"]) for row in sentinels}, {("", "", "yes")})
+        complexity = rows((self.folder / "b/complexity.csv").read_text())
+        self.assertEqual(len(complexity), 2 * 2 * 4)
+        for row in complexity:
+            self.assertEqual(row["claimed"], {"de_casteljau": "2", "horner_bernstein": "1"}[row["method"]])
+            self.assertIn(row["verdict"], ("within", "above", "unresolved"))
+        counters = json.loads((self.folder / "b/machine.json").read_text())["counters"]
+        self.assertEqual(counters.startswith("unavailable: "), timed[0]["cycles"] == "")
+        self.assertEqual(self.fine("verify", "b"), "b: fine\n")
+
+    def test_timing_against_a_method_that_does_not_race(self):
+        self.refused(USAGE, ["run", self.suite(TIMING, methods='["direct"]', baseline='"de_casteljau"'), "--out", "b"],
+                     'study "t"', "de_casteljau")
 
     def test_report_scorecard(self):
         self.bundle(REPORT_SUITE, "--only", "2.3.1-bezier", "--trials", "20", "--set", "replicates=20")

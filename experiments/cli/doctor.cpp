@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "build_facts.hpp"
 #include "experiments/bundle/machine.hpp"
+#include "experiments/bundle/timing_fitness.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/floating_point.hpp"
+#include "experiments/timing/counters.hpp"
 
 namespace bezierbench::cli {
+namespace {
+
+void print(std::string_view aspect, std::string_view state, std::string_view text) {
+  fmt::print("{:<15} {:<8} {}\n", aspect, state, text);
+}
+
+}  // namespace
 
 void add_doctor(CLI::App& app, Exit& exit) {
   app.add_subcommand("doctor", "is this machine fit to measure on?")->callback([&exit] {
     const auto faults = floating_point_faults();
-    for (const auto& fault : faults) fmt::print("floating point: {}\n", fault);
-    if (faults.empty()) fmt::print("floating point: IEEE 754 double, to nearest, no contraction, subnormals kept\n");
-    fmt::print("{}", bundle::machine_json({compiler, all_flags, build_type, fp_flags, program_version}));
+    for (const auto& fault : faults) print("floating point", "unfit", fault);
+    if (faults.empty()) print("floating point", "fine", "IEEE 754 double, to nearest, no contraction, subnormals kept");
+    const auto machine =
+        bundle::machine_json({compiler, all_flags, build_type, fp_flags, program_version}, timing::Counters().state());
+    for (const auto& concern : bundle::timing_fitness(machine))
+      print(concern.aspect, concern.warning ? "warning" : "fine", concern.text);
     exit = faults.empty() ? Exit::fine : Exit::environment;
   });
 }

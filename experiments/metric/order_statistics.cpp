@@ -33,4 +33,8 @@ Interval median_interval(std::span<const double> sample, double confidence) {
   return {median, values[below == 0 ? 0 : below - 1], values[count - (below == 0 ? 1 : below)]};
 }
 
+bool covers_median(std::size_t count, double confidence) {
+  return std::ldexp(2.0, -static_cast<int>(count)) <= 1 - confidence;
+}
+
 }  // namespace bezierbench::metric

@@ -2,6 +2,7 @@
 // Quantiles of a small sample and the exact interval of its median; no distribution is assumed.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 namespace bezierbench::metric {
@@ -19,5 +20,8 @@ struct Interval {
 /// `confidence`, by the sign test: P(Binomial(N, 1/2) < k) <= (1 - confidence) / 2. The whole range where N is too
 /// small. Source: Hettmansperger and McKean, Robust Nonparametric Statistical Methods, section 1.1.
 Interval median_interval(std::span<const double> sample, double confidence);
+
+/// True where a sample of `count` is large enough for that: 2 (1/2)^count <= 1 - confidence, 8 for 99 %.
+bool covers_median(std::size_t count, double confidence);
 
 }  // namespace bezierbench::metric

@@ -42,6 +42,14 @@ TEST(OrderStatistics, TooFewValuesGiveTheWholeRange) {
   EXPECT_EQ(three.high, 3);
 }
 
+/// 2 (1/2)^7 = 0.0156 and 2 (1/2)^8 = 0.0078.
+TEST(OrderStatistics, EightValuesCoverAtNinetyNinePercent) {
+  EXPECT_FALSE(covers_median(0, 0.99));
+  EXPECT_FALSE(covers_median(7, 0.99));
+  EXPECT_TRUE(covers_median(8, 0.99));
+  EXPECT_TRUE(covers_median(41, 0.99));
+}
+
 /// Coverage by simulation: the interval contains the true median at least as often as it says.
 TEST(OrderStatistics, KeepsItsCoverage) {
   std::mt19937_64 words(1);

@@ -21,6 +21,7 @@
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/scorecard.hpp"
 #include "experiments/suite/writer.hpp"
+#include "experiments/timing/counters.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -157,7 +158,7 @@ Findings run(const RunRequest& request) {
   }
   auto directory = bundle::BundleDirectory::create(request.out);
   directory.write("suite.toml", suite_text);
-  directory.write("machine.json", bundle::machine_json(request.build));
+  directory.write("machine.json", bundle::machine_json(request.build, timing::Counters().state()));
   directory.write("methods.csv", request.methods_csv);
   directory.finish(manifest);  // says `partial` until the work is done
 

@@ -5,6 +5,7 @@
 
 #include "core/basis/amplification.hpp"
 #include "experiments/metric/trial_scale.hpp"
+#include "experiments/studies/scalar_facts.hpp"
 #include "experiments/studies/workspace.hpp"
 #include "reference/exact_curve.hpp"
 
@@ -21,24 +22,40 @@ ErrorBound lenient_bound(Form form) {
       .underflow_scales_with_coefficients = true};
 }
 
+/// What is given, in double: exactly.
+std::vector<double> widened(std::span<const float> values) { return {values.begin(), values.end()}; }
+std::span<const double> widened(std::span<const double> values) { return values; }
+
 }  // namespace
 
-bool agrees_with_reference(const Kernel<double>& kernel, suite::Mode mode, const timing::Inputs& inputs) {
+template <class Scalar>
+JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const timing::Inputs<Scalar>& inputs) {
+  constexpr auto arithmetic = ScalarFacts<Scalar>::arithmetic;
   reference::ExactCurve exact;
   metric::TrialScale scale;
   PreparedStorage storage;
-  std::vector<double> point(static_cast<std::size_t>(inputs.dimension));
+  const auto dimension = static_cast<std::size_t>(inputs.dimension);
+  JudgedPoints<Scalar> judged{std::vector<Scalar>(inputs.t.size() * dimension), true};
   const ErrorBound allowed = kernel.info->bound.value_or(lenient_bound(inputs.form));
   for (std::size_t k = 0; k < inputs.t.size(); ++k) {
-    const auto curve = inputs.curve(mode == suite::Mode::one_shot ? k : 0);
-    evaluate_once<double>(kernel, curve, inputs.t[k], storage, point);
-    scale.set(curve, inputs.t[k]);
-    const double error = reference::Distance(exact.point(curve, inputs.t[k])).to(point);
-    double bound = scale.bound(allowed, metric::double_arithmetic);
-    if (!std::isfinite(bound)) bound = scale.bound(lenient_bound(inputs.form), metric::double_arithmetic);
-    if (!std::isfinite(error) || metric::TrialScale::violates(error, bound)) return false;
+    const auto curve = inputs.curve_of(k, mode);
+    const auto point = std::span(judged.points).subspan(k * dimension, dimension);
+    evaluate_once<Scalar>(kernel, curve, inputs.t[k], storage, point);
+
+    const auto coefficients = widened(curve.coefficients);
+    const auto weights = widened(curve.weights);
+    const CurveView<double> given{curve.form, curve.dimension, curve.degree, coefficients, weights};
+    const auto t = static_cast<double>(inputs.t[k]);
+    scale.set(given, t);
+    const double error = reference::Distance(exact.point(given, t)).to(widened(std::span<const Scalar>(point)));
+    double bound = scale.bound(allowed, arithmetic);
+    if (!std::isfinite(bound)) bound = scale.bound(lenient_bound(inputs.form), arithmetic);
+    judged.right = judged.right && std::isfinite(error) && !metric::TrialScale::violates(error, bound);
   }
-  return true;
+  return judged;
 }
+
+template JudgedPoints<float> judge<float>(const Kernel<float>&, suite::Mode, const timing::Inputs<float>&);
+template JudgedPoints<double> judge<double>(const Kernel<double>&, suite::Mode, const timing::Inputs<double>&);
 
 }  // namespace bezierbench::studies

@@ -3,48 +3,76 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace bezierbench::studies {
 namespace {
 
-timing::Inputs cubic_inputs(Form form = Form::bernstein) {
-  timing::Inputs inputs{form, 2, 3, {}, {}, {}};
+template <class Scalar>
+timing::Inputs<Scalar> cubic_inputs(Form form) {
+  timing::Inputs<Scalar> inputs{form, 2, 3, {}, {}, {}};
   for (int k = 0; k < 7; ++k) {
-    inputs.curves.push_back({0, 0, 1.0 + k, 2, 3, -1, 4, 0.5});
-    inputs.weights.push_back({1, 2, 0.5, 3.0 + k});
-    inputs.t.push_back((k + 0.5) / 7);
+    inputs.curves.push_back({0, 0, Scalar(1) + Scalar(k), 2, 3, -1, 4, Scalar(0.5)});
+    inputs.weights.push_back({1, 2, Scalar(0.5), Scalar(3) + Scalar(k)});
+    inputs.t.push_back((Scalar(k) + Scalar(0.5)) / 7);
   }
   return inputs;
 }
 
-TEST(TimedCheck, PassesEveryMethodOfTheRosterOnCurvesOfItsForm) {
+template <class Scalar>
+class TimedCheck : public testing::Test {
+ protected:
+  /// de Casteljau with another `evaluate`.
+  static Kernel<Scalar> with(void (*evaluate)(const void*, std::span<const Scalar>, Scalar*)) {
+    Kernel<Scalar> kernel = *find_kernel<Scalar>("de_casteljau", Form::bernstein, 2);
+    kernel.evaluate = evaluate;
+    return kernel;
+  }
+};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(TimedCheck, Scalars);
+
+TYPED_TEST(TimedCheck, PassesEveryMethodOfTheRosterOnCurvesOfItsForm) {
   for (const auto mode : {suite::Mode::one_shot, suite::Mode::point})
-    for (const auto& kernel : kernels<double>(2)) {
-      EXPECT_TRUE(agrees_with_reference(kernel, mode, cubic_inputs(kernel.info->form))) << kernel.info->id;
-      if (kernel.info->form == Form::rational) continue;  // reads weights, which the others do not have
-      const Form other = kernel.info->form == Form::power ? Form::bernstein : Form::power;
-      EXPECT_FALSE(agrees_with_reference(kernel, mode, cubic_inputs(other))) << kernel.info->id;
+    for (const auto& kernel : kernels<TypeParam>(2)) {
+      const Form form = kernel.info->form;
+      EXPECT_TRUE(judge(kernel, mode, cubic_inputs<TypeParam>(form)).right) << kernel.info->id;
+      if (form == Form::rational) continue;  // reads weights, which the others do not have
+      const Form other = form == Form::power ? Form::bernstein : Form::power;
+      EXPECT_FALSE(judge(kernel, mode, cubic_inputs<TypeParam>(other)).right) << kernel.info->id;
     }
 }
 
-TEST(TimedCheck, CatchesAMethodThatLooksAtNoWeights) {
-  const auto& wrong = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
-  EXPECT_FALSE(agrees_with_reference(wrong, suite::Mode::point, cubic_inputs(Form::rational)));
+TYPED_TEST(TimedCheck, CatchesAMethodThatLooksAtNoWeights) {
+  const auto& wrong = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  EXPECT_FALSE(judge(wrong, suite::Mode::point, cubic_inputs<TypeParam>(Form::rational)).right);
 }
 
-TEST(TimedCheck, CatchesAWrongMethod) {
-  Kernel<double> wrong = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
-  wrong.evaluate = [](const void*, std::span<const double> t, double* points) {
+/// At t = 1/2, p = (b_0 + 3 b_1 + 3 b_2 + b_3) / 8, by hand: no rounding.
+TYPED_TEST(TimedCheck, HandsOverThePointsThatItJudged) {
+  const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
+  const auto& kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  const auto of_first = judge(kernel, suite::Mode::point, inputs).points;
+  const auto of_each = judge(kernel, suite::Mode::one_shot, inputs).points;
+  ASSERT_EQ(of_first.size(), 14U);
+  EXPECT_EQ(inputs.t[3], TypeParam(0.5));
+  EXPECT_EQ(of_first[6], TypeParam(2));       // (0 + 3 + 9 + 4) / 8
+  EXPECT_EQ(of_first[7], TypeParam(0.4375));  // (0 + 6 - 3 + 0.5) / 8
+  EXPECT_EQ(of_each[6], TypeParam(3.125));    // (0 + 3 * 4 + 9 + 4) / 8
+}
+
+TYPED_TEST(TimedCheck, CatchesAWrongMethod) {
+  const auto ones = this->with([](const void*, std::span<const TypeParam> t, TypeParam* points) {
     for (std::size_t k = 0; k < 2 * t.size(); ++k) points[k] = 1;
-  };
-  EXPECT_FALSE(agrees_with_reference(wrong, suite::Mode::point, cubic_inputs()));
+  });
+  EXPECT_FALSE(judge(ones, suite::Mode::point, cubic_inputs<TypeParam>(Form::bernstein)).right);
 }
 
-TEST(TimedCheck, CatchesNotANumber) {
-  Kernel<double> wrong = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
-  wrong.evaluate = [](const void*, std::span<const double> t, double* points) {
-    for (std::size_t k = 0; k < 2 * t.size(); ++k) points[k] = std::numeric_limits<double>::infinity();
-  };
-  EXPECT_FALSE(agrees_with_reference(wrong, suite::Mode::point, cubic_inputs()));
+TYPED_TEST(TimedCheck, CatchesNotANumber) {
+  const auto infinite = this->with([](const void*, std::span<const TypeParam> t, TypeParam* points) {
+    for (std::size_t k = 0; k < 2 * t.size(); ++k) points[k] = std::numeric_limits<TypeParam>::infinity();
+  });
+  EXPECT_FALSE(judge(infinite, suite::Mode::point, cubic_inputs<TypeParam>(Form::bernstein)).right);
 }
 
 }  // namespace

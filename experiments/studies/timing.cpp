@@ -6,46 +6,22 @@
 #include <algorithm>
 
 #include "experiments/failure.hpp"
-#include "experiments/metric/order_statistics.hpp"
-#include "experiments/number/number.hpp"
-#include "experiments/sample/cell.hpp"
-#include "experiments/sample/draw.hpp"
+#include "experiments/studies/complexity_rows.hpp"
+#include "experiments/studies/heat.hpp"
 #include "experiments/studies/interruption.hpp"
-#include "experiments/studies/method_choice.hpp"
-#include "experiments/studies/timed_check.hpp"
+#include "experiments/studies/timing_rows.hpp"
 #include "experiments/suite/names.hpp"
-#include "experiments/timing/kernel_rival.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-constexpr std::size_t inputs_per_cell = 256;
-constexpr double confidence = 0.99;
-
-/// One cell in one mode: a race.
-struct Heat {
-  sample::Cell cell;
-  suite::Mode mode;
-  std::vector<const Kernel<double>*> methods;  ///< those that support the degree
-  std::vector<timing::Lap> laps;
-  std::vector<bool> correct;  ///< against the exact reference, before timing
-};
+constexpr int most_reruns_per_heat = 2;
 
 class TimingJob final : public Job {
  public:
-  TimingJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
-    for (const auto scalar : study_.scalar)
-      if (scalar != suite::ScalarKind::float64)
-        throw Failure(
-            Exit::usage,
-            fmt::format("study \"{}\": timing takes scalar = [\"double\"] only; leave the others out", study_.id));
-    for (const auto& cell : sample::cells(study_))
-      for (const auto mode : study_.modes) {
-        Heat heat{cell, mode, {}, {}, {}};
-        for (const auto* kernel : chosen_kernels<double>(study_, cell.dimension))
-          if (kernel->info->supports<double>(cell.degree)) heat.methods.push_back(kernel);
-        heats_.push_back(std::move(heat));
-      }
+  TimingJob(const suite::Study& study, std::uint64_t seed)
+      : study_(study), seed_(seed), heats_(heats_of(study)), reruns_left_(std::max<std::size_t>(heats_.size() / 2, 1)) {
+    require_racing_baseline();
   }
 
   [[nodiscard]] std::size_t blocks() const override { return heats_.size(); }
@@ -54,91 +30,66 @@ class TimingJob final : public Job {
     return 5e7 * static_cast<double>(heats_[block].methods.size());  // about the same wall time whatever the degree
   }
   [[nodiscard]] Extent extent() const override {
-    Extent sum{heats_.size(), 0, 0, 0};
+    Extent sum{heats_.size(), study_.modes.size(), 0, 0};  // a sentinel's row in each mode
     for (const auto& heat : heats_) {
       sum.rows += heat.methods.size();
-      sum.evaluations += heat.methods.size() * inputs_per_cell;
+      sum.evaluations += heat.methods.size() * inputs_per_heat;
     }
     return sum;
   }
   void run_block(std::size_t block) override;
-  void write(Tables& tables) const override;
+  void write(Tables& tables) const override {
+    write_timing_rows(study_, heats_, tables);
+    write_complexity_rows(study_, heats_, tables);
+  }
   [[nodiscard]] std::vector<Series> series() const override;
 
  private:
+  void require_racing_baseline() const;
+
   suite::Study study_;
   std::uint64_t seed_;
   std::vector<Heat> heats_;
+  std::size_t reruns_left_;  ///< of the study: a restless machine lengthens it by half at most
+  timing::Counters counters_;
 };
 
+void TimingJob::require_racing_baseline() const {
+  const auto named = named_baseline(study_);
+  const auto races = [&](const Heat& heat) {
+    return heat.methods.empty() ||
+           std::ranges::any_of(heat.methods, [&](const auto* info) { return info->id == named; });
+  };
+  if (!named.empty() && std::ranges::none_of(heats_, races))
+    throw Failure(Exit::usage, fmt::format("study \"{}\": baseline \"{}\" is not among its methods; add it to them or "
+                                           "leave it out",
+                                           study_.id, named));
+}
+
+/// A race in which the sentinel drifted is run again; the attempt with the quicker sentinel counts.
 void TimingJob::run_block(std::size_t block) {
   Heat& heat = heats_[block];
   if (heat.methods.empty()) return;  // none supports the degree
-  timing::Inputs inputs{form_of(study_.curve), heat.cell.dimension, heat.cell.degree, {}, {}, {}};
-  const sample::Sampler sampler(seed_, study_.id, heat.cell);
-  sample::Trial trial;
-  for (std::size_t k = 0; k < inputs_per_cell; ++k) {
-    sampler.draw(k, trial);
-    inputs.curves.push_back(trial.coefficients);
-    inputs.t.push_back(trial.t);
-    inputs.weights.push_back(trial.weights);
-  }
-  std::vector<timing::Rival> rivals;
-  for (const auto* kernel : heat.methods) {
-    heat.correct.push_back(agrees_with_reference(*kernel, heat.mode, inputs));
-    rivals.push_back(timing::kernel_rival(*kernel, heat.mode, inputs));
-  }
   timing::RaceOptions options;
+  options.counters = &counters_;
   options.stop = interrupted;
-  heat.laps =
-      timing::race(fmt::format("{}/{}/{}", study_.id, heat.cell.degree, suite::name(heat.mode)), rivals, options);
+  heat.laps = run(heat, study_, seed_, options);
+  for (int rerun = 0; rerun < most_reruns_per_heat && reruns_left_ > 0; ++rerun) {
+    if (interrupted() || !drifted(heat.laps, fastest_sentinel(heats_))) break;
+    --reruns_left_;
+    auto again = run(heat, study_, seed_, options);
+    if (sentinel_of(again).slow < sentinel_of(heat.laps).slow) heat.laps = std::move(again);
+  }
 }
 
-void TimingJob::write(Tables& tables) const {
-  auto& table = tables.table(
-      "timing.csv", {"study",     "curve",      "method",  "scalar",       "dimension",        "degree",      "mode",
-                     "median_ns", "low_ns",     "high_ns", "rounds",       "points_per_round", "relative_to", "ratio",
-                     "ratio_low", "ratio_high", "cycles",  "instructions", "quality",          "checked"});
-  const auto number = [](double value) { return number::decimal(value); };
-  for (const auto& heat : heats_)
-    for (std::size_t m = 0; m < heat.methods.size(); ++m) {
-      const auto& lap = heat.laps[m];
-      const auto& base = heat.laps.front();
-      const auto time = metric::median_interval(lap.ns_per_point, confidence);
-      std::vector<double> ratios;
-      for (std::size_t round = 0; round < lap.ns_per_point.size(); ++round)
-        ratios.push_back(lap.ns_per_point[round] / base.ns_per_point[round]);
-      const auto ratio = metric::median_interval(ratios, confidence);
-      table.add_row({study_.id,
-                     std::string(suite::name(study_.curve)),
-                     std::string(heat.methods[m]->info->id),
-                     std::string(suite::name(suite::ScalarKind::float64)),
-                     std::to_string(heat.cell.dimension),
-                     std::to_string(heat.cell.degree),
-                     std::string(suite::name(heat.mode)),
-                     number(time.median),
-                     number(time.low),
-                     number(time.high),
-                     std::to_string(lap.ns_per_point.size()),
-                     std::to_string(lap.points_per_round),
-                     std::string(heat.methods.front()->info->id),
-                     number(ratio.median),
-                     number(ratio.low),
-                     number(ratio.high),
-                     "",
-                     "",
-                     "",
-                     lap.checked && heat.correct[m] ? "yes" : "no"});
-    }
-}
-
+/// Of the double heats only: printed times do not say otherwise.
 std::vector<Series> TimingJob::series() const {
   std::vector<Series> all;
   for (const auto& heat : heats_)
-    for (std::size_t m = 0; m < heat.methods.size(); ++m)
+    for (std::size_t m = 0; m < heat.methods.size() && heat.scalar == suite::ScalarKind::float64; ++m)
       all.push_back({.study = study_.id,
                      .curve = std::string(suite::name(study_.curve)),
-                     .method = std::string(heat.methods[m]->info->id),
+                     .method = std::string(heat.methods[m]->id),
                      .statistic = "total_time",
                      .degree = std::to_string(heat.cell.degree),
                      .coordinate_range = heat.cell.coordinate_range,

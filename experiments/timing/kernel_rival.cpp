@@ -2,94 +2,110 @@
 #include "experiments/timing/kernel_rival.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <type_traits>
+#include <utility>
 
 namespace bezierbench::timing {
 namespace {
 
 /// What a rival owns: the prepared state, the points of its last batch, and the points it must reproduce.
+template <class Scalar>
 struct State {
-  const Kernel<double>& kernel;
-  const Inputs& inputs;
+  const Kernel<Scalar>& kernel;
+  const Inputs<Scalar>& inputs;
   std::unique_ptr<std::byte[]> memory;
   void* prepared = nullptr;
-  std::vector<double> points;
-  std::vector<double> judged;
+  std::vector<Scalar> points;
+  std::vector<Scalar> judged;
 
-  State(const Kernel<double>& k, const Inputs& in)
+  State(const Kernel<Scalar>& k, const Inputs<Scalar>& in, std::vector<Scalar> right)
       : kernel(k),
         inputs(in),
-        memory(new std::byte[k.prepared_size + k.prepared_alignment]),
-        points(in.t.size() * static_cast<std::size_t>(in.dimension)),
-        judged(points.size()) {
+        memory(new std::byte[k.prepared_size + alignment()]),
+        points(right.size(), spoilt),
+        judged(std::move(right)) {
     void* start = memory.get();
-    std::size_t room = k.prepared_size + k.prepared_alignment;
-    prepared = std::align(k.prepared_alignment, k.prepared_size, start, room);
+    std::size_t room = k.prepared_size + alignment();
+    prepared = std::align(alignment(), k.prepared_size, start, room);
     kernel.prepare(inputs.curve(0), prepared);
   }
 
-  [[nodiscard]] double* point(std::size_t k) { return points.data() + k * static_cast<std::size_t>(inputs.dimension); }
-  void evaluate(std::size_t k, double t) { kernel.evaluate(prepared, std::span<const double>(&t, 1), point(k)); }
+  [[nodiscard]] Scalar* point(std::size_t k) { return points.data() + k * static_cast<std::size_t>(inputs.dimension); }
+  void evaluate(std::size_t k, Scalar t) { kernel.evaluate(prepared, std::span<const Scalar>(&t, 1), point(k)); }
+
+  /// Are the points the judged ones? Spoils them, so that a batch that writes nothing cannot pass the next check.
+  bool check() {
+    const bool same = std::memcmp(points.data(), judged.data(), points.size() * sizeof(Scalar)) == 0;
+    std::ranges::fill(points, spoilt);
+    return same;
+  }
+
+ private:
+  static constexpr Scalar spoilt = std::numeric_limits<Scalar>::quiet_NaN();
+  static constexpr std::size_t cache_line = 64;  // every rival's state begins on one: chance decides for none
+  [[nodiscard]] std::size_t alignment() const { return std::max(kernel.prepared_alignment, cache_line); }
 };
 
-void one_shot(State& s) {
+template <class Scalar>
+void one_shot(State<Scalar>& s) {
   for (std::size_t k = 0; k < s.inputs.t.size(); ++k) {
     s.kernel.prepare(s.inputs.curve(k), s.prepared);
     s.evaluate(k, s.inputs.t[k]);
   }
 }
 
-void point_by_point(State& s) {
+template <class Scalar>
+void point_by_point(State<Scalar>& s) {
   for (std::size_t k = 0; k < s.inputs.t.size(); ++k) s.evaluate(k, s.inputs.t[k]);
 }
 
-/// Each t waits for the last point: 0 times a finite number added changes no bit of t > 0, which no compiler can know.
-void dependent_chain(State& s) {
-  double last = 0;
+/// Each t waits for every coordinate of the last point: their bits and a zero that no compiler can know are put on top
+/// of its own. No bit changes, whatever the point is (0 times it would spoil t after an infinity), and points and t go
+/// through memory anyway, so that this costs two operations on integers.
+template <class Scalar>
+void dependent_chain(State<Scalar>& s) {
+  using Bits = std::conditional_t<sizeof(Scalar) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+  volatile Bits hidden = 0;
+  const Bits zero = hidden;
+  Bits last = 0;
   for (std::size_t k = 0; k < s.inputs.t.size(); ++k) {
-    s.evaluate(k, s.inputs.t[k] + 0.0 * last);
-    last = *s.point(k);
+    s.evaluate(k, std::bit_cast<Scalar>(std::bit_cast<Bits>(s.inputs.t[k]) | (last & zero)));
+    for (int axis = 0; axis < s.inputs.dimension; ++axis) last |= std::bit_cast<Bits>(s.point(k)[axis]);
   }
 }
 
-void batch(State& s) { s.kernel.evaluate(s.prepared, s.inputs.t, s.points.data()); }
+template <class Scalar>
+void batch(State<Scalar>& s) {
+  s.kernel.evaluate(s.prepared, s.inputs.t, s.points.data());
+}
 
-void (*run_of(suite::Mode mode))(State&) {
+template <class Scalar>
+void (*run_of(suite::Mode mode))(State<Scalar>&) {
   switch (mode) {
-    case suite::Mode::one_shot: return one_shot;
-    case suite::Mode::point: return point_by_point;
-    case suite::Mode::latency: return dependent_chain;
-    case suite::Mode::batch: return batch;
+    case suite::Mode::one_shot: return one_shot<Scalar>;
+    case suite::Mode::point: return point_by_point<Scalar>;
+    case suite::Mode::latency: return dependent_chain<Scalar>;
+    case suite::Mode::batch: return batch<Scalar>;
   }
   return nullptr;
 }
 
-/// The points that the batch must reproduce, bit for bit: by the kernel's own functions, one at a time.
-void judge(State& s, suite::Mode mode) {
-  for (std::size_t k = 0; k < s.inputs.t.size(); ++k) {
-    if (mode == suite::Mode::one_shot) s.kernel.prepare(s.inputs.curve(k), s.prepared);
-    s.evaluate(k, s.inputs.t[k]);
-  }
-  s.judged = s.points;
-  std::ranges::fill(s.points, std::numeric_limits<double>::quiet_NaN());
-}
-
-/// Are the points the judged ones? Spoils them, so that a batch that writes nothing cannot pass the next check.
-bool check(State& s) {
-  const bool same = std::memcmp(s.points.data(), s.judged.data(), s.points.size() * sizeof(double)) == 0;
-  std::ranges::fill(s.points, std::numeric_limits<double>::quiet_NaN());
-  return same;
-}
-
 }  // namespace
 
-Rival kernel_rival(const Kernel<double>& kernel, suite::Mode mode, const Inputs& inputs) {
-  auto state = std::make_shared<State>(kernel, inputs);
-  judge(*state, mode);
-  return {std::string(kernel.info->id), inputs.t.size(), [state, run = run_of(mode)] { run(*state); },
-          [state] { return check(*state); }};
+template <class Scalar>
+Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs,
+                   std::vector<Scalar> judged) {
+  auto state = std::make_shared<State<Scalar>>(kernel, inputs, std::move(judged));
+  return {std::string(kernel.info->id), inputs.t.size(), [state, run = run_of<Scalar>(mode)] { run(*state); },
+          [state] { return state->check(); }};
 }
+
+template Rival kernel_rival<float>(const Kernel<float>&, suite::Mode, const Inputs<float>&, std::vector<float>);
+template Rival kernel_rival<double>(const Kernel<double>&, suite::Mode, const Inputs<double>&, std::vector<double>);
 
 }  // namespace bezierbench::timing

@@ -12,22 +12,30 @@
 namespace bezierbench::timing {
 
 /// The curves and parameters of a cell: `one_shot` uses curve k with t k; the other modes use the first curve only.
+template <class Scalar>
 struct Inputs {
   Form form = Form::bernstein;
   int dimension = 2;
   int degree = 0;
-  std::vector<std::vector<double>> curves;   ///< coefficients point by point
-  std::vector<double> t;                     ///< as many as curves
-  std::vector<std::vector<double>> weights;  ///< as many as curves, if these are rational
+  std::vector<std::vector<Scalar>> curves;   ///< coefficients point by point
+  std::vector<Scalar> t;                     ///< as many as curves
+  std::vector<std::vector<Scalar>> weights;  ///< as many as curves, if these are rational
 
-  [[nodiscard]] CurveView<double> curve(std::size_t k) const {
-    CurveView<double> view{form, dimension, degree, curves[k]};
+  [[nodiscard]] CurveView<Scalar> curve(std::size_t k) const {
+    CurveView<Scalar> view{form, dimension, degree, curves[k]};
     if (form == Form::rational) view.weights = weights[k];
     return view;
   }
+  /// The curve that t k is evaluated on.
+  [[nodiscard]] CurveView<Scalar> curve_of(std::size_t k, suite::Mode mode) const {
+    return curve(mode == suite::Mode::one_shot ? k : 0);
+  }
 };
 
-/// The rival; `inputs` must outlive it.
-Rival kernel_rival(const Kernel<double>& kernel, suite::Mode mode, const Inputs& inputs);
+/// The rival. `judged` are the points that every run must reproduce bit for bit: points[k * dimension + axis] is the
+/// point at t[k]. `inputs` must outlive it.
+template <class Scalar>
+Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs,
+                   std::vector<Scalar> judged);
 
 }  // namespace bezierbench::timing

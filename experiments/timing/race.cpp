@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <optional>
 
 namespace bezierbench::timing {
 namespace {
@@ -20,15 +22,20 @@ double seconds_of(const Rival& rival, std::size_t repetitions) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Batches per round so that one rival takes at least `least_seconds`, three times out of three: one preemption must
-/// not end the search. Doubling also warms it up.
+/// Batches per round so that one rival's turn takes `least_seconds`: from the fastest of three tries, as a preemption
+/// must not end the search, and not rounded to a power of two, as rivals of equal speed must get equal turns. Doubling
+/// also warms it up.
 std::size_t calibrated_repetitions(const Rival& rival, double least_seconds) {
   const auto fastest_of_three = [&](std::size_t repetitions) {
     return std::min({seconds_of(rival, repetitions), seconds_of(rival, repetitions), seconds_of(rival, repetitions)});
   };
   std::size_t repetitions = 1;
-  while (fastest_of_three(repetitions) < least_seconds) repetitions *= 2;
-  return repetitions;
+  double seconds = fastest_of_three(repetitions);
+  while (seconds < least_seconds) {
+    repetitions *= 2;
+    seconds = fastest_of_three(repetitions);
+  }
+  return static_cast<std::size_t>(std::ceil(static_cast<double>(repetitions) * least_seconds / seconds));
 }
 
 /// Orders of the rivals, one per round: Williams' design, in which every rival stands in every place and directly
@@ -47,6 +54,23 @@ std::vector<std::vector<std::size_t>> counterbalanced_orders(std::size_t rivals)
   return orders;
 }
 
+/// One rival's turn in one round: a batch to call its code and data back into the caches, then the batches that count.
+/// The counters are read outside the clock.
+double run_turn(const Rival& rival, std::size_t repetitions, const Counters* counters, Lap& lap) {
+  rival.run();
+  const auto before = counters != nullptr ? counters->read() : std::nullopt;
+  const double seconds = seconds_of(rival, repetitions);
+  const auto after = before ? counters->read() : std::nullopt;
+  const auto points = static_cast<double>(lap.points_per_round);
+  lap.ns_per_point.push_back(seconds * 1e9 / points);
+  if (const auto counts = after ? counts_between(*before, *after) : std::nullopt) {
+    lap.cycles_per_point.push_back(counts->cycles / points);
+    lap.instructions_per_point.push_back(counts->instructions / points);
+  }
+  lap.checked = rival.check() && lap.checked;
+  return seconds;
+}
+
 /// Google Benchmark prints nothing: the laps are the result.
 class SilentReporter final : public benchmark::BenchmarkReporter {
  public:
@@ -59,26 +83,30 @@ class SilentReporter final : public benchmark::BenchmarkReporter {
 std::vector<Lap> race(const std::string& name, std::span<const Rival> rivals, const RaceOptions& options) {
   std::vector<Lap> laps(rivals.size());
   std::vector<std::size_t> repetitions;
-  for (const auto& rival : rivals) repetitions.push_back(calibrated_repetitions(rival, options.round_seconds));
+  for (std::size_t who = 0; who < rivals.size(); ++who) {
+    repetitions.push_back(calibrated_repetitions(rivals[who], options.round_seconds));
+    laps[who].points_per_round = repetitions[who] * rivals[who].points_per_batch;
+  }
 
   const auto orders = counterbalanced_orders(rivals.size());
-  const std::size_t rounds = (options.rounds + orders.size() - 1) / orders.size() * orders.size();
+  const auto whole_cycles = [&](std::size_t rounds) {
+    return (rounds + orders.size() - 1) / orders.size() * orders.size();
+  };
+  const double enough_seconds = options.rival_seconds * static_cast<double>(rivals.size());
 
   const auto body = [&](benchmark::State& state) {
     std::size_t round = 0;
+    double total_seconds = 0;
     for ([[maybe_unused]] auto iteration : state) {
       double round_seconds = 0;
-      for (const std::size_t who : orders[round % orders.size()]) {
-        const double seconds = seconds_of(rivals[who], repetitions[who]);
-        const auto points = repetitions[who] * rivals[who].points_per_batch;
-        laps[who].ns_per_point.push_back(seconds * 1e9 / static_cast<double>(points));
-        laps[who].points_per_round = points;
-        laps[who].checked = laps[who].checked && rivals[who].check();
-        round_seconds += seconds;
-      }
+      for (const std::size_t who : orders[round % orders.size()])
+        round_seconds += run_turn(rivals[who], repetitions[who], options.counters, laps[who]);
       state.SetIterationTime(round_seconds);
+      total_seconds += round_seconds;
       ++round;
-      if (options.stop != nullptr && options.stop()) {
+      const bool enough =
+          total_seconds >= enough_seconds && round >= options.least_rounds && round % orders.size() == 0;
+      if (enough || total_seconds >= options.most_seconds || (options.stop != nullptr && options.stop())) {
         state.SkipWithError("stopped");
         break;
       }
@@ -87,7 +115,7 @@ std::vector<Lap> race(const std::string& name, std::span<const Rival> rivals, co
   benchmark::ClearRegisteredBenchmarks();
   benchmark::RegisterBenchmark(name.c_str(), body)
       ->UseManualTime()
-      ->Iterations(static_cast<benchmark::IterationCount>(rounds))
+      ->Iterations(static_cast<benchmark::IterationCount>(whole_cycles(options.rounds)))
       ->Repetitions(1);
   SilentReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <map>
 
-#include "experiments/timing/kernel_rival.hpp"
-
 namespace bezierbench::timing {
 namespace {
 
@@ -64,27 +62,42 @@ TEST(Race, StopsWhenAsked) {
   EXPECT_EQ(laps[0].ns_per_point.size(), 1U);
 }
 
-Inputs cubic_inputs(Form form) {
-  Inputs inputs{form, 2, 3, {}, {}, {}};
-  for (int k = 0; k < 7; ++k) {
-    inputs.curves.push_back({0, 0, 1.0 + k, 2, 3, -1, 4, 0.5});
-    inputs.weights.push_back({1, 2, 0.5, 3.0 + k});
-    inputs.t.push_back((k + 0.5) / 7);
-  }
-  return inputs;
+TEST(Race, EndsWhenItsTimeIsUp) {
+  const std::vector<Rival> rivals{{"one", 1, [] {}, [] { return true; }}};
+  const auto laps = race("test", rivals, {.rounds = 1000, .round_seconds = 1e-9, .most_seconds = 0});
+  EXPECT_EQ(laps[0].ns_per_point.size(), 1U);
 }
 
-TEST(KernelRival, ReproducesTheJudgedPointsInEveryMode) {
-  for (const auto mode : {suite::Mode::one_shot, suite::Mode::point, suite::Mode::latency, suite::Mode::batch})
-    for (const auto& kernel : kernels<double>(2)) {
-      const Inputs inputs = cubic_inputs(kernel.info->form);
-      const Rival rival = kernel_rival(kernel, mode, inputs);
-      EXPECT_EQ(rival.points_per_batch, 7U);
-      EXPECT_FALSE(rival.check()) << "nothing ran yet";
-      rival.run();
-      EXPECT_TRUE(rival.check()) << kernel.info->id;
-      EXPECT_FALSE(rival.check()) << "a check uses the points up: the next round must write them anew";
-    }
+TEST(Race, SlowRivalsRunFewerRoundsButWholeCycles) {
+  const Rival rival{"one", 1, [] {}, [] { return true; }};
+  const std::vector<Rival> three(3, rival);  // six orders
+  const auto laps = race("test", three, {.rounds = 1000, .least_rounds = 7, .round_seconds = 1e-9, .rival_seconds = 0});
+  EXPECT_EQ(laps[0].ns_per_point.size(), 12U);
+}
+
+/// A turn is preceded by one batch that is not timed, and equal rivals do equal work in their turns, about.
+TEST(Race, WarmsUpBeforeEveryTurn) {
+  int runs = 0;
+  int at_last_check = 0;
+  std::vector<int> runs_per_turn;
+  const std::vector<Rival> rivals{{"one", 1, [&] { ++runs; },
+                                   [&] {
+                                     runs_per_turn.push_back(runs - at_last_check);
+                                     at_last_check = runs;
+                                     return true;
+                                   }}};
+  const auto laps = race("test", rivals, {.rounds = 4, .round_seconds = 1e-7});
+  ASSERT_EQ(runs_per_turn.size(), 4U);
+  for (std::size_t turn = 1; turn < 4; ++turn)
+    EXPECT_EQ(static_cast<std::size_t>(runs_per_turn[turn]), laps[0].points_per_round + 1);
+}
+
+TEST(Race, CountsPerPointWhereThereAreCounters) {
+  const Counters counters;
+  const std::vector<Rival> rivals{{"one", 1, [] {}, [] { return true; }}};
+  const auto laps = race("test", rivals, {.rounds = 10, .round_seconds = 1e-6, .counters = &counters});
+  EXPECT_EQ(laps[0].cycles_per_point.size(), laps[0].instructions_per_point.size());
+  EXPECT_LE(laps[0].cycles_per_point.size(), counters.available() ? 10U : 0U);
 }
 
 }  // namespace

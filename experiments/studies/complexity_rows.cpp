@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/complexity_rows.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "experiments/metric/growth.hpp"
+#include "experiments/metric/order_statistics.hpp"
+#include "experiments/metric/verdict.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/suite/names.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+/// The times of one method over the degrees.
+struct Ladder {
+  const Heat* first;  ///< scalar, dimension and mode are those of all its heats
+  const MethodInfo* method;
+  std::vector<double> degrees;
+  std::vector<double> ns;
+};
+
+/// In the order in which their first heats ran.
+std::vector<Ladder> ladders_of(const std::vector<Heat>& heats) {
+  std::vector<Ladder> ladders;
+  std::map<std::tuple<suite::ScalarKind, int, suite::Mode, const MethodInfo*>, std::size_t> places;
+  for (const auto& heat : heats)
+    for (std::size_t m = 0; m < heat.methods.size() && !heat.laps.empty(); ++m) {
+      const auto [place, is_new] =
+          places.try_emplace({heat.scalar, heat.cell.dimension, heat.mode, heat.methods[m]}, ladders.size());
+      if (is_new) ladders.push_back({&heat, heat.methods[m], {}, {}});
+      Ladder& ladder = ladders[place->second];
+      ladder.degrees.push_back(heat.cell.degree);
+      ladder.ns.push_back(metric::median_interval(heat.laps[m].ns_per_point, metric::timing_confidence).median);
+    }
+  return ladders;
+}
+
+int claimed_exponent(const MethodInfo& method, suite::Mode mode) {
+  return mode == suite::Mode::one_shot ? std::max(method.cost_exponent, method.prepare_exponent) : method.cost_exponent;
+}
+
+}  // namespace
+
+void write_complexity_rows(const suite::Study& study, const std::vector<Heat>& heats, Tables& tables) {
+  auto& table = tables.table("complexity.csv",
+                             {"study", "curve", "method", "scalar", "dimension", "mode", "first_degree", "last_degree",
+                              "exponent", "exponent_low", "exponent_high", "claimed", "verdict"});
+  for (const auto& ladder : ladders_of(heats)) {
+    const auto fitted = metric::growth(ladder.degrees, ladder.ns, metric::timing_confidence);
+    if (!fitted) continue;
+    const int claimed = claimed_exponent(*ladder.method, ladder.first->mode);
+    const auto [least, most] = std::ranges::minmax(ladder.degrees);
+    table.add_row({study.id, std::string(suite::name(study.curve)), std::string(ladder.method->id),
+                   std::string(suite::name(ladder.first->scalar)), std::to_string(ladder.first->cell.dimension),
+                   std::string(suite::name(ladder.first->mode)), number::decimal(least), number::decimal(most),
+                   number::decimal(fitted->exponent), number::decimal(fitted->low), number::decimal(fitted->high),
+                   std::to_string(claimed), std::string(metric::name(metric::verdict(*fitted, claimed)))});
+  }
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// What is made of the laps of races; the laps are made up, so that no clock decides.
+#include "experiments/studies/heat.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "experiments/bundle/csv.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/studies/complexity_rows.hpp"
+#include "experiments/studies/timing.hpp"
+#include "experiments/studies/timing_rows.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+using testing::ElementsAre;
+
+suite::Study timing_study() {
+  suite::Study study;
+  study.id = "s";
+  study.kind = suite::Kind::timing;
+  study.degree = {3, 5, 10, 20};
+  study.methods = {"horner_bernstein", "de_casteljau"};  // the roster has them the other way round
+  study.modes = {suite::Mode::point};
+  return study;
+}
+
+timing::Lap lap_of(double ns, std::size_t rounds = 10) {
+  timing::Lap lap;
+  lap.ns_per_point.assign(rounds, ns);
+  lap.points_per_round = 256;
+  return lap;
+}
+
+/// A heat of de Casteljau, n^2 ns, and Horner-Bernstein, 2 n ns.
+void make_up(Heat& heat, double sentinel_ns = 1) {
+  const double n = heat.cell.degree;
+  heat.laps = {lap_of(n * n), lap_of(2 * n), lap_of(sentinel_ns)};
+}
+
+std::vector<Heat> made_up_heats(const suite::Study& study) {
+  auto heats = heats_of(study);
+  for (auto& heat : heats) make_up(heat);
+  return heats;
+}
+
+bundle::CsvDocument written(void (*write)(const suite::Study&, const std::vector<Heat>&, Tables&),
+                            const suite::Study& study, const std::vector<Heat>& heats, const std::string& file) {
+  Tables tables;
+  write(study, heats, tables);
+  return bundle::parse_csv(tables.all().at(file).text(), file);
+}
+
+bundle::CsvDocument timing_csv(const suite::Study& study, const std::vector<Heat>& heats) {
+  return written(write_timing_rows, study, heats, "timing.csv");
+}
+
+std::vector<std::string> column(const bundle::CsvDocument& document, std::string_view name) {
+  std::vector<std::string> values;
+  for (std::size_t row = 0; row < document.row_count(); ++row) values.push_back(document.at(row, name));
+  return values;
+}
+
+TEST(Heat, EveryScalarCellAndModeIsOne) {
+  auto study = timing_study();
+  study.scalar = {suite::ScalarKind::float64, suite::ScalarKind::float32};
+  study.modes = {suite::Mode::point, suite::Mode::batch, suite::Mode::latency};
+  study.dimension = {1, 2};
+  EXPECT_EQ(heats_of(study).size(), 2U * 3 * 2 * 4);
+}
+
+TEST(Heat, HoldsTheMethodsOfItsScalarType) {
+  auto study = timing_study();
+  study.degree = {100};
+  study.methods = {"direct", "de_casteljau"};
+  study.scalar = {suite::ScalarKind::float64, suite::ScalarKind::float32};
+  const auto heats = heats_of(study);
+  EXPECT_EQ(heats[0].methods.size(), 2U);
+  EXPECT_EQ(heats[1].methods.size(), 1U) << "factorials of 100 overflow in float";
+}
+
+TEST(Heat, RatiosAreRelativeToTheMethodNamedFirst) {
+  auto study = timing_study();
+  EXPECT_EQ(relative_to(heats_of(study)[0], study), 1U);
+  study.baseline = {"de_casteljau"};
+  EXPECT_EQ(relative_to(heats_of(study)[0], study), 0U);
+  study.baseline = {"exact"};
+  study.methods.clear();
+  EXPECT_EQ(relative_to(heats_of(study)[0], study), 0U);
+}
+
+TEST(Heat, ABaselineThatCannotRaceHasNoRatios) {
+  auto study = timing_study();
+  study.degree = {170, 171};
+  study.methods = {"direct", "de_casteljau"};
+  EXPECT_EQ(heats_of(study)[1].methods.size(), 1U);
+  EXPECT_EQ(relative_to(heats_of(study)[1], study), 0U) << "none is named: the first that is there";
+  study.baseline = {"direct"};
+  EXPECT_EQ(relative_to(heats_of(study)[0], study), 0U);
+  EXPECT_EQ(relative_to(heats_of(study)[1], study), std::nullopt);
+  EXPECT_NO_THROW(timing_job(study, {}));
+  study.baseline = {"volk_schumaker"};
+  EXPECT_THROW(timing_job(study, {}), Failure);
+}
+
+TEST(TimingRows, RatiosAreTakenRoundByRound) {
+  const auto study = timing_study();
+  auto heats = heats_of(study);
+  heats.resize(1);
+  make_up(heats[0]);
+  for (std::size_t round = 0; round < 10; ++round) {  // a machine that grows slower, by more than any method differs
+    const double machine = 1 + static_cast<double>(round);
+    heats[0].laps[0].ns_per_point[round] = 3 * machine;
+    heats[0].laps[1].ns_per_point[round] = 2 * machine;
+  }
+  const auto csv = timing_csv(study, heats);
+  EXPECT_THAT(column(csv, "method"), ElementsAre("de_casteljau", "horner_bernstein", "sentinel"));
+  EXPECT_THAT(column(csv, "relative_to"), ElementsAre("horner_bernstein", "horner_bernstein", ""));
+  EXPECT_THAT(column(csv, "ratio"), ElementsAre("1.5", "1", ""));
+  EXPECT_THAT(column(csv, "ratio_low"), ElementsAre("1.5", "1", ""));
+  EXPECT_THAT(column(csv, "ratio_high"), ElementsAre("1.5", "1", ""));
+  EXPECT_THAT(column(csv, "median_ns"), ElementsAre("16.5", "11", "1"));
+  EXPECT_THAT(column(csv, "degree"), ElementsAre("3", "3", ""));
+}
+
+TEST(TimingRows, CountsAreMediansOrEmpty) {
+  const auto study = timing_study();
+  auto heats = heats_of(study);
+  heats.resize(1);
+  make_up(heats[0]);
+  heats[0].laps[0].cycles_per_point = {4, 3, 5};
+  heats[0].laps[0].instructions_per_point = {7, 9, 8};
+  const auto csv = timing_csv(study, heats);
+  EXPECT_THAT(column(csv, "cycles"), ElementsAre("4", "", ""));
+  EXPECT_THAT(column(csv, "instructions"), ElementsAre("8", "", ""));
+}
+
+TEST(TimingRows, SayWhatTheSentinelSaw) {
+  const auto study = timing_study();
+  auto heats = made_up_heats(study);
+  make_up(heats[1], 1.019);                  // within what is tolerated
+  make_up(heats[2], 1.021);                  // steady, but slower than the others
+  heats[3].laps.back().ns_per_point[9] = 5;  // one disturbed round is what medians are for
+  const auto csv = timing_csv(study, heats);
+  EXPECT_THAT(column(csv, "quality"), ElementsAre("ok", "ok", "ok", "ok", "noisy", "noisy", "ok", "ok", "noisy"));
+  for (std::size_t round = 5; round < 10; ++round) heats[3].laps.back().ns_per_point[round] = 1.03;
+  EXPECT_EQ(timing_csv(study, heats).at(6, "quality"), "noisy") << "slower in its second half";
+}
+
+TEST(TimingRows, TooFewRoundsAreNamed) {
+  const auto study = timing_study();
+  auto heats = made_up_heats(study);
+  heats[0].laps = {lap_of(1, 7), lap_of(1, 7), lap_of(1, 7)};
+  heats[1].laps = {lap_of(1, 8), lap_of(1, 8), lap_of(1, 8)};
+  const auto csv = timing_csv(study, heats);
+  EXPECT_EQ(csv.at(0, "quality"), "few_rounds");
+  EXPECT_EQ(csv.at(2, "quality"), "ok");
+}
+
+TEST(TimingRows, OnlyHeatsThatRanHaveRows) {
+  const auto study = timing_study();
+  EXPECT_EQ(timing_csv(study, heats_of(study)).row_count(), 0U);
+}
+
+TEST(ComplexityRows, FitTheDegreesOfAStudyAgainstTheClaim) {
+  const auto study = timing_study();
+  auto heats = made_up_heats(study);
+  const auto csv = written(write_complexity_rows, study, heats, "complexity.csv");
+  EXPECT_THAT(column(csv, "method"), ElementsAre("de_casteljau", "horner_bernstein"));
+  EXPECT_THAT(column(csv, "claimed"), ElementsAre("2", "1"));
+  EXPECT_THAT(column(csv, "verdict"), ElementsAre("within", "within"));
+  EXPECT_THAT(column(csv, "first_degree"), ElementsAre("3", "3"));
+  EXPECT_THAT(column(csv, "last_degree"), ElementsAre("20", "20"));
+  EXPECT_NEAR(std::stod(csv.at(0, "exponent")), 2, 1e-12);
+  EXPECT_NEAR(std::stod(csv.at(1, "exponent")), 1, 1e-12);
+  for (auto& heat : heats) std::swap(heat.laps[0], heat.laps[1]);
+  EXPECT_THAT(column(written(write_complexity_rows, study, heats, "complexity.csv"), "verdict"),
+              ElementsAre("within", "above"));
+}
+
+TEST(ComplexityRows, OneShotIsChargedWithPreparing) {
+  auto study = timing_study();
+  study.methods = {"differences:horner"};
+  study.modes = {suite::Mode::point, suite::Mode::one_shot};
+  auto heats = heats_of(study);
+  for (auto& heat : heats) heat.laps = {lap_of(heat.cell.degree), lap_of(1)};
+  const auto csv = written(write_complexity_rows, study, heats, "complexity.csv");
+  EXPECT_THAT(column(csv, "mode"), ElementsAre("point", "one_shot"));
+  EXPECT_THAT(column(csv, "claimed"), ElementsAre("1", "2"));
+}
+
+TEST(ComplexityRows, NeedThreeDegrees) {
+  auto study = timing_study();
+  study.degree = {3, 5};
+  EXPECT_EQ(written(write_complexity_rows, study, made_up_heats(study), "complexity.csv").row_count(), 0U);
+}
+
+}  // namespace
+}  // namespace bezierbench::studies

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// timing.csv: what the heats of a study gave, a row per method, and a row per mode for the sentinel.
+#pragma once
+
+#include <vector>
+
+#include "experiments/studies/heat.hpp"
+#include "experiments/studies/job.hpp"
+
+namespace bezierbench::studies {
+
+/// Heats that did not run have no rows. `quality` is `few_rounds` where a race ended before its intervals could cover,
+/// `noisy` where the sentinel drifted, else `ok`. The sentinel's row is over all heats of its mode, so it has no
+/// dimension or degree, and `noisy` where any of them is.
+void write_timing_rows(const suite::Study& study, const std::vector<Heat>& heats, Tables& tables);
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/timing/kernel_rival.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace bezierbench::timing {
+namespace {
+
+template <class Scalar>
+Inputs<Scalar> cubic_inputs(Form form) {
+  Inputs<Scalar> inputs{form, 2, 3, {}, {}, {}};
+  for (int k = 0; k < 7; ++k) {
+    inputs.curves.push_back({0, 0, Scalar(1) + Scalar(k), 2, 3, -1, 4, Scalar(0.5)});
+    inputs.weights.push_back({1, 2, Scalar(0.5), Scalar(3) + Scalar(k)});
+    inputs.t.push_back((Scalar(k) + Scalar(0.5)) / 7);
+  }
+  return inputs;
+}
+
+/// By the kernel's own functions, one curve and one t at a time.
+template <class Scalar>
+std::vector<Scalar> judged_points(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs) {
+  std::vector<Scalar> points(inputs.t.size() * static_cast<std::size_t>(inputs.dimension));
+  const std::size_t room = kernel.prepared_size + kernel.prepared_alignment;
+  const auto memory = std::make_unique<std::byte[]>(room);
+  void* prepared = memory.get();
+  std::size_t space = room;
+  std::align(kernel.prepared_alignment, kernel.prepared_size, prepared, space);
+  for (std::size_t k = 0; k < inputs.t.size(); ++k) {
+    kernel.prepare(inputs.curve_of(k, mode), prepared);
+    kernel.evaluate(prepared, std::span<const Scalar>(&inputs.t[k], 1),
+                    points.data() + k * static_cast<std::size_t>(inputs.dimension));
+  }
+  return points;
+}
+
+constexpr suite::Mode modes[] = {suite::Mode::one_shot, suite::Mode::point, suite::Mode::latency, suite::Mode::batch};
+
+template <class Scalar>
+class KernelRival : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(KernelRival, Scalars);
+
+TYPED_TEST(KernelRival, ReproducesTheJudgedPointsInEveryMode) {
+  for (const auto mode : modes)
+    for (const auto& kernel : kernels<TypeParam>(2)) {
+      const auto inputs = cubic_inputs<TypeParam>(kernel.info->form);
+      const Rival rival = kernel_rival(kernel, mode, inputs, judged_points(kernel, mode, inputs));
+      EXPECT_EQ(rival.points_per_batch, 7U);
+      EXPECT_FALSE(rival.check()) << "nothing ran yet";
+      rival.run();
+      EXPECT_TRUE(rival.check()) << kernel.info->id;
+      EXPECT_FALSE(rival.check()) << "a check uses the points up: the next round must write them anew";
+    }
+}
+
+TYPED_TEST(KernelRival, IsHeldToTheLastBit) {
+  const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
+  const auto& kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  for (const auto mode : modes)
+    for (std::size_t k = 0; k < 2 * inputs.t.size(); ++k) {
+      auto judged = judged_points(kernel, mode, inputs);
+      judged[k] = std::nextafter(judged[k], std::numeric_limits<TypeParam>::infinity());
+      const Rival rival = kernel_rival(kernel, mode, inputs, judged);
+      rival.run();
+      EXPECT_FALSE(rival.check());
+    }
+}
+
+/// The dependence on the last point must not change a t: not after NaN, not after an infinity, not for t = -0.
+TYPED_TEST(KernelRival, LatencyHandsOnWhatIsNoNumber) {
+  Kernel<TypeParam> echo = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  echo.evaluate = [](const void*, std::span<const TypeParam> t, TypeParam* points) {
+    points[0] = t[0];
+    points[1] = t[0] > TypeParam(0.5) ? std::numeric_limits<TypeParam>::quiet_NaN()
+                                      : -std::numeric_limits<TypeParam>::infinity();
+  };
+  auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
+  inputs.t[3] = -TypeParam(0);
+  const Rival rival = kernel_rival(echo, suite::Mode::latency, inputs, judged_points(echo, suite::Mode::point, inputs));
+  rival.run();
+  EXPECT_TRUE(rival.check());
+}
+
+}  // namespace
+}  // namespace bezierbench::timing
