@@ -27,11 +27,20 @@ struct Heat {
   sample::Cell cell;
   suite::Mode mode;
   std::vector<const Kernel<double>*> methods;  ///< those that support the degree
-  std::vector<timing::Lap> laps;
-  std::vector<bool> correct;  ///< against the exact reference, before timing
 };
 
-class TimingJob final : public Job {
+/// Per method.
+struct HeatResult {
+  std::vector<timing::Lap> laps;
+  std::vector<bool> correct;  ///< against the exact reference, before timing
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.laps, self.correct);
+  }
+};
+
+class TimingJob final : public JobOf<HeatResult> {
  public:
   TimingJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
     for (const auto scalar : study_.scalar)
@@ -41,17 +50,17 @@ class TimingJob final : public Job {
             fmt::format("study \"{}\": timing takes scalar = [\"double\"] only; leave the others out", study_.id));
     for (const auto& cell : sample::cells(study_))
       for (const auto mode : study_.modes) {
-        Heat heat{cell, mode, {}, {}, {}};
+        Heat heat{cell, mode, {}};
         for (const auto* kernel : chosen_kernels<double>(study_, cell.dimension))
           if (kernel->info->supports<double>(cell.degree)) heat.methods.push_back(kernel);
         heats_.push_back(std::move(heat));
       }
   }
 
-  [[nodiscard]] std::size_t blocks() const override { return heats_.size(); }
+  [[nodiscard]] std::size_t parts() const override { return heats_.size(); }
   [[nodiscard]] bool exclusive() const override { return true; }
-  [[nodiscard]] double cost(std::size_t block) const override {
-    return 5e7 * static_cast<double>(heats_[block].methods.size());  // about the same wall time whatever the degree
+  [[nodiscard]] double cost(std::size_t part) const override {
+    return 5e7 * static_cast<double>(heats_[part].methods.size());  // about the same wall time whatever the degree
   }
   [[nodiscard]] Extent extent() const override {
     Extent sum{heats_.size(), 0, 0, 0};
@@ -61,9 +70,11 @@ class TimingJob final : public Job {
     }
     return sum;
   }
-  void run_block(std::size_t block) override;
   void write(Tables& tables) const override;
   [[nodiscard]] std::vector<Series> series() const override;
+
+ protected:
+  [[nodiscard]] HeatResult work(std::size_t block) const override;
 
  private:
   suite::Study study_;
@@ -71,9 +82,10 @@ class TimingJob final : public Job {
   std::vector<Heat> heats_;
 };
 
-void TimingJob::run_block(std::size_t block) {
-  Heat& heat = heats_[block];
-  if (heat.methods.empty()) return;  // none supports the degree
+HeatResult TimingJob::work(std::size_t block) const {
+  const Heat& heat = heats_[block];
+  HeatResult result;
+  if (heat.methods.empty()) return result;  // none supports the degree
   timing::Inputs inputs{form_of(study_.curve), heat.cell.dimension, heat.cell.degree, {}, {}, {}};
   const sample::Sampler sampler(seed_, study_.id, heat.cell);
   sample::Trial trial;
@@ -85,13 +97,14 @@ void TimingJob::run_block(std::size_t block) {
   }
   std::vector<timing::Rival> rivals;
   for (const auto* kernel : heat.methods) {
-    heat.correct.push_back(agrees_with_reference(*kernel, heat.mode, inputs));
+    result.correct.push_back(agrees_with_reference(*kernel, heat.mode, inputs));
     rivals.push_back(timing::kernel_rival(*kernel, heat.mode, inputs));
   }
   timing::RaceOptions options;
   options.stop = interrupted;
-  heat.laps =
+  result.laps =
       timing::race(fmt::format("{}/{}/{}", study_.id, heat.cell.degree, suite::name(heat.mode)), rivals, options);
+  return result;
 }
 
 void TimingJob::write(Tables& tables) const {
@@ -100,10 +113,12 @@ void TimingJob::write(Tables& tables) const {
                      "median_ns", "low_ns",     "high_ns", "rounds",       "points_per_round", "relative_to", "ratio",
                      "ratio_low", "ratio_high", "cycles",  "instructions", "quality",          "checked"});
   const auto number = [](double value) { return number::decimal(value); };
-  for (const auto& heat : heats_)
-    for (std::size_t m = 0; m < heat.methods.size(); ++m) {
-      const auto& lap = heat.laps[m];
-      const auto& base = heat.laps.front();
+  for (std::size_t part = 0; part < heats_.size(); ++part)
+    for (std::size_t m = 0; m < heats_[part].methods.size(); ++m) {
+      const Heat& heat = heats_[part];
+      const HeatResult& result = state(part);
+      const auto& lap = result.laps.at(m);
+      const auto& base = result.laps.front();
       const auto time = metric::median_interval(lap.ns_per_point, confidence);
       std::vector<double> ratios;
       for (std::size_t round = 0; round < lap.ns_per_point.size(); ++round)
@@ -128,14 +143,15 @@ void TimingJob::write(Tables& tables) const {
                      "",
                      "",
                      "",
-                     lap.checked && heat.correct[m] ? "yes" : "no"});
+                     lap.checked && result.correct.at(m) ? "yes" : "no"});
     }
 }
 
 std::vector<Series> TimingJob::series() const {
   std::vector<Series> all;
-  for (const auto& heat : heats_)
-    for (std::size_t m = 0; m < heat.methods.size(); ++m)
+  for (std::size_t part = 0; part < heats_.size(); ++part)
+    for (std::size_t m = 0; m < heats_[part].methods.size(); ++m) {
+      const Heat& heat = heats_[part];
       all.push_back({.study = study_.id,
                      .curve = std::string(suite::name(study_.curve)),
                      .method = std::string(heat.methods[m]->info->id),
@@ -146,7 +162,8 @@ std::vector<Series> TimingJob::series() const {
                      .generator = heat.cell.generator,
                      .baseline = "",
                      .mode = std::string(suite::name(heat.mode)),
-                     .values = heat.laps[m].ns_per_point});
+                     .values = state(part).laps.at(m).ns_per_point});
+    }
   return all;
 }
 

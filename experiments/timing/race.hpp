@@ -23,6 +23,11 @@ struct Lap {
   std::vector<double> ns_per_point;  ///< one per round
   std::size_t points_per_round = 0;
   bool checked = true;  ///< every check held
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.ns_per_point, self.points_per_round, self.checked);
+  }
 };
 
 struct RaceOptions {
