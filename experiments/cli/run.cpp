@@ -7,17 +7,16 @@
 #include <memory>
 #include <optional>
 
-#include "build_facts.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/diagnostics.hpp"
 #include "experiments/cli/shard.hpp"
+#include "experiments/cli/this_build.hpp"
 #include "experiments/cli/vocabulary.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/suite/overrides.hpp"
 #include "experiments/suite/reader.hpp"
 #include "experiments/suite/validate.hpp"
-#include "git_facts.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -37,7 +36,7 @@ struct Options {
 
 Exit run(const Options& options) {
   const auto known = vocabulary();
-  studies::RunRequest request;
+  auto request = request_of_this_build();
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   for (const auto& file : options.suites) {
     for (auto& one : suite::read_suites(file, known)) request.suites.push_back(std::move(one));
@@ -50,10 +49,6 @@ Exit run(const Options& options) {
   if (options.shard) request.shard = shard_of(*options.shard, [](const char* name) { return std::getenv(name); });
   request.dry_run = options.dry_run;
   request.quiet = options.quiet;
-  request.build = {compiler, all_flags, build_type, fp_flags, program_version};
-  request.git_commit = git_commit;
-  request.git_clean = git_clean;
-  request.methods_csv = methods_csv();
   studies::watch_for_interruption();
   const auto findings = studies::run(request);
   for (const auto& finding : findings) say(finding);
