@@ -82,8 +82,8 @@ Manifest BundleDirectory::manifest() const {
 void BundleDirectory::make_partial_before_change() const {
   if (!has(manifest_name)) return;
   Manifest current = manifest();
-  if (current.state != "complete") return;
-  current.state = "partial";
+  if (current.state != complete) return;
+  current.state = partial;
   write_file(path_ / manifest_name, manifest_json(current));
 }
 
@@ -109,7 +109,7 @@ void BundleDirectory::finish(Manifest manifest) const {
   write_if_different(sums_name, sums);
   write_if_different(manifest_name, manifest_text);
 
-  if (manifest.state != "complete") return;
+  if (manifest.state != complete) return;
   for (const std::string& name : folder.temporaries) remove_entry(path_ / name);
   remove_entry(blocks());
 }

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/digest.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 
@@ -261,6 +262,14 @@ std::string machine_json(const BuildFacts& build, const std::string& counters, c
   json["counters"] = known(counters);
   json["build"] = build_facts(build);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string machine_fingerprint(const std::string& machine_json) {
+  Json json = Json::parse(machine_json, nullptr, false);
+  if (!json.is_object()) return sha256_hex(machine_json);
+  json.erase("load_average");
+  if (json.contains("clock") && json["clock"].is_object()) json["clock"].erase("resolution_ns");
+  return sha256_hex(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace bezierbench::bundle

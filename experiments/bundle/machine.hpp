@@ -29,4 +29,8 @@ struct MachineRoots {
 [[nodiscard]] std::string machine_json(const BuildFacts& build, const std::string& counters,
                                        const MachineRoots& roots = {});
 
+/// SHA-256 of what stays the same on one machine from day to day: machine.json without the load and the measured clock.
+/// Times taken under different fingerprints do not belong together. Any text has one.
+[[nodiscard]] std::string machine_fingerprint(const std::string& machine_json);
+
 }  // namespace bezierbench::bundle

@@ -112,7 +112,7 @@ Manifest parse_manifest(std::string_view text, std::string_view file_name) {
   manifest.suite_digest = suite_keys.text("digest");
   manifest.seed = keys.unsigned_integer("seed");
   manifest.state = keys.text("state");
-  if (manifest.state != "complete" && manifest.state != "partial") keys.fail("'state' must be complete or partial");
+  if (manifest.state != complete && manifest.state != partial) keys.fail("'state' must be complete or partial");
   manifest.accuracy_digest = keys.text("accuracy_digest");
   manifest.program_version = keys.text("program_version");
   manifest.git_commit = keys.text("git_commit");

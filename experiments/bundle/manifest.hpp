@@ -9,6 +9,9 @@
 
 namespace bezierbench::bundle {
 
+inline constexpr std::string_view complete = "complete";
+inline constexpr std::string_view partial = "partial";
+
 struct Manifest {
   int schema_version = 1;           ///< of the bundle's layout; this program reads and writes 1
   std::vector<std::string> suites;  ///< ids, in the order in which they were given

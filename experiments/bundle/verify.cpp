@@ -54,7 +54,7 @@ class Verification {
   void check_manifest() {
     try {
       const Manifest manifest = BundleDirectory::open(path_).manifest();
-      complete_ = manifest.state == "complete";
+      complete_ = manifest.state == complete;
       if (!complete_) add(manifest_name, "state is partial; continue with bezierbench run");
       if (const std::string digest = accuracy_digest(path_); digest != manifest.accuracy_digest) {
         add(manifest_name, fmt::format("accuracy_digest is {}, the files give {}", manifest.accuracy_digest, digest));

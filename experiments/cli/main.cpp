@@ -54,6 +54,7 @@ int run_program(int argc, char** argv) {
   app.set_version_flag("--version", bezierbench::cli::version_line());
   Exit exit = Exit::fine;
   bezierbench::cli::add_run(app, exit);
+  bezierbench::cli::add_merge(app, exit);
   bezierbench::cli::add_list(app, exit);
   bezierbench::cli::add_verify(app, exit);
   bezierbench::cli::add_replay(app, exit);

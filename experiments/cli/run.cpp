@@ -3,19 +3,20 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <cstdlib>
 #include <memory>
+#include <optional>
 
-#include "build_facts.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/diagnostics.hpp"
+#include "experiments/cli/shard.hpp"
+#include "experiments/cli/this_build.hpp"
 #include "experiments/cli/vocabulary.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/suite/overrides.hpp"
 #include "experiments/suite/reader.hpp"
 #include "experiments/suite/validate.hpp"
-#include "git_facts.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -27,6 +28,7 @@ struct Options {
   std::string seed;
   std::string trials;
   std::string reference = "certified";
+  std::optional<std::string> shard;
   bool dry_run = false;
   bool quiet = false;
   suite::Overrides overrides;
@@ -34,7 +36,7 @@ struct Options {
 
 Exit run(const Options& options) {
   const auto known = vocabulary();
-  studies::RunRequest request;
+  auto request = request_of_this_build();
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   for (const auto& file : options.suites) {
     for (auto& one : suite::read_suites(file, known)) request.suites.push_back(std::move(one));
@@ -44,12 +46,9 @@ Exit run(const Options& options) {
   request.out = options.out;
   request.jobs = options.jobs;
   request.tier = options.reference == "exact" ? reference::Tier::exact : reference::Tier::certified;
+  if (options.shard) request.shard = shard_of(*options.shard, [](const char* name) { return std::getenv(name); });
   request.dry_run = options.dry_run;
   request.quiet = options.quiet;
-  request.build = {compiler, all_flags, build_type, fp_flags, program_version};
-  request.git_commit = git_commit;
-  request.git_clean = git_clean;
-  request.methods_csv = methods_csv();
   studies::watch_for_interruption();
   const auto findings = studies::run(request);
   for (const auto& finding : findings) say(finding);
@@ -78,6 +77,7 @@ void add_run(CLI::App& app, Exit& exit) {
   command->add_option("--only", options->overrides.only, "only studies whose id matches this glob");
   command->add_option("--reference", options->reference, "how the truth is computed")
       ->check(CLI::IsMember({"certified", "exact"}));
+  command->add_option("--shard", options->shard, "i/N: do one part of N; auto: ask Open MPI, PMI or Slurm which");
   command->add_flag("--dry-run", options->dry_run, "say what would be done");
   command->add_flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
   command->add_flag("--quiet", options->quiet, "no progress");

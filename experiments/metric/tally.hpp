@@ -7,6 +7,11 @@
 #include <cstdint>
 #include <vector>
 
+namespace bezierbench::number {
+class ByteReader;
+class ByteWriter;
+}  // namespace bezierbench::number
+
 namespace bezierbench::metric {
 
 /// 128 bits: the sum of 2^40 squared significands of 24 bits still fits. A compiler extension, hence the marker.
@@ -28,6 +33,10 @@ class Tally {
   /// The smallest error with at least q count() errors at or below it, its significand cut to 8 bits; 0 < q <= 1.
   [[nodiscard]] double quantile(double q) const;
   [[nodiscard]] double max() const;
+
+  /// All of it, exactly. load() throws number::MalformedBytes for what save() never writes.
+  void save(number::ByteWriter& bytes) const;
+  void load(number::ByteReader& bytes);
 
  private:
   static constexpr int bins_per_binade = 128;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "experiments/number/bytes.hpp"
+
 namespace bezierbench::metric {
 namespace {
 
@@ -95,6 +97,44 @@ TEST(Tally, OrderAndGroupingChangeNothing) {
   std::ranges::sort(errors);
   EXPECT_LE(whole.quantile(0.5), errors[2499]);
   EXPECT_GE(whole.quantile(0.5) * (1 + 1.0 / 128), errors[2499]);
+}
+
+Tally reread(const Tally& tally) {
+  number::ByteWriter writer;
+  writer(tally);
+  number::ByteReader reader(writer.bytes());
+  Tally copy;
+  copy.add(7);  // what was there before goes
+  reader(copy);
+  reader.finish();
+  return copy;
+}
+
+TEST(Tally, BytesKeepEverything) {
+  std::mt19937_64 random(3);
+  std::vector<double> errors{0, 5e-324, std::ldexp(1.0, 1023)};
+  for (int k = 0; k < 3000; ++k)
+    errors.push_back(std::ldexp(static_cast<double>(random() >> 40U), static_cast<int>(random() % 60) - 90));
+  const Tally tally = tally_of(errors);
+  const Tally copy = reread(tally);
+  EXPECT_EQ(copy.count(), tally.count());
+  EXPECT_EQ(copy.mean(), tally.mean());
+  EXPECT_EQ(copy.root_mean_square(), tally.root_mean_square());
+  EXPECT_EQ(copy.max(), tally.max());
+  for (const double q : {1e-9, 0.01, 0.3, 0.5, 0.99, 1.0}) EXPECT_EQ(copy.quantile(q), tally.quantile(q));
+  Tally infinite = tally;
+  infinite.add_infinite();
+  EXPECT_EQ(reread(infinite).count(), infinite.count());
+  EXPECT_EQ(reread(infinite).max(), INFINITY);
+  EXPECT_EQ(reread(Tally()).count(), 0U);
+}
+
+TEST(Tally, BytesOfNoTallyAreRefused) {
+  number::ByteWriter writer;
+  writer(std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{0}, 1.0, std::uint64_t{1}, 1'000'000'000);
+  number::ByteReader reader(writer.bytes());
+  Tally tally;
+  EXPECT_THROW(reader(tally), number::MalformedBytes);
 }
 
 TEST(Tally, InfiniteErrorsMakeStatisticsInfinite) {

@@ -6,7 +6,7 @@
 namespace bezierbench::studies {
 namespace {
 
-class AccuracyJob final : public Job {
+class AccuracyJob final : public JobOf<CellTally> {
  public:
   AccuracyJob(const suite::Study& study, const JobContext& context) : study_(study) {
     for (const auto& cell : sample::cells(study_))
@@ -14,14 +14,9 @@ class AccuracyJob final : public Job {
         cells_.push_back(accuracy_cell(study_, context.seed, cell, scalar, context.tier));
   }
 
-  [[nodiscard]] std::size_t blocks() const override { return cells_.size() * blocks_per_cell(); }
-  void run_block(std::size_t block) override { cells_[cell_of(block)]->run_block(block % blocks_per_cell()); }
-  [[nodiscard]] double cost(std::size_t block) const override { return cells_[cell_of(block)]->cost(); }
-  [[nodiscard]] double total_cost() const override {
-    double sum = 0;
-    for (const auto& cell : cells_) sum += cell->cost() * static_cast<double>(blocks_per_cell());
-    return sum;
-  }
+  [[nodiscard]] std::size_t parts() const override { return cells_.size(); }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return cells_.front()->blocks(); }  // all cells alike
+  [[nodiscard]] double cost(std::size_t part) const override { return cells_[part]->cost(); }
   [[nodiscard]] Extent extent() const override {
     Extent sum;
     for (const auto& cell : cells_) sum += cell->extent();
@@ -29,20 +24,21 @@ class AccuracyJob final : public Job {
   }
 
   void write(Tables& tables) const override {
-    for (const auto& cell : cells_) cell->write(tables);
+    for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k]->write(state(k), tables);
   }
   [[nodiscard]] std::vector<Series> series() const override { return collected<Series>(); }
   [[nodiscard]] std::vector<Violation> violations() const override { return collected<Violation>(); }
 
- private:
-  /// The same for all cells of a study.
-  [[nodiscard]] std::size_t blocks_per_cell() const { return cells_.front()->blocks(); }
-  [[nodiscard]] std::size_t cell_of(std::size_t block) const { return block / blocks_per_cell(); }
+ protected:
+  [[nodiscard]] CellTally work(std::size_t block) const override {
+    return cells_[part_of(block)]->run_block(block % blocks_per_part());
+  }
 
+ private:
   template <class T>
   [[nodiscard]] std::vector<T> collected() const {
     std::vector<T> all;
-    for (const auto& cell : cells_) cell->collect(all);
+    for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k]->collect(state(k), all);
     return all;
   }
 

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <optional>
 
 #include "experiments/failure.hpp"
@@ -19,7 +18,6 @@
 #include "experiments/studies/error_sources.hpp"
 #include "experiments/studies/input_fields.hpp"
 #include "experiments/studies/interruption.hpp"
-#include "experiments/studies/judgement.hpp"
 #include "experiments/studies/method_choice.hpp"
 #include "experiments/studies/scalar_facts.hpp"
 #include "experiments/studies/trial_inputs.hpp"
@@ -35,13 +33,6 @@ namespace {
 constexpr std::int64_t block_trials = 1024;
 constexpr std::int64_t audited_trials = 200;  ///< of replicate 0 of each cell
 constexpr std::string_view exact_baseline = "exact";
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-/// One replicate whose blocks are not all done.
-struct OpenReplicate {
-  std::vector<metric::Tally> errors;  ///< per judgement
-  std::int64_t blocks_left = 0;
-};
 
 /// Infinite where it overflows.
 void add(double value, metric::Tally& tally) {
@@ -99,14 +90,6 @@ struct TrialNumber {
   std::int64_t trial;
 };
 
-/// What a block of trials adds to its cell.
-struct Block {
-  std::vector<Judgement> judgements;
-  metric::Tally audit;
-  metric::Tally condition;      ///< p~ over |p|
-  std::uint64_t escalated = 0;  ///< trials that a certificate left to the integers
-};
-
 template <class Scalar>
 class ScalarCell final : public AccuracyCell {
  public:
@@ -124,11 +107,6 @@ class ScalarCell final : public AccuracyCell {
       }
       baselines_.push_back(kernel);
     }
-    replicate_means_.resize(judgement_count());
-    replicate_maxima_.resize(judgement_count());
-    for (auto& values : replicate_means_) values.resize(static_cast<std::size_t>(study.replicates));
-    for (auto& values : replicate_maxima_) values.resize(static_cast<std::size_t>(study.replicates));
-    judgements_.resize(judgement_count());
   }
 
   [[nodiscard]] std::int64_t blocks_per_replicate() const { return (study_.trials - 1) / block_trials + 1; }
@@ -148,22 +126,24 @@ class ScalarCell final : public AccuracyCell {
             judgement_count() * (tallies + 2 * replicates * sizeof(double))};
   }
 
-  void run_block(std::size_t block) override {
+  [[nodiscard]] CellTally run_block(std::size_t block) const override {
     const auto replicate = static_cast<std::int64_t>(block) / blocks_per_replicate();
     const auto part = static_cast<std::int64_t>(block) % blocks_per_replicate();
     const auto first = part * block_trials;
     const auto last = std::min(study_.trials, first + block_trials);
-    Block work;
+    CellTally work;
+    work.blocks_per_replicate = blocks_per_replicate();
     work.judgements.resize(judgement_count());
     constexpr auto together = static_cast<std::int64_t>(reference::CertifiedPoints::lanes);
     for (auto trial = first; trial < last && !interrupted(); trial += together)
       judge_group({replicate, trial}, std::min(together, last - trial), work);
-    keep(replicate, work);
+    work.end_block(replicate);
+    return work;
   }
 
-  void write(Tables& tables) const override;
-  void collect(std::vector<Series>& series) const override;
-  void collect(std::vector<Violation>& violations) const override;
+  void write(const CellTally& tally, Tables& tables) const override;
+  void collect(const CellTally& tally, std::vector<Series>& series) const override;
+  void collect(const CellTally& tally, std::vector<Violation>& violations) const override;
 
  private:
   /// Judgements are method by method, baseline by baseline.
@@ -184,18 +164,17 @@ class ScalarCell final : public AccuracyCell {
            (baselines_[baseline] == nullptr || baselines_[baseline]->info->bit_stable);
   }
 
-  void judge_group(TrialNumber first, std::int64_t count, Block& block) const;
+  void judge_group(TrialNumber first, std::int64_t count, CellTally& block) const;
   void judge(TrialNumber number, Lane<Scalar>& lane, reference::TruePoint& truth, Scratch<Scalar>& scratch,
-             Block& block) const;
+             CellTally& block) const;
   [[nodiscard]] Origin origin(std::size_t baseline, const Lane<Scalar>& lane, reference::TruePoint& truth,
                               Scratch<Scalar>& scratch) const;
-  void add_truth(TrialNumber number, const Origin& from, Lane<Scalar>& lane, Block& block) const;
+  void add_truth(TrialNumber number, const Origin& from, Lane<Scalar>& lane, CellTally& block) const;
   void count(const Kernel<Scalar>& method, double error, std::uint64_t trial, const Origin& from,
              metric::TrialScale& scale, Judgement& judgement) const;
   void take_apart(const Kernel<Scalar>& method, const Computed& computed, const Lane<Scalar>& lane, const Origin& from,
                   Scratch<Scalar>& scratch, Judgement& judgement) const;
   void write_worst(std::size_t method, const Worst& worst, Tables& tables) const;
-  void keep(std::int64_t replicate, const Block& block);
 
   const suite::Study& study_;
   sample::Cell cell_;
@@ -203,15 +182,6 @@ class ScalarCell final : public AccuracyCell {
   sample::Sampler sampler_;
   std::vector<const Kernel<Scalar>*> methods_;
   std::vector<const Kernel<Scalar>*> baselines_;
-
-  std::mutex mutex_;  ///< guards all below
-  std::vector<Judgement> judgements_;
-  std::vector<std::vector<double>> replicate_means_;
-  std::vector<std::vector<double>> replicate_maxima_;
-  std::map<std::int64_t, OpenReplicate> open_;
-  metric::Tally audit_;  ///< of the long double tier, in ulp
-  metric::Tally condition_;
-  std::uint64_t escalated_ = 0;
 };
 
 template <class Scalar>
@@ -229,7 +199,7 @@ Computed computed_point(const Kernel<Scalar>& kernel, const CurveView<Scalar>& c
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::judge_group(TrialNumber first, std::int64_t count, Block& block) const {
+void ScalarCell<Scalar>::judge_group(TrialNumber first, std::int64_t count, CellTally& block) const {
   thread_local Scratch<Scalar> scratch;
   const Form form = form_of(study_.curve);
   std::optional<reference::CertifiedPoints> certified;
@@ -256,7 +226,7 @@ void ScalarCell<Scalar>::judge_group(TrialNumber first, std::int64_t count, Bloc
 
 template <class Scalar>
 void ScalarCell<Scalar>::judge(TrialNumber number, Lane<Scalar>& lane, reference::TruePoint& truth,
-                               Scratch<Scalar>& scratch, Block& block) const {
+                               Scratch<Scalar>& scratch, CellTally& block) const {
   const auto counted = static_cast<std::uint64_t>(number.replicate * study_.trials + number.trial);
   const auto curve = lane.inputs.curve();
   const auto d = static_cast<std::size_t>(cell_.dimension);
@@ -302,7 +272,7 @@ Origin ScalarCell<Scalar>::origin(std::size_t baseline, const Lane<Scalar>& lane
 
 /// What is known of the trial itself, whatever the methods.
 template <class Scalar>
-void ScalarCell<Scalar>::add_truth(TrialNumber number, const Origin& from, Lane<Scalar>& lane, Block& block) const {
+void ScalarCell<Scalar>::add_truth(TrialNumber number, const Origin& from, Lane<Scalar>& lane, CellTally& block) const {
   add_quotient(lane.scale.p_tilde(), from.length, block.condition);
   if (number.replicate == 0 && number.trial < audited_trials && sizeof(Scalar) == sizeof(double))
     block.audit.add(metric::to_24_bits(reference::audit_ulp(
@@ -345,32 +315,6 @@ void ScalarCell<Scalar>::take_apart(const Kernel<Scalar>& method, const Computed
   if (sources) judgement.sources.add(*sources);
 }
 
-template <class Scalar>
-void ScalarCell<Scalar>::keep(std::int64_t replicate, const Block& block) {
-  const std::lock_guard lock(mutex_);
-  auto [entry, fresh] = open_.try_emplace(replicate);
-  OpenReplicate& open = entry->second;
-  if (fresh) {
-    open.errors.resize(block.judgements.size());
-    open.blocks_left = blocks_per_replicate();
-  }
-  for (std::size_t k = 0; k < block.judgements.size(); ++k) {
-    open.errors[k].merge(block.judgements[k].error);
-    judgements_[k].merge(block.judgements[k]);
-  }
-  audit_.merge(block.audit);
-  condition_.merge(block.condition);
-  escalated_ += block.escalated;
-  if (--open.blocks_left > 0) return;
-  for (std::size_t k = 0; k < block.judgements.size(); ++k) {
-    const bool empty = open.errors[k].count() == 0;  // every trial was non-finite: this replicate has no statistic
-    const auto index = static_cast<std::size_t>(replicate);
-    replicate_means_[k][index] = empty ? not_a_number : open.errors[k].mean();
-    replicate_maxima_[k][index] = empty ? not_a_number : open.errors[k].max();
-  }
-  open_.erase(entry);
-}
-
 const std::vector<std::string> tier_columns{"study", "curve", "scalar",    "dimension", "degree", "coordinate_range",
                                             "t_min", "t_max", "generator", "tier",      "trials", "escalated"};
 
@@ -387,7 +331,7 @@ std::vector<std::string> worst_columns() {
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::write(Tables& tables) const {
+void ScalarCell<Scalar>::write(const CellTally& tally, Tables& tables) const {
   const auto number = [](double value) { return number::decimal(value); };
   for (std::size_t m = 0; m < methods_.size(); ++m) {
     for (std::size_t k = 0; k < baselines_.size(); ++k) {
@@ -399,9 +343,9 @@ void ScalarCell<Scalar>::write(Tables& tables) const {
         row.emplace_back(supported(*methods_[m]) ? "baseline_degree_unsupported" : "degree_unsupported");
         row.resize(accuracy_columns().size());
       } else {
-        const Judgement& judgement = judgements_[index(m, k)];
+        const Judgement& judgement = tally.judgements[index(m, k)];
         row.emplace_back("ok");
-        for (auto& field : accuracy_statistics(judgement, baselines_[k] == nullptr, condition_))
+        for (auto& field : accuracy_statistics(judgement, baselines_[k] == nullptr, tally.condition))
           row.push_back(std::move(field));
         if (judgement.worst && is_stable(m, k)) write_worst(m, *judgement.worst, tables);
       }
@@ -411,15 +355,15 @@ void ScalarCell<Scalar>::write(Tables& tables) const {
   auto row = cell_fields(study_, cell_, "", ScalarFacts<Scalar>::kind);
   row.erase(row.begin() + 2);  // whatever the method
   row.insert(row.end(), {std::string(reference::name(tier_)), std::to_string(study_.trials * study_.replicates),
-                         std::to_string(escalated_)});
+                         std::to_string(tally.escalated)});
   tables.table("reference.csv", tier_columns).add_row(std::move(row));
-  if (audit_.count() > 0)
+  if (tally.audit.count() > 0)
     tables.table("audit.csv", audit_columns)
         .add_row({study_.id, std::string(suite::name(study_.curve)), "long_double",
                   std::to_string(std::numeric_limits<long double>::digits), std::to_string(cell_.dimension),
                   std::to_string(cell_.degree), number(cell_.coordinate_range), number(cell_.t_interval.min),
-                  number(cell_.t_interval.max), cell_.generator, std::to_string(audit_.count()), number(audit_.mean()),
-                  number(audit_.max())});
+                  number(cell_.t_interval.max), cell_.generator, std::to_string(tally.audit.count()),
+                  number(tally.audit.mean()), number(tally.audit.max())});
 }
 
 template <class Scalar>
@@ -437,14 +381,16 @@ void ScalarCell<Scalar>::write_worst(std::size_t method, const Worst& worst, Tab
   table.add_row(std::move(row));
 }
 
-/// The statistics of the replicates that have one.
-std::vector<double> defined(std::vector<double> values) {
-  std::erase_if(values, [](double value) { return std::isnan(value); });
+/// One statistic of a judgement over the replicates that have it.
+std::vector<double> over_replicates(const CellTally& tally, std::size_t judgement, double ReplicateStatistic::*which) {
+  std::vector<double> values;
+  for (const auto& [replicate, statistics] : tally.closed)
+    if (const double value = statistics.at(judgement).*which; !std::isnan(value)) values.push_back(value);
   return values;
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::collect(std::vector<Series>& series) const {
+void ScalarCell<Scalar>::collect(const CellTally& tally, std::vector<Series>& series) const {
   for (std::size_t m = 0; m < methods_.size(); ++m)
     for (std::size_t k = 0; k < baselines_.size(); ++k) {
       if (!judged(m, k)) continue;
@@ -458,19 +404,19 @@ void ScalarCell<Scalar>::collect(std::vector<Series>& series) const {
                  .generator = cell_.generator,
                  .baseline = study_.baseline[k],
                  .mode = "",
-                 .values = defined(replicate_means_[index(m, k)])};
+                 .values = over_replicates(tally, index(m, k), &ReplicateStatistic::mean)};
       series.push_back(one);
       one.statistic = "max_error";
-      one.values = defined(replicate_maxima_[index(m, k)]);
+      one.values = over_replicates(tally, index(m, k), &ReplicateStatistic::max);
       series.push_back(std::move(one));
     }
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::collect(std::vector<Violation>& violations) const {
+void ScalarCell<Scalar>::collect(const CellTally& tally, std::vector<Violation>& violations) const {
   for (std::size_t m = 0; m < methods_.size(); ++m)
     for (std::size_t k = 0; k < baselines_.size(); ++k) {
-      const Judgement& j = judgements_[index(m, k)];
+      const Judgement& j = tally.judgements[index(m, k)];
       if (j.violations == 0) continue;
       violations.push_back(
           {fmt::format("{}, method {}, first at trial {}", describe(study_, cell_, ScalarFacts<Scalar>::kind),

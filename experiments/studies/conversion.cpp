@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
+#include <map>
 
 #include "core/evaluate/kernel.hpp"
 #include "experiments/failure.hpp"
@@ -97,27 +97,36 @@ double largest_distance(std::span<const double> computed, std::span<const double
 struct Row {
   sample::Cell cell;
   Chain chain;
-  metric::Tally error;
-  std::uint64_t non_finite = 0;
-  std::vector<std::array<std::int64_t, thresholds.size()>> within;  ///< per replicate
 };
 
-class ConversionJob final : public Job {
+/// What blocks, each of one replicate, gave for a row.
+struct RowTally {
+  metric::Tally error;
+  std::uint64_t non_finite = 0;
+  std::map<std::size_t, std::array<std::int64_t, thresholds.size()>> within;  ///< per replicate
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.error, self.non_finite, self.within);
+  }
+  void merge(const RowTally& other) {
+    error.merge(other.error);
+    non_finite += other.non_finite;
+    within.insert(other.within.begin(), other.within.end());
+  }
+};
+
+class ConversionJob final : public JobOf<RowTally> {
  public:
   ConversionJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
     for (const auto& cell : sample::cells(study_))
-      for (auto& chain : chains_of(study_, cell.dimension)) {
-        Row row{cell, std::move(chain), {}, 0, {}};
-        row.within.resize(static_cast<std::size_t>(study_.replicates));
-        rows_.push_back(std::move(row));
-      }
+      for (auto& chain : chains_of(study_, cell.dimension)) rows_.push_back({cell, std::move(chain)});
   }
 
-  [[nodiscard]] std::size_t blocks() const override {
-    return rows_.size() * static_cast<std::size_t>(study_.replicates);
-  }
-  [[nodiscard]] double cost(std::size_t block) const override {
-    const double n = row_of(block).cell.degree + 1.0;
+  [[nodiscard]] std::size_t parts() const override { return rows_.size(); }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return static_cast<std::size_t>(study_.replicates); }
+  [[nodiscard]] double cost(std::size_t part) const override {
+    const double n = rows_[part].cell.degree + 1.0;
     return static_cast<double>(study_.trials) * n * n * 10;
   }
   [[nodiscard]] Extent extent() const override {
@@ -125,20 +134,18 @@ class ConversionJob final : public Job {
     return {sample::cells(study_).size(), rows_.size(), blocks() * static_cast<std::uint64_t>(study_.trials),
             rows_.size() * tally};
   }
-  void run_block(std::size_t block) override;
   void write(Tables& tables) const override;
   [[nodiscard]] std::vector<Series> series() const override;
 
+ protected:
+  [[nodiscard]] RowTally work(std::size_t block) const override;
+
  private:
-  [[nodiscard]] const Row& row_of(std::size_t block) const {
-    return rows_[block / static_cast<std::size_t>(study_.replicates)];
-  }
   static double error_of(const Chain& chain, const CurveView<double>& curve);
 
   suite::Study study_;
   std::uint64_t seed_;
   std::vector<Row> rows_;
-  std::mutex mutex_;  ///< guards the tallies of rows_
 };
 
 double ConversionJob::error_of(const Chain& chain, const CurveView<double>& curve) {
@@ -158,30 +165,26 @@ double ConversionJob::error_of(const Chain& chain, const CurveView<double>& curv
   return largest_distance(last_in_original_form, curve.coefficients, d);
 }
 
-void ConversionJob::run_block(std::size_t block) {
-  const auto replicate = block % static_cast<std::size_t>(study_.replicates);
-  Row& row = rows_[block / static_cast<std::size_t>(study_.replicates)];
-  if (!row.chain.supports(row.cell.degree)) return;
+RowTally ConversionJob::work(std::size_t block) const {
+  const auto replicate = block % blocks_per_part();
+  const Row& row = rows_[part_of(block)];
+  RowTally tally;
+  auto& within = tally.within[replicate];
+  if (!row.chain.supports(row.cell.degree)) return tally;
   const sample::Sampler sampler(seed_, study_.id, row.cell);
   sample::Trial trial;
-  metric::Tally errors;
-  std::uint64_t non_finite = 0;
-  std::array<std::int64_t, thresholds.size()> within{};
   for (std::int64_t k = 0; k < study_.trials && !interrupted(); ++k) {
     sampler.draw(static_cast<std::uint64_t>(static_cast<std::int64_t>(replicate) * study_.trials + k), trial);
     const double error =
         error_of(row.chain, {form_of(study_.curve), row.cell.dimension, row.cell.degree, trial.coefficients});
     if (!std::isfinite(error)) {
-      ++non_finite;
+      ++tally.non_finite;
       continue;
     }
-    errors.add(error);
+    tally.error.add(error);
     for (std::size_t i = 0; i < thresholds.size(); ++i) within[i] += error <= thresholds[i].distance ? 1 : 0;
   }
-  const std::lock_guard lock(mutex_);
-  row.error.merge(errors);
-  row.non_finite += non_finite;
-  row.within[replicate] = within;
+  return tally;
 }
 
 void ConversionJob::write(Tables& tables) const {
@@ -190,25 +193,27 @@ void ConversionJob::write(Tables& tables) const {
   for (const auto& threshold : thresholds) columns.emplace_back(threshold.column);
   columns.insert(columns.end(), {"curve", "dimension", "status", "non_finite"});
   auto& table = tables.table("conversion.csv", columns);
-  for (const auto& row : rows_) {
+  for (std::size_t part = 0; part < rows_.size(); ++part) {
+    const Row& row = rows_[part];
+    const RowTally& tally = state(part);
     const bool supported = row.chain.supports(row.cell.degree);
-    const bool judged = row.error.count() > 0;
+    const bool judged = tally.error.count() > 0;
     std::vector<std::string> fields{study_.id,
                                     row.chain.id,
                                     std::to_string(row.cell.degree),
                                     number::decimal(row.cell.coordinate_range),
                                     row.cell.generator,
                                     std::to_string(study_.trials * study_.replicates),
-                                    judged ? number::decimal(row.error.mean()) : "",
-                                    judged ? number::decimal(row.error.max()) : ""};
+                                    judged ? number::decimal(tally.error.mean()) : "",
+                                    judged ? number::decimal(tally.error.max()) : ""};
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
       std::int64_t sum = 0;
-      for (const auto& replicate : row.within) sum += replicate[i];
+      for (const auto& [replicate, within] : tally.within) sum += within[i];
       fields.push_back(supported ? std::to_string(sum) : "");
     }
     fields.insert(fields.end(),
                   {std::string(suite::name(study_.curve)), std::to_string(row.cell.dimension),
-                   supported ? "ok" : "degree_unsupported", supported ? std::to_string(row.non_finite) : ""});
+                   supported ? "ok" : "degree_unsupported", supported ? std::to_string(tally.non_finite) : ""});
     table.add_row(std::move(fields));
   }
 }
@@ -236,11 +241,10 @@ std::vector<Series> ConversionJob::series() const {
                .values = std::vector<double>(static_cast<std::size_t>(study_.replicates))};
     return all.emplace_back(std::move(one));
   };
-  for (const auto& row : rows_)
+  for (std::size_t part = 0; part < rows_.size(); ++part)
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
-      auto& values = series_of(row, thresholds[i].column).values;
-      for (std::size_t replicate = 0; replicate < values.size(); ++replicate)
-        values[replicate] += static_cast<double>(row.within[replicate][i]);
+      auto& values = series_of(rows_[part], thresholds[i].column).values;
+      for (const auto& [replicate, within] : state(part).within) values.at(replicate) += static_cast<double>(within[i]);
     }
   return all;
 }

@@ -11,7 +11,7 @@ namespace {
 
 bundle::CsvDocument rows_of(const suite::Study& study) {
   const auto job = conversion_job(study, {1});
-  for (std::size_t block = 0; block < job->blocks(); ++block) job->run_block(block);
+  run_all(*job);
   Tables tables;
   job->write(tables);
   return bundle::parse_csv(tables.all().at("conversion.csv").text(), "conversion.csv");
@@ -69,7 +69,7 @@ TEST(Conversion, SaysWhereADegreeIsNotSupported) {
 
 TEST(Conversion, CountsAreSummedOverDegrees) {
   const auto job = conversion_job(study_of({"exact"}), {1});
-  for (std::size_t block = 0; block < job->blocks(); ++block) job->run_block(block);
+  run_all(*job);
   const auto series = job->series();
   ASSERT_EQ(series.size(), 3U);
   EXPECT_EQ(series[2].statistic, "count_within_0.1");

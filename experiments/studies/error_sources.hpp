@@ -30,6 +30,11 @@ struct SourceTallies {
   metric::Tally one_minus_t;
   metric::Tally evaluation;
 
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.conversion, self.one_minus_t, self.evaluation);
+  }
+
   void add(const ErrorSources& sources) {
     conversion.add(sources.conversion);
     one_minus_t.add(sources.one_minus_t);

@@ -7,10 +7,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
+#include "experiments/number/bytes.hpp"
 #include "experiments/suite/suite.hpp"
 #include "reference/true_point.hpp"
 
@@ -70,6 +73,23 @@ struct JobContext {
   reference::Tier tier = reference::Tier::exact;
 };
 
+/// What blocks of one part of a job gave: merges in any order to the same, and survives the program as bytes.
+class Result {
+ public:
+  Result() = default;
+  Result(const Result&) = delete;
+  Result& operator=(const Result&) = delete;
+  Result(Result&&) = delete;
+  Result& operator=(Result&&) = delete;
+  virtual ~Result() = default;
+
+  /// `other` is of the same part of the same job, and of other blocks.
+  virtual void merge(const Result& other) = 0;
+  virtual void save(number::ByteWriter& bytes) const = 0;
+};
+
+/// Work is cut into parts (one cell, say), each of as many blocks, numbered part by part. Blocks are independent of
+/// each other; the results of a part's blocks are merged.
 class Job {
  public:
   Job() = default;
@@ -79,21 +99,79 @@ class Job {
   Job& operator=(Job&&) = delete;
   virtual ~Job() = default;
 
-  /// Units of work; independent of each other, run in any order and on any thread unless `exclusive`.
-  [[nodiscard]] virtual std::size_t blocks() const = 0;
-  virtual void run_block(std::size_t block) = 0;
-  /// Relative cost of a block, for the estimate of the time left.
-  [[nodiscard]] virtual double cost(std::size_t block) const = 0;
-  [[nodiscard]] virtual double total_cost() const;
+  [[nodiscard]] virtual std::size_t parts() const = 0;
+  [[nodiscard]] virtual std::size_t blocks_per_part() const { return 1; }
+  [[nodiscard]] std::size_t blocks() const { return parts() * blocks_per_part(); }
+  [[nodiscard]] std::size_t part_of(std::size_t block) const { return block / blocks_per_part(); }
+
+  /// Any block, on any thread unless `exclusive`. Where an interruption arrived meanwhile the result is worthless.
+  [[nodiscard]] virtual std::unique_ptr<Result> run_block(std::size_t block) const = 0;
+  /// Throws number::MalformedBytes for what no result of this kind writes.
+  [[nodiscard]] virtual std::unique_ptr<Result> read_result(number::ByteReader& bytes) const = 0;
+
+  /// Adds to what write() writes. From one thread at a time.
+  void add(std::size_t part, std::unique_ptr<Result> result);
+  /// What was added so far, if anything.
+  [[nodiscard]] const Result* total(std::size_t part) const {
+    return part < totals_.size() ? totals_[part].get() : nullptr;
+  }
+
+  /// Relative cost of a block of this part, for shards and the estimate of the time left.
+  [[nodiscard]] virtual double cost(std::size_t part) const = 0;
+  [[nodiscard]] double total_cost() const;
   /// True for timings: nothing else may run beside them.
   [[nodiscard]] virtual bool exclusive() const { return false; }
   /// For --dry-run.
   [[nodiscard]] virtual Extent extent() const = 0;
 
-  /// Appends this study's rows; all blocks are done.
+  /// Appends this study's rows; the results of all blocks were added.
   virtual void write(Tables& tables) const = 0;
   [[nodiscard]] virtual std::vector<Series> series() const = 0;
   [[nodiscard]] virtual std::vector<Violation> violations() const { return {}; }
+
+ private:
+  std::vector<std::unique_ptr<Result>> totals_;  ///< per part
 };
+
+/// A job whose results are values of type State: what number::ByteWriter takes and, where a part has several blocks,
+/// with `merge(const State&)`.
+template <class State>
+class JobOf : public Job {
+ public:
+  [[nodiscard]] std::unique_ptr<Result> run_block(std::size_t block) const final {
+    return std::make_unique<Held>(work(block));
+  }
+  [[nodiscard]] std::unique_ptr<Result> read_result(number::ByteReader& bytes) const final {
+    auto result = std::make_unique<Held>(State());
+    bytes(result->state);
+    return result;
+  }
+
+ protected:
+  [[nodiscard]] virtual State work(std::size_t block) const = 0;
+
+  /// All that was added of this part.
+  [[nodiscard]] const State& state(std::size_t part) const {
+    static const State nothing{};
+    const auto* result = static_cast<const Held*>(total(part));
+    return result == nullptr ? nothing : result->state;
+  }
+
+ private:
+  struct Held final : Result {
+    explicit Held(State value) : state(std::move(value)) {}
+    void merge(const Result& other) override {
+      if constexpr (requires { state.merge(state); })
+        state.merge(static_cast<const Held&>(other).state);
+      else
+        throw std::logic_error("a part of one block has nothing to merge");
+    }
+    void save(number::ByteWriter& bytes) const override { bytes(state); }
+    State state;
+  };
+};
+
+/// Does all blocks, one after the other.
+void run_all(Job& job);
 
 }  // namespace bezierbench::studies

@@ -13,9 +13,14 @@ namespace bezierbench::studies {
 
 /// The trial in which a method was worst, in units of u p~; of equally bad ones the first.
 struct Worst {
-  double error_u;
-  double error;
-  std::uint64_t trial;
+  double error_u = 0;
+  double error = 0;
+  std::uint64_t trial = 0;
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.error_u, self.error, self.trial);
+  }
 
   [[nodiscard]] bool is_worse_than(const Worst& other) const {
     return error_u > other.error_u || (error_u == other.error_u && trial < other.trial);
@@ -35,6 +40,12 @@ struct Judgement {
   std::uint64_t violations = 0;
   std::int64_t first_violation = std::numeric_limits<std::int64_t>::max();  ///< trial
   double bound_u = 0;
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.error, self.error_u, self.error_ulp, self.relative, self.worst, self.sources, self.non_finite,
+          self.bounded, self.violations, self.first_violation, self.bound_u);
+  }
 
   void keep_worst(const Worst& candidate) {
     if (!worst || candidate.is_worse_than(*worst)) worst = candidate;

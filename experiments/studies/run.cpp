@@ -13,168 +13,194 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/bundle.hpp"
-#include "experiments/bundle/digest.hpp"
-#include "experiments/bundle/manifest.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/interruption.hpp"
+#include "experiments/studies/plan.hpp"
 #include "experiments/studies/progress.hpp"
-#include "experiments/studies/roster.hpp"
-#include "experiments/studies/scorecard.hpp"
-#include "experiments/suite/writer.hpp"
-#include "experiments/timing/counters.hpp"
+#include "experiments/studies/workplace.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-constexpr std::string_view complete = "complete";
-constexpr std::string_view partial = "partial";
+namespace fs = std::filesystem;
 
-using Jobs = std::vector<std::unique_ptr<Job>>;
+void note(const std::string& line) { std::fputs((line + '\n').c_str(), stderr); }
 
-std::vector<suite::Study> studies_of(const RunRequest& request) {
-  std::vector<suite::Study> studies;
-  for (const auto& one : request.suites) studies.insert(studies.end(), one.studies.begin(), one.studies.end());
-  return studies;
+/// What is in `out` already, if anything; refuses another run's.
+std::optional<bundle::Manifest> existing(const RunRequest& request, const Plan& plan) {
+  const auto path = request.out / "bundle.json";
+  std::error_code ignored;  // a place that cannot be looked at cannot be made either, which says why
+  if (!fs::exists(path, ignored)) return std::nullopt;
+  const auto theirs = bundle::parse_manifest(bundle::read_file(path), path.string());
+  if (const auto why = difference(theirs, plan.manifest))
+    throw Failure(Exit::usage, fmt::format("{}: holds results of {}; choose another --out or move it away",
+                                           request.out.string(), *why));
+  return theirs;
 }
 
-Jobs plan(const RunRequest& request) {
-  Jobs jobs;
-  for (const auto& one : request.suites)
-    for (const auto& study : one.studies) jobs.push_back(make_job(study, {one.seed, request.tier}));
-  return jobs;
+std::string name_of(const std::optional<Shard>& shard) {
+  return shard ? fmt::format("shard {}/{}", shard->number, shard->count) : "run";
 }
 
-bundle::Manifest manifest_of(const RunRequest& request, const std::string& suite_text) {
-  bundle::Manifest manifest;
-  manifest.schema_version = 1;
-  for (const auto& one : request.suites) manifest.suites.push_back(one.id);
-  manifest.suite_digest = bundle::sha256_hex(suite_text);
-  manifest.seed = request.suites.front().seed;
-  manifest.state = partial;
-  manifest.program_version = request.build.program_version;
-  manifest.git_commit = request.git_commit;
-  manifest.git_clean = request.git_clean;
-  manifest.fp_flags = request.build.fp_flags;
-  return manifest;
-}
+/// The work of this process.
+class Share {
+ public:
+  Share(const Jobs& jobs, const Ledger& ledger, const Shard& shard) : jobs_(jobs), ledger_(ledger) {
+    for (std::size_t job = 0; job < jobs.size(); ++job) blocks_.push_back(dealt(*jobs[job], job, shard));
+  }
 
-/// Refuses a bundle of other suites, seed or build, naming both.
-void require_same(const std::string& path, const bundle::Manifest& theirs, const bundle::Manifest& ours) {
-  const auto refuse = [&](std::string_view what, const auto& a, const auto& b) {
-    throw Failure(Exit::usage,
-                  fmt::format("{}: holds results of {} {}, this run has {}; choose another --out or move it away", path,
-                              what, a, b));
-  };
-  if (theirs.seed != ours.seed) refuse("seed", theirs.seed, ours.seed);
-  if (theirs.suite_digest != ours.suite_digest)
-    refuse("resolved suite", fmt::format("{} ({})", fmt::join(theirs.suites, "+"), theirs.suite_digest.substr(0, 12)),
-           fmt::format("{} ({})", fmt::join(ours.suites, "+"), ours.suite_digest.substr(0, 12)));
-  if (theirs.program_version != ours.program_version)
-    refuse("program version", theirs.program_version, ours.program_version);
-  if (theirs.git_commit != ours.git_commit) refuse("commit", theirs.git_commit, ours.git_commit);
-  if (theirs.fp_flags != ours.fp_flags) refuse("floating-point flags", theirs.fp_flags, ours.fp_flags);
-}
+  [[nodiscard]] BlockSet::Run blocks(std::size_t job) const { return blocks_[job]; }
+  [[nodiscard]] std::uint64_t count() const {
+    std::uint64_t sum = 0;
+    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += blocks(job).second - blocks(job).first;
+    return sum;
+  }
+  [[nodiscard]] std::uint64_t count_done() const {
+    std::uint64_t sum = 0;
+    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += ledger_.done(job).within(blocks(job)).size();
+    return sum;
+  }
+  [[nodiscard]] double cost_left() const {
+    double sum = 0;
+    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += cost_left(job);
+    return sum;
+  }
+  /// As a part of the whole run's cost.
+  [[nodiscard]] double share_left() const {
+    double all = 0;
+    for (const auto& job : jobs_) all += job->total_cost();
+    return all > 0 ? cost_left() / all : 0;
+  }
 
-void describe(const RunRequest& request, const Jobs& jobs, bool already_complete) {
+ private:
+  [[nodiscard]] double cost_left(std::size_t number) const {
+    const Job& job = *jobs_[number];
+    const auto each = job.blocks_per_part();
+    const auto [first, end] = blocks(number);
+    double sum = 0;
+    for (std::uint64_t at = first; at < end;) {
+      const auto part = job.part_of(at);
+      const BlockSet::Run run{at, std::min<std::uint64_t>(end, (part + 1) * each)};
+      sum += job.cost(part) * static_cast<double>(run.second - run.first - ledger_.done(number).within(run).size());
+      at = run.second;
+    }
+    return sum;
+  }
+
+  const Jobs& jobs_;
+  const Ledger& ledger_;
+  std::vector<BlockSet::Run> blocks_;  ///< per job
+};
+
+void describe(const RunRequest& request, const Plan& plan, bool already_complete) {
   Extent extent;
-  for (const auto& job : jobs) extent += job->extent();
+  for (const auto& job : plan.jobs) extent += job->extent();
+  Ledger ledger(plan.jobs, {request.out / "blocks", "", plan.manifest, plan.reference, machine_of(request)});
+  const Found found = find_blocks(request.out / "blocks");
+  require_same(found, plan, Exit::usage);
+  for (const auto& line : ledger.load(found, Ledger::Whose::all)) note(line);
+  const Share share(plan.jobs, ledger, request.shard.value_or(Shard()));
   constexpr double evaluations_per_second = 1.5e6;  // one thread, judged, degree 20: an order of magnitude
   constexpr std::size_t bytes_per_row = 300;
   constexpr double megabyte = 1e6;
-  fmt::print(
-      "studies      {}\ncells        {}\nevaluations  {}\nestimated    {:.0f} s on one thread, {:.1f} MB of disk, "
-      "{:.0f} MB of memory\nout          {}{}\n",
-      jobs.size(), extent.cells, extent.evaluations, static_cast<double>(extent.evaluations) / evaluations_per_second,
-      static_cast<double>(extent.rows * bytes_per_row) / megabyte, static_cast<double>(extent.memory) / megabyte,
-      request.out.string(), already_complete ? " (already complete)" : "");
+  const double part = already_complete ? 0 : share.share_left();
+  fmt::print("studies      {}\ncells        {}\nevaluations  {}\n", plan.jobs.size(), extent.cells, extent.evaluations);
+  fmt::print("blocks       {}{}, {} of them done\n", share.count(),
+             request.shard ? fmt::format(" of {}", name_of(request.shard)) : "",
+             already_complete ? share.count() : share.count_done());
+  fmt::print("estimated    {:.0f} s on one thread, {:.1f} MB of disk, {:.0f} MB of memory\nout          {}{}\n",
+             part * static_cast<double>(extent.evaluations) / evaluations_per_second,
+             static_cast<double>(extent.rows * bytes_per_row) / megabyte, static_cast<double>(extent.memory) / megabyte,
+             request.out.string(), already_complete ? " (already complete)" : "");
 }
 
-void run_blocks(const RunRequest& request, const Jobs& jobs) {
-  std::vector<Job*> shared;
-  std::vector<std::size_t> ends;  // of their blocks, numbered through; a list of all blocks might not fit in memory
-  double total = 0;
-  for (const auto& job : jobs) {
-    total += job->total_cost();
-    if (job->exclusive() || job->blocks() == 0) continue;
-    shared.push_back(job.get());
-    ends.push_back((ends.empty() ? 0 : ends.back()) + job->blocks());
-  }
-  Progress progress(total, request.quiet);
-  const auto run_one = [&](Job& job, std::size_t block) {
-    if (interrupted()) return;
-    job.run_block(block);
-    progress.add(job.cost(block));
+void work(const RunRequest& request, const Jobs& jobs, Ledger& ledger) {
+  const Share share(jobs, ledger, request.shard.value_or(Shard()));
+  Progress progress(share.cost_left(), request.quiet);
+  const auto run_one = [&](std::size_t number, std::uint64_t block) {
+    if (interrupted() || ledger.done(number, block)) return;
+    auto result = jobs[number]->run_block(block);
+    if (interrupted()) return;  // it may have stopped half-way
+    ledger.add(number, block, std::move(result));
+    progress.add(jobs[number]->cost(jobs[number]->part_of(block)));
   };
+  std::vector<std::size_t> shared;
+  std::vector<std::uint64_t> ends;  // of their blocks, numbered through; a list of all blocks might not fit in memory
+  for (std::size_t number = 0; number < jobs.size(); ++number) {
+    const auto [first, end] = share.blocks(number);
+    if (jobs[number]->exclusive() || first == end) continue;
+    shared.push_back(number);
+    ends.push_back((ends.empty() ? 0 : ends.back()) + (end - first));
+  }
   const auto threads = request.jobs > 0 ? static_cast<std::size_t>(request.jobs)
                                         : static_cast<std::size_t>(tbb::info::default_concurrency());
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const auto run_range = [&](const tbb::blocked_range<std::size_t>& range) {
-      for (std::size_t k = range.begin(); k < range.end() && !interrupted(); ++k) {
-        const auto job = static_cast<std::size_t>(std::ranges::upper_bound(ends, k) - ends.begin());
-        run_one(*shared[job], k - (job == 0 ? 0 : ends[job - 1]));
+    const auto run_range = [&](const tbb::blocked_range<std::uint64_t>& range) {
+      for (auto k = range.begin(); k < range.end() && !interrupted(); ++k) {
+        const auto index = static_cast<std::size_t>(std::ranges::upper_bound(ends, k) - ends.begin());
+        run_one(shared[index], share.blocks(shared[index]).second - (ends[index] - k));
       }
     };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ends.empty() ? 0 : ends.back()), run_range);
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, ends.empty() ? 0 : ends.back()), run_range);
   }
-  for (const auto& job : jobs)
-    for (std::size_t number = 0; job->exclusive() && number < job->blocks(); ++number) run_one(*job, number);
-  if (interrupted())
-    throw Failure(Exit::interrupted,
-                  fmt::format("{}: interrupted before the results were complete; run the same command again",
-                              request.out.string()));
+  for (std::size_t number = 0; number < jobs.size(); ++number) {
+    const auto [first, end] = share.blocks(number);
+    for (auto block = first; jobs[number]->exclusive() && block < end; ++block) run_one(number, block);
+  }
 }
 
-Findings findings_of(const Jobs& jobs) {
-  Findings findings;
-  for (const auto& job : jobs)
-    for (const auto& violation : job->violations())
-      findings.push_back(fmt::format("bound violated {} times: {}", violation.count, violation.where));
-  return findings;
+/// Once the blocks of this process are done: completes the bundle, unless other shards have theirs to do.
+Findings complete(const RunRequest& request, const Plan& plan, Workplace& place, Ledger& ledger) {
+  const auto lock = place.lock_bundle();
+  if (request.shard) {
+    if (place.directory().manifest().state == bundle::complete) return {};  // another shard did it
+    const Found found = find_blocks(place.directory().blocks());
+    require_same(found, plan, Exit::usage);
+    for (const auto& line : ledger.load(found, Ledger::Whose::all)) note(line);
+  }
+  if (!ledger.all_settled()) {
+    if (!request.quiet)
+      note(fmt::format("{}: {} is done, others are not", request.out.string(), name_of(request.shard)));
+    return {};
+  }
+  return assemble(request, plan, place.directory());
 }
 
 }  // namespace
 
 Findings run(const RunRequest& request) {
-  const Jobs jobs = plan(request);
-  const std::string suite_text = suite::to_toml(request.suites);
-  bundle::Manifest manifest = manifest_of(request, suite_text);
-  std::error_code ignored;  // a place that cannot be looked at cannot be made either, which says why
-  const bool exists = std::filesystem::exists(request.out / "bundle.json", ignored);
-  bool done = false;
-  if (exists) {
-    const auto theirs =
-        bundle::parse_manifest(bundle::read_file(request.out / "bundle.json"), (request.out / "bundle.json").string());
-    require_same(request.out.string(), theirs, manifest);
-    done = theirs.state == complete;
-  }
+  const Plan plan(request);
+  const auto before = existing(request, plan);
+  const bool is_complete = before && before->state == bundle::complete;
   if (request.dry_run) {
-    describe(request, jobs, done);
+    describe(request, plan, is_complete);
     return {};
   }
-  if (done) {
-    if (!request.quiet) std::fputs((request.out.string() + ": already complete, nothing to do\n").c_str(), stderr);
-    return {};
-  }
-  auto directory = bundle::BundleDirectory::create(request.out);
-  directory.write("suite.toml", suite_text);
-  directory.write("machine.json", bundle::machine_json(request.build, timing::Counters().state()));
-  directory.write("methods.csv", request.methods_csv);
-  directory.finish(manifest);  // says `partial` until the work is done
+  const auto already_complete = [&] {
+    if (!request.quiet) note(request.out.string() + ": already complete, nothing to do");
+    return Findings{};
+  };
+  std::error_code ignored;
+  if (is_complete && !fs::exists(request.out / "blocks", ignored)) return already_complete();
 
-  run_blocks(request, jobs);
-
-  Tables tables;
-  std::vector<Series> series;
-  for (const auto& job : jobs) {
-    job->write(tables);
-    for (auto& one : job->series()) series.push_back(std::move(one));
+  Workplace place(request, plan);
+  if (!place.begin()) return already_complete();
+  Ledger ledger(plan.jobs, place.owner());
+  for (const auto& line : ledger.load(place.found(), request.shard ? Ledger::Whose::own : Ledger::Whose::all))
+    note(line);
+  work(request, plan.jobs, ledger);
+  if (interrupted()) {
+    ledger.checkpoint();
+    throw Failure(Exit::interrupted,
+                  fmt::format("{}: interrupted before the results were complete; run the same command again",
+                              request.out.string()));
   }
-  write_scorecards(studies_of(request), series, tables);
-  for (const auto& [file, table] : tables.all()) directory.write(file, table.text());
-  manifest.state = complete;
-  directory.finish(manifest);
-  return findings_of(jobs);
+  if (request.shard)
+    ledger.checkpoint();
+  else
+    ledger.settle();
+  return complete(request, plan, place, ledger);
 }
 
 }  // namespace bezierbench::studies

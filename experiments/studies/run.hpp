@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/bundle/machine.hpp"
+#include "experiments/studies/shard.hpp"
 #include "experiments/suite/suite.hpp"
 #include "reference/true_point.hpp"
 
@@ -17,6 +19,7 @@ struct RunRequest {
   std::filesystem::path out;
   int jobs = 0;  ///< threads; 0: all cores
   reference::Tier tier = reference::Tier::certified;
+  std::optional<Shard> shard;
   bool dry_run = false;
   bool quiet = false;
   bundle::BuildFacts build;
@@ -28,8 +31,9 @@ struct RunRequest {
 /// What a run found; each line is for the user, and any makes the exit code 1.
 using Findings = std::vector<std::string>;
 
-/// Runs all studies and writes the bundle. Throws Failure: interrupted when a signal arrived (no result is written),
-/// usage when `out` holds another suite, seed or build, input_output when it cannot be written.
+/// Runs all studies, or a shard of them, and writes the bundle once no block is missing. What is done is kept in
+/// blocks/ meanwhile, and not done again. Throws Failure: interrupted when a signal arrived, usage when `out` holds
+/// another suite, seed or build, input_output when it cannot be written or somebody else is at the same work there.
 Findings run(const RunRequest& request);
 
 }  // namespace bezierbench::studies

@@ -27,21 +27,31 @@ struct Found {
   double error_u = -1;  ///< below every error
   double error = 0;
   std::optional<double> bound_u;
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.input.coefficients, self.input.t, self.input.weights, self.error_u, self.error, self.bound_u);
+  }
 };
 
 struct Outcome {
   double sampled_error_u = 0;
   Found worst;
   std::uint64_t violations = 0;
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.sampled_error_u, self.worst, self.violations);
+  }
 };
 
 /// One method in one cell.
 class Search {
  public:
   virtual ~Search() = default;
-  virtual void run() = 0;
-  virtual void write(Tables& tables) const = 0;
-  virtual void collect(std::vector<Violation>& violations) const = 0;
+  [[nodiscard]] virtual Outcome run() const = 0;
+  virtual void write(const Outcome& outcome, Tables& tables) const = 0;
+  virtual void collect(const Outcome& outcome, std::vector<Violation>& violations) const = 0;
   [[nodiscard]] virtual int degree() const = 0;
 };
 
@@ -51,39 +61,42 @@ class ScalarSearch final : public Search {
   ScalarSearch(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, const Kernel<Scalar>& kernel)
       : study_(study), seed_(seed), cell_(cell), kernel_(kernel) {}
 
-  void run() override {
-    std::vector<Found> found = sampled();
-    outcome_.sampled_error_u = std::max(0.0, found.front().error_u);
+  [[nodiscard]] Outcome run() const override {
+    PointJudge<Scalar> judge;
+    Outcome outcome;
+    std::vector<Found> found = sampled(judge, outcome);
+    outcome.sampled_error_u = std::max(0.0, found.front().error_u);
     // The words of the climb are no trial's: their study key is another one.
     sample::Words words(seed_, sample::key(fmt::format("{}/{}", study_.id, kernel_.info->id)), sample::key(cell_), 0);
     const auto each = study_.budget / shared_part / static_cast<std::int64_t>(found.size());
-    for (auto& one : found) climb(words, each, one);
-    outcome_.worst = *std::ranges::max_element(found, {}, &Found::error_u);
-    climb(words, study_.budget - each * static_cast<std::int64_t>(found.size()), outcome_.worst);
+    for (auto& one : found) climb(words, each, one, judge, outcome);
+    outcome.worst = *std::ranges::max_element(found, {}, &Found::error_u);
+    climb(words, study_.budget - each * static_cast<std::int64_t>(found.size()), outcome.worst, judge, outcome);
+    return outcome;
   }
 
-  void write(Tables& tables) const override {
+  void write(const Outcome& outcome, Tables& tables) const override {
     auto& table = tables.table("search.csv", columns());
     std::vector<std::string> row{fmt::format("s{}", table.row_count() + 1)};
     append(row, cell_fields(study_, cell_, kernel_.info->id, ScalarFacts<Scalar>::kind));
-    const Found& worst = outcome_.worst;
+    const Found& worst = outcome.worst;
     if (worst.error_u < 0) {
       row.insert(row.end(), {std::to_string(study_.trials), std::to_string(study_.budget), "non_finite"});
       row.resize(columns().size());
     } else {
-      append(row, {std::to_string(study_.trials), std::to_string(study_.budget), status(),
-                   number::decimal(outcome_.sampled_error_u), number::decimal(worst.error_u),
+      append(row, {std::to_string(study_.trials), std::to_string(study_.budget), status(outcome),
+                   number::decimal(outcome.sampled_error_u), number::decimal(worst.error_u),
                    worst.bound_u ? number::decimal(*worst.bound_u) : "", number::decimal(worst.error)});
       append(row, input_fields(worst.input, cell_.dimension));
     }
     table.add_row(std::move(row));
   }
 
-  void collect(std::vector<Violation>& violations) const override {
-    if (outcome_.violations == 0) return;
+  void collect(const Outcome& outcome, std::vector<Violation>& violations) const override {
+    if (outcome.violations == 0) return;
     violations.push_back({fmt::format("{}, method {}, found by the search; see search.csv",
                                       describe(study_, cell_, ScalarFacts<Scalar>::kind), kernel_.info->id),
-                          outcome_.violations});
+                          outcome.violations});
   }
 
   [[nodiscard]] int degree() const override { return cell_.degree; }
@@ -103,20 +116,20 @@ class ScalarSearch final : public Search {
 
   /// `reached`: the climb gained what is asked of it; `near_bound`: it cannot, for the sample alone is as close to the
   /// proved bound; `short`: neither.
-  [[nodiscard]] std::string status() const {
-    if (outcome_.worst.error_u >= wanted_gain * outcome_.sampled_error_u) return "reached";
-    const auto& bound = outcome_.worst.bound_u;
-    return bound && *bound <= wanted_gain * outcome_.sampled_error_u ? "near_bound" : "short";
+  [[nodiscard]] static std::string status(const Outcome& outcome) {
+    if (outcome.worst.error_u >= wanted_gain * outcome.sampled_error_u) return "reached";
+    const auto& bound = outcome.worst.bound_u;
+    return bound && *bound <= wanted_gain * outcome.sampled_error_u ? "near_bound" : "short";
   }
 
   /// The worst inputs of the sample, worst first; at least one.
-  std::vector<Found> sampled() {
+  std::vector<Found> sampled(PointJudge<Scalar>& judge, Outcome& outcome) const {
     const sample::Sampler sampler(seed_, study_.id, cell_);
     std::vector<Found> worst;
     TrialInputs<Scalar> inputs(form_of(study_.curve), cell_);
     for (std::int64_t trial = 0; trial < study_.trials && !interrupted(); ++trial) {
       inputs.draw(sampler, static_cast<std::uint64_t>(trial));
-      Found one = judged(inputs);
+      Found one = judged(inputs, judge, outcome);
       if (worst.size() == starts && one.error_u <= worst.back().error_u) continue;
       const auto place = std::ranges::find_if(worst, [&](const Found& other) { return other.error_u < one.error_u; });
       worst.insert(place, std::move(one));
@@ -126,19 +139,19 @@ class ScalarSearch final : public Search {
     return worst;
   }
 
-  Found judged(const TrialInputs<Scalar>& inputs) {
-    const PointVerdict verdict = judge_.judge(kernel_, inputs);
+  Found judged(const TrialInputs<Scalar>& inputs, PointJudge<Scalar>& judge, Outcome& outcome) const {
+    const PointVerdict verdict = judge.judge(kernel_, inputs);
     Found found;
     found.input = inputs.values();
     if (!verdict.finite || !std::isfinite(verdict.error_u)) return found;  // p~ = 0 measures nothing
-    if (verdict.violates) ++outcome_.violations;
+    if (verdict.violates) ++outcome.violations;
     found.error_u = verdict.error_u;
     found.error = verdict.error;
     found.bound_u = verdict.bound_u;
     return found;
   }
 
-  void climb(sample::Words& words, std::int64_t steps, Found& from) {
+  void climb(sample::Words& words, std::int64_t steps, Found& from, PointJudge<Scalar>& judge, Outcome& outcome) const {
     constexpr int unseen_bits = 53 - ScalarFacts<Scalar>::format.precision;
     const Climb neighbours(cell_, unseen_bits);
     TrialInputs<Scalar> inputs(form_of(study_.curve), cell_);
@@ -146,7 +159,7 @@ class ScalarSearch final : public Search {
       sample::Trial next = from.input;
       neighbours.step(words, next);
       inputs.assign(next);
-      Found reached = judged(inputs);
+      Found reached = judged(inputs, judge, outcome);
       if (reached.error_u >= from.error_u) from = std::move(reached);
     }
   }
@@ -155,11 +168,9 @@ class ScalarSearch final : public Search {
   std::uint64_t seed_;
   sample::Cell cell_;
   const Kernel<Scalar>& kernel_;
-  PointJudge<Scalar> judge_;
-  Outcome outcome_;
 };
 
-class SearchJob final : public Job {
+class SearchJob final : public JobOf<Outcome> {
  public:
   SearchJob(const suite::Study& study, std::uint64_t seed) : study_(study) {
     for (const auto& cell : sample::cells(study_))
@@ -170,10 +181,9 @@ class SearchJob final : public Job {
           add<double>(seed, cell);
   }
 
-  [[nodiscard]] std::size_t blocks() const override { return searches_.size(); }
-  void run_block(std::size_t block) override { searches_[block]->run(); }
-  [[nodiscard]] double cost(std::size_t block) const override {
-    const double n = searches_[block]->degree() + 1.0;
+  [[nodiscard]] std::size_t parts() const override { return searches_.size(); }
+  [[nodiscard]] double cost(std::size_t part) const override {
+    const double n = searches_[part]->degree() + 1.0;
     return static_cast<double>(study_.trials + study_.budget) * (200 + 150 * n + 4 * n * n);
   }
   [[nodiscard]] Extent extent() const override {
@@ -181,14 +191,17 @@ class SearchJob final : public Job {
     return {searches_.size(), searches_.size(), evaluations * searches_.size(), searches_.size() * sizeof(Outcome)};
   }
   void write(Tables& tables) const override {
-    for (const auto& search : searches_) search->write(tables);
+    for (std::size_t part = 0; part < searches_.size(); ++part) searches_[part]->write(state(part), tables);
   }
   [[nodiscard]] std::vector<Series> series() const override { return {}; }
   [[nodiscard]] std::vector<Violation> violations() const override {
     std::vector<Violation> all;
-    for (const auto& search : searches_) search->collect(all);
+    for (std::size_t part = 0; part < searches_.size(); ++part) searches_[part]->collect(state(part), all);
     return all;
   }
+
+ protected:
+  [[nodiscard]] Outcome work(std::size_t block) const override { return searches_[block]->run(); }
 
  private:
   template <class Scalar>

@@ -26,7 +26,7 @@ suite::Study small_study() {
 
 bundle::CsvDocument table_of(const suite::Study& study) {
   const auto job = search_job(study, {1});
-  for (std::size_t block = 0; block < job->blocks(); ++block) job->run_block(block);
+  run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   Tables tables;
   job->write(tables);

@@ -17,17 +17,20 @@ namespace {
 
 constexpr int most_reruns_per_heat = 2;
 
-class TimingJob final : public Job {
+/// What a heat gives: the lap of each method, then of the sentinel.
+using Laps = std::vector<timing::Lap>;
+
+class TimingJob final : public JobOf<Laps> {
  public:
   TimingJob(const suite::Study& study, std::uint64_t seed)
       : study_(study), seed_(seed), heats_(heats_of(study)), reruns_left_(std::max<std::size_t>(heats_.size() / 2, 1)) {
     require_racing_baseline();
   }
 
-  [[nodiscard]] std::size_t blocks() const override { return heats_.size(); }
+  [[nodiscard]] std::size_t parts() const override { return heats_.size(); }
   [[nodiscard]] bool exclusive() const override { return true; }
-  [[nodiscard]] double cost(std::size_t block) const override {
-    return 5e7 * static_cast<double>(heats_[block].methods.size());  // about the same wall time whatever the degree
+  [[nodiscard]] double cost(std::size_t part) const override {
+    return 5e7 * static_cast<double>(heats_[part].methods.size());  // about the same wall time whatever the degree
   }
   [[nodiscard]] Extent extent() const override {
     Extent sum{heats_.size(), study_.modes.size(), 0, 0};  // a sentinel's row in each mode
@@ -37,20 +40,29 @@ class TimingJob final : public Job {
     }
     return sum;
   }
-  void run_block(std::size_t block) override;
   void write(Tables& tables) const override {
-    write_timing_rows(study_, heats_, tables);
-    write_complexity_rows(study_, heats_, tables);
+    write_timing_rows(study_, raced(), tables);
+    write_complexity_rows(study_, raced(), tables);
   }
   [[nodiscard]] std::vector<Series> series() const override;
 
+ protected:
+  [[nodiscard]] Laps work(std::size_t block) const override;
+
  private:
+  /// The heats with what they gave so far.
+  [[nodiscard]] std::vector<Heat> raced() const {
+    auto heats = heats_;
+    for (std::size_t part = 0; part < heats.size(); ++part) heats[part].laps = state(part);
+    return heats;
+  }
   void require_racing_baseline() const;
 
   suite::Study study_;
   std::uint64_t seed_;
   std::vector<Heat> heats_;
-  std::size_t reruns_left_;  ///< of the study: a restless machine lengthens it by half at most
+  mutable std::size_t
+      reruns_left_;  ///< of the study: a restless machine lengthens it by half at most. One heat at a time
   timing::Counters counters_;
 };
 
@@ -67,25 +79,29 @@ void TimingJob::require_racing_baseline() const {
 }
 
 /// A race in which the sentinel drifted is run again; the attempt with the quicker sentinel counts.
-void TimingJob::run_block(std::size_t block) {
-  Heat& heat = heats_[block];
-  if (heat.methods.empty()) return;  // none supports the degree
+Laps TimingJob::work(std::size_t block) const {
+  const Heat& heat = heats_[block];
+  if (heat.methods.empty()) return {};  // none supports the degree
   timing::RaceOptions options;
   options.counters = &counters_;
   options.stop = interrupted;
-  heat.laps = run(heat, study_, seed_, options);
+  Laps laps = run(heat, study_, seed_, options);
   for (int rerun = 0; rerun < most_reruns_per_heat && reruns_left_ > 0; ++rerun) {
-    if (interrupted() || !drifted(heat.laps, fastest_sentinel(heats_))) break;
+    if (interrupted()) break;
+    const double fastest = std::min(fastest_sentinel(raced()), sentinel_of(laps).fast);
+    if (!drifted(laps, fastest)) break;
     --reruns_left_;
     auto again = run(heat, study_, seed_, options);
-    if (sentinel_of(again).slow < sentinel_of(heat.laps).slow) heat.laps = std::move(again);
+    if (sentinel_of(again).slow < sentinel_of(laps).slow) laps = std::move(again);
   }
+  return laps;
 }
 
 /// Of the double heats only: printed times do not say otherwise.
 std::vector<Series> TimingJob::series() const {
   std::vector<Series> all;
-  for (const auto& heat : heats_)
+  const auto heats = raced();
+  for (const auto& heat : heats)
     for (std::size_t m = 0; m < heat.methods.size() && heat.scalar == suite::ScalarKind::float64; ++m)
       all.push_back({.study = study_.id,
                      .curve = std::string(suite::name(study_.curve)),

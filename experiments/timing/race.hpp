@@ -28,6 +28,11 @@ struct Lap {
   std::vector<double> instructions_per_point;  ///< likewise
   std::size_t points_per_round = 0;
   bool checked = true;  ///< every check held
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.ns_per_point, self.cycles_per_point, self.instructions_per_point, self.points_per_round, self.checked);
+  }
 };
 
 /// Many short turns beat few long ones: a turn shorter than the scheduler's slices is seldom interrupted, and its

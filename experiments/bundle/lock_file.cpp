@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/lock_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+  throw Failure(Exit::input_output, fmt::format("{}: cannot be locked: {}; choose an --out that you may write to",
+                                                path.string(), std::generic_category().message(error)));
+}
+
+int locked(int descriptor, int operation) {
+  int result = ::flock(descriptor, operation);
+  while (result == -1 && errno == EINTR) result = ::flock(descriptor, operation);
+  return result;
+}
+
+}  // namespace
+
+LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
+  // Network file systems want write access for an exclusive lock.
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor_ == -1) fail(path_, errno);
+}
+
+LockFile::~LockFile() { ::close(descriptor_); }
+
+bool LockFile::try_lock(Sharing sharing) {
+  if (locked(descriptor_, (sharing == Sharing::shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0) return true;
+  unsupported_ = errno == EOPNOTSUPP || errno == ENOLCK || errno == ENOSYS;
+  if (!unsupported_ && errno != EWOULDBLOCK) fail(path_, errno);
+  return unsupported_;
+}
+
+void LockFile::unlock() { locked(descriptor_, LOCK_UN); }
+
+}  // namespace bezierbench::bundle

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/merge.hpp"
+
+#include <memory>
+
+#include "experiments/bundle/bundle.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/diagnostics.hpp"
+#include "experiments/cli/this_build.hpp"
+#include "experiments/cli/vocabulary.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/studies/interruption.hpp"
+#include "experiments/suite/reader.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> bundles;
+  std::string out;
+};
+
+Exit merge(const Options& options) {
+  if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
+  const std::vector<std::filesystem::path> bundles(options.bundles.begin(), options.bundles.end());
+  auto request = request_of_this_build();
+  const auto first = bundle::BundleDirectory::open(bundles.front());
+  request.suites = suite::read_suites((first.path() / "suite.toml").string(), vocabulary());
+  request.out = options.out;
+  const auto findings = studies::merge(std::move(request), bundles);
+  for (const auto& finding : findings) say(finding);
+  return findings.empty() ? Exit::fine : Exit::finding;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, Exit& exit) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("merge", "join the shards of a run");
+  command->add_option("bundles", options->bundles, "folders that run --shard wrote")->required();
+  command->add_option("--out", options->out, "folder of the whole bundle")->required();
+  command->callback([options, &exit] { exit = merge(*options); });
+}
+
+}  // namespace bezierbench::cli
