@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -29,6 +31,7 @@ struct Options {
   std::string trials;
   std::string reference = "certified";
   std::optional<std::string> shard;
+  std::optional<double> checkpoint;
   bool dry_run = false;
   bool quiet = false;
   suite::Overrides overrides;
@@ -47,6 +50,9 @@ Exit run(const Options& options) {
   request.jobs = options.jobs;
   request.tier = options.reference == "exact" ? reference::Tier::exact : reference::Tier::certified;
   if (options.shard) request.shard = shard_of(*options.shard, [](const char* name) { return std::getenv(name); });
+  constexpr double milliseconds = 1000;
+  if (options.checkpoint)
+    request.checkpoint = std::chrono::milliseconds(std::llround(*options.checkpoint * milliseconds));
   request.dry_run = options.dry_run;
   request.quiet = options.quiet;
   studies::watch_for_interruption();
@@ -78,6 +84,10 @@ void add_run(CLI::App& app, Exit& exit) {
   command->add_option("--reference", options->reference, "how the truth is computed")
       ->check(CLI::IsMember({"certified", "exact"}));
   command->add_option("--shard", options->shard, "i/N: do one part of N; auto: ask Open MPI, PMI or Slurm which");
+  command
+      ->add_option("--checkpoint", options->checkpoint,
+                   "seconds between two files of finished blocks; default: by cost, 2 at most")
+      ->check(CLI::Range(0.0, 86400.0));
   command->add_flag("--dry-run", options->dry_run, "say what would be done");
   command->add_flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
   command->add_flag("--quiet", options->quiet, "no progress");

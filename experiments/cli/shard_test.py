@@ -84,8 +84,8 @@ class OneFolder(ShardCase):
     def test_killed_shards_go_on(self):
         expected = self.whole()
         for kill in range(6):
-            self.stop(0.1 + 0.05 * kill, signal.SIGKILL, "run", self.everything, "--quiet", "--out", "b", "--shard",
-                      f"{kill % 2 + 1}/2")
+            self.stop(0.03 + 0.01 * kill, signal.SIGKILL, "run", self.everything, "--quiet", "--checkpoint", 0,
+                      "--out", "b", "--shard", f"{kill % 2 + 1}/2")
         for number in (1, 2):
             self.shard(number, 2, "b")
         self.assert_complete("b")

@@ -64,7 +64,7 @@ Found find_blocks(const fs::path& folder) {
 Ledger::Ledger(const Jobs& jobs, Owner owner)
     : jobs_(jobs), owner_(std::move(owner)), done_(jobs.size()), slots_(jobs.size()), settled_(jobs.size()) {
   for (std::size_t job = 0; job < jobs.size(); ++job) slots_[job].resize(jobs[job]->parts());
-  next_checkpoint_ = Clock::now() + shortest_interval;
+  next_checkpoint_ = Clock::now() + pause_after({});
 }
 
 bool Ledger::is_own(const fs::path& path) const { return path.stem().stem() == owner_.writer; }
@@ -194,8 +194,12 @@ void Ledger::write_checkpoint() {
     for (const auto& path : superseded) fs::remove(path, ignored);
   }
   const auto end = Clock::now();
-  next_checkpoint_ =
-      end + std::clamp<Clock::duration>(times_the_cost * (end - start), shortest_interval, longest_interval);
+  next_checkpoint_ = end + pause_after(end - start);
+}
+
+Ledger::Clock::duration Ledger::pause_after(Clock::duration cost) const {
+  if (owner_.interval) return *owner_.interval;
+  return std::clamp<Clock::duration>(times_the_cost * cost, shortest_interval, longest_interval);
 }
 
 }  // namespace bezierbench::studies

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,9 @@ class Ledger {
     std::filesystem::path folder;  ///< blocks/
     std::string writer;
     bundle::Manifest manifest;
-    std::string reference;  ///< the tier
-    std::string machine;    ///< fingerprint; timings of other machines do not count
+    std::string reference;                                   ///< the tier
+    std::string machine;                                     ///< fingerprint; timings of other machines do not count
+    std::optional<std::chrono::milliseconds> interval = {};  ///< between two files; left out: see add()
   };
 
   Ledger(const Jobs& jobs, Owner owner);
@@ -62,8 +64,9 @@ class Ledger {
   [[nodiscard]] bool all_settled() const;
   [[nodiscard]] const BlockSet& settled(std::size_t job) const { return settled_[job]; }
 
-  /// Takes the result of one block, from any thread, and writes a file when it is time: rarely enough that writing
-  /// costs a twentieth of the time, often enough that a killed run loses two seconds at most. Throws as write_file.
+  /// Takes the result of one block, from any thread, and writes a file when it is time: unless the owner says when,
+  /// rarely enough that writing costs a twentieth of the time, often enough that a killed run loses two seconds at
+  /// most. Throws as write_file.
   void add(std::size_t job, std::uint64_t block, std::unique_ptr<Result> result);
 
   /// Writes what is in no file yet. Throws as write_file.
@@ -89,6 +92,7 @@ class Ledger {
   [[nodiscard]] std::vector<bundle::BlockRecord> everything() const;
   void write(std::vector<bundle::BlockRecord> records);
   void write_checkpoint();
+  [[nodiscard]] Clock::duration pause_after(Clock::duration cost) const;
 
   const Jobs& jobs_;
   Owner owner_;

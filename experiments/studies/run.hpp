@@ -2,6 +2,7 @@
 // From resolved suites to a bundle: plan, work in blocks over threads, write.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct RunRequest {
   int jobs = 0;  ///< threads; 0: all cores
   reference::Tier tier = reference::Tier::certified;
   std::optional<Shard> shard;
+  std::optional<std::chrono::milliseconds> checkpoint;  ///< between two files of finished blocks; left out: by cost
   bool dry_run = false;
   bool quiet = false;
   bundle::BuildFacts build;

@@ -137,7 +137,7 @@ void Workplace::choose_machine() {
 }
 
 Ledger::Owner Workplace::owner() const {
-  return {directory_.blocks(), writer_, plan_.manifest, plan_.reference, machine_};
+  return {directory_.blocks(), writer_, plan_.manifest, plan_.reference, machine_, request_.checkpoint};
 }
 
 }  // namespace bezierbench::studies
