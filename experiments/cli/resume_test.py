@@ -226,7 +226,7 @@ class Timings(ResumeCase):
         self.assertNotIn(", 0 of them done", text)
         self.bundle(suite, name="b")
         self.assertEqual((self.folder / "b/machine.json").read_bytes(), machine)
-        self.assertEqual(len(rows((self.folder / "b/timing.csv").read_text())), 8)
+        self.assertEqual(len(rows((self.folder / "b/timing.csv").read_text())), 9)  # and the sentinel
 
     def test_taken_again_on_another_machine(self):
         suite = self.suite(self.TWO)

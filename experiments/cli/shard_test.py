@@ -194,7 +194,7 @@ class TimesOfShards(ShardCase):
         self.fine("merge", "s2", "s1", "--out", "m")
         self.assert_complete("m")
         self.assertEqual((self.folder / "m/machine.json").read_bytes(), (self.folder / "s1/machine.json").read_bytes())
-        self.assertEqual(len(rows((self.folder / "m/timing.csv").read_text())), 6)
+        self.assertEqual(len(rows((self.folder / "m/timing.csv").read_text())), 7)  # and the sentinel
         text = self.fine("run", self.suite(FAST_TIMING, name="t.toml"), "--out", "t", "--shard", "2/2", "--dry-run")
         self.assertIn("blocks       0 of shard 2/2", text)
 
