@@ -112,6 +112,7 @@ FLIPS = {
     "worst_bounds": _set("searched_error_u", 18, "search.csv", search_id="s1"),
     "worst_gain": _more_short,
     "rational_weights": _raise("mean_error_u", 1e3, study="rational-ladder", method="direct", degree=20, generator="weights_wild"),
+    "choosing": _set("pareto", "yes", "pareto.csv", method="direct"),
     "sample_maximum": _scale("max_error", 0.5, generator="report", study=("2.3.1-bezier", "2.3.1-polynomial")),
 }
 

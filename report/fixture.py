@@ -187,9 +187,19 @@ def timing():
     return [row("direct", n, n * 1.5) for n in DEGREES] + [row("sentinel", "", 1.5)]
 
 
+def pareto():
+    """Two methods that are worth choosing and two that are beaten."""
+    cases = {"horner_bernstein": (1, 12, "yes"), "compensated_de_casteljau": (30, 1, "yes"), "de_casteljau": (5, 14, "no"),
+             "direct": (3, 15, "no")}
+    return [dict(study="speed-bezier", accuracy_study="speed-errors-bezier", curve="bezier", method=m, scalar="double", dimension=2,
+                 degree=n, mode="point", ns=ns * n, ns_low=ns * n * 0.9, ns_high=ns * n * 1.1, observed_max_u=u, bound_u=4 * u,
+                 observed_max=u * 1e-16, bound=u * 4e-16, quality="ok", pareto=front, coordinate_range=1, t_min=0, t_max=1,
+                 generator="continuous") for n in DEGREES for m, (ns, u, front) in cases.items()]
+
+
 FILES = {"accuracy.csv": accuracy, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
          "conversion.csv": conversion, "search.csv": search, "worst.csv": worst, "methods.csv": methods, "audit.csv": audit,
-         "timing.csv": timing}
+         "timing.csv": timing, "pareto.csv": pareto}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}
 

@@ -298,6 +298,7 @@ void ScalarCell<Scalar>::count(const Kernel<Scalar>& method, double error, std::
   const double bound = scale.bound(*method.info->bound, arithmetic, from.length);
   if (!std::isfinite(bound)) return;  // nothing is proved here
   ++judgement.bounded;
+  judgement.bound = std::max(judgement.bound, bound);
   const double bound_u = scale.in_bound_units(bound, arithmetic);
   if (std::isfinite(bound_u)) judgement.bound_u = std::max(judgement.bound_u, bound_u);  // p~ = 0 has no such unit
   if (metric::TrialScale::violates(error, bound)) {

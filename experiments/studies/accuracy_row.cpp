@@ -64,7 +64,9 @@ constexpr Column columns[]{
     {"mean_one_minus_t_error", of_sources<&SourceTallies::one_minus_t, mean>},
     {"max_one_minus_t_error", of_sources<&SourceTallies::one_minus_t, largest>},
     {"mean_evaluation_error", of_sources<&SourceTallies::evaluation, mean>},
-    {"max_evaluation_error", of_sources<&SourceTallies::evaluation, largest>}};
+    {"max_evaluation_error", of_sources<&SourceTallies::evaluation, largest>},
+    {"max_bound",
+     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound) : std::string(); }}};
 
 }  // namespace
 

@@ -18,7 +18,13 @@ const std::vector<std::string>& cell_columns();
 std::vector<std::string> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
                                      suite::ScalarKind scalar);
 
-/// The same for a sentence, without the method.
+/// coordinate_range,t_min,t_max,generator: how the inputs of a cell were drawn; the last of the columns above.
+const std::vector<std::string>& drawn_columns();
+
+/// The fields of those columns.
+std::vector<std::string> drawn_fields(const sample::Cell& cell);
+
+/// Those of cell_columns() for a sentence, without the method.
 std::string describe(const suite::Study& study, const sample::Cell& cell, suite::ScalarKind scalar);
 
 }  // namespace bezierbench::studies

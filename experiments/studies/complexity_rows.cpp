@@ -9,6 +9,7 @@
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/studies/cell_fields.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::studies {
@@ -16,7 +17,7 @@ namespace {
 
 /// The times of one method over the degrees.
 struct Ladder {
-  const Heat* first;  ///< scalar, dimension and mode are those of all its heats
+  const Heat* first;  ///< but for the degree, all its heats are alike
   const MethodInfo* method;
   std::vector<double> degrees;
   std::vector<double> ns;
@@ -25,11 +26,12 @@ struct Ladder {
 /// In the order in which their first heats ran.
 std::vector<Ladder> ladders_of(const std::vector<Heat>& heats) {
   std::vector<Ladder> ladders;
-  std::map<std::tuple<suite::ScalarKind, int, suite::Mode, const MethodInfo*>, std::size_t> places;
+  std::map<std::tuple<suite::ScalarKind, int, suite::Mode, std::vector<std::string>, const MethodInfo*>, std::size_t>
+      places;
   for (const auto& heat : heats)
     for (std::size_t m = 0; m < heat.methods.size() && !heat.laps.empty(); ++m) {
-      const auto [place, is_new] =
-          places.try_emplace({heat.scalar, heat.cell.dimension, heat.mode, heat.methods[m]}, ladders.size());
+      const auto [place, is_new] = places.try_emplace(
+          {heat.scalar, heat.cell.dimension, heat.mode, drawn_fields(heat.cell), heat.methods[m]}, ladders.size());
       if (is_new) ladders.push_back({&heat, heat.methods[m], {}, {}});
       Ladder& ladder = ladders[place->second];
       ladder.degrees.push_back(heat.cell.degree);
@@ -45,19 +47,31 @@ int claimed_exponent(const MethodInfo& method, suite::Mode mode) {
 }  // namespace
 
 void write_complexity_rows(const suite::Study& study, const std::vector<Heat>& heats, Tables& tables) {
-  auto& table = tables.table("complexity.csv",
-                             {"study", "curve", "method", "scalar", "dimension", "mode", "first_degree", "last_degree",
-                              "exponent", "exponent_low", "exponent_high", "claimed", "verdict"});
+  std::vector<std::string> columns{"study",         "curve",        "method",      "scalar",   "dimension",
+                                   "mode",          "first_degree", "last_degree", "exponent", "exponent_low",
+                                   "exponent_high", "claimed",      "verdict"};
+  columns.insert(columns.end(), drawn_columns().begin(), drawn_columns().end());
+  auto& table = tables.table("complexity.csv", columns);
   for (const auto& ladder : ladders_of(heats)) {
     const auto fitted = metric::growth(ladder.degrees, ladder.ns, metric::timing_confidence);
     if (!fitted) continue;
     const int claimed = claimed_exponent(*ladder.method, ladder.first->mode);
     const auto [least, most] = std::ranges::minmax(ladder.degrees);
-    table.add_row({study.id, std::string(suite::name(study.curve)), std::string(ladder.method->id),
-                   std::string(suite::name(ladder.first->scalar)), std::to_string(ladder.first->cell.dimension),
-                   std::string(suite::name(ladder.first->mode)), number::decimal(least), number::decimal(most),
-                   number::decimal(fitted->exponent), number::decimal(fitted->low), number::decimal(fitted->high),
-                   std::to_string(claimed), std::string(metric::name(metric::verdict(*fitted, claimed)))});
+    std::vector<std::string> row{study.id,
+                                 std::string(suite::name(study.curve)),
+                                 std::string(ladder.method->id),
+                                 std::string(suite::name(ladder.first->scalar)),
+                                 std::to_string(ladder.first->cell.dimension),
+                                 std::string(suite::name(ladder.first->mode)),
+                                 number::decimal(least),
+                                 number::decimal(most),
+                                 number::decimal(fitted->exponent),
+                                 number::decimal(fitted->low),
+                                 number::decimal(fitted->high),
+                                 std::to_string(claimed),
+                                 std::string(metric::name(metric::verdict(*fitted, claimed)))};
+    for (auto& field : drawn_fields(ladder.first->cell)) row.push_back(std::move(field));
+    table.add_row(std::move(row));
   }
 }
 

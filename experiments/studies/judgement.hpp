@@ -39,12 +39,13 @@ struct Judgement {
   std::uint64_t bounded = 0;  ///< trials for which a bound is proved
   std::uint64_t violations = 0;
   std::int64_t first_violation = std::numeric_limits<std::int64_t>::max();  ///< trial
-  double bound_u = 0;
+  double bound = 0;                                                         ///< the largest, in coordinate units
+  double bound_u = 0;                                                       ///< the largest of bound / (u p~)
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
     bytes(self.error, self.error_u, self.error_ulp, self.relative, self.worst, self.sources, self.non_finite,
-          self.bounded, self.violations, self.first_violation, self.bound_u);
+          self.bounded, self.violations, self.first_violation, self.bound, self.bound_u);
   }
 
   void keep_worst(const Worst& candidate) {
@@ -62,6 +63,7 @@ struct Judgement {
     bounded += other.bounded;
     violations += other.violations;
     first_violation = std::min(first_violation, other.first_violation);
+    bound = std::max(bound, other.bound);
     bound_u = std::max(bound_u, other.bound_u);
   }
 };

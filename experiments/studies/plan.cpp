@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "experiments/bundle/digest.hpp"
+#include "experiments/studies/choices.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/scorecard.hpp"
 #include "experiments/suite/writer.hpp"
@@ -83,6 +84,7 @@ Findings assemble(const RunRequest& request, const Plan& plan, const bundle::Bun
     for (auto& one : job->series()) series.push_back(std::move(one));
   }
   write_scorecards(studies_of(request), series, tables);
+  write_pareto(tables);
   for (const auto& [file, table] : tables.all()) directory.write(file, table.text());
   bundle::Manifest manifest = plan.manifest;
   manifest.state = bundle::complete;

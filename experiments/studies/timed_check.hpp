@@ -16,8 +16,8 @@ struct JudgedPoints {
 };
 
 /// Evaluates one curve and one t at a time. The points are right where all are as near to the exact ones as a method
-/// may be: within its bound or, where none is proved, within 64 (n+1) u times the amplification of a detour through the
-/// other form.
+/// may be: within its bound or, where none is proved, within 64 (n+1) 2^n u times the amplification of a detour through
+/// the other form.
 template <class Scalar>
 JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const timing::Inputs<Scalar>& inputs);
 

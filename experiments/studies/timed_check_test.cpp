@@ -43,6 +43,21 @@ TYPED_TEST(TimedCheck, PassesEveryMethodOfTheRosterOnCurvesOfItsForm) {
     }
 }
 
+/// Interpolation at uniform nodes is right, however much it loses by then.
+TYPED_TEST(TimedCheck, PassesTheLeastStableOfAllAtAHighDegree) {
+  constexpr int degree = 30;
+  timing::Inputs<TypeParam> inputs{Form::bernstein, 1, degree, {}, {}, {}};
+  for (int k = 0; k < 16; ++k) {
+    std::vector<TypeParam> curve;
+    for (int i = 0; i <= degree; ++i) curve.push_back(TypeParam((7 * i + k) % 5) - TypeParam(2));
+    inputs.curves.push_back(curve);
+    inputs.weights.emplace_back();
+    inputs.t.push_back((TypeParam(k) + TypeParam(0.5)) / 16);
+  }
+  const auto& kernel = *find_kernel<TypeParam>("barycentric_uniform", Form::bernstein, 1);
+  EXPECT_TRUE(judge(kernel, suite::Mode::one_shot, inputs).right);
+}
+
 TYPED_TEST(TimedCheck, CatchesAMethodThatLooksAtNoWeights) {
   const auto& wrong = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
   EXPECT_FALSE(judge(wrong, suite::Mode::point, cubic_inputs<TypeParam>(Form::rational)).right);

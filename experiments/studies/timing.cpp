@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "experiments/failure.hpp"
 #include "experiments/studies/complexity_rows.hpp"
@@ -61,8 +62,9 @@ class TimingJob final : public JobOf<Laps> {
   suite::Study study_;
   std::uint64_t seed_;
   std::vector<Heat> heats_;
-  mutable std::size_t
-      reruns_left_;  ///< of the study: a restless machine lengthens it by half at most. One heat at a time
+  // Heats run one at a time, so these need no lock.
+  mutable std::size_t reruns_left_;  ///< of the study: a restless machine lengthens it by half at most
+  mutable double fastest_ = std::numeric_limits<double>::infinity();  ///< sentinel of the study so far
   timing::Counters counters_;
 };
 
@@ -81,15 +83,16 @@ void TimingJob::require_racing_baseline() const {
 /// A race in which the sentinel drifted is run again; the attempt with the quicker sentinel counts.
 Laps TimingJob::work(std::size_t block) const {
   const Heat& heat = heats_[block];
-  if (heat.methods.empty()) return {};  // none supports the degree
+  if (heat.methods.empty()) return {};                       // none supports the degree
+  fastest_ = std::min(fastest_, fastest_sentinel(raced()));  // those of an earlier run, when this one continues it
   timing::RaceOptions options;
   options.counters = &counters_;
   options.stop = interrupted;
   Laps laps = run(heat, study_, seed_, options);
   for (int rerun = 0; rerun < most_reruns_per_heat && reruns_left_ > 0; ++rerun) {
     if (interrupted()) break;
-    const double fastest = std::min(fastest_sentinel(raced()), sentinel_of(laps).fast);
-    if (!drifted(laps, fastest)) break;
+    fastest_ = std::min(fastest_, sentinel_of(laps).fast);
+    if (!drifted(laps, fastest_)) break;
     --reruns_left_;
     auto again = run(heat, study_, seed_, options);
     if (sentinel_of(again).slow < sentinel_of(laps).slow) laps = std::move(again);

@@ -6,6 +6,7 @@
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/studies/cell_fields.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::studies {
@@ -40,26 +41,37 @@ std::string median_text(std::span<const double> counts) {
   return counts.empty() ? "" : number::decimal(metric::median_interval(counts, metric::timing_confidence).median);
 }
 
-/// One row from its parts; times, rounds, counts and the check are the lap's.
-void add_row(bundle::CsvTable& table, std::vector<std::string> key, const timing::Lap& lap,
-             const std::vector<std::string>& ratio, std::string_view quality) {
-  const auto append = [&](const std::vector<std::string>& more) { key.insert(key.end(), more.begin(), more.end()); };
+/// What a row says apart from its lap, which gives times, rounds, counts and the check.
+struct RowParts {
+  std::vector<std::string> key;    ///< study to mode
+  std::vector<std::string> ratio;  ///< relative_to to ratio_high
+  std::string_view quality;
+  std::vector<std::string> inputs;  ///< coordinate_range to generator
+};
+
+void add_row(bundle::CsvTable& table, RowParts parts, const timing::Lap& lap) {
+  auto row = std::move(parts.key);
+  const auto append = [&](const std::vector<std::string>& more) { row.insert(row.end(), more.begin(), more.end()); };
   append(interval_fields(lap.ns_per_point));
   append({std::to_string(lap.ns_per_point.size()), std::to_string(lap.points_per_round)});
-  append(ratio);
-  append({median_text(lap.cycles_per_point), median_text(lap.instructions_per_point), std::string(quality),
+  append(parts.ratio);
+  append({median_text(lap.cycles_per_point), median_text(lap.instructions_per_point), std::string(parts.quality),
           lap.checked ? "yes" : "no"});
-  table.add_row(std::move(key));
+  append(parts.inputs);
+  table.add_row(std::move(row));
 }
 
 void add_heat(bundle::CsvTable& table, const suite::Study& study, const Heat& heat, double fastest) {
   const auto base = relative_to(heat, study);
   for (std::size_t m = 0; m < heat.methods.size(); ++m)
     add_row(table,
-            {study.id, std::string(suite::name(study.curve)), std::string(heat.methods[m]->id),
-             std::string(suite::name(heat.scalar)), std::to_string(heat.cell.dimension),
-             std::to_string(heat.cell.degree), std::string(suite::name(heat.mode))},
-            heat.laps[m], ratio_fields(heat, heat.laps[m], base), quality(heat, fastest));
+            {.key = {study.id, std::string(suite::name(study.curve)), std::string(heat.methods[m]->id),
+                     std::string(suite::name(heat.scalar)), std::to_string(heat.cell.dimension),
+                     std::to_string(heat.cell.degree), std::string(suite::name(heat.mode))},
+             .ratio = ratio_fields(heat, heat.laps[m], base),
+             .quality = quality(heat, fastest),
+             .inputs = drawn_fields(heat.cell)},
+            heat.laps[m]);
 }
 
 void append(std::vector<double>& all, const std::vector<double>& more) {
@@ -83,18 +95,23 @@ void add_sentinel(bundle::CsvTable& table, const suite::Study& study, const std:
   }
   if (all.ns_per_point.empty()) return;
   add_row(table,
-          {study.id, std::string(suite::name(study.curve)), std::string(timing::sentinel_name),
-           std::string(suite::name(suite::ScalarKind::float64)), "", "", std::string(suite::name(mode))},
-          all, {"", "", "", ""}, worst);
+          {.key = {study.id, std::string(suite::name(study.curve)), std::string(timing::sentinel_name),
+                   std::string(suite::name(suite::ScalarKind::float64)), "", "", std::string(suite::name(mode))},
+           .ratio = {"", "", "", ""},
+           .quality = worst,
+           .inputs = {"", "", "", ""}},
+          all);
 }
 
 }  // namespace
 
 void write_timing_rows(const suite::Study& study, const std::vector<Heat>& heats, Tables& tables) {
-  auto& table = tables.table(
-      "timing.csv", {"study",     "curve",      "method",  "scalar",       "dimension",        "degree",      "mode",
-                     "median_ns", "low_ns",     "high_ns", "rounds",       "points_per_round", "relative_to", "ratio",
-                     "ratio_low", "ratio_high", "cycles",  "instructions", "quality",          "checked"});
+  std::vector<std::string> columns{
+      "study",     "curve",      "method",  "scalar",       "dimension",        "degree",      "mode",
+      "median_ns", "low_ns",     "high_ns", "rounds",       "points_per_round", "relative_to", "ratio",
+      "ratio_low", "ratio_high", "cycles",  "instructions", "quality",          "checked"};
+  columns.insert(columns.end(), drawn_columns().begin(), drawn_columns().end());
+  auto& table = tables.table("timing.csv", columns);
   const double fastest = fastest_sentinel(heats);
   for (const auto& heat : heats)
     if (!heat.laps.empty()) add_heat(table, study, heat, fastest);

@@ -3,10 +3,10 @@
 
 from ..bundle import Missing
 from ..document import Chapter
-from . import (audit, conditioning, conversion, figures, found, how_measured, ladder, method_list, provenance, rational, regimes,
+from . import (audit, choosing, conditioning, conversion, figures, found, how_measured, ladder, method_list, provenance, rational, regimes,
                scorecard, tables, timing, truth, worst)
 
-ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, timing, audit,
+ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, timing, choosing, audit,
           method_list, how_measured, provenance)
 
 

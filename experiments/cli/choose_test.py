@@ -1,0 +1,101 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""`choose` from outside, and pareto.csv beside it. Usage: choose_test.py BEZIERBENCH"""
+import csv
+import io
+import unittest
+
+from cli_test import FINDING, HEAD, INPUT_OUTPUT, USAGE, Case
+
+METHODS = ["de_casteljau", "compensated_de_casteljau", "horner_bernstein", "differences:horner"]
+STUDIES = ['[[study]]', 'id = "truth"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [8]', 'trials = 300',
+           f'methods = {METHODS}'.replace("'", '"'),
+           '[[study]]', 'id = "race"', 'kind = "timing"', 'curve = "bezier"', 'degree = [8]', 'modes = ["point"]',
+           f'methods = {METHODS}'.replace("'", '"')]
+COLUMNS = ["method", "mode", "ns", "ns_low", "ns_high", "observed_max", "bound", "unit", "pareto"]
+
+
+class Choose(Case):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "suite.toml").write_text("\n".join(HEAD + STUDIES) + "\n")
+        self.fine("run", "suite.toml", "--out", "b", "--quiet")
+
+    def table(self, name):
+        with open(self.folder / "b" / name, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def chosen(self, *more):
+        return list(csv.DictReader(io.StringIO(self.fine("choose", "b", "--degree", "8", "--format", "csv", *more))))
+
+    def retime(self, ns):
+        """Puts other times into timing.csv: choose reads that file."""
+        rows = self.table("timing.csv")
+        for row in rows:
+            if row["method"] in ns:
+                row.update(zip(["median_ns", "low_ns", "high_ns"], map(str, ns[row["method"]])))
+        with open(self.folder / "b/timing.csv", "w", newline="") as file:
+            writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+
+    def test_lists_what_is_right_enough_fastest_first(self):
+        errors = {row["method"]: float(row["max_error_u"]) for row in self.table("accuracy.csv")}
+        self.assertGreater(errors["differences:horner"], 30)
+        found = self.chosen("--tolerance", "30")
+        self.assertEqual(list(found[0])[:len(COLUMNS)], COLUMNS)
+        self.assertEqual({row["method"] for row in found}, {m for m in METHODS if errors[m] <= 30})
+        self.assertEqual([float(row["ns"]) for row in found], sorted(float(row["ns"]) for row in found))
+        for row in found:
+            self.assertEqual(float(row["observed_max"]), errors[row["method"]])
+            self.assertEqual((row["unit"], row["mode"]), ("u", "point"))
+            self.assertEqual(row["tolerance"], "proved" if float(row["bound"]) <= 30 else "observed")
+
+    def test_knows_what_is_not_worth_choosing(self):
+        self.retime({"de_casteljau": (50, 49, 51), "compensated_de_casteljau": (90, 89, 91),
+                     "horner_bernstein": (10, 9, 11), "differences:horner": (60, 59, 61)})
+        pareto = {row["method"]: row["pareto"] for row in self.chosen("--tolerance", "1e9")}
+        self.assertEqual(pareto["horner_bernstein"], "yes")  # the fastest
+        self.assertEqual(pareto["compensated_de_casteljau"], "yes")  # the most accurate
+        self.assertEqual(pareto["differences:horner"], "no")  # slower and less accurate
+        self.retime({"de_casteljau": (58, 50, 66)})
+        self.assertEqual({row["method"]: row["pareto"] for row in self.chosen("--tolerance", "1e9")}
+                         ["differences:horner"], "no")  # horner_bernstein still beats it
+
+    def test_coordinate_units(self):
+        errors = {row["method"]: float(row["max_error"]) for row in self.table("accuracy.csv")}
+        tolerance = sorted(errors.values())[1]
+        found = self.chosen("--tolerance", repr(tolerance), "--unit", "coordinate")
+        self.assertEqual({row["method"] for row in found}, {m for m in METHODS if errors[m] <= tolerance})
+        self.assertEqual({row["unit"] for row in found}, {"coordinate"})
+
+    def test_pareto_file_says_the_same(self):
+        rows = {row["method"]: row for row in self.table("pareto.csv")}
+        self.assertEqual(set(rows), set(METHODS))
+        for row in self.chosen("--tolerance", "1e9"):
+            for ours, theirs in [("ns", "ns"), ("ns_low", "ns_low"), ("observed_max", "observed_max_u"),
+                                 ("bound", "bound_u"), ("pareto", "pareto")]:
+                self.assertEqual(row[ours], rows[row["method"]][theirs])
+
+    def test_none_is_right_enough(self):
+        result = self.run_program("choose", "b", "--degree", "8", "--tolerance", "1e-9", "--format", "csv")
+        self.assertEqual(result.returncode, FINDING)
+        self.assertEqual(len(result.stdout.splitlines()), 1)  # the header
+        self.assert_one_line(result, "most accurate is compensated_de_casteljau")
+
+    def test_refusals(self):
+        asked = ["choose", "b", "--tolerance", "30", "--degree"]
+        self.refused(USAGE, [*asked, "9"], "degree 9 ")
+        self.refused(USAGE, [*asked, "8", "--mode", "batch"], "there is point")
+        self.refused(USAGE, [*asked, "8", "--form", "power"], "there is bernstein")
+        self.refused(USAGE, [*asked, "8", "--study", "other"], "there is race")
+        self.refused(USAGE, [*asked, "8", "--accuracy-study", "other"], "other")
+        self.refused(USAGE, [*asked, "8", "--unit", "ulp"], "--unit")
+        self.refused(USAGE, ["choose", "b", "--degree", "8", "--tolerance", "nan"], "nan")
+        self.refused(INPUT_OUTPUT, ["choose", "nowhere", "--degree", "8", "--tolerance", "1"], "nowhere")
+        (self.folder / "b/timing.csv").unlink()
+        self.refused(USAGE, [*asked, "8"], "no times")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+"""Which methods are worth choosing where both time and error count."""
+
+from ..bundle import Missing
+from ..document import Finding
+from ..wording import general, listing
+from .series import names
+
+SUITE = "speed"
+ON, OFF = "yes", "no"
+
+
+def heat(rows, curve, mode="point", scalar="double"):
+    """{degree: rows, fastest first} of one form, mode and scalar type, in the plane."""
+    degrees = {}
+    for row in rows:
+        if (row["curve"], row["mode"], row["scalar"], row["dimension"]) == (curve, mode, scalar, 2):
+            degrees.setdefault(row["degree"], []).append(row)
+    return {n: sorted(degrees[n], key=lambda r: r.number("ns")) for n in sorted(degrees)}
+
+
+def find(bundle):
+    """Holds where at every degree at least half of the methods are never worth choosing."""
+    table = bundle["pareto.csv"].starting("speed-")
+    degrees = heat(table.rows, "bezier")
+    if not degrees:
+        raise Missing("`pareto.csv` has no Bézier curves in double, mode `point`")
+    off = {n: [r for r in rows if r["pareto"] == OFF] for n, rows in degrees.items()}
+    holds = all(2 * len(off[n]) >= len(rows) for n, rows in degrees.items())
+    top = max(degrees)
+    front = [r for r in degrees[top] if r["pareto"] == ON]
+    steps = [f"`{r['method']}` ({general(r['ns'])} ns, at most {general(r['observed_max_u'])} u p~ seen)" for r in front]
+    always = [m for m in dict.fromkeys(r["method"] for rows in degrees.values() for r in rows)
+              if all(any(r["method"] == m and r["pareto"] == ON for r in rows) for rows in degrees.values())]
+    return Finding(
+        id="choosing", about="suite", suite=SUITE, claim="", holds=holds,
+        headline=("At every degree at least half of the methods are beaten in both time and error by another: " if holds else
+                  "At some degree more than half of the methods are worth choosing: ")
+        + f"at degree {top:g} {len(off[top])} of {len(degrees[top])} are beaten, one point at a time.",
+        detail=(f"Worth choosing at degree {top:g}, fastest first: {listing(steps)}.",
+                f"Worth choosing at every degree: {names(always)}." if always else
+                "No method is worth choosing at every degree."),
+        rows=tuple(r for rows in degrees.values() for r in rows))
