@@ -15,7 +15,7 @@ constexpr int exact_binomials = 56;  ///< through this degree every C(n,i) is a 
 constexpr int largest_power_degree = 128;
 constexpr double largest_t = 8;
 constexpr double smallest_t = 0x1p-100;  ///< below, the low part of the ratio may underflow
-constexpr double smallest_p_tilde = 0x1p-600;
+constexpr double smallest_magnitude = 0x1p-600;
 constexpr double largest_coefficient = 0x1p+600;
 
 struct Pair {
@@ -46,6 +46,12 @@ double error_factor(Form form, int n) {
   return (form == Form::bernstein ? 44.0 * n + 9 : 12.0 * n + 1) * (1 + 0x1p-20);
 }
 
+/// The power of two at or below a normal value > 0.
+double binade(double value) {
+  constexpr std::uint64_t fraction = (1ULL << 52U) - 1;
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & ~fraction);
+}
+
 constexpr int kept_bits = 24;
 constexpr int dropped_bits = 53 - kept_bits;
 
@@ -71,9 +77,8 @@ std::optional<double> CertifiedPoint::distance(std::span<const double> point) co
     largest = std::max(largest, std::abs(differences[axis]));
   }
   if (!(largest >= 0x1p-900 && largest <= 0x1p+900)) return std::nullopt;
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  const double scale = std::ldexp(1.0, -exponent);
+  const double unit = binade(largest);
+  const double scale = 1 / unit;
   double squares = 0;
   for (const double difference : differences) squares += (difference * scale) * (difference * scale);
   const double scaled = std::sqrt(squares);
@@ -81,7 +86,7 @@ std::optional<double> CertifiedPoint::distance(std::span<const double> point) co
   constexpr double roundings = 0x1p-48;  // of the differences, squares, sum and root
   const auto rounded = certainly_rounded(scaled, axes * error * scale / scaled + roundings);
   if (!rounded) return std::nullopt;
-  return std::ldexp(*rounded, exponent);
+  return *rounded * unit;
 }
 
 bool CertifiedPoints::applies(Form form, int degree) {
@@ -130,17 +135,20 @@ void CertifiedPoints::load(std::size_t lane, const CurveView<double>& curve, dou
 
 void CertifiedPoints::evaluate() {
   for (auto& axis : sums_) axis = {};
+  for (auto& axis : magnitudes_) axis = {};
   for (int i = degree_; i >= 0; --i) {
     const double binomial = binomials_[static_cast<std::size_t>(i)];
     for (int axis = 0; axis < dimension_; ++axis) {
       const Lanes& coefficient = coefficients_[static_cast<std::size_t>(i * dimension_ + axis)];
       Pairs& p = sums_[static_cast<std::size_t>(axis)];
+      Lanes& magnitude = magnitudes_[static_cast<std::size_t>(axis)];
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const auto term = two_prod(binomial, coefficient[lane]);
         const Pair raised = product({p.high[lane], p.low[lane]}, {ratio_.high[lane], ratio_.low[lane]});
         const Pair next = sum(raised, {term.value, term.error});
         p.high[lane] = next.high;
         p.low[lane] = next.low;
+        magnitude[lane] = magnitude[lane] * std::abs(ratio_.high[lane]) + std::abs(term.value);
       }
     }
   }
@@ -171,12 +179,16 @@ void CertifiedPoints::multiply_by_power() {
       const Pair next = product({p.high[lane], p.low[lane]}, {power.high[lane], power.low[lane]});
       p.high[lane] = next.high;
       p.low[lane] = next.low;
+      magnitudes_[static_cast<std::size_t>(axis)][lane] *= std::abs(power.high[lane]);
     }
   }
 }
 
-std::optional<CertifiedPoint> CertifiedPoints::point(std::size_t lane, double p_tilde) const {
-  if (!moderate_[lane] || !(p_tilde >= smallest_p_tilde)) return std::nullopt;
+std::optional<CertifiedPoint> CertifiedPoints::point(std::size_t lane) const {
+  double magnitude = 0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
+    magnitude = std::max(magnitude, magnitudes_[axis][lane]);
+  if (!moderate_[lane] || !(magnitude >= smallest_magnitude)) return std::nullopt;
   CertifiedPoint result;
   result.dimension = dimension_;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
@@ -185,7 +197,7 @@ std::optional<CertifiedPoint> CertifiedPoints::point(std::size_t lane, double p_
     result.high[axis] = nearest.value;
     result.low[axis] = nearest.error;
   }
-  result.error = error_factor(form_, degree_) * 0x1p-106 * p_tilde;
+  result.error = error_factor(form_, degree_) * 0x1p-106 * (magnitude * (1 + 0x1p-40));
   return result;
 }
 

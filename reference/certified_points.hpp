@@ -9,11 +9,12 @@
 // operations more tightly). A product of pairs drops low low (1) and rounds low high (1), the fused sum (2) and the
 // last sum (3): at most 8 |x y|. A sum of pairs rounds the sum of the low parts (1) and the last sum (2): at most
 // 4 (|x| + |y|). A quotient of pairs: at most 24. So a term passes n products, n sums, n factors r, and with L^n n
-// products more: 8n + 4n + 24n + 8n + 8; in power form 8n + 4n. All of it multiplies sum |terms| = p~. Each coordinate
-// is therefore right to error_factor(n) u^2 p~, with p~ the sum over Euclidean norms, which is no less.
+// products more: 8n + 4n + 24n + 8n + 8; in power form 8n + 4n. All of it multiplies the sum of the |terms| of the
+// coordinate, P. Each is therefore right to error_factor(n) u^2 P. P itself is summed beside it in double, where all
+// terms are positive: to a relative 10 (n + 1) u, for which 2^-40 more is asked.
 //
 // Underflow: with |t| <= 8 every partial sum loses at most 2^-1070 per operation, which L^n and the later steps raise
-// by less than 2^384; a point is certified only for 2^-600 <= p~, so that one unit of the factor, 2^-706, covers it.
+// by less than 2^384; a point is certified only for 2^-600 <= P, so that one unit of the factor, 2^-706, covers it.
 // Overflow: coefficients are at most 2^600 there.
 #pragma once
 
@@ -54,8 +55,8 @@ class CertifiedPoints {
 
   void evaluate();
 
-  /// The point of a lane, with its p~ as metric::TrialScale gives it; nothing where the error is not proved.
-  [[nodiscard]] std::optional<CertifiedPoint> point(std::size_t lane, double p_tilde) const;
+  /// The point of a lane; nothing where the error is not proved.
+  [[nodiscard]] std::optional<CertifiedPoint> point(std::size_t lane) const;
 
  private:
   using Lanes = std::array<double, lanes>;
@@ -76,6 +77,7 @@ class CertifiedPoints {
   Pairs larger_;                        ///< L
   std::array<bool, lanes> moderate_{};  ///< t and coefficients are in the range of the proof
   std::array<Pairs, max_dimension> sums_;
+  std::array<Lanes, max_dimension> magnitudes_;  ///< P
 };
 
 }  // namespace bezierbench::reference

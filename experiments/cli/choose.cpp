@@ -114,8 +114,12 @@ studies::ChoiceGroup one_of(std::vector<studies::ChoiceGroup> groups) {
 
 bool is_quick_to_slow(const studies::Choice& a, const studies::Choice& b) { return a.ns.median < b.ns.median; }
 
+/// For people: four digits.
+std::string brief(double value) { return fmt::format("{:.4g}", value); }
+
 /// Those within the tolerance, best first; `pareto` is among all methods of the group.
 bundle::CsvTable within(const studies::ChoiceGroup& group, const Wish& wish) {
+  const auto write = wish.format == "csv" ? number::decimal : brief;
   std::vector<metric::Tradeoff> tradeoffs;
   for (const auto& choice : group.choices) tradeoffs.push_back({choice.ns, wish.error_of(choice).observed});
   const auto fronts = metric::pareto_front(tradeoffs);
@@ -126,10 +130,9 @@ bundle::CsvTable within(const studies::ChoiceGroup& group, const Wish& wish) {
     const auto& error = wish.error_of(choice);
     if (!(error.observed <= wish.tolerance)) continue;
     const bool proved = error.bound && *error.bound <= wish.tolerance;
-    table.add_row({choice.method, group.mode, number::decimal(choice.ns.median), number::decimal(choice.ns.low),
-                   number::decimal(choice.ns.high), number::decimal(error.observed),
-                   error.bound ? number::decimal(*error.bound) : "", wish.unit, std::string(metric::name(fronts[m])),
-                   proved ? "proved" : "observed", choice.quality});
+    table.add_row({choice.method, group.mode, write(choice.ns.median), write(choice.ns.low), write(choice.ns.high),
+                   write(error.observed), error.bound ? write(*error.bound) : "", wish.unit,
+                   std::string(metric::name(fronts[m])), proved ? "proved" : "observed", choice.quality});
   }
   return table;
 }

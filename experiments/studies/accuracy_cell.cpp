@@ -216,7 +216,7 @@ void ScalarCell<Scalar>::judge_group(TrialNumber first, std::int64_t count, Cell
   for (std::int64_t k = 0; k < count; ++k) {
     auto& lane = scratch.group[static_cast<std::size_t>(k)];
     std::optional<reference::CertifiedPoint> certificate;
-    if (certified) certificate = certified->point(static_cast<std::size_t>(k), lane.scale.p_tilde());
+    if (certified) certificate = certified->point(static_cast<std::size_t>(k));
     reference::TruePoint truth(scratch.exact, lane.inputs.true_curve(), lane.inputs.true_t(), certificate);
     judge({first.replicate, first.trial + k}, lane, truth, scratch, block);
     const bool left_to_integers = tier_ == reference::Tier::certified && (!certificate || truth.escalated());
