@@ -10,6 +10,7 @@ namespace bezierbench::cli {
 
 void add_run(CLI::App& app, Exit& exit);
 void add_merge(CLI::App& app, Exit& exit);
+void add_compare(CLI::App& app, Exit& exit);
 void add_list(CLI::App& app, Exit& exit);
 void add_verify(CLI::App& app, Exit& exit);
 void add_replay(CLI::App& app, Exit& exit);

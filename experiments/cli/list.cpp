@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "experiments/bundle/csv.hpp"
+#include "experiments/cli/aligned.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/vocabulary.hpp"
 #include "experiments/sample/draw.hpp"
@@ -46,28 +46,18 @@ std::string generators_csv() {
 }
 
 /// The same table in aligned columns, for people.
-std::string aligned(const std::string& csv) {
+std::string readable(const std::string& csv) {
   const auto document = bundle::parse_csv(csv, "list");
   std::vector<std::vector<std::string>> lines{document.header()};
   for (std::size_t row = 0; row < document.row_count(); ++row) lines.push_back(document.row(row));
-  std::vector<std::size_t> widths(document.header().size(), 0);
-  for (const auto& line : lines)
-    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
-  std::string text;
-  for (const auto& line : lines) {
-    std::string out;
-    for (std::size_t k = 0; k < line.size(); ++k) out += fmt::format("{:<{}}  ", line[k], widths[k]);
-    out.erase(out.find_last_not_of(' ') + 1);
-    text += out + "\n";
-  }
-  return text;
+  return aligned(lines);
 }
 
 void add_topic(CLI::App& list, const std::string& topic, const std::string& help, std::string (*csv)(),
                const std::shared_ptr<std::string>& format) {
   list.add_subcommand(topic, help)->fallthrough()->callback([csv, format] {
     const auto text = csv();
-    fmt::print("{}", *format == "csv" ? text : aligned(text));
+    fmt::print("{}", *format == "csv" ? text : readable(text));
   });
 }
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/cli/aligned.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace bezierbench::cli {
+
+std::string aligned(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths;
+  for (const auto& line : lines) {
+    if (line.size() == 1) continue;
+    widths.resize(std::max(widths.size(), line.size()), 0);
+    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
+  }
+  std::string text;
+  for (const auto& line : lines) {
+    if (line.size() == 1) {
+      text += line.front() + "\n";
+      continue;
+    }
+    std::string out;
+    for (std::size_t k = 0; k < line.size(); ++k) out += fmt::format("{:<{}}  ", line[k], widths[k]);
+    out.erase(out.find_last_not_of(' ') + 1);
+    text += out + "\n";
+  }
+  return text;
+}
+
+}  // namespace bezierbench::cli

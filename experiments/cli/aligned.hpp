@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Tables for people: columns that line up.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bezierbench::cli {
+
+/// One line of text per line of fields; every column is as wide as its widest field. Lines may have fewer fields; one
+/// of a single field is a heading, which widens no column.
+std::string aligned(const std::vector<std::vector<std::string>>& lines);
+
+}  // namespace bezierbench::cli
