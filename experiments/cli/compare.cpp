@@ -87,8 +87,8 @@ Exit judge(const Compared& all, bool slower_fails) {
       exit = Exit::finding;
     }
     if (const auto slower = count_slower(pair.timing, false); slower_fails && slower > 0) {
-      say(fmt::format("{}: {} timings are slower than in {}, {} of them doubtful (noisy race)", pair.bundle, slower,
-                      all.base.name, count_slower(pair.timing, true)));
+      say(fmt::format("{}: {} timings are slower than in {}, {} of them doubtful; see their verdict and quality",
+                      pair.bundle, slower, all.base.name, count_slower(pair.timing, true)));
       exit = Exit::finding;
     }
   }
