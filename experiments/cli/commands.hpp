@@ -14,6 +14,7 @@ void add_compare(CLI::App& app, Exit& exit);
 void add_list(CLI::App& app, Exit& exit);
 void add_verify(CLI::App& app, Exit& exit);
 void add_replay(CLI::App& app, Exit& exit);
+void add_trials(CLI::App& app, Exit& exit);
 void add_doctor(CLI::App& app, Exit& exit);
 void add_curve(CLI::App& app, Exit& exit);
 

@@ -59,6 +59,7 @@ int run_program(int argc, char** argv) {
   bezierbench::cli::add_list(app, exit);
   bezierbench::cli::add_verify(app, exit);
   bezierbench::cli::add_replay(app, exit);
+  bezierbench::cli::add_trials(app, exit);
   bezierbench::cli::add_doctor(app, exit);
   bezierbench::cli::add_curve(app, exit);
   try {
