@@ -81,7 +81,6 @@ class Trials(Case):
         self.refused(USAGE, [*study, *method], "16 such cells", "degree (0, 6)", "scalar (float, double)")
         self.refused(USAGE, [*study, *method, *one], "2 such cells", "degree (0, 6)")
         self.refused(USAGE, [*study, *method, *one, "--set", "degree=5"], "no such cell in b", "degree (0, 6)")
-        self.refused(USAGE, [*study, *method, "--set", "trials=5"], "trials")
         self.refused(USAGE, [*study, "--method", "de_castlejau", *one, "--set", "degree=6"], "de_castlejau")
         self.refused(USAGE, [*study, "--method", "*horner*", *one, "--set", "degree=6"], "name one")
         self.refused(USAGE, ["trials", "b", "--study", "b", *method], "no study matches")
