@@ -178,12 +178,13 @@ std::string libc() {
 #endif
 }
 
-Json system_facts(const MachineRoots& roots) {
+Json system_facts(HostName host_name, const MachineRoots& roots) {
   const Text aslr = content(roots.proc / "sys/kernel/randomize_va_space");  // 0 none, 1 all but the heap, 2 all
   Json json;
   json["kernel"] = known(content(roots.proc / "sys/kernel/osrelease"));
   json["libc"] = known(libc());
   json["aslr"] = known(aslr ? integer(*aslr) : std::nullopt);
+  if (host_name == HostName::told) json["host_name"] = known(content(roots.proc / "sys/kernel/hostname"));
   return json;
 }
 
@@ -245,7 +246,8 @@ Json build_facts(const BuildFacts& build) {
 
 }  // namespace
 
-std::string machine_json(const BuildFacts& build, const std::string& counters, const MachineRoots& roots) {
+std::string machine_json(const BuildFacts& build, const std::string& counters, HostName host_name,
+                         const MachineRoots& roots) {
   const Text information = content(roots.proc / "cpuinfo");
   const Text allowed = field(content(roots.proc / "self/status"), "Cpus_allowed_list");
   const auto available = processors(allowed);
@@ -256,7 +258,7 @@ std::string machine_json(const BuildFacts& build, const std::string& counters, c
   json["caches"] = caches(folder);
   json["frequency"] = frequency(folder, roots);
   json["memory"] = {{"total_bytes", known(bytes(field(content(roots.proc / "meminfo"), "MemTotal")))}};
-  json["system"] = system_facts(roots);
+  json["system"] = system_facts(host_name, roots);
   json["load_average"] = load_average(roots);
   json["clock"] = clock_facts(roots);
   json["counters"] = known(counters);
@@ -269,6 +271,7 @@ std::string machine_fingerprint(const std::string& machine_json) {
   if (!json.is_object()) return sha256_hex(machine_json);
   json.erase("load_average");
   if (json.contains("clock") && json["clock"].is_object()) json["clock"].erase("resolution_ns");
+  if (json.contains("system") && json["system"].is_object()) json["system"].erase("host_name");
   return sha256_hex(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

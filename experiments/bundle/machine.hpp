@@ -22,15 +22,19 @@ struct MachineRoots {
   std::filesystem::path sys = "/sys";
 };
 
+/// Whether machine.json says whose machine it is.
+enum class HostName { left_out, told };
+
 /// The text of machine.json, as of now, for the first processor this process may run on: `cpu`, `caches` and `memory`
 /// (bytes), `frequency`, `system`, `load_average` (1, 5 and 15 minutes), `clock` (ns), `counters` (as whoever opened
 /// them found them), `build`. Every value that cannot be read is the string "unknown"; nothing throws for it. The
-/// host's name is left out: it says who, not what. Takes up to 20 ms, to measure the clock.
+/// host's name, in `system`, only where it is to be told: it says who, not what. Takes up to 20 ms, to measure the
+/// clock. schema/machine.schema.json holds for it.
 [[nodiscard]] std::string machine_json(const BuildFacts& build, const std::string& counters,
-                                       const MachineRoots& roots = {});
+                                       HostName host_name = HostName::left_out, const MachineRoots& roots = {});
 
-/// SHA-256 of what stays the same on one machine from day to day: machine.json without the load and the measured clock.
-/// Times taken under different fingerprints do not belong together. Any text has one.
+/// SHA-256 of what stays the same on one machine from day to day: machine.json without the load, the measured clock and
+/// the host's name. Times taken under different fingerprints do not belong together. Any text has one.
 [[nodiscard]] std::string machine_fingerprint(const std::string& machine_json);
 
 }  // namespace bezierbench::bundle

@@ -53,7 +53,7 @@ class Machine : public testing::Test {
   void remove(const std::string& name) { std::filesystem::remove_all(folder_.path() / name); }
 
   [[nodiscard]] MachineRoots roots() const { return {folder_.path() / "proc", folder_.path() / "sys"}; }
-  [[nodiscard]] Json read() const { return Json::parse(machine_json(facts, counters, roots())); }
+  [[nodiscard]] Json read() const { return Json::parse(machine_json(facts, counters, HostName::left_out, roots())); }
 
  private:
   ScratchFolder folder_;
@@ -88,7 +88,13 @@ TEST_F(Machine, ReadsWhatTheKernelSays) {
 }
 
 TEST_F(Machine, HostNameIsLeftOut) {
-  EXPECT_EQ(machine_json(facts, counters, roots()).find("secret-host"), std::string::npos);
+  EXPECT_EQ(machine_json(facts, counters, HostName::left_out, roots()).find("secret-host"), std::string::npos);
+}
+
+TEST_F(Machine, HostNameIsToldWhereAskedForAndTellsMachinesNotApart) {
+  const auto told = machine_json(facts, counters, HostName::told, roots());
+  EXPECT_EQ(Json::parse(told)["system"]["host_name"], "secret-host");
+  EXPECT_EQ(machine_fingerprint(told), machine_fingerprint(machine_json(facts, counters, HostName::left_out, roots())));
 }
 
 TEST_F(Machine, BareMetalIsNotVirtualised) {
@@ -125,7 +131,7 @@ TEST_F(Machine, WithoutProcAndSysTheKeysStayAndSayUnknown) {
   const Json full = read();
   remove("proc");
   remove("sys");
-  const Json json = Json::parse(machine_json({}, "", roots()));
+  const Json json = Json::parse(machine_json({}, "", HostName::left_out, roots()));
   for (const auto& group : full.items()) {
     ASSERT_TRUE(json.contains(group.key()));
     if (!group.value().is_object()) {

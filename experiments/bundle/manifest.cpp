@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "experiments/bundle/json_object.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -63,21 +64,6 @@ class Keys {
   std::string_view file_name_;
 };
 
-Json parse_object(std::string_view text, std::string_view file_name) {
-  try {
-    Json object = Json::parse(text);
-    if (!object.is_object()) Keys(object, file_name).fail("not a JSON object");
-    return object;
-  } catch (const Json::parse_error& error) {
-    const std::string_view before = text.substr(0, error.byte == 0 ? 0 : error.byte - 1);
-    const auto line = 1 + std::ranges::count(before, '\n');
-    const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;  // npos + 1 is 0: the first line
-    throw Failure(Exit::input_output,
-                  fmt::format("{}:{}:{}: malformed JSON; restore the file or run again with another --out", file_name,
-                              line, column));
-  }
-}
-
 }  // namespace
 
 std::string manifest_json(const Manifest& manifest) {
@@ -95,7 +81,7 @@ std::string manifest_json(const Manifest& manifest) {
 }
 
 Manifest parse_manifest(std::string_view text, std::string_view file_name) {
-  const Json json = parse_object(text, file_name);
+  const Json json = parse_json_object(text, file_name);
   const Keys keys(json, file_name);
   if (keys.unsigned_integer("schema_version") != known_schema_version) {
     throw Failure(Exit::input_output,

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A table as people read it.
+// Tables for people: columns that line up.
 #pragma once
 
 #include <string>
-
-#include "experiments/bundle/csv.hpp"
+#include <string_view>
+#include <vector>
 
 namespace bezierbench::cli {
 
-/// The table in aligned columns, one line per row, the header first.
-std::string aligned(const bundle::CsvDocument& table);
+/// One line of text per line of fields; every column is as wide as its widest field. Lines may have fewer fields; one
+/// of a single field is a heading, which widens no column.
+std::string aligned(const std::vector<std::vector<std::string>>& lines);
+
+/// A whole CSV text, header and rows, likewise. Throws as bundle::parse_csv().
+std::string aligned_csv(std::string_view csv);
 
 }  // namespace bezierbench::cli

@@ -160,7 +160,7 @@ Exit choose(Wish wish) {
   } else {
     fmt::print("degree {}, {} form, {}, {} axes: times of study {}, largest errors of study {}\n\n", group.degree,
                wish.form, group.scalar, group.dimension, group.study, group.accuracy_study);
-    fmt::print("{}", aligned(bundle::parse_csv(table.text(), "choose")));
+    fmt::print("{}", aligned_csv(table.text()));
   }
   if (table.row_count() > 0) return Exit::fine;
   say(none_is_right_enough(group, wish));

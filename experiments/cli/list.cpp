@@ -49,7 +49,7 @@ void add_topic(CLI::App& list, const std::string& topic, const std::string& help
                const std::shared_ptr<std::string>& format) {
   list.add_subcommand(topic, help)->fallthrough()->callback([csv, format] {
     const auto text = csv();
-    fmt::print("{}", *format == "csv" ? text : aligned(bundle::parse_csv(text, "list")));
+    fmt::print("{}", *format == "csv" ? text : aligned_csv(text));
   });
 }
 

@@ -55,10 +55,12 @@ int run_program(int argc, char** argv) {
   Exit exit = Exit::fine;
   bezierbench::cli::add_run(app, exit);
   bezierbench::cli::add_merge(app, exit);
+  bezierbench::cli::add_compare(app, exit);
   bezierbench::cli::add_list(app, exit);
   bezierbench::cli::add_verify(app, exit);
   bezierbench::cli::add_replay(app, exit);
   bezierbench::cli::add_choose(app, exit);
+  bezierbench::cli::add_trials(app, exit);
   bezierbench::cli::add_doctor(app, exit);
   bezierbench::cli::add_curve(app, exit);
   try {

@@ -34,6 +34,7 @@ struct Options {
   std::optional<double> checkpoint;
   bool dry_run = false;
   bool quiet = false;
+  bool host_name = false;
   suite::Overrides overrides;
 };
 
@@ -55,6 +56,7 @@ Exit run(const Options& options) {
     request.checkpoint = std::chrono::milliseconds(std::llround(*options.checkpoint * milliseconds));
   request.dry_run = options.dry_run;
   request.quiet = options.quiet;
+  if (options.host_name) request.host_name = bundle::HostName::told;
   studies::watch_for_interruption();
   const auto findings = studies::run(request);
   for (const auto& finding : findings) say(finding);
@@ -90,6 +92,7 @@ void add_run(CLI::App& app, Exit& exit) {
       ->check(CLI::Range(0.0, 86400.0));
   command->add_flag("--dry-run", options->dry_run, "say what would be done");
   command->add_flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
+  command->add_flag("--host-name", options->host_name, "let machine.json say the host's name");
   command->add_flag("--quiet", options->quiet, "no progress");
   command->callback([options, seed, trials, &exit] {
     if (seed->count() > 0) options->overrides.seed = static_cast<std::uint64_t>(whole_number("--seed", options->seed));

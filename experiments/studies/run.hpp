@@ -27,6 +27,7 @@ struct RunRequest {
   bundle::BuildFacts build;
   std::string git_commit;
   bool git_clean = false;
+  bundle::HostName host_name = bundle::HostName::left_out;
   std::string methods_csv;  ///< the list of methods that goes into the bundle
 };
 

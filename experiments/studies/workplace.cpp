@@ -17,8 +17,8 @@
 namespace bezierbench::studies {
 namespace {
 
-std::string machine_now(const bundle::BuildFacts& build) {
-  return bundle::machine_json(build, timing::Counters().state());
+std::string machine_now(const RunRequest& request) {
+  return bundle::machine_json(request.build, timing::Counters().state(), request.host_name);
 }
 
 namespace fs = std::filesystem;
@@ -60,7 +60,7 @@ bool timings_missing(const Jobs& jobs, const Found& found, const std::string& ma
 std::string machine_of(const RunRequest& request) {
   const auto path = request.out / machine_name;
   std::error_code ignored;
-  return bundle::machine_fingerprint(fs::exists(path, ignored) ? bundle::read_file(path) : machine_now(request.build));
+  return bundle::machine_fingerprint(fs::exists(path, ignored) ? bundle::read_file(path) : machine_now(request));
 }
 
 Workplace::Workplace(const RunRequest& request, const Plan& plan)
@@ -115,7 +115,7 @@ bool Workplace::begin() {
                                              (directory_.path() / methods_name).string()));
   } else {
     directory_.write("suite.toml", plan_.suite_text);
-    directory_.write(machine_name, machine_now(request_.build));
+    directory_.write(machine_name, machine_now(request_));
     directory_.write(methods_name, request_.methods_csv);
     directory_.finish(plan_.manifest);
   }
@@ -129,7 +129,7 @@ void Workplace::choose_machine() {
   machine_ = bundle::machine_fingerprint(directory_.has(machine_name) ? directory_.read(machine_name) : "");
   const bool times_here = !request_.shard || request_.shard->number == 1;
   if (!times_here || !timings_missing(plan_.jobs, found_, machine_)) return;
-  const std::string ours = machine_now(request_.build);
+  const std::string ours = machine_now(request_);
   if (bundle::machine_fingerprint(ours) == machine_) return;
   directory_.write(machine_name, ours);
   directory_.finish(plan_.manifest);

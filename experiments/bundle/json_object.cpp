@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/json_object.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+
+nlohmann::ordered_json parse_json_object(std::string_view text, std::string_view file_name) {
+  using Json = nlohmann::ordered_json;
+  constexpr std::string_view advice = "restore the file or run again with another --out";
+  try {
+    Json object = Json::parse(text);
+    if (!object.is_object())
+      throw Failure(Exit::input_output, fmt::format("{}: not a JSON object; {}", file_name, advice));
+    return object;
+  } catch (const Json::parse_error& error) {
+    const std::string_view before = text.substr(0, error.byte == 0 ? 0 : error.byte - 1);
+    const auto line = 1 + std::ranges::count(before, '\n');
+    const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;  // npos + 1 is 0: the first line
+    throw Failure(Exit::input_output, fmt::format("{}:{}:{}: malformed JSON; {}", file_name, line, column, advice));
+  }
+}
+
+}  // namespace bezierbench::bundle

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// `compare`: what differs between bundles, in machine and build, in accuracy, in time.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/folder.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/comparison_text.hpp"
+#include "experiments/cli/diagnostics.hpp"
+#include "experiments/compare/comparison.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> bundles;
+  std::string format = "text";
+  std::string fail_on;
+  std::string out;
+};
+
+struct Compared {
+  compare::Side base;
+  std::vector<compare::Side> others;
+  std::vector<compare::Pair> pairs;
+};
+
+Compared compared(const std::vector<std::string>& bundles) {
+  if (bundles.size() < 2)
+    throw Failure(Exit::usage, "compare: takes two bundles or more; name the one to compare with first");
+  Compared all{.base = compare::read_side(bundles.front()), .others = {}, .pairs = {}};
+  for (std::size_t k = 1; k < bundles.size(); ++k) {
+    all.others.push_back(compare::read_side(bundles[k]));
+    all.pairs.push_back(compare::compare_pair(all.base, all.others.back()));
+    if (!all.pairs.back().has_common_rows())
+      throw Failure(Exit::usage,
+                    fmt::format("{}: has no row in common with {}; compare bundles of the same studies and seed",
+                                bundles[k], bundles.front()));
+  }
+  return all;
+}
+
+void print_text(const Compared& all) {
+  const bool two = all.pairs.size() == 1;
+  for (std::size_t k = 0; k < all.pairs.size(); ++k) {
+    const auto& pair = all.pairs[k];
+    fmt::print("{}\n{}", differences_text(all.base, all.others[k], pair), timing_summary(pair));
+    if (two && !pair.timing.rows.empty())
+      fmt::print("{}\n{}", timing_text(pair.timing), rank_changes_text(pair.timing));
+    fmt::print("{}", two ? "" : "\n");
+  }
+  if (!two) fmt::print("{}", standings_text(compare::standings(all.base, all.others, all.pairs)));
+}
+
+void write_files(const Compared& all, const std::filesystem::path& out) {
+  if (std::filesystem::exists(out / bundle::manifest_name))
+    throw Failure(Exit::usage, fmt::format("{}: is a bundle itself; choose another --out", out.string()));
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (error)
+    throw Failure(Exit::input_output,
+                  fmt::format("{}: cannot be created: {}; choose another --out", out.string(), error.message()));
+  bundle::write_file(out / "facts.csv", compare::facts_table(all.pairs).text());
+  bundle::write_file(out / "comparison.csv", compare::comparison_table(all.pairs).text());
+  bundle::write_file(out / "standings.csv",
+                     compare::standings_table(compare::standings(all.base, all.others, all.pairs)).text());
+}
+
+std::size_t count_slower(const compare::TimingComparison& timing, bool doubtful) {
+  return static_cast<std::size_t>(std::ranges::count_if(timing.rows, [&](const compare::TimingRow& row) {
+    return !row.is_sentinel() && row.raw.verdict == metric::Verdict::slower && (!doubtful || !row.is_ok());
+  }));
+}
+
+Exit judge(const Compared& all, bool slower_fails) {
+  Exit exit = Exit::fine;
+  for (const auto& pair : all.pairs) {
+    if (pair.accuracy.differing > 0) {
+      say(fmt::format("{}: accuracy differs from {} in {} of {} rows", pair.bundle, all.base.name,
+                      pair.accuracy.differing, pair.accuracy.rows.size()));
+      exit = Exit::finding;
+    }
+    if (const auto slower = count_slower(pair.timing, false); slower_fails && slower > 0) {
+      say(fmt::format("{}: {} timings are slower than in {}, {} of them doubtful; see their verdict and quality",
+                      pair.bundle, slower, all.base.name, count_slower(pair.timing, true)));
+      exit = Exit::finding;
+    }
+  }
+  return exit;
+}
+
+Exit run_compare(const Options& options) {
+  const Compared all = compared(options.bundles);
+  if (!options.out.empty()) write_files(all, options.out);
+  if (options.format == "csv")
+    fmt::print("{}", compare::comparison_table(all.pairs).text());
+  else
+    print_text(all);
+  return judge(all, options.fail_on == "slower");
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Exit& exit) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("compare", "machines, accuracy and times of bundles, against the first");
+  command->add_option("bundles", options->bundles, "folders that run wrote; two or more")->required();
+  command->add_option("--format", options->format, "text or csv")->check(CLI::IsMember({"text", "csv"}));
+  command->add_option("--fail-on", options->fail_on, "slower: exit 1 where a method is")
+      ->check(CLI::IsMember({"slower"}));
+  command->add_option("--out", options->out, "folder for the tables that scripts/report --comparison renders");
+  command->callback([options, &exit] { exit = run_compare(*options); });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Which rows of two tables are about the same thing: those whose inputs agree, wherever they stand.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/bundle/csv.hpp"
+
+namespace bezierbench::compare {
+
+/// What a row was measured or computed for: its fields in the columns of input_columns().
+class Inputs {
+ public:
+  Inputs() = default;
+
+  /// Of one row, as far as both tables have the column: one of an older program may lack it. Numbers are taken as
+  /// values, so that 1000000 and 1e+06 agree.
+  Inputs(const bundle::CsvDocument& table, std::size_t row, const bundle::CsvDocument& other);
+
+  /// Empty where the row has none. Throws std::invalid_argument for what is none of input_columns().
+  [[nodiscard]] const std::string& field(std::string_view column) const;
+
+  /// The same inputs whatever the method.
+  [[nodiscard]] Inputs without_method() const;
+
+  /// `study truth, method horner, degree 4, ...`: the fields that are there.
+  [[nodiscard]] std::string words() const;
+
+  friend auto operator<=>(const Inputs&, const Inputs&) = default;
+
+ private:
+  std::vector<std::string> fields_;
+};
+
+/// Columns of any table of a bundle that say what a row is about, in the order of words().
+[[nodiscard]] std::vector<std::string_view> input_columns();
+
+/// Two rows with the same inputs.
+struct RowPair {
+  Inputs inputs;
+  std::size_t a;
+  std::size_t b;
+};
+
+struct RowMatch {
+  std::vector<RowPair> pairs;  ///< in a's order
+  std::size_t only_a = 0;
+  std::size_t only_b = 0;
+};
+
+/// Of rows that repeat the same inputs the first goes with the first, and so on.
+[[nodiscard]] RowMatch match_rows(const bundle::CsvDocument& a, const bundle::CsvDocument& b);
+
+/// Columns that both have and that hold results: neither inputs nor numbers of rows nor remarks. In a's order.
+[[nodiscard]] std::vector<std::string> result_columns(const bundle::CsvDocument& a, const bundle::CsvDocument& b);
+
+/// The same double to the last bit where both are numbers, else the same text.
+[[nodiscard]] bool same_value(std::string_view a, std::string_view b);
+
+}  // namespace bezierbench::compare

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/compare/row_match.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace bezierbench::compare {
+namespace {
+
+using testing::ElementsAre;
+
+bundle::CsvDocument table(std::string_view text) { return bundle::parse_csv(text, "table.csv"); }
+
+std::vector<std::pair<std::size_t, std::size_t>> pairs(const RowMatch& match) {
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  for (const auto& pair : match.pairs) found.emplace_back(pair.a, pair.b);
+  return found;
+}
+
+TEST(RowMatch, FindsRowsByTheirInputsInAnyOrderOfRowsAndColumns) {
+  const auto a = table("study,degree,error\ns,3,1\ns,4,2\nt,3,3\n");
+  const auto b = table("error,degree,study\n9,3,t\n9,5,s\n9,3,s\n");
+  const auto match = match_rows(a, b);
+  EXPECT_THAT(pairs(match), ElementsAre(std::pair(0, 2), std::pair(2, 0)));
+  EXPECT_EQ(match.only_a, 1U);
+  EXPECT_EQ(match.only_b, 1U);
+}
+
+TEST(RowMatch, NumbersAgreeAsValuesAndNamesAsText) {
+  const auto match =
+      match_rows(table("study,coordinate_range\n2.2,1e+06\n"), table("study,coordinate_range\n2.2,1000000\n"));
+  EXPECT_EQ(match.pairs.size(), 1U);
+  EXPECT_EQ(match_rows(table("study,degree\n2.2,1\n"), table("study,degree\n2.20,1\n")).pairs.size(), 0U);
+}
+
+// An older program's table may lack a column: what is left decides, and repeated rows go in order.
+TEST(RowMatch, AColumnThatOneSideLacksDoesNotPartThem) {
+  const auto a = table("study,scalar,degree,error\ns,double,3,1\ns,float,3,2\n");
+  const auto match = match_rows(a, table("study,degree,error\ns,3,1\ns,3,2\n"));
+  EXPECT_THAT(pairs(match), ElementsAre(std::pair(0, 0), std::pair(1, 1)));
+}
+
+TEST(RowMatch, ConversionsAreTheMethodsOfTheirTable) {
+  const auto a = table("study,conversion\nc,exact\nc,factorial\n");
+  const auto match = match_rows(a, table("study,conversion\nc,factorial\n"));
+  ASSERT_EQ(match.pairs.size(), 1U);
+  EXPECT_EQ(match.pairs.front().inputs.field("method"), "factorial");
+}
+
+TEST(RowMatch, ResultsAreWhatIsLeft) {
+  const auto a = table("worst_id,study,degree,error,trial,note,new\n");
+  const auto b = table("worst_id,trial,study,degree,error,note\n");
+  EXPECT_THAT(result_columns(a, b), ElementsAre("error", "trial"));
+}
+
+TEST(RowMatch, InputsInWords) {
+  const auto a = table("degree,method,study,error\n4,horner,s,1\n");
+  const Inputs inputs(a, 0, a);
+  EXPECT_EQ(inputs.words(), "study s, method horner, degree 4");
+  EXPECT_EQ(inputs.without_method().words(), "study s, degree 4");
+  EXPECT_THROW((void)inputs.field("error"), std::invalid_argument);
+}
+
+TEST(SameValue, IsTheSameDoubleToTheLastBitOrTheSameText) {
+  EXPECT_TRUE(same_value("0.1", "0.10"));
+  EXPECT_TRUE(same_value("0x1p-1", "5e-1"));
+  EXPECT_FALSE(same_value("0.1", "0.10000000000000002"));
+  EXPECT_FALSE(same_value("0", "-0"));
+  EXPECT_TRUE(same_value("nan", "nan"));
+  EXPECT_FALSE(same_value("", "0"));
+  EXPECT_TRUE(same_value("ok", "ok"));
+  EXPECT_FALSE(same_value("0x1p+0 0x1p+1", "0x1p+0 0x1p+2"));
+}
+
+}  // namespace
+}  // namespace bezierbench::compare

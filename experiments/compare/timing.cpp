@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/compare/timing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "experiments/compare/ratio.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
+
+namespace bezierbench::compare {
+namespace {
+
+constexpr std::string_view few_rounds = "few_rounds";
+constexpr std::string_view unchecked = "unchecked";
+constexpr std::array<std::string_view, 4> qualities{quality_ok, "noisy", few_rounds, unchecked};  // best first
+
+double time(const bundle::CsvDocument& table, std::size_t row, std::string_view column) {
+  const auto value = number::parse_number(table.at(row, column));
+  if (!value)
+    throw Failure(Exit::input_output, fmt::format("{}:{}: {} is not a number; restore the file or run the suite again",
+                                                  table.file_name(), table.line(row), column));
+  return *value;
+}
+
+metric::Interval interval(const bundle::CsvDocument& table, std::size_t row) {
+  return {time(table, row, "median_ns"), time(table, row, "low_ns"), time(table, row, "high_ns")};
+}
+
+std::string_view quality(const bundle::CsvDocument& table, std::size_t row) {
+  if (table.has_column("checked") && table.at(row, "checked") != "yes") return unchecked;
+  return table.has_column("quality") ? std::string_view(table.at(row, "quality")) : quality_ok;
+}
+
+/// The worse one; a word of another program version is worse than any that is known.
+std::string worse(std::string_view a, std::string_view b) {
+  return std::string(std::ranges::find(qualities, a) > std::ranges::find(qualities, b) ? a : b);
+}
+
+TimeRatio judged(const metric::Interval& ratio, std::string_view quality) {
+  return {ratio, quality == few_rounds ? metric::Verdict::unresolved : metric::verdict(ratio)};
+}
+
+/// What a sentinel's row is found by: its race has no degree.
+struct Race {
+  std::string study;
+  std::string curve;
+  std::string mode;
+  friend auto operator<=>(const Race&, const Race&) = default;
+};
+
+Race race_of(const Inputs& inputs) { return {inputs.field("study"), inputs.field("curve"), inputs.field("mode")}; }
+
+void normalise(std::vector<TimingRow>& rows) {
+  std::map<Race, const TimingRow*> sentinels;
+  for (const auto& row : rows)
+    if (row.is_sentinel()) sentinels.emplace(race_of(row.inputs), &row);
+  for (auto& row : rows) {
+    const auto found = sentinels.find(race_of(row.inputs));
+    if (row.is_sentinel() || found == sentinels.end()) continue;
+    row.normalised = judged(ratio_in_units(row.b, found->second->b, row.a, found->second->a), row.quality);
+  }
+}
+
+void rank(std::vector<TimingRow>& rows) {
+  std::map<Inputs, std::vector<TimingRow*>> races;
+  for (auto& row : rows)
+    if (!row.is_sentinel()) races[row.inputs.without_method()].push_back(&row);
+  for (const auto& [inputs, rivals] : races)
+    for (auto* row : rivals) {
+      const auto faster_in = [row](metric::Interval TimingRow::*side) {
+        return [row, side](const TimingRow* rival) { return (rival->*side).high < (row->*side).low; };
+      };
+      row->rank_a = 1 + static_cast<int>(std::ranges::count_if(rivals, faster_in(&TimingRow::a)));
+      row->rank_b = 1 + static_cast<int>(std::ranges::count_if(rivals, faster_in(&TimingRow::b)));
+    }
+}
+
+}  // namespace
+
+TimingComparison compare_timing(const Side& a, const Side& b) {
+  TimingComparison comparison;
+  const auto* ours = a.table(timing_file);
+  const auto* theirs = b.table(timing_file);
+  if (ours == nullptr || theirs == nullptr) {
+    comparison.only_a = ours == nullptr ? 0 : ours->row_count();
+    comparison.only_b = theirs == nullptr ? 0 : theirs->row_count();
+    return comparison;
+  }
+  auto match = match_rows(*ours, *theirs);
+  for (auto& pair : match.pairs) {
+    const auto time_a = interval(*ours, pair.a);
+    const auto time_b = interval(*theirs, pair.b);
+    const auto doubt = worse(quality(*ours, pair.a), quality(*theirs, pair.b));
+    comparison.rows.push_back({.inputs = std::move(pair.inputs),
+                               .a = time_a,
+                               .b = time_b,
+                               .raw = judged(ratio(time_b, time_a), doubt),
+                               .normalised = {},
+                               .quality = doubt});
+  }
+  comparison.only_a = match.only_a;
+  comparison.only_b = match.only_b;
+  normalise(comparison.rows);
+  rank(comparison.rows);
+  return comparison;
+}
+
+}  // namespace bezierbench::compare

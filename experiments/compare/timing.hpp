@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// How the times of two bundles compare, method by method: as they are, and in units of the sentinel.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/compare/row_match.hpp"
+#include "experiments/compare/side.hpp"
+#include "experiments/metric/order_statistics.hpp"
+#include "experiments/metric/verdict.hpp"
+
+namespace bezierbench::compare {
+
+/// What timing.csv calls the fixed work that ran beside every race.
+inline constexpr std::string_view sentinel = "sentinel";
+
+/// Whether the intervals of a row may be believed: the worse of the two sides.
+inline constexpr std::string_view quality_ok = "ok";
+
+/// A time over another and what that says.
+struct TimeRatio {
+  metric::Interval ratio;  ///< b over a
+  metric::Verdict verdict;
+};
+
+struct TimingRow {
+  Inputs inputs;
+  metric::Interval a;  ///< nanoseconds per point
+  metric::Interval b;
+  TimeRatio raw;
+  std::optional<TimeRatio> normalised;  ///< in units of the sentinel of the same study and mode, where both have it
+  std::string quality;  ///< `ok`, or what the file says of the doubtful side; `unchecked` where timed output was wrong
+  int rank_a = 0;       ///< 1 + how many methods of the same race are certainly faster; 0 for the sentinel
+  int rank_b = 0;
+
+  [[nodiscard]] bool is_sentinel() const { return inputs.field("method") == sentinel; }
+  [[nodiscard]] bool is_ok() const { return quality == quality_ok; }
+};
+
+struct TimingComparison {
+  std::vector<TimingRow> rows;  ///< in a's order
+  std::size_t only_a = 0;
+  std::size_t only_b = 0;
+};
+
+/// Verdicts are those of metric::verdict, but `unresolved` where a race had too few rounds for an interval. Ranks are
+/// among the methods that both have; one method is certainly faster where its interval ends before the other's begins.
+/// Throws Failure(Exit::input_output) for a time that is no number.
+[[nodiscard]] TimingComparison compare_timing(const Side& a, const Side& b);
+
+}  // namespace bezierbench::compare

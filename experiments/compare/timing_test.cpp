@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/compare/timing.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "experiments/compare/comparison.hpp"
+#include "experiments/compare/side_test.hpp"
+#include "experiments/failure.hpp"
+
+namespace bezierbench::compare {
+namespace {
+
+using metric::Verdict;
+
+/// One row whose interval reaches `spread` to both sides of the median.
+std::string row(const std::string& method, double ns, double spread = 0.001, const std::string& quality = "ok",
+                const std::string& checked = "yes") {
+  return fmt::format("s,bezier,{},double,2,{},point,{},{},{},{},{}\n", method, method == sentinel ? "" : "4", ns,
+                     ns / (1 + spread), ns * (1 + spread), quality, checked);
+}
+
+Side timed(const std::string& name, const std::string& rows) {
+  return side_of(
+      name, {{timing_file,
+              "study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,quality,checked\n" + rows}});
+}
+
+TimingRow only_row(const std::string& a, const std::string& b) {
+  const auto comparison = compare_timing(timed("a", a), timed("b", b));
+  EXPECT_FALSE(comparison.rows.empty());
+  return comparison.rows.front();
+}
+
+TEST(Timing, VerdictsFollowTheInterval) {
+  EXPECT_EQ(only_row(row("horner", 10), row("horner", 10)).raw.verdict, Verdict::same);
+  EXPECT_EQ(only_row(row("horner", 10), row("horner", 11)).raw.verdict, Verdict::slower);
+  EXPECT_EQ(only_row(row("horner", 11), row("horner", 10)).raw.verdict, Verdict::faster);
+  EXPECT_EQ(only_row(row("horner", 10, 0.1), row("horner", 11, 0.1)).raw.verdict, Verdict::unresolved);
+  EXPECT_DOUBLE_EQ(only_row(row("horner", 10), row("horner", 11)).raw.ratio.median, 1.1);
+}
+
+// A machine whose every time is 1.5 times as long has slower methods, but none that is slower in its own steps.
+TEST(Timing, InSentinelsASlowMachineIsTheSame) {
+  const auto both = [](double scale) { return row("horner", 10 * scale) + row("sentinel", 1.5 * scale); };
+  const auto slower = only_row(both(1), both(1.5));
+  EXPECT_EQ(slower.raw.verdict, Verdict::slower);
+  ASSERT_TRUE(slower.normalised);
+  EXPECT_EQ(slower.normalised->verdict, Verdict::same);
+  EXPECT_DOUBLE_EQ(slower.normalised->ratio.median, 1);
+}
+
+TEST(Timing, WithoutASentinelOnBothSidesThereIsNoSuchUnit) {
+  EXPECT_FALSE(only_row(row("horner", 10) + row("sentinel", 1), row("horner", 10)).normalised);
+}
+
+TEST(Timing, TheWorseQualityOfBothIsKept) {
+  const auto quality = [](const std::string& a, const std::string& b) {
+    return only_row(row("horner", 10, 0.001, a), row("horner", 11, 0.001, b)).quality;
+  };
+  EXPECT_EQ(quality("ok", "ok"), "ok");
+  EXPECT_EQ(quality("noisy", "ok"), "noisy");
+  EXPECT_EQ(quality("noisy", "few_rounds"), "few_rounds");
+  EXPECT_EQ(quality("of_tomorrow", "few_rounds"), "of_tomorrow");
+  EXPECT_EQ(only_row(row("horner", 10), row("horner", 11, 0.001, "ok", "no")).quality, "unchecked");
+}
+
+TEST(Timing, TooFewRoundsDecideNothing) {
+  EXPECT_EQ(only_row(row("horner", 10, 0.001, "few_rounds"), row("horner", 20)).raw.verdict, Verdict::unresolved);
+}
+
+// Older programs wrote neither.
+TEST(Timing, ReadsFilesWithoutQualityAndCheck) {
+  const auto old = side_of(
+      "a", {{timing_file, "study,method,degree,mode,median_ns,low_ns,high_ns\ns,horner,4,point,10,9.99,10.01\n"}});
+  const auto comparison = compare_timing(old, timed("b", row("horner", 11)));
+  ASSERT_EQ(comparison.rows.size(), 1U);
+  EXPECT_TRUE(comparison.rows.front().is_ok());
+  EXPECT_EQ(comparison.rows.front().raw.verdict, Verdict::slower);
+}
+
+// Ranks count who is certainly faster, so that neighbours within their intervals share one.
+TEST(Timing, RanksAreOfTheCertainlyFaster) {
+  const auto comparison = compare_timing(timed("a", row("x", 10) + row("y", 20) + row("z", 20.01) + row("sentinel", 1)),
+                                         timed("b", row("x", 30) + row("y", 20) + row("z", 25) + row("sentinel", 1)));
+  std::vector<int> ranks;
+  for (const auto& one : comparison.rows) {
+    ranks.push_back(one.rank_a);
+    ranks.push_back(one.rank_b);
+  }
+  EXPECT_EQ(ranks, (std::vector<int>{1, 3, 2, 1, 2, 2, 0, 0}));
+}
+
+TEST(Timing, ATimeThatIsNoNumberNamesItsLine) {
+  try {
+    (void)compare_timing(timed("a", row("horner", 10)), timed("b", "s,bezier,horner,double,2,4,point,,1,1,ok,yes\n"));
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit(), Exit::input_output);
+    EXPECT_TRUE(std::string(failure.what()).starts_with("b/timing.csv:2: median_ns")) << failure.what();
+  }
+}
+
+// b doubles one of two common timings and halves none: its geometric mean is sqrt(2); c is as a.
+TEST(Standings, AreByGeometricMeanOverWhatAllHave) {
+  const auto a = timed("a", row("x", 10) + row("y", 10) + row("z", 10));
+  const std::vector<Side> others{timed("b", row("x", 20) + row("y", 10) + row("z", 90)),
+                                 timed("c", row("x", 10) + row("y", 10))};
+  const std::vector<Pair> pairs{compare_pair(a, others[0]), compare_pair(a, others[1])};
+  const auto all = standings(a, others, pairs);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].bundle, "a");
+  EXPECT_EQ(all[1].bundle, "c");
+  EXPECT_EQ(all[2].bundle, "b");
+  EXPECT_EQ(all[0].rank, 1);
+  EXPECT_EQ(all[1].rank, 1);
+  EXPECT_EQ(all[2].rank, 3);
+  EXPECT_EQ(all[2].timings, 2U);
+  EXPECT_NEAR(all[2].mean_ratio, std::sqrt(2.0), 1e-15);
+  EXPECT_TRUE(std::isnan(all[2].mean_normalised));
+}
+
+}  // namespace
+}  // namespace bezierbench::compare

@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""bundle.json and machine.json against the schemas that say what is in them.
+
+schema_test.py PROGRAM    of a run of PROGRAM, of the committed bundles, and of bundles of every earlier schema version
+"""
+import copy
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import jsonschema
+
+ROOT = Path(__file__).resolve().parent.parent
+SCHEMAS = ROOT / "experiments/bundle/schema"
+FIXTURES = ROOT / "experiments/bundle/fixtures"
+COMMITTED = sorted(path.parent for place in (ROOT / "results", FIXTURES) for path in place.glob("*/bundle.json"))
+SUITE = ('schema_version = 1\n[suite]\nid = "s"\ntitle = "S"\n[[study]]\nid = "a"\nkind = "accuracy"\ncurve = "bezier"\n'
+         'degree = [3]\ntrials = 2\nmethods = ["direct"]\n')
+PROGRAM = Path(sys.argv.pop(1)).resolve()
+
+
+def validator(file):
+    schema = json.loads((SCHEMAS / file.replace(".json", ".schema.json")).read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def read(bundle, file):
+    return json.loads((bundle / file).read_text(encoding="utf-8"))
+
+
+def leaves(value, place=()):
+    """The place of every value that is no object."""
+    if not isinstance(value, dict):
+        return [place]
+    return [leaf for key, inner in value.items() for leaf in leaves(inner, (*place, key))]
+
+
+def holder(value, place):
+    for key in place[:-1]:
+        value = value[key]
+    return value
+
+
+class Schema(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="bezierbench-schema-")
+        cls.addClassCleanup(cls.folder.cleanup)
+        place = Path(cls.folder.name)
+        (place / "s.toml").write_text(SUITE, encoding="utf-8")
+        for name, options in (("plain", []), ("named", ["--host-name"])):
+            subprocess.run([PROGRAM, "run", "s.toml", "--quiet", "--out", name, *options], cwd=place, check=True)
+        cls.plain, cls.named = place / "plain", place / "named"
+
+    def test_bundles_follow_them(self):
+        self.assertTrue(any(path.parent == FIXTURES for path in COMMITTED))
+        for bundle in [self.plain, self.named, *COMMITTED]:
+            for file in ("bundle.json", "machine.json"):
+                with self.subTest(bundle=bundle, file=file):
+                    validator(file).validate(read(bundle, file))
+
+    def test_they_ask_for_every_key_and_know_no_other(self):
+        for file in ("bundle.json", "machine.json"):
+            good, judge = read(self.plain, file), validator(file)
+            for place in leaves(good):
+                with self.subTest(file=file, place=place):
+                    less = copy.deepcopy(good)
+                    del holder(less, place)[place[-1]]
+                    self.assertFalse(judge.is_valid(less))
+                    other = copy.deepcopy(good)
+                    holder(other, place)["new_" + place[-1]] = "x"
+                    self.assertFalse(judge.is_valid(other))
+                    for wrong in (None, "", -1, {}):
+                        holder(less, place)[place[-1]] = wrong
+                        self.assertFalse(judge.is_valid(less), wrong)
+
+    def test_what_cannot_be_read_may_be_unknown(self):
+        machine, judge = read(self.plain, "machine.json"), validator("machine.json")
+        for place in leaves(machine):
+            holder(machine, place)[place[-1]] = "unknown"
+        judge.validate(machine)
+
+    def test_host_name_only_where_asked_for(self):
+        self.assertNotIn("host_name", read(self.plain, "machine.json")["system"])
+        self.assertTrue(read(self.named, "machine.json")["system"]["host_name"])
+        for bundle in COMMITTED:
+            self.assertNotIn("host_name", read(bundle, "machine.json")["system"])
+
+
+if __name__ == "__main__":
+    unittest.main()
