@@ -12,6 +12,7 @@
 #include <csignal>
 #include <system_error>
 
+#include "experiments/bundle/uninterrupted.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -44,14 +45,6 @@ std::string_view write_advice(int error) {
 [[noreturn]] void fail_read(const fs::path& path, int error) {
   throw Failure(Exit::input_output, fmt::format("{}: cannot be read: {}; check the path and its permissions",
                                                 path.string(), reason(error)));
-}
-
-// Retries a system call that a signal interrupted.
-template <typename Call>
-auto uninterrupted(Call call) {
-  auto result = call();
-  while (result == -1 && errno == EINTR) result = call();
-  return result;
 }
 
 // Owns a file descriptor. close() reports; the destructor is for the way out of a failure.

@@ -11,6 +11,7 @@
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
+#include "experiments/bundle/uninterrupted.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -29,8 +30,7 @@ void make_folder(const fs::path& path) {
 }
 
 void remove_entry(const fs::path& path) {
-  std::error_code error;
-  fs::remove_all(path, error);
+  const auto error = uninterrupted_error([&](std::error_code& why) { fs::remove_all(path, why); });
   if (error) fail(path, fmt::format("cannot be removed: {}; remove it and run again", error.message()));
 }
 

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/uninterrupted.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -14,9 +15,9 @@ namespace bezierbench::bundle {
 Folder list_folder(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   Folder folder;
-  std::error_code error;
-  for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator();
-       entry.increment(error)) {
+  fs::directory_iterator entry;
+  auto error = uninterrupted_error([&](std::error_code& why) { entry = fs::directory_iterator(path, why); });
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     std::error_code ignored;  // an entry that went away meanwhile, such as another writer's temporary file
     const fs::file_status status = entry->symlink_status(ignored);

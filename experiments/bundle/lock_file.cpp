@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "experiments/bundle/uninterrupted.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -21,16 +22,14 @@ namespace {
 }
 
 int locked(int descriptor, int operation) {
-  int result = ::flock(descriptor, operation);
-  while (result == -1 && errno == EINTR) result = ::flock(descriptor, operation);
-  return result;
+  return uninterrupted([&] { return ::flock(descriptor, operation); });
 }
 
 }  // namespace
 
 LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
   // Network file systems want write access for an exclusive lock.
-  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  descriptor_ = uninterrupted([&] { return ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666); });
   if (descriptor_ == -1) fail(path_, errno);
 }
 
