@@ -51,6 +51,7 @@ std::vector<Scalar> evaluate(const Kernel<Scalar>& kernel, const CurveView<Scala
   kernel.prepare(curve, prepared);
   std::vector<Scalar> points(t.size() * static_cast<std::size_t>(curve.dimension));
   kernel.evaluate(prepared, t, points.data());
+  if (kernel.destroy != nullptr) kernel.destroy(prepared);
   return points;
 }
 

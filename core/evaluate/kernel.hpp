@@ -20,7 +20,7 @@ struct Kernel {
   int dimension;
   std::size_t prepared_size;       ///< bytes that `prepare` fills
   std::size_t prepared_alignment;  ///< of those bytes
-  /// All per-curve work; constructs what `evaluate` reads (trivially destructible) in `prepared`.
+  /// All per-curve work; constructs what `evaluate` reads in `prepared`.
   void (*prepare)(const CurveView<Scalar>& curve, void* prepared);
   /// Evaluates at every t; points[k * dimension + axis] is the point at t[k].
   void (*evaluate)(const void* prepared, std::span<const Scalar> t, Scalar* points);
@@ -28,6 +28,9 @@ struct Kernel {
   /// The coefficients that a path evaluates, point by point (double-double: all high parts, then all low parts);
   /// nullptr for a method that takes curves as they are given.
   void (*converted)(const CurveView<Scalar>& curve, std::vector<Scalar>& coefficients);
+  /// Ends what `prepare` constructed; nullptr where there is nothing to do. Methods in core own no memory; an object of
+  /// another library may.
+  void (*destroy)(void* prepared) = nullptr;
 };
 
 /// A conversion for one scalar type and dimension.

@@ -263,6 +263,7 @@ std::string machine_json(const BuildFacts& build, const std::string& counters, H
   json["clock"] = clock_facts(roots);
   json["counters"] = known(counters);
   json["build"] = build_facts(build);
+  for (const auto& [library, version] : build.peers) json["peers"][library] = known(version);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace bezierbench::bundle {
 
@@ -14,6 +16,8 @@ struct BuildFacts {
   std::string build_type;
   std::string fp_flags;  ///< the floating-point contract's part of the flags
   std::string program_version;
+  std::vector<std::pair<std::string, std::string>> peers =
+      {};  ///< libraries compared with, and their versions; may be none
 };
 
 /// Where Linux describes the machine; another root only in tests.
@@ -27,9 +31,9 @@ enum class HostName { left_out, told };
 
 /// The text of machine.json, as of now, for the first processor this process may run on: `cpu`, `caches` and `memory`
 /// (bytes), `frequency`, `system`, `load_average` (1, 5 and 15 minutes), `clock` (ns), `counters` (as whoever opened
-/// them found them), `build`. Every value that cannot be read is the string "unknown"; nothing throws for it. The
-/// host's name, in `system`, only where it is to be told: it says who, not what. Takes up to 20 ms, to measure the
-/// clock. schema/machine.schema.json holds for it.
+/// them found them), `build`, `peers` (if the build has any). Every value that cannot be read is the string "unknown";
+/// nothing throws for it. The host's name, in `system`, only where it is to be told: it says who, not what. Takes up to
+/// 20 ms, to measure the clock. schema/machine.schema.json holds for it.
 [[nodiscard]] std::string machine_json(const BuildFacts& build, const std::string& counters,
                                        HostName host_name = HostName::left_out, const MachineRoots& roots = {});
 

@@ -147,6 +147,15 @@ TEST_F(Machine, WithoutProcAndSysTheKeysStayAndSayUnknown) {
   }
 }
 
+TEST_F(Machine, NamesTheLibrariesComparedWithIfThereAreAny) {
+  EXPECT_FALSE(read().contains("peers"));
+  BuildFacts with_peers = facts;
+  with_peers.peers = {{"gsl", "2.7.1"}, {"sisl", ""}};
+  const Json json = Json::parse(machine_json(with_peers, counters, roots()));
+  EXPECT_EQ(json["peers"]["gsl"], "2.7.1");
+  EXPECT_EQ(json["peers"]["sisl"], "unknown");
+}
+
 TEST(MachineHere, ClockIsMeasuredAndTextIsJson) {
   const Json json = Json::parse(machine_json(facts, counters));
   ASSERT_TRUE(json["clock"]["resolution_ns"].is_number_integer());

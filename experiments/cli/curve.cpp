@@ -13,8 +13,11 @@
 #include "experiments/cli/vocabulary.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/peers/peers.hpp"
+#include "experiments/studies/methods.hpp"
 #include "experiments/studies/workspace.hpp"
 #include "experiments/suite/nearest.hpp"
+#include "experiments/suite/pattern.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::cli {
@@ -49,6 +52,9 @@ bool applies(const MethodInfo& info, const CurveFile& curve) {
 }
 
 [[noreturn]] void unknown_method(const std::string& id, const std::vector<std::string>& known) {
+  for (const auto& peer : peers::absent())
+    if (peer.id == id)
+      throw Failure(Exit::usage, fmt::format("--method {}: is not in this build; {}", id, peer.remedy));
   const auto guess = suite::nearest(id, known);
   throw Failure(Exit::usage, fmt::format("--method {}: no such method{}; see `list methods`", id,
                                          guess.empty() ? "" : fmt::format(", did you mean \"{}\"?", guess)));
@@ -70,7 +76,7 @@ std::vector<const typename Table::element_type*> chosen(Table table, const std::
   }
   if (!ids.empty()) return result;
   for (const auto& entry : table)
-    if (applies(*entry.info, curve)) result.push_back(&entry);
+    if (applies(*entry.info, curve) && !suite::is_peer(entry.info->id)) result.push_back(&entry);
   return result;
 }
 
@@ -120,7 +126,7 @@ std::vector<std::string> judged(double value, const reference::Rational& truth, 
 
 void evaluate(const Options& options) {
   const auto curve = read_curve(options.curve, options.form_value());
-  const auto methods = chosen(kernels<double>(curve.dimension), options.methods, curve, vocabulary().methods);
+  const auto methods = chosen(studies::methods<double>(curve.dimension), options.methods, curve, vocabulary().methods);
   std::vector<double> ts;
   for (const auto& text : options.t) ts.push_back(parameter(text));
   std::vector<reference::ExactPoint> truths;

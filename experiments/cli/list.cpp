@@ -17,7 +17,7 @@ namespace bezierbench::cli {
 namespace {
 
 std::string suites_csv() {
-  const auto known = vocabulary();
+  const auto known = vocabulary_of_all_builds();
   bundle::CsvTable table({"id", "file", "seed", "studies", "title"});
   for (const auto& [file_name, text] : shipped_suites)
     for (const auto& one : suite::parse_suites(text, file_name, known))
@@ -27,7 +27,7 @@ std::string suites_csv() {
 }
 
 std::string studies_csv() {
-  const auto known = vocabulary();
+  const auto known = vocabulary_of_all_builds();
   bundle::CsvTable table({"id", "suite", "kind", "curve", "title"});
   for (const auto& [file_name, text] : shipped_suites)
     for (const auto& one : suite::parse_suites(text, file_name, known))

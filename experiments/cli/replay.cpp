@@ -12,6 +12,7 @@
 #include "experiments/number/number.hpp"
 #include "experiments/studies/error_sources.hpp"
 #include "experiments/studies/method_choice.hpp"
+#include "experiments/studies/methods.hpp"
 #include "experiments/studies/point_judge.hpp"
 
 namespace bezierbench::cli {
@@ -58,7 +59,8 @@ void print_result(const studies::PointVerdict& verdict, const reference::ExactPo
 
 template <class Scalar>
 Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
-  const auto* kernel = find_kernel<Scalar>(record.text("method"), studies::form_of(cell.curve), cell.dimension);
+  const auto* kernel =
+      studies::find_method<Scalar>(record.text("method"), studies::form_of(cell.curve), cell.dimension);
   if (kernel == nullptr) record.malformed("method", "is not one that this program knows");
   studies::TrialInputs<Scalar> inputs(studies::form_of(cell.curve), cell);
   inputs.assign(record.input(cell));

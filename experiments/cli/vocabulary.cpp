@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "build_facts.hpp"
 #include "core/evaluate/kernel.hpp"
 #include "experiments/bundle/csv.hpp"
+#include "experiments/peers/peers.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/methods.hpp"
 #include "git_facts.hpp"
 #include "reference/published/published.hpp"
 
@@ -32,7 +35,9 @@ void add_row(bundle::CsvTable& table, const MethodInfo& info) {
 
 suite::Vocabulary vocabulary() {
   suite::Vocabulary known;
-  for (const auto& kernel : kernels<double>(any_dimension)) add_once(known.methods, kernel.info->id);
+  for (const auto& kernel : studies::methods<double>(any_dimension)) add_once(known.methods, kernel.info->id);
+  for (const auto& peer : peers::absent())
+    known.absent_methods.push_back({std::string(peer.id), std::string(peer.remedy)});
   for (const auto& kernel : conversion_kernels<double>(any_dimension)) add_once(known.conversions, kernel.info->id);
   for (const auto& generator : sample::generators())
     known.generators.push_back({std::string(generator.id), generator.limits});
@@ -40,10 +45,17 @@ suite::Vocabulary vocabulary() {
   return known;
 }
 
+suite::Vocabulary vocabulary_of_all_builds() {
+  auto known = vocabulary();
+  for (auto& method : known.absent_methods) known.methods.push_back(std::move(method.id));
+  known.absent_methods.clear();
+  return known;
+}
+
 std::string methods_csv() {
   bundle::CsvTable table(
       {"id", "problem", "form", "min_degree", "max_degree", "bound", "bit_stable", "flops", "citation"});
-  for (const auto& kernel : kernels<double>(any_dimension)) add_row(table, *kernel.info);
+  for (const auto& kernel : studies::methods<double>(any_dimension)) add_row(table, *kernel.info);
   for (const auto* info : conversion_infos()) add_row(table, *info);
   return table.text();
 }

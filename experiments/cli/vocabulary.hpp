@@ -11,6 +11,9 @@ namespace bezierbench::cli {
 /// Ids of all methods, conversions, generators and published files.
 suite::Vocabulary vocabulary();
 
+/// The same with the methods that other builds have, too: what a shipped suite may say.
+suite::Vocabulary vocabulary_of_all_builds();
+
 /// The table of `list methods --format csv`, which also travels in every bundle.
 std::string methods_csv();
 

@@ -19,6 +19,7 @@
 #include "experiments/studies/input_fields.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/studies/method_choice.hpp"
+#include "experiments/studies/methods.hpp"
 #include "experiments/studies/scalar_facts.hpp"
 #include "experiments/studies/trial_inputs.hpp"
 #include "experiments/studies/workspace.hpp"
@@ -99,7 +100,7 @@ class ScalarCell final : public AccuracyCell {
     for (const auto& id : study.baseline) {
       const Kernel<Scalar>* kernel = nullptr;
       if (id != exact_baseline) {
-        kernel = find_kernel<Scalar>(id, form_of(study.curve), cell.dimension);
+        kernel = find_method<Scalar>(id, form_of(study.curve), cell.dimension);
         if (kernel == nullptr)
           throw Failure(Exit::usage,
                         fmt::format("study \"{}\": baseline \"{}\" does not take curves in {} form; see `list methods`",

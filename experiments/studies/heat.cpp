@@ -8,6 +8,7 @@
 
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/method_choice.hpp"
+#include "experiments/studies/methods.hpp"
 #include "experiments/studies/timed_check.hpp"
 #include "experiments/studies/trial_inputs.hpp"
 #include "experiments/suite/names.hpp"
@@ -50,7 +51,7 @@ std::vector<timing::Lap> race_of(const Heat& heat, const suite::Study& study, st
   std::vector<timing::Rival> rivals;
   std::vector<bool> right;
   for (const auto* info : heat.methods) {
-    const auto& kernel = *find_kernel<Scalar>(info->id, info->form, heat.cell.dimension);
+    const auto& kernel = *find_method<Scalar>(info->id, info->form, heat.cell.dimension);
     auto judged = judge(kernel, heat.mode, inputs);
     right.push_back(judged.right);
     rivals.push_back(timing::kernel_rival(kernel, heat.mode, inputs, std::move(judged.points)));
@@ -104,7 +105,7 @@ std::string named_baseline(const suite::Study& study) {
 std::optional<std::size_t> relative_to(const Heat& heat, const suite::Study& study) {
   const auto first_that_matches = [&](std::string_view pattern) -> std::optional<std::size_t> {
     for (std::size_t m = 0; m < heat.methods.size(); ++m)
-      if (suite::matches(pattern, heat.methods[m]->id)) return m;
+      if (suite::means(pattern, heat.methods[m]->id)) return m;
     return std::nullopt;
   };
   if (const auto named = named_baseline(study); !named.empty()) return first_that_matches(named);

@@ -6,6 +6,9 @@
 #include <algorithm>
 
 #include "experiments/failure.hpp"
+#include "experiments/studies/methods.hpp"
+#include "experiments/studies/scalar_facts.hpp"
+#include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::studies {
@@ -23,20 +26,21 @@ template <class Scalar>
 std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, int dimension) {
   const Form form = form_of(study.curve);
   for (const auto& pattern : study.methods) {
-    const bool applies = std::ranges::any_of(kernels<Scalar>(dimension), [&](const auto& kernel) {
-      return kernel.info->form == form && suite::matches(pattern, kernel.info->id);
+    const bool applies = std::ranges::any_of(methods<Scalar>(dimension), [&](const auto& kernel) {
+      return kernel.info->form == form && suite::means(pattern, kernel.info->id);
     });
     if (!applies)
       throw Failure(Exit::usage,
-                    fmt::format("study \"{}\": method \"{}\" does not take curves in {} form; see `list methods`",
-                                study.id, pattern, name(form)));
+                    fmt::format("study \"{}\": method \"{}\" does not take curves in {} form, {} with {} axes; see "
+                                "`list methods`",
+                                study.id, pattern, name(form), suite::name(ScalarFacts<Scalar>::kind), dimension));
   }
   std::vector<const Kernel<Scalar>*> chosen;
-  for (const auto& kernel : kernels<Scalar>(dimension)) {
+  const std::vector<std::string> all{"*"};
+  for (const auto& kernel : methods<Scalar>(dimension)) {
     if (kernel.info->form != form) continue;
-    const bool named = study.methods.empty() || std::ranges::any_of(study.methods, [&](const auto& pattern) {
-                         return suite::matches(pattern, kernel.info->id);
-                       });
+    const bool named = std::ranges::any_of(study.methods.empty() ? all : study.methods,
+                                           [&](const auto& pattern) { return suite::means(pattern, kernel.info->id); });
     if (named) chosen.push_back(&kernel);
   }
   return chosen;

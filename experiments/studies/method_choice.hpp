@@ -14,7 +14,8 @@ namespace bezierbench::studies {
 Form form_of(suite::CurveKind curve);
 
 /// Every method that `study.methods` names and that takes curves of this form, in roster order; all of them when it
-/// names none. Throws Failure(usage) for an id that exists only for the other form.
+/// names none. Other libraries' methods must be named. Throws Failure(usage) for an id that exists only for another
+/// form, scalar or dimension.
 template <class Scalar>
 std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, int dimension);
 

@@ -27,6 +27,12 @@ bool matches(std::string_view pattern, std::string_view id) {
   return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
+bool is_peer(std::string_view id) { return id.starts_with("peer_"); }
+
+bool means(std::string_view pattern, std::string_view id) {
+  return matches(pattern, id) && (!is_peer(id) || is_peer(pattern));
+}
+
 bool is_pattern(std::string_view text) { return text.find_first_of("*?") != std::string_view::npos; }
 
 }  // namespace bezierbench::suite

@@ -39,6 +39,15 @@ TEST(Pattern, ManyStarsStayFast) {
   EXPECT_FALSE(matches(pattern + "b", std::string(4000, 'a')));
 }
 
+TEST(Pattern, MeansPeersOnlyWhereItSaysSo) {
+  EXPECT_TRUE(means("de_*", "de_casteljau"));
+  EXPECT_TRUE(means("peer_gsl", "peer_gsl"));
+  EXPECT_TRUE(means("peer_*", "peer_gsl"));
+  EXPECT_FALSE(means("peer_*", "de_casteljau"));
+  for (const auto* pattern : {"*", "p*", "*gsl", "peer*", "?eer_gsl"})
+    EXPECT_FALSE(means(pattern, "peer_gsl")) << pattern;
+}
+
 TEST(Pattern, KnowsAPatternFromAnId) {
   EXPECT_TRUE(is_pattern("a*"));
   EXPECT_TRUE(is_pattern("?"));

@@ -28,7 +28,8 @@ inline const Vocabulary& test_vocabulary() {
          .smallest_range = 0x1p-900,
          .largest_range = 0x1p900,
          .exact_coefficients = true}}},
-      {"report_tables.csv"}};
+      {"report_tables.csv"},
+      {{"peer_gsl", "configure with peers"}}};
   return known;
 }
 

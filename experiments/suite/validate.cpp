@@ -202,6 +202,16 @@ Finding check_fit(const Study& study, const Vocabulary& known) {
   return std::nullopt;
 }
 
+/// What a method id or glob is wrong about that means no method of this build.
+std::string missing_method(std::string_view entry, const Vocabulary& known) {
+  const auto absent = std::find_if(known.absent_methods.begin(), known.absent_methods.end(),
+                                   [&](const AbsentMethod& method) { return means(entry, method.id); });
+  if (absent != known.absent_methods.end())
+    return fmt::format("method \"{}\" is not in this build; {}", absent->id, absent->remedy);
+  if (is_pattern(entry)) return fmt::format("no method matches \"{}\"; see `bezierbench list methods`", entry);
+  return fmt::format("unknown method \"{}\"{}", entry, suggestion(entry, known.methods));
+}
+
 /// What `entry` of `methods` is wrong about, else empty. A conversion is a chain of one or more parts.
 std::string method_problem(const Study& study, std::string_view entry, const Vocabulary& known) {
   const bool conversion = study.kind == Kind::conversion;
@@ -210,12 +220,10 @@ std::string method_problem(const Study& study, std::string_view entry, const Voc
   while (true) {
     const std::size_t plus = conversion ? rest.find('+') : std::string_view::npos;
     const std::string_view part = rest.substr(0, plus);
-    if (is_pattern(part)) {
-      if (std::none_of(ids.begin(), ids.end(), [&](const std::string& id) { return matches(part, id); })) {
-        return fmt::format("no method matches \"{}\"; see `bezierbench list methods`", part);
-      }
-    } else if (!contains(ids, part)) {
-      return fmt::format("unknown {} \"{}\"{}", conversion ? "conversion" : "method", part, suggestion(part, ids));
+    if (std::none_of(ids.begin(), ids.end(), [&](const std::string& id) { return means(part, id); })) {
+      if (!conversion) return missing_method(part, known);
+      if (is_pattern(part)) return fmt::format("no conversion matches \"{}\"; see `bezierbench list methods`", part);
+      return fmt::format("unknown conversion \"{}\"{}", part, suggestion(part, ids));
     }
     if (plus == std::string_view::npos) return {};
     rest.remove_prefix(plus + 1);
@@ -232,7 +240,9 @@ Finding check_ids(const Study& study, const Vocabulary& known) {
   const auto& ids = study.kind == Kind::conversion ? known.conversions : known.methods;
   baselines.insert(baselines.end(), ids.begin(), ids.end());
   for (std::size_t i = 0; i < study.baseline.size(); ++i) {
-    if (!contains(baselines, study.baseline[i])) return unknown("baseline", i, study.baseline[i], baselines);
+    if (contains(baselines, study.baseline[i])) continue;
+    if (is_peer(study.baseline[i])) return Problem{"baseline", i, {}, missing_method(study.baseline[i], known)};
+    return unknown("baseline", i, study.baseline[i], baselines);
   }
   if (!study.published.empty() && !contains(known.published_files, study.published)) {
     return unknown("published", 0, study.published, known.published_files);

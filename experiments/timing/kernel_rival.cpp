@@ -34,6 +34,17 @@ struct State {
     prepared = std::align(alignment(), k.prepared_size, start, room);
     kernel.prepare(inputs.curve(0), prepared);
   }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  State(State&&) = delete;
+  State& operator=(State&&) = delete;
+  ~State() { destroy(); }
+
+  /// Takes another curve. Ending the object of the last one is part of what a curve costs.
+  void prepare(std::size_t k) {
+    destroy();
+    kernel.prepare(inputs.curve(k), prepared);
+  }
 
   [[nodiscard]] Scalar* point(std::size_t k) { return points.data() + k * static_cast<std::size_t>(inputs.dimension); }
   void evaluate(std::size_t k, Scalar t) { kernel.evaluate(prepared, std::span<const Scalar>(&t, 1), point(k)); }
@@ -49,12 +60,15 @@ struct State {
   static constexpr Scalar spoilt = std::numeric_limits<Scalar>::quiet_NaN();
   static constexpr std::size_t cache_line = 64;  // every rival's state begins on one: chance decides for none
   [[nodiscard]] std::size_t alignment() const { return std::max(kernel.prepared_alignment, cache_line); }
+  void destroy() {
+    if (kernel.destroy != nullptr) kernel.destroy(prepared);
+  }
 };
 
 template <class Scalar>
 void one_shot(State<Scalar>& s) {
   for (std::size_t k = 0; k < s.inputs.t.size(); ++k) {
-    s.kernel.prepare(s.inputs.curve(k), s.prepared);
+    s.prepare(k);
     s.evaluate(k, s.inputs.t[k]);
   }
 }

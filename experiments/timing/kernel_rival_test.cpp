@@ -85,5 +85,25 @@ TYPED_TEST(KernelRival, LatencyHandsOnWhatIsNoNumber) {
   EXPECT_TRUE(rival.check());
 }
 
+int alive = 0;  ///< objects that the kernel below prepared and not yet destroyed
+
+/// A library's object owns memory: each must end once, however often another curve takes its place.
+TYPED_TEST(KernelRival, EndsWhatItPrepared) {
+  Kernel<TypeParam> owner = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  owner.prepare = [](const CurveView<TypeParam>&, void*) { ++alive; };
+  owner.evaluate = [](const void*, std::span<const TypeParam>, TypeParam*) { EXPECT_EQ(alive, 1); };
+  owner.destroy = [](void*) { --alive; };
+  const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
+  for (const auto mode : modes) {
+    {
+      const Rival rival = kernel_rival(owner, mode, inputs, std::vector<TypeParam>(2 * inputs.t.size()));
+      rival.run();
+      rival.run();
+      EXPECT_EQ(alive, 1);
+    }
+    EXPECT_EQ(alive, 0);
+  }
+}
+
 }  // namespace
 }  // namespace bezierbench::timing

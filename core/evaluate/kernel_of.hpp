@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Turns one method into a kernel: the step from the compile-time concept to function pointers.
+#pragma once
+
+#include <memory>
+#include <new>
+#include <type_traits>
+
+#include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/kernel.hpp"
+
+namespace bezierbench::instantiate {
+
+template <Form F, int Dimension, class Scalar>
+Curve<F, Scalar, Dimension> load(const CurveView<Scalar>& view) {
+  if constexpr (F == Form::rational) {
+    Curve<F, Scalar, Dimension> curve(view.degree);
+    curve.points = load<Form::bernstein, Dimension>(view);
+    for (int i = 0; i <= view.degree; ++i) curve.weights[i] = view.weights[static_cast<std::size_t>(i)];
+    return curve;
+  } else {
+    Curve<F, Scalar, Dimension> curve(view.degree);
+    for (int i = 0; i <= view.degree; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) curve(axis, i) = view(axis, i);
+    return curve;
+  }
+}
+
+template <Form F, class Scalar, int Dimension>
+void append(const Curve<F, Scalar, Dimension>& curve, std::vector<Scalar>& coefficients) {
+  if constexpr (F == Form::power_double_double) {
+    append(curve.high, coefficients);
+    append(curve.low, coefficients);
+  } else {
+    for (int i = 0; i <= curve.degree(); ++i)
+      for (int axis = 0; axis < Dimension; ++axis) coefficients.push_back(curve(axis, i));
+  }
+}
+
+/// A converted path names its conversion.
+template <class E>
+concept Path = requires {
+  typename E::First;
+};
+
+template <class E>
+constexpr Form evaluated_form() {
+  if constexpr (Path<E>)
+    return E::First::target;
+  else
+    return E::info.form;
+}
+
+template <class E, class Scalar, int Dimension>
+constexpr auto converted() -> void (*)(const CurveView<Scalar>&, std::vector<Scalar>&) {
+  if constexpr (Path<E>)
+    return [](const CurveView<Scalar>& view, std::vector<Scalar>& coefficients) {
+      coefficients.clear();
+      append(E::First::convert(load<E::info.form, Dimension>(view)), coefficients);
+    };
+  else
+    return nullptr;
+}
+
+template <class Prepared>
+constexpr auto destroy() -> void (*)(void*) {
+  if constexpr (std::is_trivially_destructible_v<Prepared>)
+    return nullptr;
+  else
+    return [](void* prepared) { std::destroy_at(static_cast<Prepared*>(prepared)); };
+}
+
+/// The kernel of one method.
+template <Evaluator E, class Scalar, int Dimension>
+constexpr Kernel<Scalar> kernel() {
+  using Prepared = PreparedOf<E, Scalar, Dimension>;
+  return {&E::info,
+          Dimension,
+          sizeof(Prepared),
+          alignof(Prepared),
+          [](const CurveView<Scalar>& view, void* prepared) {
+            ::new (prepared) Prepared(E::prepare(load<E::info.form, Dimension>(view)));
+          },
+          [](const void* prepared, std::span<const Scalar> t, Scalar* points) {
+            const auto& state = *static_cast<const Prepared*>(prepared);
+            for (std::size_t k = 0; k < t.size(); ++k) {
+              const Point<Scalar, Dimension> point = E::evaluate(state, t[k]);
+              for (std::size_t axis = 0; axis < Dimension; ++axis)
+                points[k * Dimension + axis] = point[static_cast<Eigen::Index>(axis)];
+            }
+          },
+          evaluated_form<E>(),
+          converted<E, Scalar, Dimension>(),
+          destroy<Prepared>()};
+}
+
+}  // namespace bezierbench::instantiate
