@@ -3,11 +3,11 @@
 
 from ..bundle import Missing
 from ..document import Chapter
-from . import (audit, conditioning, conversion, figures, found, how_measured, ladder, method_list, provenance, rational, regimes,
-               scorecard, tables, timing, truth, worst)
+from . import (audit, comparison, conditioning, conversion, figures, found, how_measured, ladder, method_list, provenance,
+               rational, regimes, scorecard, tables, timing, truth, worst)
 
-ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, timing, audit,
-          method_list, how_measured, provenance)
+ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, timing,
+          comparison, audit, method_list, how_measured, provenance)
 
 
 def build_all(bundle, findings):
