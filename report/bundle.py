@@ -17,7 +17,7 @@ SCHEMA_VERSION = 1
 TEXT = frozenset(
     "study table curve method conversion scalar generator baseline status statistic verdict note tier mode "
     "relative_to quality checked id problem form bound bit_stable flops citation worst_id search_id t coefficients "
-    "weights kind bundle against file column fact cpu compiler normalised_verdict".split())
+    "weights kind bundle against file column fact cpu compiler machine normalised_verdict".split())
 
 _ACCURACY = ("study curve method scalar dimension degree coordinate_range t_min t_max generator trials baseline status "
              "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split()
@@ -41,7 +41,7 @@ REQUIRED = {
     "comparison.csv": ("kind study method degree mode a b ratio ratio_low ratio_high verdict against bundle file column "
                        "quality normalised normalised_low normalised_high normalised_verdict rank_a rank_b").split(),
     "facts.csv": "against bundle fact a b".split(),
-    "standings.csv": "rank bundle cpu compiler accuracy_rows_differing timings mean_ratio mean_normalised".split(),
+    "standings.csv": "rank bundle cpu compiler machine accuracy_rows_differing timings mean_ratio mean_normalised".split(),
     "methods.csv": "id problem form min_degree max_degree bound bit_stable flops citation".split(),
 }
 

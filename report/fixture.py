@@ -224,9 +224,9 @@ TIME = dict(kind="timing", study="t", curve="bezier", method="direct", scalar="d
             normalised_verdict="same", rank_a=1, rank_b=2)
 SENTINEL = {**TIME, "method": "sentinel", "degree": "", "normalised": "", "normalised_low": "", "normalised_high": "",
             "normalised_verdict": "", "rank_a": "", "rank_b": ""}
-STANDINGS = [dict(rank=1, bundle="a", cpu="CPU", compiler="GNU", accuracy_rows_differing=0, timings=1, mean_ratio=1,
+STANDINGS = [dict(rank=1, bundle="a", cpu="CPU", compiler="GNU", machine="same", accuracy_rows_differing=0, timings=1, mean_ratio=1,
                   mean_normalised=1),
-             dict(rank=2, bundle="x/b", cpu="CPU", compiler="Clang", accuracy_rows_differing=1, timings=1, mean_ratio=1.1,
+             dict(rank=2, bundle="x/b", cpu="CPU", compiler="Clang", machine="other", accuracy_rows_differing=1, timings=1, mean_ratio=1.1,
                   mean_normalised="nan")]
 
 

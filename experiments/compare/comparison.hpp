@@ -32,6 +32,7 @@ struct Standing {
   std::string bundle;
   std::string cpu;
   std::string compiler;
+  bool same_machine = true;    ///< as the first bundle's
   std::size_t differing = 0;   ///< accuracy rows that are not the first bundle's
   std::size_t timings = 0;     ///< that all bundles have
   double mean_ratio = 1;       ///< geometric mean of the times over the first bundle's

@@ -107,6 +107,6 @@ def _standings(found):
     return flat("comparison-standings", "Geometric mean of time over a's, over all common timings", "各结果包的用时排名（几何平均）",
                 found.standings.rows,
                 [("bundle", "bundle", lambda v: f"`{v}`"), ("rank", "rank", shortest), ("processor", "cpu", str),
-                 ("compiler", "compiler", str), ("accuracy rows that differ", "accuracy_rows_differing", shortest),
+                 ("compiler", "compiler", str), ("machine", "machine", str), ("accuracy rows that differ", "accuracy_rows_differing", shortest),
                  ("timings", "timings", shortest), ("time", "mean_ratio", _three),
                  ("in sentinels", "mean_normalised", _three)])
