@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""scripts/report BUNDLE [--out DIR] [--summary]: renders tables, figures and pages from a bundle alone."""
+"""scripts/report BUNDLE [--comparison DIR] [--out DIR] [--summary]: renders tables, figures and pages from a bundle alone."""
 
 import argparse
 import importlib.util
@@ -17,13 +17,14 @@ class _Arguments(argparse.ArgumentParser):
     """One line where argparse would print two."""
 
     def error(self, message):
-        print(f"report: {message}; usage: scripts/report BUNDLE [--out DIR] [--summary]", file=sys.stderr)
+        print(f"report: {message}; usage: scripts/report BUNDLE [--comparison DIR] [--out DIR] [--summary]", file=sys.stderr)
         sys.exit(USAGE)
 
 
 def _parse(arguments):
     parser = _Arguments(prog="report", allow_abbrev=False, description="Renders tables, figures and pages from a bundle alone.")
     parser.add_argument("bundle", metavar="BUNDLE", type=Path, help="the directory that `bezierbench run --out` wrote")
+    parser.add_argument("--comparison", metavar="DIR", type=Path, help="the directory that `bezierbench compare --out` wrote")
     parser.add_argument("--out", metavar="DIR", type=Path, help="where to write; default: BUNDLE-report beside the bundle")
     parser.add_argument("--summary", action="store_true", help="print scorecard and findings as plain text, write nothing")
     chosen = parser.parse_args(arguments)
@@ -62,7 +63,7 @@ def main(arguments=None):
               file=sys.stderr)
         return ENVIRONMENT
     try:
-        bundle = Bundle(chosen.bundle)
+        bundle = Bundle(chosen.bundle, chosen.comparison)
         if chosen.summary:
             from . import summary
             sys.stdout.write(summary.text(bundle, find_all(bundle)))

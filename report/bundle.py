@@ -17,7 +17,7 @@ SCHEMA_VERSION = 1
 TEXT = frozenset(
     "study accuracy_study table curve method conversion scalar generator baseline status statistic verdict note tier mode "
     "relative_to quality checked pareto id problem form bound bit_stable flops citation worst_id search_id t coefficients "
-    "weights".split())
+    "weights kind bundle against file column fact cpu compiler machine normalised_verdict".split())
 
 _ACCURACY = ("study curve method scalar dimension degree coordinate_range t_min t_max generator trials baseline status "
              "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split()
@@ -40,6 +40,10 @@ REQUIRED = {
                    "status sampled_error_u searched_error_u bound_u error t coefficients").split(),
     "worst.csv": ("worst_id study curve method scalar dimension degree coordinate_range t_min t_max generator trial error "
                   "error_u t coefficients").split(),
+    "comparison.csv": ("kind study method degree mode a b ratio ratio_low ratio_high verdict against bundle file column "
+                       "quality normalised normalised_low normalised_high normalised_verdict rank_a rank_b").split(),
+    "facts.csv": "against bundle fact a b".split(),
+    "standings.csv": "rank bundle cpu compiler machine accuracy_rows_differing timings mean_ratio mean_normalised".split(),
     "methods.csv": "id problem form min_degree max_degree bound bit_stable flops citation".split(),
 }
 
@@ -48,6 +52,8 @@ KEYS = frozenset("study accuracy_study pareto table curve method conversion scal
                  "tier mode id search_id worst_id".split())
 # The exceptions: a sentinel is timed over all degrees of a study.
 MAY_BE_EMPTY = frozenset({("timing.csv", "degree")})
+# Tables in which it depends on the row which columns apply and whether they hold a number.
+MIXED = frozenset({"comparison.csv", "facts.csv"})
 
 _DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?inf|nan", re.ASCII)
 _HEX = re.compile(r"[+-]?0[xX][0-9a-fA-F]*\.?[0-9a-fA-F]*([pP][+-]?\d+)?", re.ASCII)
@@ -146,14 +152,95 @@ def _describe(key):
     return ", ".join(f"{column} {words(value)}" for column, value in key.items())
 
 
-class Bundle:
-    """A bundle directory. Files are read, and checked, when the bundle is opened."""
+class Folder:
+    """A directory of data files, as some command wrote it."""
+
+    writer = ""  # the command
 
     def __init__(self, path):
         self.path = Path(path)
         if not self.path.is_dir():
-            raise BundleError(f"{self.path}: no such directory; give the directory that `bezierbench run --out` wrote")
+            raise BundleError(f"{self.path}: no such directory; give the directory that `{self.writer}` wrote")
         self.name = self.path.resolve().name
+
+    def _read(self, name):
+        path = self.path / name
+        try:
+            return path.read_bytes().decode("utf-8")
+        except FileNotFoundError:
+            return None
+        except UnicodeDecodeError as error:
+            raise BundleError(f"{path}: byte {error.start} is not UTF-8; {self.advice()}") from None
+        except OSError as error:
+            raise BundleError(f"{path}: {error.strerror}; check that it is a readable file") from None
+
+    def advice(self):
+        """What to do about a damaged file."""
+        return f"write it again with `{self.writer}`"
+
+    def _csv(self, path):
+        text = self._read(path.name)
+        if "\0" in text:
+            raise BundleError(f"{path}: holds a NUL byte; {self.advice()}")
+        reader = csv.reader(text.splitlines(keepends=True), strict=True)
+        rows = []
+        try:
+            columns = next(reader, None)
+            if not columns:
+                raise BundleError(f"{path}:1: empty, a header line was expected; {self.advice()}")
+            for column in REQUIRED.get(path.name, ()):
+                if column not in columns:
+                    raise BundleError(f"{path}:1: no column `{column}`; run the suite again with this program version")
+            for fields in reader:
+                if len(fields) != len(columns):
+                    raise BundleError(f"{path}:{reader.line_num}: {len(fields)} fields where the header has "
+                                      f"{len(columns)}; {self.advice()}")
+                rows.append((reader.line_num, dict(zip(columns, fields))))
+        except csv.Error as error:
+            raise BundleError(f"{path}:{reader.line_num}: {error}; {self.advice()}") from None
+        return Table(path.name, columns, [self._row(path, line, fields) for line, fields in rows])
+
+    def _row(self, path, line, fields):
+        strict = () if path.name in MIXED else REQUIRED.get(path.name, ())
+        values = {}
+        for column, text in fields.items():
+            value = None if text == "" else text
+            if value is None and column in strict and column in KEYS and (path.name, column) not in MAY_BE_EMPTY:
+                raise BundleError(f"{path}:{line}: `{column}` is empty; {self.advice()}")
+            if value is not None and column not in TEXT:
+                value = parse_number(text)
+                if value is None:
+                    # A span such as the 1..20 of table 2.2 stays a word.
+                    if column in strict and not (column == "degree" and ".." in text):
+                        raise BundleError(f"{path}:{line}: `{column}` is '{text}', a number was expected; "
+                                          f"{self.advice()}")
+                    value = text
+            values[column] = value
+        return Row(path.name, line, values, fields)
+
+
+class Comparison(Folder):
+    """What `bezierbench compare` found between bundles."""
+
+    writer = "bezierbench compare BUNDLE... --out"
+
+    def __init__(self, path):
+        super().__init__(path)
+        for name in ("facts.csv", "comparison.csv", "standings.csv"):
+            if not (self.path / name).is_file():
+                raise BundleError(f"{self.path / name}: missing; {self.advice()}")
+        self.facts, self.rows, self.standings = (self._csv(self.path / name)
+                                                 for name in ("facts.csv", "comparison.csv", "standings.csv"))
+
+
+class Bundle(Folder):
+    """A bundle directory. Files are read, and checked, when the bundle is opened; `comparison` is a directory that
+    `bezierbench compare` wrote about it, if any."""
+
+    writer = "bezierbench run --out"
+
+    def __init__(self, path, comparison=None):
+        super().__init__(path)
         self.info = self._json("bundle.json")
         if self.info is None:
             raise BundleError(f"{self.path / 'bundle.json'}: missing; this directory is not a bundle, or its run never "
@@ -169,6 +256,10 @@ class Bundle:
         self.machine = self._json("machine.json")
         self.suite = self._text("suite.toml")
         self.tables = {p.name: self._csv(p) for p in sorted(self.path.glob("*.csv"))}
+        self.comparison = Comparison(comparison) if comparison else None
+
+    def advice(self):
+        return "run `bezierbench verify` on the bundle"
 
     def __contains__(self, file):
         return file in self.tables
@@ -200,17 +291,6 @@ class Bundle:
         """The accuracy row, in double and in the plane, that fits."""
         return self.judged().one(scalar="double", dimension=2, **key)
 
-    def _read(self, name):
-        path = self.path / name
-        try:
-            return path.read_bytes().decode("utf-8")
-        except FileNotFoundError:
-            return None
-        except UnicodeDecodeError as error:
-            raise BundleError(f"{path}: byte {error.start} is not UTF-8; run `bezierbench verify` on the bundle") from None
-        except OSError as error:
-            raise BundleError(f"{path}: {error.strerror}; check that it is a readable file") from None
-
     def _text(self, name):
         return self._read(name)
 
@@ -227,44 +307,3 @@ class Bundle:
         if not isinstance(value, dict):
             raise BundleError(f"{path}: not a JSON object; run `bezierbench verify` on the bundle")
         return value
-
-    def _csv(self, path):
-        text = self._read(path.name)
-        if "\0" in text:
-            raise BundleError(f"{path}: holds a NUL byte; run `bezierbench verify` on the bundle")
-        reader = csv.reader(text.splitlines(keepends=True), strict=True)
-        rows = []
-        try:
-            columns = next(reader, None)
-            if not columns:
-                raise BundleError(f"{path}:1: empty, a header line was expected; run `bezierbench verify` on the bundle")
-            for column in REQUIRED.get(path.name, ()):
-                if column not in columns:
-                    raise BundleError(f"{path}:1: no column `{column}`; run the suite again with this program version")
-            for fields in reader:
-                if len(fields) != len(columns):
-                    raise BundleError(f"{path}:{reader.line_num}: {len(fields)} fields where the header has "
-                                      f"{len(columns)}; run `bezierbench verify` on the bundle")
-                rows.append((reader.line_num, dict(zip(columns, fields))))
-        except csv.Error as error:
-            raise BundleError(f"{path}:{reader.line_num}: {error}; run `bezierbench verify` on the bundle") from None
-        return Table(path.name, columns, [self._row(path, line, fields) for line, fields in rows])
-
-    @staticmethod
-    def _row(path, line, fields):
-        strict = REQUIRED.get(path.name, ())
-        values = {}
-        for column, text in fields.items():
-            value = None if text == "" else text
-            if value is None and column in strict and column in KEYS and (path.name, column) not in MAY_BE_EMPTY:
-                raise BundleError(f"{path}:{line}: `{column}` is empty; run `bezierbench verify` on the bundle")
-            if value is not None and column not in TEXT:
-                value = parse_number(text)
-                if value is None:
-                    # A span such as the 1..20 of table 2.2 stays a word.
-                    if column in strict and not (column == "degree" and ".." in text):
-                        raise BundleError(f"{path}:{line}: `{column}` is '{text}', a number was expected; run "
-                                          "`bezierbench verify` on the bundle")
-                    value = text
-            values[column] = value
-        return Row(path.name, line, values, fields)

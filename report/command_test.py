@@ -49,6 +49,13 @@ class Command(unittest.TestCase):
         self.assertNotIn("`", done.stdout)
         self.assertEqual(before, sorted(self.place.rglob("*")))
 
+    def test_a_comparison_becomes_a_chapter(self):
+        comparison = fixture.write_comparison(self.place / "comparison")
+        done = run(self.bundle, "--comparison", comparison, "--out", self.place / "pages")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Clang", (self.place / "pages/tables/comparison-1-machines.csv").read_text())
+        self.fails(4, self.bundle, "--comparison", self.place, says=("facts.csv: missing", "bezierbench compare"))
+
     def test_usage(self):
         for arguments in ((), ("--wrong",), (self.bundle, "--out"), (self.bundle, "--out", self.bundle),
                           (self.bundle, "--summary", "--out", "x"), (self.bundle, "second")):

@@ -5,6 +5,8 @@ import csv
 import json
 from pathlib import Path
 
+from .bundle import REQUIRED
+
 DEGREES, RANGES, INTERVALS = (4, 20), (100, 10000, 1000000), ((0, 0.2), (0.4, 0.6), (0.8, 1))
 PATHS = {"bezier": ("de_casteljau", "factorial:power_sum"),
          "polynomial": ("forward_substitution:de_casteljau", "forward_substitution:direct")}
@@ -219,4 +221,33 @@ def write(directory, change=None, without=()):
             writer = csv.DictWriter(out, make()[0].keys(), lineterminator="\n")
             writer.writeheader()
             writer.writerows(rows)
+    return directory
+
+
+# What `bezierbench compare` writes of two bundles.
+FACTS = [dict(against="a", bundle="x/b", fact="build.compiler", a="GNU 12.2.0", b="Clang 14.0.6")]
+ACCURACY = dict(kind="accuracy", study="s", method="direct", scalar="double", dimension=2, degree=4, a="1e-10", b="1e-10", ratio=1,
+                verdict="identical", against="a", bundle="x/b", file="accuracy.csv", column="max_error")
+TIME = dict(kind="timing", study="t", curve="bezier", method="direct", scalar="double", dimension=2, degree=4, mode="point", a=10, b=11,
+            ratio=1.1, ratio_low=1.09, ratio_high=1.12, verdict="slower", against="a", bundle="x/b", file="timing.csv",
+            column="median_ns", quality="ok", normalised=1.001, normalised_low=0.995, normalised_high=1.005,
+            normalised_verdict="same", rank_a=1, rank_b=2)
+SENTINEL = {**TIME, "method": "sentinel", "degree": "", "normalised": "", "normalised_low": "", "normalised_high": "",
+            "normalised_verdict": "", "rank_a": "", "rank_b": ""}
+STANDINGS = [dict(rank=1, bundle="a", cpu="CPU", compiler="GNU", machine="same", accuracy_rows_differing=0, timings=1, mean_ratio=1,
+                  mean_normalised=1),
+             dict(rank=2, bundle="x/b", cpu="CPU", compiler="Clang", machine="other", accuracy_rows_differing=1, timings=1, mean_ratio=1.1,
+                  mean_normalised="nan")]
+
+
+def write_comparison(directory, rows=(ACCURACY, TIME, SENTINEL), facts=tuple(FACTS)):
+    """Writes a comparison; columns that a row lacks are empty."""
+    directory = Path(directory)
+    directory.mkdir(parents=True, exist_ok=True)
+    for name, table in (("comparison.csv", rows), ("facts.csv", facts), ("standings.csv", STANDINGS)):
+        with open(directory / name, "w", newline="", encoding="utf-8") as out:
+            columns = list(dict.fromkeys([*REQUIRED[name], *(key for row in table for key in row)]))
+            writer = csv.DictWriter(out, columns, lineterminator="\n", restval="")
+            writer.writeheader()
+            writer.writerows(table)
     return directory

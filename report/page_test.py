@@ -20,7 +20,7 @@ VOID = {"meta", "link", "br"}
 
 def files(change=None, without=()):
     with tempfile.TemporaryDirectory() as place:
-        bundle = Bundle(fixture.write(f"{place}/b", change, without))
+        bundle = Bundle(fixture.write(f"{place}/b", change, without), fixture.write_comparison(f"{place}/c"))
         return render.files(bundle, *build_all(bundle, find_all(bundle)))
 
 

@@ -35,7 +35,7 @@ std::vector<std::string> accuracy_fields(const Pair& pair, const AccuracyRow& ro
   append(fields, {row.a, row.b, a && b && *a != 0 ? number::decimal(*b / *a) : "", "", "",
                   row.identical ? "identical" : "different"});
   append_inputs(fields, row.inputs, further_inputs);
-  append(fields, {pair.bundle, row.file, row.column, "", "", "", "", "", "", ""});
+  append(fields, {pair.against, pair.bundle, row.file, row.column, "", "", "", "", "", "", ""});
   return fields;
 }
 
@@ -45,7 +45,7 @@ std::vector<std::string> timing_fields(const Pair& pair, const TimingRow& row) {
   append(fields, {number::decimal(row.a.median), number::decimal(row.b.median)});
   append_ratio(fields, row.raw);
   append_inputs(fields, row.inputs, further_inputs);
-  append(fields, {pair.bundle, timing_file, "median_ns", row.quality});
+  append(fields, {pair.against, pair.bundle, timing_file, "median_ns", row.quality});
   if (row.normalised)
     append_ratio(fields, *row.normalised);
   else
@@ -60,7 +60,7 @@ std::vector<std::string> timing_fields(const Pair& pair, const TimingRow& row) {
 }  // namespace
 
 Pair compare_pair(const Side& a, const Side& b) {
-  return {b.name, fact_differences(a, b), same_machine(a, b), compare_accuracy(a, b), compare_timing(a, b)};
+  return {a.name, b.name, fact_differences(a, b), same_machine(a, b), compare_accuracy(a, b), compare_timing(a, b)};
 }
 
 bundle::CsvTable comparison_table(const std::vector<Pair>& pairs) {
@@ -68,7 +68,7 @@ bundle::CsvTable comparison_table(const std::vector<Pair>& pairs) {
   columns.insert(columns.end(), leading_inputs.begin(), leading_inputs.end());
   append(columns, {"a", "b", "ratio", "ratio_low", "ratio_high", "verdict"});
   columns.insert(columns.end(), further_inputs.begin(), further_inputs.end());
-  append(columns, {"bundle", "file", "column", "quality", "normalised", "normalised_low", "normalised_high",
+  append(columns, {"against", "bundle", "file", "column", "quality", "normalised", "normalised_low", "normalised_high",
                    "normalised_verdict", "rank_a", "rank_b"});
   bundle::CsvTable table(columns);
   for (const auto& pair : pairs) {
@@ -79,18 +79,19 @@ bundle::CsvTable comparison_table(const std::vector<Pair>& pairs) {
 }
 
 bundle::CsvTable facts_table(const std::vector<Pair>& pairs) {
-  bundle::CsvTable table({"bundle", "fact", "a", "b"});
+  bundle::CsvTable table({"against", "bundle", "fact", "a", "b"});
   for (const auto& pair : pairs)
-    for (const auto& fact : pair.facts) table.add_row({pair.bundle, fact.name, fact.a, fact.b});
+    for (const auto& fact : pair.facts) table.add_row({pair.against, pair.bundle, fact.name, fact.a, fact.b});
   return table;
 }
 
 bundle::CsvTable standings_table(const std::vector<Standing>& standings) {
-  bundle::CsvTable table(
-      {"rank", "bundle", "cpu", "compiler", "accuracy_rows_differing", "timings", "mean_ratio", "mean_normalised"});
+  bundle::CsvTable table({"rank", "bundle", "cpu", "compiler", "machine", "accuracy_rows_differing", "timings",
+                          "mean_ratio", "mean_normalised"});
   for (const auto& one : standings)
-    table.add_row({std::to_string(one.rank), one.bundle, one.cpu, one.compiler, std::to_string(one.differing),
-                   std::to_string(one.timings), number::decimal(one.mean_ratio), number::decimal(one.mean_normalised)});
+    table.add_row({std::to_string(one.rank), one.bundle, one.cpu, one.compiler, one.same_machine ? "same" : "other",
+                   std::to_string(one.differing), std::to_string(one.timings), number::decimal(one.mean_ratio),
+                   number::decimal(one.mean_normalised)});
   return table;
 }
 

@@ -14,7 +14,8 @@ namespace bezierbench::compare {
 
 /// One bundle against the first.
 struct Pair {
-  std::string bundle;  ///< name of b
+  std::string against;  ///< name of a
+  std::string bundle;   ///< name of b
   std::vector<FactDifference> facts;
   bool same_machine;
   AccuracyComparison accuracy;
@@ -31,6 +32,7 @@ struct Standing {
   std::string bundle;
   std::string cpu;
   std::string compiler;
+  bool same_machine = true;    ///< as the first bundle's
   std::size_t differing = 0;   ///< accuracy rows that are not the first bundle's
   std::size_t timings = 0;     ///< that all bundles have
   double mean_ratio = 1;       ///< geometric mean of the times over the first bundle's
@@ -47,7 +49,7 @@ struct Standing {
 /// `accuracy`; a and b are then the values in `column` of `file`.
 [[nodiscard]] bundle::CsvTable comparison_table(const std::vector<Pair>& pairs);
 
-/// bundle,fact,a,b: every fact in which a bundle differs from the first.
+/// against,bundle,fact,a,b: every fact in which a bundle differs from the first.
 [[nodiscard]] bundle::CsvTable facts_table(const std::vector<Pair>& pairs);
 
 /// The standings as a table.

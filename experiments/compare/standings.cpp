@@ -56,6 +56,7 @@ Standing standing(const Side& side, const Pair& pair, const std::set<Inputs>& co
     normalised.add(row.normalised ? row.normalised->ratio.median : std::numeric_limits<double>::quiet_NaN());
   }
   Standing one = standing(side, common.size());
+  one.same_machine = pair.same_machine;
   one.differing = pair.accuracy.differing;
   one.mean_ratio = raw.value();
   one.mean_normalised = normalised.value();

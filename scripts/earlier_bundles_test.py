@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Bundles that earlier programs wrote are still read by everything that reads bundles.
+
+earlier_bundles_test.py PROGRAM
+
+experiments/bundle/fixtures holds one per schema version. They are never made anew: that they stay as they are is the
+point.
+"""
+import csv
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+BUNDLES = sorted((ROOT / "experiments/bundle/fixtures").iterdir())
+PROGRAM = Path(sys.argv.pop(1)).resolve()
+
+
+class EarlierBundles(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="bezierbench-earlier-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def output(self, *command):
+        result = subprocess.run([*map(str, command)], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result)
+        return result.stdout
+
+    def test_there_are_some(self):
+        self.assertTrue(BUNDLES)
+
+    def rows(self, bundle, file):
+        with open(bundle / file, newline="", encoding="utf-8") as text:
+            return list(csv.DictReader(text))
+
+    def test_verify(self):
+        for bundle in BUNDLES:
+            self.assertEqual(self.output(PROGRAM, "verify", bundle), f"{bundle}: fine\n")
+
+    def test_compare_with_a_bundle_of_today(self):
+        """Inputs are found again in what this program makes of the same suite; what it computes is golden's business."""
+        for bundle in BUNDLES:
+            now = self.folder / bundle.name
+            self.output(PROGRAM, "run", bundle / "suite.toml", "--quiet", "--no-timing", "--out", now)
+            table = csv.DictReader(subprocess.run([PROGRAM, "compare", bundle, now, "--format", "csv"], check=False,
+                                                  capture_output=True, text=True).stdout.splitlines())
+            compared = [row for row in table if row["kind"] == "accuracy"]
+            self.assertGreaterEqual(len(compared), len(self.rows(bundle, "accuracy.csv")))
+            self.assertIn("same", self.output(PROGRAM, "compare", bundle, bundle))
+
+    def test_replay_and_trials(self):
+        for bundle in BUNDLES:
+            worst = self.rows(bundle, "worst.csv")[0]
+            self.output(PROGRAM, "replay", bundle, worst["worst_id"])
+            trials = self.output(PROGRAM, "trials", bundle, "--study", worst["study"], "--method", worst["method"],
+                                 "--set", f"degree={worst['degree']}")
+            self.assertIn(worst["coefficients"], trials.splitlines()[1 + int(worst["trial"])])
+
+    def test_report(self):
+        for bundle in BUNDLES:
+            out = self.folder / "pages"
+            subprocess.run([ROOT / "scripts/report", bundle, "--out", out], check=True, capture_output=True)
+            self.assertIn(f"timing-{self.rows(bundle, 'timing.csv')[0]['study']}.csv",
+                          {path.name for path in (out / "tables").iterdir()})
+
+
+if __name__ == "__main__":
+    unittest.main()
