@@ -145,6 +145,34 @@ TEST(Bundle, PartialKeepsItsBlocks) {
   EXPECT_THROW(bundle.finish(with_state("done")), Failure);
 }
 
+TEST(Bundle, ListedIsWhatNobodyChanged) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  EXPECT_EQ(bundle.read_if_listed("suite.toml"), std::nullopt);  // no SHA256SUMS yet
+  bundle.finish(with_state("partial"));
+  EXPECT_EQ(bundle.read_listed("suite.toml"), bundle.read("suite.toml"));
+  EXPECT_EQ(bundle.read_if_listed("absent.csv"), std::nullopt);
+  folder.put("b/suite.toml", bundle.read("suite.toml") + "\n");
+  EXPECT_EQ(bundle.read_if_listed("suite.toml"), std::nullopt);
+  EXPECT_THROW((void)bundle.read_listed("suite.toml"), Failure);
+  EXPECT_THROW((void)bundle.read_listed("absent.csv"), Failure);
+}
+
+TEST(Bundle, ClearingAwayChangesNoResult) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  bundle.finish(with_state("complete"));
+  folder.put("b/blocks/1.bin", "x");
+  folder.put("b/.bezierbench-1-2.tmp", "left by a killed writer");
+  folder.put("b/accuracy.csv", "damaged\n");
+  const std::string sums = bundle.read("SHA256SUMS");
+  bundle.clear_away();
+  EXPECT_FALSE(fs::exists(bundle.blocks()));
+  EXPECT_FALSE(bundle.has(".bezierbench-1-2.tmp"));
+  EXPECT_EQ(bundle.read("SHA256SUMS"), sums);
+  EXPECT_EQ(bundle.manifest().state, "complete");
+}
+
 // SHA256SUMS cannot be written: the old `complete` must not stand, nor a new one appear.
 TEST(Bundle, FailingFinishNeverLeavesComplete) {
   const ScratchFolder folder;

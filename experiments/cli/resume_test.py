@@ -3,6 +3,7 @@
 """Runs that were stopped go on, and end with the bytes of a run that was not. Usage: resume_test.py BEZIERBENCH [KILLS]
 
 KILLS is how many runs are killed at a random moment, 60 if not given."""
+import hashlib
 import os
 import random
 import re
@@ -38,6 +39,18 @@ class ResumeCase(Case):
         except FileNotFoundError:  # not yet, or no more
             return []
         return [self.folder / bundle / "blocks" / name for name in sorted(names) if name.endswith(".blocks")]
+
+    def change(self, bundle, name, content):
+        """Another content of a file, and the checksum that belongs to it."""
+        path, sums = self.folder / bundle / name, self.folder / bundle / "SHA256SUMS"
+        self.assertNotEqual(path.read_text(), content)
+        path.write_text(content)
+        line = f"{hashlib.sha256(content.encode()).hexdigest()}  {name}"
+        sums.write_text(re.sub(rf"^\w+  {re.escape(name)}$", line, sums.read_text(), flags=re.MULTILINE))
+
+    def pretend_another_machine(self, bundle):
+        text = (self.folder / bundle / "machine.json").read_text()
+        self.change(bundle, "machine.json", re.sub(r'"model_name": "[^"]*"', '"model_name": "Other"', text))
 
     def stop(self, seconds, which, *arguments):
         """Sends a signal after so many seconds; the result."""
@@ -174,7 +187,7 @@ class Resume(ResumeCase):
     def test_another_program_is_refused(self):
         suite = self.suite(ACCURACY)
         self.start_and_stop("b", suite, which=signal.SIGINT)
-        self.write("b/methods.csv", "id\n")
+        self.change("b", "methods.csv", "id\n")
         self.refused(USAGE, ["run", suite, "--out", "b", "--quiet"], "b/methods.csv", "other methods")
 
     def test_leftovers_of_a_killed_end(self):
@@ -195,7 +208,7 @@ class Resume(ResumeCase):
                     time.sleep(0.01)
                 for arguments in ([], ["--shard", "1/2"]):
                     self.refused(INPUT_OUTPUT, ["run", suite, "--quiet", "--out", "b", *arguments], "b: ", "run is at work",
-                                 unchanged=False)
+                                 alone=False)
             finally:
                 process.kill()
                 process.communicate()
@@ -231,13 +244,10 @@ class Timings(ResumeCase):
     def test_taken_again_on_another_machine(self):
         suite = self.suite(self.TWO)
         self.start_and_stop("b", suite)
-        path = self.folder / "b/machine.json"
-        ours = path.read_text()
-        path.write_text(re.sub(r'"model_name": "[^"]*"', '"model_name": "Other"', ours))
-        self.assertNotEqual(path.read_text(), ours)
+        self.pretend_another_machine("b")
         self.assertIn("blocks       4, 0 of them done", self.fine("run", suite, "--out", "b", "--dry-run"))
         self.bundle(suite, name="b")
-        self.assertNotIn("Other", path.read_text())
+        self.assertNotIn("Other", (self.folder / "b/machine.json").read_text())
 
 
 if __name__ == "__main__":
