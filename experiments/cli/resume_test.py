@@ -1,21 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Runs that were stopped go on, and end with the bytes of a run that was not. Usage: resume_test.py BEZIERBENCH [KILLS]
-
-KILLS is how many runs are killed at a random moment, 60 if not given."""
+"""Runs that were stopped go on, and end with the bytes of a run that was not. Usage: resume_test.py BEZIERBENCH"""
 import hashlib
 import os
-import random
 import re
 import resource
 import shutil
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
-KILLS = int(sys.argv.pop(2)) if len(sys.argv) > 2 else 60
 from cli_test import CONVERSION, FINE, INPUT_OUTPUT, INTERRUPTED, PROGRAM, STUDY, TIMING, USAGE, Case, rows
 
 NOISY = ("machine.json", "SHA256SUMS")  # the load of the machine is in the former
@@ -86,32 +81,6 @@ class ResumeCase(Case):
 
 
 class Resume(ResumeCase):
-    def test_killed_at_any_moment(self):
-        suite = self.suite(ACCURACY, CONVERSION, SEARCH)
-        before = time.monotonic()
-        self.bundle(suite, "--checkpoint", 0, name="whole")
-        whole = time.monotonic() - before
-        expected = self.results("whole")
-        chance = random.Random(1)
-        kills = completed = resumed = 0
-        while kills < KILLS or not completed:
-            name = f"b{completed}"
-            checkpoint = chance.choice([["--checkpoint", 0], ["--checkpoint", 0.01], []])
-            result = self.stop(chance.uniform(0, whole), signal.SIGKILL, "run", suite, "--quiet", *checkpoint, "--out", name)
-            if result.returncode == FINE:
-                completed += 1
-                self.assert_complete(name)
-                self.assertEqual(self.results(name), expected)
-                shutil.rmtree(self.folder / name)
-            else:
-                self.assertEqual((result.returncode, result.stderr), (-signal.SIGKILL, b""))
-                kills += 1
-                resumed += bool(self.block_files(name))
-                if (self.folder / name / "bundle.json").exists() and self.manifest(name)["state"] == "complete":
-                    self.assertEqual(self.results(name), expected)  # only blocks/ was not removed yet
-        print(f"{kills} kills, {resumed} of them after blocks were kept; {completed} runs came to their end")
-        self.assertGreater(resumed, 0)
-
     def test_interrupted(self):
         suite = self.suite(ACCURACY, SEARCH)
         self.bundle(suite, name="whole")

@@ -81,16 +81,6 @@ class OneFolder(ShardCase):
         self.bundle(self.everything, name="b")
         self.assertEqual(self.results("b"), expected)
 
-    def test_killed_shards_go_on(self):
-        expected = self.whole()
-        for kill in range(6):
-            self.stop(0.03 + 0.01 * kill, signal.SIGKILL, "run", self.everything, "--quiet", "--checkpoint", 0,
-                      "--out", "b", "--shard", f"{kill % 2 + 1}/2")
-        for number in (1, 2):
-            self.shard(number, 2, "b")
-        self.assert_complete("b")
-        self.assertEqual(self.results("b"), expected)
-
     def test_whoever_comes_next_completes(self):
         """The last shard died when all blocks were done and the tables were not written."""
         expected = self.whole()
