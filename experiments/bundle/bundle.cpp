@@ -29,8 +29,14 @@ void make_folder(const fs::path& path) {
   if (error) fail(path, fmt::format("cannot be created: {}; choose another --out", error.message()));
 }
 
+// Others may put something into a folder while it is removed: shards that begin, their locks.
 void remove_entry(const fs::path& path) {
-  const auto error = uninterrupted_error([&](std::error_code& why) { fs::remove_all(path, why); });
+  constexpr int most_tries = 1000;
+  std::error_code error;
+  for (int tries = 0; tries < most_tries; ++tries) {
+    error = uninterrupted_error([&](std::error_code& why) { fs::remove_all(path, why); });
+    if (error != std::errc::directory_not_empty) break;
+  }
   if (error) fail(path, fmt::format("cannot be removed: {}; remove it and run again", error.message()));
 }
 
@@ -69,6 +75,22 @@ void BundleDirectory::write(std::string_view name, std::string_view bytes) const
 }
 
 std::string BundleDirectory::read(std::string_view name) const { return read_file(path_ / name); }
+
+std::optional<std::string> BundleDirectory::read_if_listed(std::string_view name) const {
+  if (!has(name) || !has(sums_name)) return std::nullopt;
+  std::string bytes = read(name);
+  const std::string lines = '\n' + read(sums_name);
+  if (lines.find('\n' + sha256sum_line(name, bytes)) == std::string::npos) return std::nullopt;
+  return bytes;
+}
+
+std::string BundleDirectory::read_listed(std::string_view name) const {
+  auto bytes = read_if_listed(name);
+  if (!bytes)
+    fail(path_ / name, has(name) ? "is not what SHA256SUMS lists; restore both, or choose another --out"
+                                 : "is missing; restore it, or choose another --out");
+  return std::move(*bytes);
+}
 
 bool BundleDirectory::has(std::string_view name) const {
   std::error_code ignored;
@@ -109,8 +131,11 @@ void BundleDirectory::finish(Manifest manifest) const {
   write_if_different(sums_name, sums);
   write_if_different(manifest_name, manifest_text);
 
-  if (manifest.state != complete) return;
-  for (const std::string& name : folder.temporaries) remove_entry(path_ / name);
+  if (manifest.state == complete) clear_away();
+}
+
+void BundleDirectory::clear_away() const {
+  for (const std::string& name : list_folder(path_).temporaries) remove_entry(path_ / name);
   remove_entry(blocks());
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,12 @@ class BundleDirectory {
   /// All bytes of the file `name`. Throws as read_file.
   [[nodiscard]] std::string read(std::string_view name) const;
 
+  /// All bytes of the file `name`, if SHA256SUMS lists them: a file that changed since has none.
+  [[nodiscard]] std::optional<std::string> read_if_listed(std::string_view name) const;
+
+  /// The same, but throws Failure(Exit::input_output) for a file that changed since, or is not there.
+  [[nodiscard]] std::string read_listed(std::string_view name) const;
+
   /// Whether there is a regular file `name`.
   [[nodiscard]] bool has(std::string_view name) const;
 
@@ -42,6 +49,9 @@ class BundleDirectory {
   /// bundle.json: wherever it is cut short, no bundle says `complete` that is not. With state `complete`, removes
   /// blocks/ and what killed writers left. Changes no byte of a bundle that is so already. Throws as write_file.
   void finish(Manifest manifest) const;
+
+  /// Removes blocks/ and what killed writers left. Throws Failure(Exit::input_output).
+  void clear_away() const;
 
  private:
   explicit BundleDirectory(std::filesystem::path path) : path_(std::move(path)) {}

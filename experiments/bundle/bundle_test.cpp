@@ -7,13 +7,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/lock_file.hpp"
 #include "experiments/bundle/scratch_folder_test.hpp"
 #include "experiments/failure.hpp"
 
@@ -143,6 +147,58 @@ TEST(Bundle, PartialKeepsItsBlocks) {
   EXPECT_TRUE(fs::exists(bundle.blocks() / "1.bin"));
   EXPECT_THAT(verify(bundle.path()), ElementsAre(HasSubstr("bundle.json: state is partial")));
   EXPECT_THROW(bundle.finish(with_state("done")), Failure);
+}
+
+TEST(Bundle, ListedIsWhatNobodyChanged) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  EXPECT_EQ(bundle.read_if_listed("suite.toml"), std::nullopt);  // no SHA256SUMS yet
+  bundle.finish(with_state("partial"));
+  EXPECT_EQ(bundle.read_listed("suite.toml"), bundle.read("suite.toml"));
+  EXPECT_EQ(bundle.read_if_listed("absent.csv"), std::nullopt);
+  folder.put("b/suite.toml", bundle.read("suite.toml") + "\n");
+  EXPECT_EQ(bundle.read_if_listed("suite.toml"), std::nullopt);
+  EXPECT_THROW((void)bundle.read_listed("suite.toml"), Failure);
+  EXPECT_THROW((void)bundle.read_listed("absent.csv"), Failure);
+}
+
+TEST(Bundle, ClearingAwayChangesNoResult) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  bundle.finish(with_state("complete"));
+  folder.put("b/blocks/1.bin", "x");
+  folder.put("b/.bezierbench-1-2.tmp", "left by a killed writer");
+  folder.put("b/accuracy.csv", "damaged\n");
+  const std::string sums = bundle.read("SHA256SUMS");
+  bundle.clear_away();
+  EXPECT_FALSE(fs::exists(bundle.blocks()));
+  EXPECT_FALSE(bundle.has(".bezierbench-1-2.tmp"));
+  EXPECT_EQ(bundle.read("SHA256SUMS"), sums);
+  EXPECT_EQ(bundle.manifest().state, "complete");
+}
+
+// A shard that begins puts its locks into blocks/ while another, which has just completed the bundle, removes it.
+TEST(Bundle, LocksMayComeWhileBlocksAreRemoved) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b");
+  std::atomic<bool> done{false};
+  std::vector<std::thread> shards;
+  for (int shard = 0; shard < 2; ++shard) {
+    shards.emplace_back([&, shard] {
+      while (!done) {
+        try {
+          const LockFile run(bundle.blocks() / "run.lock");
+          const LockFile own(bundle.blocks() / ("shard-" + std::to_string(shard) + ".lock"));
+          if (shard == 1) bundle.clear_away();
+        } catch (const Failure& failure) {
+          ADD_FAILURE() << failure.what();
+        }
+      }
+    });
+  }
+  for (int round = 0; round < 1000; ++round) EXPECT_NO_THROW(bundle.clear_away());
+  done = true;
+  for (auto& shard : shards) shard.join();
 }
 
 // SHA256SUMS cannot be written: the old `complete` must not stand, nor a new one appear.

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -28,8 +29,13 @@ int locked(int descriptor, int operation) {
 }  // namespace
 
 LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
-  // Network file systems want write access for an exclusive lock.
-  descriptor_ = uninterrupted([&] { return ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666); });
+  constexpr int most_tries = 1000;
+  for (int tries = 0; tries < most_tries; ++tries) {
+    // Network file systems want write access for an exclusive lock.
+    descriptor_ = uninterrupted([&] { return ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666); });
+    if (descriptor_ != -1 || errno != ENOENT) break;
+    if (::mkdir(path_.parent_path().c_str(), 0777) == -1 && errno != EEXIST) break;  // somebody removed it just now
+  }
   if (descriptor_ == -1) fail(path_, errno);
 }
 

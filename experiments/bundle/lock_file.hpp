@@ -12,7 +12,8 @@ enum class Sharing { shared, exclusive };
 /// file system the server lets go of it when the client is gone.
 class LockFile {
  public:
-  /// Opens the file, and makes it where it is absent. Throws Failure(Exit::input_output).
+  /// Opens the file, and makes it where it is absent, its folder too: others may remove that at any moment. Throws
+  /// Failure(Exit::input_output).
   explicit LockFile(std::filesystem::path path);
   ~LockFile();
   LockFile(const LockFile&) = delete;

@@ -25,7 +25,8 @@ Exit merge(const Options& options) {
   const std::vector<std::filesystem::path> bundles(options.bundles.begin(), options.bundles.end());
   auto request = request_of_this_build();
   const auto first = bundle::BundleDirectory::open(bundles.front());
-  request.suites = suite::read_suites((first.path() / "suite.toml").string(), vocabulary());
+  constexpr const char* name = "suite.toml";
+  request.suites = suite::parse_suites(first.read_listed(name), (first.path() / name).string(), vocabulary());
   request.out = options.out;
   const auto findings = studies::merge(std::move(request), bundles);
   for (const auto& finding : findings) say(finding);

@@ -1,20 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Runs that were stopped go on, and end with the bytes of a run that was not. Usage: resume_test.py BEZIERBENCH [KILLS]
-
-KILLS is how many runs are killed at a random moment, 60 if not given."""
+"""Runs that were stopped go on, and end with the bytes of a run that was not. Usage: resume_test.py BEZIERBENCH"""
+import hashlib
 import os
-import random
 import re
 import resource
 import shutil
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
-KILLS = int(sys.argv.pop(2)) if len(sys.argv) > 2 else 60
 from cli_test import CONVERSION, FINE, INPUT_OUTPUT, INTERRUPTED, PROGRAM, STUDY, TIMING, USAGE, Case, rows
 
 NOISY = ("machine.json", "SHA256SUMS")  # the load of the machine is in the former
@@ -38,6 +34,18 @@ class ResumeCase(Case):
         except FileNotFoundError:  # not yet, or no more
             return []
         return [self.folder / bundle / "blocks" / name for name in sorted(names) if name.endswith(".blocks")]
+
+    def change(self, bundle, name, content):
+        """Another content of a file, and the checksum that belongs to it."""
+        path, sums = self.folder / bundle / name, self.folder / bundle / "SHA256SUMS"
+        self.assertNotEqual(path.read_text(), content)
+        path.write_text(content)
+        line = f"{hashlib.sha256(content.encode()).hexdigest()}  {name}"
+        sums.write_text(re.sub(rf"^\w+  {re.escape(name)}$", line, sums.read_text(), flags=re.MULTILINE))
+
+    def pretend_another_machine(self, bundle):
+        text = (self.folder / bundle / "machine.json").read_text()
+        self.change(bundle, "machine.json", re.sub(r'"model_name": "[^"]*"', '"model_name": "Other"', text))
 
     def stop(self, seconds, which, *arguments):
         """Sends a signal after so many seconds; the result."""
@@ -73,32 +81,6 @@ class ResumeCase(Case):
 
 
 class Resume(ResumeCase):
-    def test_killed_at_any_moment(self):
-        suite = self.suite(ACCURACY, CONVERSION, SEARCH)
-        before = time.monotonic()
-        self.bundle(suite, "--checkpoint", 0, name="whole")
-        whole = time.monotonic() - before
-        expected = self.results("whole")
-        chance = random.Random(1)
-        kills = completed = resumed = 0
-        while kills < KILLS or not completed:
-            name = f"b{completed}"
-            checkpoint = chance.choice([["--checkpoint", 0], ["--checkpoint", 0.01], []])
-            result = self.stop(chance.uniform(0, whole), signal.SIGKILL, "run", suite, "--quiet", *checkpoint, "--out", name)
-            if result.returncode == FINE:
-                completed += 1
-                self.assert_complete(name)
-                self.assertEqual(self.results(name), expected)
-                shutil.rmtree(self.folder / name)
-            else:
-                self.assertEqual((result.returncode, result.stderr), (-signal.SIGKILL, b""))
-                kills += 1
-                resumed += bool(self.block_files(name))
-                if (self.folder / name / "bundle.json").exists() and self.manifest(name)["state"] == "complete":
-                    self.assertEqual(self.results(name), expected)  # only blocks/ was not removed yet
-        print(f"{kills} kills, {resumed} of them after blocks were kept; {completed} runs came to their end")
-        self.assertGreater(resumed, 0)
-
     def test_interrupted(self):
         suite = self.suite(ACCURACY, SEARCH)
         self.bundle(suite, name="whole")
@@ -174,7 +156,7 @@ class Resume(ResumeCase):
     def test_another_program_is_refused(self):
         suite = self.suite(ACCURACY)
         self.start_and_stop("b", suite, which=signal.SIGINT)
-        self.write("b/methods.csv", "id\n")
+        self.change("b", "methods.csv", "id\n")
         self.refused(USAGE, ["run", suite, "--out", "b", "--quiet"], "b/methods.csv", "other methods")
 
     def test_leftovers_of_a_killed_end(self):
@@ -195,7 +177,7 @@ class Resume(ResumeCase):
                     time.sleep(0.01)
                 for arguments in ([], ["--shard", "1/2"]):
                     self.refused(INPUT_OUTPUT, ["run", suite, "--quiet", "--out", "b", *arguments], "b: ", "run is at work",
-                                 unchanged=False)
+                                 alone=False)
             finally:
                 process.kill()
                 process.communicate()
@@ -231,13 +213,10 @@ class Timings(ResumeCase):
     def test_taken_again_on_another_machine(self):
         suite = self.suite(self.TWO)
         self.start_and_stop("b", suite)
-        path = self.folder / "b/machine.json"
-        ours = path.read_text()
-        path.write_text(re.sub(r'"model_name": "[^"]*"', '"model_name": "Other"', ours))
-        self.assertNotEqual(path.read_text(), ours)
+        self.pretend_another_machine("b")
         self.assertIn("blocks       4, 0 of them done", self.fine("run", suite, "--out", "b", "--dry-run"))
         self.bundle(suite, name="b")
-        self.assertNotIn("Other", path.read_text())
+        self.assertNotIn("Other", (self.folder / "b/machine.json").read_text())
 
 
 if __name__ == "__main__":

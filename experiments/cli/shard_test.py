@@ -81,16 +81,6 @@ class OneFolder(ShardCase):
         self.bundle(self.everything, name="b")
         self.assertEqual(self.results("b"), expected)
 
-    def test_killed_shards_go_on(self):
-        expected = self.whole()
-        for kill in range(6):
-            self.stop(0.03 + 0.01 * kill, signal.SIGKILL, "run", self.everything, "--quiet", "--checkpoint", 0,
-                      "--out", "b", "--shard", f"{kill % 2 + 1}/2")
-        for number in (1, 2):
-            self.shard(number, 2, "b")
-        self.assert_complete("b")
-        self.assertEqual(self.results("b"), expected)
-
     def test_whoever_comes_next_completes(self):
         """The last shard died when all blocks were done and the tables were not written."""
         expected = self.whole()
@@ -116,9 +106,9 @@ class OneFolder(ShardCase):
                 deadline = time.monotonic() + 60
                 while not self.block_files("b") and time.monotonic() < deadline:
                     time.sleep(0.01)
-                self.refused(INPUT_OUTPUT, [*run, "--shard", "1/2"], "b: the same shard 1/2 is at work", unchanged=False)
-                self.refused(INPUT_OUTPUT, run, "b: another run is at work", unchanged=False)
-                self.refused(INPUT_OUTPUT, ["merge", "b", "--out", "m"], "b: a run is at work", unchanged=False)
+                self.refused(INPUT_OUTPUT, [*run, "--shard", "1/2"], "b: the same shard 1/2 is at work", alone=False)
+                self.refused(INPUT_OUTPUT, run, "b: another run is at work", alone=False)
+                self.refused(INPUT_OUTPUT, ["merge", "b", "--out", "m"], "b: a run is at work", alone=False)
                 self.assertEqual(self.stop(0.3, signal.SIGINT, *run, "--shard", "2/2").returncode, 130)
             finally:
                 process.kill()
@@ -202,8 +192,7 @@ class TimesOfShards(ShardCase):
         """A bundle that came to another machine: its times do not count there."""
         suite = self.suite(ACCURACY, FAST_TIMING)
         self.apart(2, suite)
-        path = self.folder / "s1/machine.json"
-        path.write_text(re.sub(r'"model_name": "[^"]*"', '"model_name": "Other"', path.read_text()))
+        self.pretend_another_machine("s1")
         self.refused(FINDING, ["merge", "s1", "s2", "--out", "m"], "missing", 'study "t"')
 
 

@@ -21,6 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* machine_name = "machine.json";
+constexpr const char* methods_name = "methods.csv";
+
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
   throw Failure(Exit::finding, fmt::format("{}: {}", path.string(), why));
 }
@@ -36,7 +39,9 @@ struct Source {
                       fmt::format("{}: a run is at work there; wait for it, or stop it", path.string()));
     }
     manifest = directory.manifest();
-    machine = bundle::machine_fingerprint(directory.read("machine.json"));
+    (void)directory.read_listed("suite.toml");
+    machine_text = directory.read(machine_name);
+    machine = bundle::machine_fingerprint(machine_text);
     found = find_blocks(directory.blocks());
   }
 
@@ -44,16 +49,28 @@ struct Source {
   bundle::BundleDirectory directory;
   std::unique_ptr<bundle::LockFile> lock;
   bundle::Manifest manifest;
-  std::string machine;
+  std::string machine_text;
+  std::string machine;  ///< fingerprint
   Found found;
 };
 
 void require_same(const Source& source, const Plan& plan, const RunRequest& request) {
   if (const auto why = difference(source.manifest, plan.manifest))
     refuse(source.path, fmt::format("holds results of {}; merge what one program made of one suite", *why));
-  if (source.directory.read("methods.csv") != request.methods_csv)
+  if (source.directory.read_listed(methods_name) != request.methods_csv)
     refuse(source.path, "lists other methods than this program has; merge with the program that made it");
   studies::require_same(source.found, plan, Exit::finding);
+}
+
+/// What machine.json says is what SHA256SUMS lists or, where a merge into one of the bundles was killed, what another
+/// bundle has: it was put there from that one.
+void refuse_damaged_machines(const std::vector<Source>& sources) {
+  const auto listed = [](const Source& one) { return one.directory.read_if_listed(machine_name).has_value(); };
+  for (const auto& source : sources)
+    if (!listed(source) && std::ranges::none_of(sources, [&](const Source& other) {
+          return other.machine_text == source.machine_text && listed(other);
+        }))
+      (void)source.directory.read_listed(machine_name);  // says why
 }
 
 /// Times of another machine than the bundle's last do not count: they were to be taken again.
@@ -149,6 +166,7 @@ Findings merge(RunRequest request, const std::vector<fs::path>& bundles) {
       refuse(source.path, "is complete already; there is nothing to join it with");
     drop_stale_times(source, plan.jobs);
   }
+  refuse_damaged_machines(sources);
   refuse_overlaps(sources, request, plan.jobs.size());
   const Source& machine = with_machine(sources, plan.jobs);
   Ledger ledger(plan.jobs, {{}, "", plan.manifest, plan.reference, machine.machine});
@@ -163,8 +181,8 @@ Findings merge(RunRequest request, const std::vector<fs::path>& bundles) {
     refuse(request.out, "holds blocks of its own; name it among the bundles, or choose another --out");
   const auto directory = bundle::BundleDirectory::create(request.out);
   directory.write("suite.toml", plan.suite_text);
-  directory.write("machine.json", machine.directory.read("machine.json"));
-  directory.write("methods.csv", request.methods_csv);
+  directory.write(machine_name, machine.machine_text);
+  directory.write(methods_name, request.methods_csv);
   return assemble(request, plan, directory);
 }
 

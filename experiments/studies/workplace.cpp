@@ -107,10 +107,11 @@ bool Workplace::begin() {
   if (directory_.has("bundle.json")) {
     const auto theirs = directory_.manifest();
     if (theirs.state == bundle::complete) {
-      directory_.finish(theirs);  // removes blocks/, which a killed run left
+      directory_.clear_away();  // blocks/, which a killed run left
       return false;
     }
-    if (directory_.has(methods_name) && directory_.read(methods_name) != request_.methods_csv)
+    (void)directory_.read_listed("suite.toml");
+    if (directory_.read_listed(methods_name) != request_.methods_csv)
       throw Failure(Exit::usage, fmt::format("{}: lists other methods than this program has; choose another --out",
                                              (directory_.path() / methods_name).string()));
   } else {
@@ -126,9 +127,16 @@ bool Workplace::begin() {
 }
 
 void Workplace::choose_machine() {
-  machine_ = bundle::machine_fingerprint(directory_.has(machine_name) ? directory_.read(machine_name) : "");
+  // None where it is damaged, or where a run was killed when it had just taken over from another machine.
+  const auto theirs = directory_.read_if_listed(machine_name);
+  machine_ = bundle::machine_fingerprint(theirs.value_or(""));
   const bool times_here = !request_.shard || request_.shard->number == 1;
-  if (!times_here || !timings_missing(plan_.jobs, found_, machine_)) return;
+  if (!theirs)
+    std::fputs(
+        fmt::format("{}: damaged or unfinished; written anew\n", (directory_.path() / machine_name).string()).c_str(),
+        stderr);
+  else if (!times_here || !timings_missing(plan_.jobs, found_, machine_))
+    return;
   const std::string ours = machine_now(request_);
   if (bundle::machine_fingerprint(ours) == machine_) return;
   directory_.write(machine_name, ours);
