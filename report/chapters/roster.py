@@ -3,11 +3,11 @@
 
 from ..bundle import Missing
 from ..document import Chapter
-from . import (audit, choosing, conditioning, conversion, figures, found, how_measured, ladder, method_list, provenance, rational, regimes,
-               scorecard, tables, timing, truth, worst)
+from . import (audit, choosing, conditioning, conversion, figures, found, how_measured, ladder, method_list, peers, provenance, rational,
+               regimes, scorecard, tables, timing, truth, worst)
 
-ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, timing, choosing, audit,
-          method_list, how_measured, provenance)
+ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, timing, choosing,
+          peers, audit, method_list, how_measured, provenance)
 
 
 def build_all(bundle, findings):
