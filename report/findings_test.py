@@ -113,6 +113,8 @@ FLIPS = {
     "worst_gain": _more_short,
     "rational_weights": _raise("mean_error_u", 1e3, study="rational-ladder", method="direct", degree=20, generator="weights_wild"),
     "choosing": _set("pareto", "yes", "pareto.csv", method="direct"),
+    "peers_accuracy": _scale("mean_error", 100, "unstable.csv", study="peers-bezier", degree=20),
+    "peers_cache": _scale("mean_error", 1e-6, "unstable.csv", study="peers-bezier", method="peer_occt_cached"),
     "sample_maximum": _scale("max_error", 0.5, generator="report", study=("2.3.1-bezier", "2.3.1-polynomial")),
 }
 

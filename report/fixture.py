@@ -106,7 +106,16 @@ def _suites():
              for i, e in zip(((0, 0.2), (0.8, 1)), errors)]
     rows += [row("rational-ladder", m, n, u * (1.5 if g == "weights_wild" else 1), g, curve="rational")
              for m, u in (("direct", 1), ("de_casteljau", 1.25)) for n in DEGREES for g in ("weights_mild", "weights_wild")]
+    rows += [row("peers-bezier", "de_casteljau", n, 0.5) for n in DEGREES]
     return rows
+
+
+PEERS = {"peer_gsl": (0.5, 0.5), "peer_sisl": (0.5, 0.6), "peer_occt_bsplclib": (0.5, 0.5), "peer_occt_cached": (2, 1e8)}
+
+
+def unstable():
+    """Methods of other libraries."""
+    return [_judged("peers-bezier", m, n, u * 1e-10) for m, ends in PEERS.items() for n, u in zip(DEGREES, ends)]
 
 
 def accuracy():
@@ -181,12 +190,13 @@ def audit():
 
 
 def timing():
-    def row(method, degree, ns, quality="ok"):
-        return dict(study="2.4-bezier", curve="bezier", method=method, scalar="double", dimension=2 if degree else "",
+    def row(method, degree, ns, quality="ok", study="2.4-bezier"):
+        return dict(study=study, curve="bezier", method=method, scalar="double", dimension=2 if degree else "",
                     degree=degree, mode="point", median_ns=ns, low_ns=ns * 0.9, high_ns=ns * 1.1, rounds=9,
                     points_per_round=64, relative_to="", ratio="", ratio_low="", ratio_high="", cycles="", instructions="",
                     quality=quality, checked="yes")
-    return [row("direct", n, n * 1.5) for n in DEGREES] + [row("sentinel", "", 1.5)]
+    return [row("direct", n, n * 1.5) for n in DEGREES] + [row("sentinel", "", 1.5)] + [
+        row(m, n, n * 8.0, study="peers-speed") for m in ("de_casteljau", *PEERS) for n in DEGREES]
 
 
 def pareto():
@@ -199,7 +209,7 @@ def pareto():
                  generator="continuous") for n in DEGREES for m, (ns, u, front) in cases.items()]
 
 
-FILES = {"accuracy.csv": accuracy, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
+FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
          "conversion.csv": conversion, "search.csv": search, "worst.csv": worst, "methods.csv": methods, "audit.csv": audit,
          "timing.csv": timing, "pareto.csv": pareto}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",

@@ -8,14 +8,14 @@ from pathlib import Path
 
 from . import fixture
 from .bundle import Bundle, BundleError, Missing
-from .chapters import conditioning, conversion, ladder, rational, regimes, worst
+from .chapters import conditioning, conversion, ladder, peers, rational, regimes, worst
 from .chapters.roster import build_all
 from .error_tables import swept
 from .findings.roster import find_all
 from .search_tables import search_tables
 
 CHAPTERS = {"ladder": ladder, "regimes": regimes, "conditioning": conditioning, "conversion": conversion, "worst": worst,
-            "rational": rational}
+            "rational": rational, "peers": peers}
 
 
 def _only(*suites):
@@ -151,6 +151,26 @@ class Suites(unittest.TestCase):
         head, rows = table.csv()
         self.assertEqual(head[1:3], ["t_min", "t_max"])
         self.assertEqual(len(rows), 8)
+
+    def test_peers_have_errors_and_times_in_one_table(self):
+        table = next(b for b in self.blocks("peers", self.bundle()) if b.kind == "table")
+        lines = {(g.key, label): [c.text for c in cells] for g in table.groups for label, cells in g.rows}
+        self.assertEqual(lines["peer_gsl", "mean error / (u p~)"], ["0.500", "0.500"])
+        self.assertEqual(lines["peer_gsl", "ns per point, prepared"], ["32", "160"])
+        self.assertIn(("de_casteljau", "mean error / (u p~)"), lines)
+
+    def test_peers_without_times_keep_their_errors(self):
+        def no_times(at, row):
+            return at != "timing.csv" or row["study"] != "peers-speed"
+        table = next(b for b in self.blocks("peers", self.bundle(no_times)) if b.kind == "table")
+        self.assertEqual({label for g in table.groups for label, _ in g.rows},
+                         {"mean error / (u p~)", "largest error / (u p~)", "largest error"})
+
+    def test_a_bundle_without_peers_says_so(self):
+        def ours_only(at, row):
+            return at != "unstable.csv"
+        with self.assertRaisesRegex(Missing, "unstable.csv"):
+            self.blocks("peers", self.bundle(ours_only))
 
     def test_replay_names_the_largest_kept_trial(self):
         def heavy(at, row):

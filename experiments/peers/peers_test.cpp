@@ -184,9 +184,11 @@ TEST(Peers, GiveTheSameBitsOnSeveralThreadsAtOnce) {
   Inputs inputs(6);
   for (const auto* kernel : all_kernels()) {
     std::vector<std::vector<double>> coefficients;
+    coefficients.reserve(curves);
     for (int k = 0; k < curves; ++k) coefficients.push_back(inputs.coefficients(3 + k % 8, kernel->dimension));
     const auto points = [&] {
       std::vector<std::vector<double>> all;
+      all.reserve(curves);
       for (int k = 0; k < curves; ++k)
         all.push_back(evaluate(
             *kernel,
@@ -198,6 +200,7 @@ TEST(Peers, GiveTheSameBitsOnSeveralThreadsAtOnce) {
     std::array<std::vector<std::vector<double>>, 4> together;
     {
       std::vector<std::jthread> threads;
+      threads.reserve(together.size());
       for (auto& one : together) threads.emplace_back([&] { one = points(); });
     }
     for (const auto& one : together) EXPECT_EQ(one, alone) << kernel->info->id;
