@@ -12,10 +12,29 @@
 namespace bezierbench {
 
 /// The question that a method answers.
-enum class Problem { evaluation, conversion };
+enum class Problem {
+  evaluation,
+  conversion,
+  derivative,
+  arc_length,
+  inverse_arc_length,
+  projection,
+  interpolation,
+  fitting
+};
 
 constexpr std::string_view name(Problem problem) {
-  return problem == Problem::evaluation ? "evaluation" : "conversion";
+  switch (problem) {
+    case Problem::evaluation: return "evaluation";
+    case Problem::conversion: return "conversion";
+    case Problem::derivative: return "derivative";
+    case Problem::arc_length: return "arc_length";
+    case Problem::inverse_arc_length: return "inverse_arc_length";
+    case Problem::projection: return "projection";
+    case Problem::interpolation: return "interpolation";
+    case Problem::fitting: return "fitting";
+  }
+  return "";
 }
 
 /// How the rounded 1 - t, s, enters a result: what the curve would be if nothing else were rounded. In a rational curve

@@ -279,7 +279,7 @@ class Suites(Case):
 
     def test_what_is_not_there_yet(self):
         """Kinds and curves that no study takes are refused at once, not after hours."""
-        for changes in ({"curve": '"rational"', "kind": '"conversion"', "methods": None}, {"kind": '"fitting"'}):
+        for changes in ({"curve": '"rational"', "kind": '"conversion"', "methods": None}, {"kind": '"fitting"', "tolerance": "[1]"}):
             with self.subTest(changes=changes):
                 self.refused(USAGE, ["run", self.suite(**changes), "--out", "b"], 'study "a"')
 

@@ -11,6 +11,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/companions.hpp"
 #include "experiments/studies/methods.hpp"
 #include "git_facts.hpp"
 #include "reference/published/published.hpp"
@@ -36,6 +37,7 @@ void add_row(bundle::CsvTable& table, const MethodInfo& info) {
 suite::Vocabulary vocabulary() {
   suite::Vocabulary known;
   for (const auto& kernel : studies::methods<double>(any_dimension)) add_once(known.methods, kernel.info->id);
+  for (const auto* info : studies::companion_infos()) add_once(known.methods, info->id);
   for (const auto& peer : peers::absent())
     known.absent_methods.push_back({std::string(peer.id), std::string(peer.remedy)});
   for (const auto& kernel : conversion_kernels<double>(any_dimension)) add_once(known.conversions, kernel.info->id);
@@ -57,6 +59,7 @@ std::string methods_csv() {
       {"id", "problem", "form", "min_degree", "max_degree", "bound", "bit_stable", "flops", "citation"});
   for (const auto& kernel : studies::methods<double>(any_dimension)) add_row(table, *kernel.info);
   for (const auto* info : conversion_infos()) add_row(table, *info);
+  for (const auto* info : studies::companion_infos()) add_row(table, *info);
   return table.text();
 }
 

@@ -59,6 +59,8 @@ constexpr std::array fields{field<&Study::id>("id", false),
                             field<&Study::decomposed_trials>("decomposed_trials", true),
                             field<&Study::budget>("budget", true),
                             field<&Study::modes>("modes", true),
+                            field<&Study::order>("order", true),
+                            field<&Study::tolerance>("tolerance", true),
                             field<&Study::published>("published", false)};
 
 }  // namespace

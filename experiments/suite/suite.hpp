@@ -54,7 +54,9 @@ struct Study {
   std::int64_t decomposed_trials = 0;          ///< accuracy only: so many trials of a cell have their error taken apart
   std::int64_t budget = 0;                     ///< search only: inputs that the climb may try per cell and method
   std::vector<Mode> modes;                     ///< timing only
-  std::string published;                       ///< file of printed values in reference/published; may be empty
+  std::vector<int> order;                      ///< derivative only: of the derivatives
+  std::vector<double> tolerance;  ///< where a method promises one: relative for lengths, a distance for fits
+  std::string published;          ///< file of printed values in reference/published; may be empty
 };
 
 struct Suite {

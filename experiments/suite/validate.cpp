@@ -100,6 +100,31 @@ Finding check_counts(const Study& study) {
   return std::nullopt;
 }
 
+/// What only studies of some kinds have, and need.
+Finding check_asked(const Study& study) {
+  const bool derivative = study.kind == Kind::derivative;
+  if (study.order.empty() == derivative) {
+    return Problem{"order", 0, "kind",
+                   derivative ? "kind \"derivative\" needs orders; add order = [1, 2]"
+                              : "order belongs to studies of kind \"derivative\"; remove it"};
+  }
+  const bool tolerant =
+      study.kind == Kind::arc_length || study.kind == Kind::inverse_arc_length || study.kind == Kind::fitting;
+  if (study.tolerance.empty() == tolerant) {
+    return Problem{"tolerance", 0, "kind",
+                   fmt::format("kind \"{}\" {}", name(study.kind),
+                               tolerant ? "needs tolerances; add tolerance = [1e-6]" : "has no tolerance; remove it")};
+  }
+  if (auto found = each("order", study.order, [](int order) {
+        return order >= 0 && order <= max_degree ? "" : fmt::format("order must be 0 to {}", max_degree);
+      })) {
+    return found;
+  }
+  return each("tolerance", study.tolerance, [](double tolerance) {
+    return std::string(std::isfinite(tolerance) && tolerance > 0 ? "" : "tolerance must be finite and above 0");
+  });
+}
+
 const KnownGenerator* find_generator(const Vocabulary& known, std::string_view id) {
   const auto found = std::find_if(known.generators.begin(), known.generators.end(),
                                   [&](const KnownGenerator& generator) { return generator.id == id; });
@@ -278,6 +303,7 @@ std::optional<Problem> validate(const Study& study, const Vocabulary& known) {
   if (auto found = check_present(study)) return found;
   if (auto found = check_axes(study)) return found;
   if (auto found = check_counts(study)) return found;
+  if (auto found = check_asked(study)) return found;
   if (auto found = check_ids(study, known)) return found;
   return check_fit(study, known);
 }

@@ -81,6 +81,9 @@ class Random {
     made.trials = 1 + static_cast<std::int64_t>(bits_() >> 34U);
     made.replicates = 1 + static_cast<std::int64_t>(bits_() >> 45U);
     if (made.kind == Kind::search) made.budget = 1 + static_cast<std::int64_t>(bits_() >> 1U);
+    if (made.kind == Kind::derivative) made.order = some<int>({0, 1, 2, 20});
+    if (made.kind == Kind::arc_length || made.kind == Kind::inverse_arc_length || made.kind == Kind::fitting)
+      made.tolerance = some<double>({1e-3, 1e-12, 5e-324});
     if (made.kind == Kind::accuracy) made.decomposed_trials = static_cast<std::int64_t>(below(2) * (bits_() >> 1U));
     made.baseline = made.kind == Kind::conversion ? some<std::string>({"exact", "factorial"})
                                                   : some<std::string>({"exact", known.methods[0], known.methods[1]});

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// `curve eval`: points of one curve by any method, against the exact ones.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/curve_commands.hpp"
+#include "experiments/cli/curve_methods.hpp"
+#include "experiments/cli/vocabulary.hpp"
+#include "experiments/metric/trial_scale.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/studies/methods.hpp"
+#include "experiments/studies/workspace.hpp"
+#include "reference/exact_curve.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct Options {
+  CurveOptions curve;
+  std::vector<std::string> t;
+  std::vector<std::string> methods;
+};
+
+/// u p~, exactly.
+reference::Rational unit_of(const reference::Rational& p_tilde) { return p_tilde * reference::Rational{1, 1, -53}; }
+
+/// bound / (u p~) on one axis; nothing where no bound is stated or proved, or p~ is zero.
+std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis, double t,
+                        const reference::Rational& truth, const reference::Rational& p_tilde) {
+  if (!info.bound || p_tilde.numerator == 0) return "";
+  std::vector<double> coefficients;
+  for (int i = 0; i <= curve.degree(); ++i) coefficients.push_back(curve.view()(axis, i));
+  metric::TrialScale scale;
+  scale.set({curve.form, 1, curve.degree(), coefficients, curve.weights}, t);
+  const double length = std::abs(reference::round_to(reference::binary64, truth));
+  const double bound = scale.bound(*info.bound, metric::double_arithmetic, length);
+  if (!std::isfinite(bound)) return "";
+  return number::decimal(reference::quotient(reference::binary64, reference::exactly(bound), unit_of(p_tilde)));
+}
+
+/// The columns value to error_u of one coordinate.
+std::vector<std::string> judged(double value, const reference::Rational& truth, const reference::Rational& p_tilde) {
+  using reference::binary64;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double error = infinite;
+  double error_ulp = infinite;
+  double error_u = infinite;
+  if (std::isfinite(value)) {
+    const auto difference = abs(reference::exactly(value) - truth);
+    error = reference::round_to(binary64, difference);
+    error_ulp = reference::quotient(binary64, difference, reference::ulp(truth));
+    if (difference.numerator == 0)
+      error_u = 0;
+    else if (p_tilde.numerator != 0)
+      error_u = reference::quotient(binary64, difference, unit_of(p_tilde));
+  }
+  return {number::decimal(value), number::decimal(reference::round_to(binary64, truth)), number::decimal(error),
+          number::decimal(error_ulp), number::decimal(error_u)};
+}
+
+void evaluate(const Options& options) {
+  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+  const auto methods = chosen(studies::methods<double>(curve.dimension), options.methods, curve, vocabulary().methods);
+  std::vector<double> ts;
+  for (const auto& text : options.t) ts.push_back(finite_option("--t", text));
+  std::vector<reference::ExactPoint> truths;
+  std::vector<reference::ExactPoint> p_tildes;
+  reference::ExactCurve exact;
+  for (const double t : ts) {
+    truths.push_back(exact.point(curve.view(), t));
+    if (!truths.back().exists())
+      throw Failure(Exit::usage,
+                    fmt::format("--t {}: the weights of {} sum to zero there, so the curve has no point; see "
+                                "column w or choose another t",
+                                number::decimal(t), options.curve.file));
+    p_tildes.push_back(exact.p_tilde(curve.view(), t));
+  }
+  bundle::CsvTable table({"method", "t", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"});
+  studies::PreparedStorage storage;
+  std::vector<double> point(static_cast<std::size_t>(curve.dimension));
+  for (const auto* kernel : methods)
+    for (std::size_t k = 0; k < ts.size(); ++k) {
+      studies::evaluate_once<double>(*kernel, curve.view(), ts[k], storage, point);
+      for (int axis = 0; axis < curve.dimension; ++axis) {
+        std::vector<std::string> row{std::string(kernel->info->id), number::decimal(ts[k]), axis_name(axis)};
+        for (auto& field :
+             judged(point[static_cast<std::size_t>(axis)], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)))
+          row.push_back(std::move(field));
+        row.push_back(
+            bound_units(*kernel->info, curve, axis, ts[k], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)));
+        table.add_row(std::move(row));
+      }
+    }
+  fmt::print("{}", table.text());
+}
+
+}  // namespace
+
+void add_curve_eval(CLI::App& curve) {
+  auto options = std::make_shared<Options>();
+  auto* command = curve.add_subcommand("eval", "points of a curve");
+  options->curve.add_to(*command);
+  command->add_option("--t", options->t, "parameter; may be repeated")->required();
+  command->add_option("--method", options->methods, "method id; may be repeated; default: all that apply");
+  command->callback([options] { evaluate(*options); });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The methods of the companion problems: derivative, arc length, projection, interpolation, fitting.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/method.hpp"
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::studies {
+
+/// What the methods of all companion problems say of themselves, problem by problem in roster order.
+std::vector<const MethodInfo*> companion_infos();
+
+/// Those of one problem that `study.methods` names, in roster order; all when it names none. Throws Failure(usage) for
+/// an entry that names none of this problem.
+std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Problem problem);
+
+}  // namespace bezierbench::studies
