@@ -63,9 +63,10 @@ class BundleDirectory {
 };
 
 /// What is wrong with a bundle's files, one line each, in a fixed order; empty where all is well. Looks at bundle.json,
-/// readable and `complete`; at bundle.json, suite.toml, machine.json and every listed file; the accuracy digest and
-/// the checksums; files and folders that SHA256SUMS does not list; tables that are not CSV. What the tables say (bound
-/// violations) is not looked at. Throws Failure(Exit::input_output) for no folder or a file that cannot be read.
+/// readable and `complete`; at bundle.json, suite.toml, machine.json, readable, and every listed file; the accuracy
+/// digest and the checksums; files and folders that SHA256SUMS does not list; tables that are not CSV. What the tables
+/// say (bound violations) is not looked at. Throws Failure(Exit::input_output) for no folder or a file that cannot be
+/// read.
 [[nodiscard]] std::vector<std::string> verify(const std::filesystem::path& path);
 
 }  // namespace bezierbench::bundle

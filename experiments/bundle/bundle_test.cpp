@@ -284,6 +284,12 @@ TEST_F(Verify, DamagedManifest) {
                                                                             "SHA256SUMS")));
 }
 
+TEST_F(Verify, MachineThatIsNotJson) {
+  bundle_.write("machine.json", "{\"cpu\": \n");
+  bundle_.finish(with_state("complete"));
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("machine.json:2:1: malformed JSON")));
+}
+
 TEST_F(Verify, CutOrDoubledSums) {
   const std::string sums = bundle_.read("SHA256SUMS");
   put("SHA256SUMS", std::string_view(sums).substr(0, sums.size() - 1));

@@ -17,6 +17,8 @@ TEST(Facts, AreNamedByTheirPlaceInTheOrderOfTheFile) {
                 {"z", "text"}, {"cpu.smt", "false"}, {"cpu.cores", "2"}, {"load.0", "0.5"}, {"load.1", "unknown"}}));
 }
 
+TEST(Facts, OfAnEmptyObjectAreNone) { EXPECT_TRUE(facts("{}", "m.json").empty()); }
+
 TEST(Facts, OfThisMachineHoldTheBuild) {
   const auto all = facts(
       machine_json({.compiler = "GNU", .flags = "-O3", .build_type = "", .fp_flags = "", .program_version = ""}, ""),

@@ -28,7 +28,7 @@ struct Manifest {
 };
 
 /// The text of bundle.json: indented, keys in a fixed order, a line end at the end; suites as
-/// `"suites": {"ids": [...], "digest": "..."}`.
+/// `"suites": {"ids": [...], "digest": "..."}`. schema/bundle.schema.json holds for it.
 [[nodiscard]] std::string manifest_json(const Manifest& manifest);
 
 /// Reads bundle.json; keys it does not know are passed over. Throws Failure(Exit::input_output) with

@@ -10,6 +10,7 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/facts.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/failure.hpp"
 
@@ -18,8 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view machine_name = "machine.json";
+
 // Every bundle has them, whatever its suites.
-constexpr std::array<std::string_view, 3> required_files{manifest_name, "suite.toml", "machine.json"};
+constexpr std::array<std::string_view, 3> required_files{manifest_name, "suite.toml", machine_name};
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
@@ -39,6 +42,7 @@ class Verification {
     } else {
       add(sums_name, "is missing");
     }
+    if (folder_has(machine_name)) check_machine();
     check_strays();
     check_tables();
     return std::move(findings_);
@@ -59,6 +63,14 @@ class Verification {
       if (const std::string digest = accuracy_digest(path_); digest != manifest.accuracy_digest) {
         add(manifest_name, fmt::format("accuracy_digest is {}, the files give {}", manifest.accuracy_digest, digest));
       }
+    } catch (const Failure& failure) {
+      findings_.emplace_back(failure.what());
+    }
+  }
+
+  void check_machine() {
+    try {
+      (void)facts(read_file(path_ / machine_name), (path_ / machine_name).string());
     } catch (const Failure& failure) {
       findings_.emplace_back(failure.what());
     }

@@ -46,6 +46,12 @@ std::string canonical(const std::string& text) {
   return whole ? std::to_string(*whole) : number::decimal(*value);
 }
 
+std::size_t place(std::string_view column) {
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (columns[k].name == column) return k;
+  throw std::invalid_argument(fmt::format("{}: no input column", column));
+}
+
 bool is_input(std::string_view column) {
   return column == conversion || std::ranges::find(columns, column, &InputColumn::name) != columns.end();
 }
@@ -61,16 +67,11 @@ Inputs::Inputs(const bundle::CsvDocument& table, std::size_t row, const bundle::
   }
 }
 
-const std::string& Inputs::field(std::string_view column) const {
-  const auto found = std::ranges::find(columns, column, &InputColumn::name);
-  if (found == columns.end()) throw std::invalid_argument(fmt::format("{}: no input column", column));
-  return fields_.at(static_cast<std::size_t>(found - columns.begin()));
-}
+const std::string& Inputs::field(std::string_view column) const { return fields_.at(place(column)); }
 
 Inputs Inputs::without_method() const {
   Inputs rest = *this;
-  const auto method = std::ranges::find(columns, "method", &InputColumn::name);
-  rest.fields_.at(static_cast<std::size_t>(method - columns.begin())).clear();
+  rest.fields_.at(place("method")).clear();
   return rest;
 }
 
@@ -79,12 +80,6 @@ std::string Inputs::words() const {
   for (std::size_t k = 0; k < fields_.size(); ++k)
     if (!fields_[k].empty()) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", columns[k].name, fields_[k]);
   return text;
-}
-
-std::vector<std::string_view> input_columns() {
-  std::vector<std::string_view> names;
-  for (const auto& column : columns) names.push_back(column.name);
-  return names;
 }
 
 RowMatch match_rows(const bundle::CsvDocument& a, const bundle::CsvDocument& b) {

@@ -12,7 +12,8 @@
 
 namespace bezierbench::compare {
 
-/// What a row was measured or computed for: its fields in the columns of input_columns().
+/// What a row was measured or computed for: study, curve, method, degree, mode, trials, ...; the columns of any table
+/// that say so are listed in row_match.cpp.
 class Inputs {
  public:
   Inputs() = default;
@@ -21,7 +22,7 @@ class Inputs {
   /// values, so that 1000000 and 1e+06 agree.
   Inputs(const bundle::CsvDocument& table, std::size_t row, const bundle::CsvDocument& other);
 
-  /// Empty where the row has none. Throws std::invalid_argument for what is none of input_columns().
+  /// Empty where the row has none. Throws std::invalid_argument for what is no such column.
   [[nodiscard]] const std::string& field(std::string_view column) const;
 
   /// The same inputs whatever the method.
@@ -35,9 +36,6 @@ class Inputs {
  private:
   std::vector<std::string> fields_;
 };
-
-/// Columns of any table of a bundle that say what a row is about, in the order of words().
-[[nodiscard]] std::vector<std::string_view> input_columns();
 
 /// Two rows with the same inputs.
 struct RowPair {
