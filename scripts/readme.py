@@ -1,29 +1,34 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The parts of README.md that are numbers: filled in from the committed baseline bundle, never typed.
+"""The parts of README.md that are numbers: filled in from the committed bundles, never typed.
 
-readme.py            compares, and exits 1 where README.md says something else than the bundle
+readme.py            compares, and exits 1 where README.md says something else than the bundles
 readme.py --update   writes them
-readme.py --methods PROGRAM   also compares the bundle's list of methods with what PROGRAM lists of our own; README.md, the
-                              report and `list methods` then show the same methods
+readme.py --program PROGRAM   also looks at what only PROGRAM can say: how it compares the committed bundles, and whether
+                              the methods of our own that it lists are those of the bundle, of README.md and of the report
 """
 import argparse
 import csv
+import functools
 import io
 import json
 import re
 import subprocess
 import sys
+import tempfile
+import textwrap
 from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True  # the source tree may be read-only
-from report.bundle import Bundle  # noqa: E402
+from report.bundle import Bundle, Comparison  # noqa: E402
 from report.chapters import method_list  # noqa: E402
 BASELINE = ROOT / "results" / "baseline"
+OTHER_BUILD = ROOT / "results" / "clang"
 README = ROOT / "README.md"
+WIDTH = 118  # of a line of prose
 VERDICTS = ("inside", "explained", "outside")
 
 
@@ -58,11 +63,50 @@ def methods():
     return table([heading for heading, _ in method_list.COLUMNS], body)
 
 
+def compared(program):
+    """The rows of `compare`, from the committed build to the other."""
+    with tempfile.TemporaryDirectory() as place:
+        done = subprocess.run([program, "compare", BASELINE.relative_to(ROOT), OTHER_BUILD.relative_to(ROOT), "--out", place],
+                              cwd=ROOT, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            sys.exit(done.stderr.strip() or "compare failed")
+        return Comparison(place)
+
+
+def comparison(program):
+    """Both builds in words, then the ratios of the times in the mode in which curves are prepared."""
+    found = compared(program)
+    judged = [row for row in found.rows.rows if row["kind"] == "accuracy"]
+    times = [row for row in found.rows.rows if row["kind"] == "timing" and row["degree"] is not None]
+    places = {Path(row["bundle"]).name: f"{row['compiler']} on {row['cpu']}" for row in found.standings.rows}
+    one_machine = all(row["machine"] == "same" for row in found.standings.rows)
+    ratio, verdict = ("ratio", "verdict") if one_machine else ("normalised", "normalised_verdict")
+    unit = "" if one_machine else ", each in units of the sentinel of its own machine"
+    counts = Counter(row[verdict] for row in times)
+    noisy = sum(row["quality"] != "ok" for row in times)
+    words = (f"a is {places[BASELINE.name]}, b is {places[OTHER_BUILD.name]}. Accuracy: identical, bit for bit, in all "
+             f"{len(judged)} common rows. Time of b over time of a{unit}: "
+             + ", ".join(f"{word} in {counts[word]}" for word in ("faster", "slower", "same", "unresolved"))
+             + f" of {len(times)}, {noisy} of them from noisy races, marked ~. By degree, where curves are prepared and evaluated "
+             "one point at a time:")
+    point = [row for row in times if row["mode"] == "point"]
+    degrees = sorted({row["degree"] for row in point})
+    cells = {(row["curve"], row["method"], row["degree"]): row for row in point}
+    body = [[curve, f"`{method}`"] + [f"{cells[curve, method, n][ratio]:.2f}"
+                                      + ("" if cells[curve, method, n]["quality"] == "ok" else " ~") for n in degrees]
+            for curve, method in dict.fromkeys((row["curve"], row["method"]) for row in point)]
+    return textwrap.fill(words, WIDTH) + "\n\n" + table(["curve", "method", *(f"n = {n:.0f}" for n in degrees)], body)
+
+
 PARTS = {"scorecard": scorecard, "digest": digest, "methods": methods}
+PARTS_OF_PROGRAM = {"comparison": comparison}
 
 
-def filled(text):
-    for name, make in PARTS.items():
+def filled(text, program):
+    parts = dict(PARTS)
+    if program:
+        parts |= {name: functools.partial(make, program) for name, make in PARTS_OF_PROGRAM.items()}
+    for name, make in parts.items():
         pattern = re.compile(rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)", re.DOTALL)
         if not pattern.search(text):
             sys.exit(f"README.md: no part between <!-- begin {name} --> and <!-- end {name} -->")
@@ -74,21 +118,21 @@ def filled(text):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--update", action="store_true")
-    parser.add_argument("--methods", metavar="PROGRAM")
+    parser.add_argument("--program", metavar="PROGRAM", type=lambda text: Path(text).resolve())
     options = parser.parse_args()
     text = README.read_text(encoding="utf-8")
-    wanted = filled(text)
+    wanted = filled(text, options.program)
     if options.update:
         README.write_text(wanted, encoding="utf-8")
     elif wanted != text:
-        sys.exit("README.md: its numbers are not those of results/baseline; run scripts/readme.py --update")
-    if options.methods:
-        listed = subprocess.run([options.methods, "list", "methods", "--format", "csv"], check=True,
+        sys.exit("README.md: its numbers are not those of results; run scripts/readme.py --update --program PROGRAM")
+    if options.program:
+        listed = subprocess.run([options.program, "list", "methods", "--format", "csv"], check=True,
                                 capture_output=True, text=True).stdout
         listed = "".join(line for line in listed.splitlines(keepends=True) if not line.startswith("peer_"))
         if listed != (BASELINE / "methods.csv").read_text(encoding="utf-8"):
             sys.exit("results/baseline/methods.csv: not what the program lists; run scripts/check golden --update")
-    print("README.md agrees with results/baseline")
+    print("README.md agrees with results")
 
 
 if __name__ == "__main__":
