@@ -115,9 +115,9 @@ std::string point_field(std::span<const double> point) {
 
 std::string exact_field(const reference::ExactPoint& truth) {
   if (!truth.exists()) return "";
-  std::vector<double> point;
+  std::vector<double> point(static_cast<std::size_t>(truth.dimension));
   for (int axis = 0; axis < truth.dimension; ++axis)
-    point.push_back(reference::round_to(reference::binary64, truth.coordinate(axis)));
+    point[static_cast<std::size_t>(axis)] = reference::round_to(reference::binary64, truth.coordinate(axis));
   return point_field(point);
 }
 
