@@ -151,7 +151,7 @@ TEST_F(Machine, NamesTheLibrariesComparedWithIfThereAreAny) {
   EXPECT_FALSE(read().contains("peers"));
   BuildFacts with_peers = facts;
   with_peers.peers = {{"gsl", "2.7.1"}, {"sisl", ""}};
-  const Json json = Json::parse(machine_json(with_peers, counters, roots()));
+  const Json json = Json::parse(machine_json(with_peers, counters, HostName::left_out, roots()));
   EXPECT_EQ(json["peers"]["gsl"], "2.7.1");
   EXPECT_EQ(json["peers"]["sisl"], "unknown");
 }
