@@ -167,7 +167,7 @@ def check(root):
         file
         for top in TOPS
         for file in (root / top).rglob("*")
-        if file.suffix in SUFFIXES and not file.stem.endswith("_test")
+        if file.suffix in SUFFIXES and not file.stem.endswith(("_test", "_fuzz"))
     )
     for file in files:
         path = file.relative_to(root).as_posix()

@@ -29,13 +29,13 @@ void make_folder(const fs::path& path) {
   if (error) fail(path, fmt::format("cannot be created: {}; choose another --out", error.message()));
 }
 
-// Others may put something into a folder while it is removed: shards that begin, their locks.
+// Others may put something into a folder while it is removed, or remove it as well: shards that begin, their locks.
 void remove_entry(const fs::path& path) {
   constexpr int most_tries = 1000;
   std::error_code error;
   for (int tries = 0; tries < most_tries; ++tries) {
     error = uninterrupted_error([&](std::error_code& why) { fs::remove_all(path, why); });
-    if (error != std::errc::directory_not_empty) break;
+    if (error != std::errc::directory_not_empty && error != std::errc::no_such_file_or_directory) break;
   }
   if (error) fail(path, fmt::format("cannot be removed: {}; remove it and run again", error.message()));
 }

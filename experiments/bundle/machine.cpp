@@ -20,6 +20,7 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/json_object.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 
@@ -268,8 +269,12 @@ std::string machine_json(const BuildFacts& build, const std::string& counters, H
 }
 
 std::string machine_fingerprint(const std::string& machine_json) {
-  Json json = Json::parse(machine_json, nullptr, false);
-  if (!json.is_object()) return sha256_hex(machine_json);
+  Json json;
+  try {
+    json = parse_json_object(machine_json, "");
+  } catch (const Failure&) {
+    return sha256_hex(machine_json);
+  }
   json.erase("load_average");
   if (json.contains("clock") && json["clock"].is_object()) json["clock"].erase("resolution_ns");
   if (json.contains("system") && json["system"].is_object()) json["system"].erase("host_name");

@@ -113,6 +113,9 @@ TEST(Manifest, RefusesWrongValues) {
 TEST(Manifest, MalformedJsonIsLocated) {
   EXPECT_THAT(refusal("{\n  \"a\": }\n"), StartsWith("B/bundle.json:2:8: malformed JSON; "));
   EXPECT_THAT(refusal(""), StartsWith("B/bundle.json:1:1: malformed JSON; "));
+  EXPECT_THAT(refusal("{\"seed\": 1e999}"), StartsWith("B/bundle.json: a number beyond every double; "));
+  EXPECT_THAT(refusal("{\"a\": " + std::string(200000, '[') + std::string(200000, ']') + "}"),
+              StartsWith("B/bundle.json: nested more than "));
   EXPECT_THAT(refusal("[]"), StartsWith("B/bundle.json: not a JSON object; "));
   const std::string text = manifest_json(example());
   for (std::size_t length = 0; length + 2 < text.size(); ++length) {

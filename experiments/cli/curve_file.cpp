@@ -64,29 +64,33 @@ double number_at(const bundle::CsvDocument& csv, std::size_t row, std::size_t co
 
 std::string axis_name(int axis) { return std::string(axes.at(static_cast<std::size_t>(axis))); }
 
-CurveFile read_curve(const std::filesystem::path& file, Form form) {
-  const auto csv = bundle::parse_csv(bundle::read_file(file), file.string());
+CurveFile parse_curve(std::string_view text, const std::string& file_name, Form form) {
+  const auto csv = bundle::parse_csv(text, file_name);
   const auto columns = columns_of(csv);
   CurveFile curve{columns.weight ? Form::rational : form, static_cast<int>(columns.axes.size()), {}, {}};
   if (columns.weight && form != Form::bernstein)
     throw Failure(Exit::usage,
                   fmt::format("--form {}: {} has weights (column w), which belong to control points; leave "
                               "--form out, it must be bernstein",
-                              name(form), file.string()));
+                              name(form), file_name));
   if (csv.row_count() == 0)
-    throw Failure(Exit::input_output, fmt::format("{}: no coefficients; write one per row", file.string()));
+    throw Failure(Exit::input_output, fmt::format("{}: no coefficients; write one per row", file_name));
   if (csv.row_count() > static_cast<std::size_t>(max_degree) + 1)
-    throw Failure(Exit::input_output, fmt::format("{}: {} coefficients; the largest degree is {}", file.string(),
-                                                  csv.row_count(), max_degree));
+    throw Failure(Exit::input_output,
+                  fmt::format("{}: {} coefficients; the largest degree is {}", file_name, csv.row_count(), max_degree));
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     for (const auto column : columns.axes) curve.coefficients.push_back(number_at(csv, row, column));
     if (columns.weight) curve.weights.push_back(number_at(csv, row, *columns.weight));
   }
   if (columns.weight && std::ranges::all_of(curve.weights, [](double weight) { return weight == 0; }))
     throw Failure(Exit::input_output,
-                  fmt::format("{}:{}: rows 1 to {}, column w: every weight is 0; one of them must not be",
-                              file.string(), csv.line(0), csv.row_count()));
+                  fmt::format("{}:{}: rows 1 to {}, column w: every weight is 0; one of them must not be", file_name,
+                              csv.line(0), csv.row_count()));
   return curve;
+}
+
+CurveFile read_curve(const std::filesystem::path& file, Form form) {
+  return parse_curve(bundle::read_file(file), file.string(), form);
 }
 
 std::string curve_csv(const CurveFile& curve) {

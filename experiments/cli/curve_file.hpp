@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/curve.hpp"
@@ -24,9 +25,12 @@ struct CurveFile {
 /// The name of an axis: x, y, z.
 std::string axis_name(int axis);
 
-/// The curve in a file whose polynomial coefficients are in `form`; a rational one where there is a column w, which
-/// only the Bernstein form may have (else Failure(usage)). Throws Failure(input_output) that names file, row and column
-/// for anything but finite numbers under a good header, and for weights that are all zero.
+/// The curve in a file's text whose polynomial coefficients are in `form`; a rational one where there is a column w,
+/// which only the Bernstein form may have (else Failure(usage)). Throws Failure(input_output) that names file, row and
+/// column for anything but finite numbers under a good header, and for weights that are all zero.
+CurveFile parse_curve(std::string_view text, const std::string& file_name, Form form);
+
+/// As parse_curve, from a file; Failure(input_output) as well for one that cannot be read.
 CurveFile read_curve(const std::filesystem::path& file, Form form);
 
 /// The same layout, decimal, for a curve without weights.

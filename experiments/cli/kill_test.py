@@ -51,11 +51,10 @@ class Kills(ResumeCase):
                 process.wait(max(0, start + moment - time.monotonic()))
             except subprocess.TimeoutExpired:
                 process.kill()
-        codes = []
-        for process in running:
-            _, error = process.communicate(timeout=60)
-            codes.append(process.returncode)
-            self.assertIn((process.returncode, error), [(FINE, b""), (-signal.SIGKILL, b"")])
+        ends = [(process.communicate(timeout=60)[1], process.returncode) for process in running]
+        codes = [code for _, code in ends]
+        for end in ends:
+            self.assertIn(end, [(b"", FINE), (b"", -signal.SIGKILL)])
         self.kills += codes.count(-signal.SIGKILL)
         return set(codes) == {FINE}
 

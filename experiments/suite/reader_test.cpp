@@ -29,6 +29,16 @@ std::string refused(const std::string& text) {
   return line;
 }
 
+// The parser would nest a table for each, and overflow the stack.
+TEST(Reader, RefusesKeysOfManyParts) {
+  std::string key = "a";
+  for (int part = 0; part < 200000; ++part) key += ".a";
+  for (const std::string& line : {key + " = 1\n", "[" + key + "]\n", "x = {" + key + " = 1}\n"})
+    EXPECT_THAT(refused(minimal + line), HasSubstr("dots in one key"));
+  const std::string ornament = "# " + std::string(200, '.') + "\n";
+  EXPECT_EQ(parsed(ornament + minimal + "degree = [3]\n").studies.size(), 1U);
+}
+
 TEST(Reader, ReadsTheReportSuite) {
   const Suite suite = read_suite(BEZIERBENCH_SOURCE_DIR "/experiments/suites/report.toml", test_vocabulary());
   EXPECT_EQ(suite.id, "report");

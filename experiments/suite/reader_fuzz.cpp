@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Suite files: what reads is written, and reads again as the same.
+#include "experiments/fuzzing/property.hpp"
+#include "experiments/suite/reader.hpp"
+#include "experiments/suite/test_vocabulary.hpp"
+#include "experiments/suite/writer.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+void check(std::string_view text) {
+  std::vector<Suite> suites;
+  const auto& known = test_vocabulary();
+  if (!fuzzing::reads(Exit::usage, [&] { suites = parse_suites(text, fuzzing::file_name, known); })) return;
+  const std::string resolved = to_toml(suites);
+  fuzzing::require(to_toml(parse_suites(resolved, fuzzing::file_name, known)) == resolved, "a suite reads back");
+}
+
+}  // namespace
+}  // namespace bezierbench::suite
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  bezierbench::suite::check(bezierbench::fuzzing::text_of(bytes, size));
+  return 0;
+}
