@@ -67,6 +67,7 @@ class Schema(unittest.TestCase):
     def test_they_ask_for_every_key_and_know_no_other(self):
         for file in ("bundle.json", "machine.json"):
             good, judge = read(self.plain, file), validator(file)
+            good.pop("peers", None)  # its keys are the libraries that a build has
             for place in leaves(good):
                 with self.subTest(file=file, place=place):
                     less = copy.deepcopy(good)
@@ -78,6 +79,12 @@ class Schema(unittest.TestCase):
                     for wrong in (None, "", -1, {}):
                         holder(less, place)[place[-1]] = wrong
                         self.assertFalse(judge.is_valid(less), wrong)
+
+    def test_libraries_have_versions_if_there_are_any(self):
+        machine, judge = read(self.plain, "machine.json"), validator("machine.json")
+        for peers, valid in (({"gsl": "2.7.1"}, True), ({"gsl": "unknown"}, True), ({"gsl": ""}, False), ({}, False), ("gsl", False)):
+            with self.subTest(peers=peers):
+                self.assertEqual(judge.is_valid({**machine, "peers": peers}), valid)
 
     def test_what_cannot_be_read_may_be_unknown(self):
         machine, judge = read(self.plain, "machine.json"), validator("machine.json")

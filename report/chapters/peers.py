@@ -29,8 +29,8 @@ def blocks(bundle, findings):
                   "自有方法与其他程序库：误差与用时", lines, row_head="quantity")
     yield Text(f"{large(max(r['trials'] for r in errors))} trials per cell against the exact value, in double in the plane; every method "
                "on the same inputs, through the same harness, timed in the same races. " + _libraries(bundle)
-               + "The libraries are compiled as the system ships them, so their last bits may differ from version to version: "
-                 "their errors stand in `unstable.csv`, which no digest covers."
+               + "What a library has in headers is compiled like our own methods, the rest is as the system ships it, so last bits may "
+                 "differ from version to version: their errors stand in `unstable.csv`, which no digest covers."
                + (" ✗: the timed output was not the judged one." if any(r["checked"] != "yes" for r in times) else "")
                + (" ~: the machine changed its speed during the race." if any(r["quality"] == "noisy" for r in times) else ""))
 
