@@ -25,7 +25,7 @@ class TruePoint {
  public:
   /// `exact` computes the integers; it, and what `curve` points to, must outlive the use of this object.
   TruePoint(ExactCurve& exact, const CurveView<double>& curve, double t, std::optional<CertifiedPoint> certified)
-      : exact_(&exact), curve_(curve), t_(t), certified_(std::move(certified)) {}
+      : exact_(&exact), curve_(curve), t_(t), certified_(certified) {}
 
   /// False where the weights of a rational curve sum to zero: then nothing below may be asked for.
   [[nodiscard]] bool exists();
