@@ -73,6 +73,8 @@ class Curve {
   [[nodiscard]] int degree() const { return static_cast<int>(coefficients_.cols()) - 1; }
   [[nodiscard]] Scalar operator()(int axis, int i) const { return coefficients_.coeff(axis, i); }
   [[nodiscard]] Scalar& operator()(int axis, int i) { return coefficients_.coeffRef(axis, i); }
+  /// Point by point.
+  [[nodiscard]] const Scalar* data() const { return coefficients_.data(); }
 
  private:
   static constexpr int columns = DegreeT == dynamic ? Eigen::Dynamic : DegreeT + 1;

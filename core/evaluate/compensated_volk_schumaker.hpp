@@ -18,6 +18,7 @@
 #include "core/error_free.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/nearer_end.hpp"
 
 namespace bezierbench {
 
@@ -124,23 +125,23 @@ struct CompensatedVolkSchumaker {
   static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
     const int n = prepared.scaled.degree();
     const auto s = two_sum<Scalar>(Scalar(1), -t);
-    const Expansion2<Scalar> parameter{t, Scalar(0)};
-    const bool near_start = t + t <= Scalar(1);
-    const auto larger = near_start ? s : parameter;
-    const auto ratio = quotient<Scalar>(near_start ? parameter : s, larger);
+    const auto near_start = t + t <= Scalar(1);
+    const Expansion2<Scalar> larger{select(near_start, s.value, t), select(near_start, s.error, Scalar(0))};
+    const Expansion2<Scalar> smaller{select(near_start, t, s.value), select(near_start, Scalar(0), s.error)};
+    const auto ratio = quotient<Scalar>(smaller, larger);
     const auto scale = power<Scalar>(larger, n);
     Point<Scalar, Dimension> p;
     Point<Scalar, Dimension> error;
     for (int axis = 0; axis < Dimension; ++axis) {
-      p[axis] = prepared.scaled(axis, near_start ? n : 0);
-      error[axis] = prepared.lost(axis, near_start ? n : 0);
+      p[axis] = counted(near_start, prepared.scaled, axis, n);
+      error[axis] = counted(near_start, prepared.lost, axis, n);
     }
     for (int i = 1; i <= n; ++i)
       for (int axis = 0; axis < Dimension; ++axis) {
-        const int column = near_start ? n - i : i;
         const auto product = two_prod<Scalar>(p[axis], ratio.value);
-        const auto sum = two_sum<Scalar>(product.value, prepared.scaled(axis, column));
-        const Scalar local = p[axis] * ratio.error + ((product.error + sum.error) + prepared.lost(axis, column));
+        const auto sum = two_sum<Scalar>(product.value, counted(near_start, prepared.scaled, axis, n - i));
+        const Scalar lost = counted(near_start, prepared.lost, axis, n - i);
+        const Scalar local = p[axis] * ratio.error + ((product.error + sum.error) + lost);
         error[axis] = error[axis] * ratio.value + local;
         p[axis] = sum.value;
       }

@@ -9,6 +9,7 @@
 // Fails: b - a can overflow although the result does not.
 #pragma once
 
+#include "core/evaluate/nearer_end.hpp"
 #include "core/evaluate/triangle_scheme.hpp"
 
 namespace bezierbench {
@@ -35,9 +36,9 @@ struct DeCasteljauTwoSided {
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
-    if (t + t <= Scalar(1)) return run_triangle(curve, [t](Scalar a, Scalar b) { return a + t * (b - a); });
-    const Scalar s = Scalar(1) - t;
-    return run_triangle(curve, [s](Scalar a, Scalar b) { return b + s * (a - b); });
+    const auto near_start = t + t <= Scalar(1);
+    const Scalar r = select(near_start, t, Scalar(1) - t);
+    return run_triangle(seen(near_start, curve), [r](Scalar a, Scalar b) { return a + r * (b - a); });
   }
 };
 

@@ -44,6 +44,14 @@ concept Path = requires {
 };
 
 template <class E>
+constexpr const MethodInfo* evaluator() {
+  if constexpr (Path<E>)
+    return &E::Second::info;
+  else
+    return &E::info;
+}
+
+template <class E>
 constexpr Form evaluated_form() {
   if constexpr (Path<E>)
     return E::First::target;
@@ -89,6 +97,7 @@ constexpr Kernel<Scalar> kernel() {
                 points[k * Dimension + axis] = point[static_cast<Eigen::Index>(axis)];
             }
           },
+          evaluator<E>(),
           evaluated_form<E>(),
           converted<E, Scalar, Dimension>(),
           destroy<Prepared>()};

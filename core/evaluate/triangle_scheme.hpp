@@ -7,11 +7,10 @@
 
 namespace bezierbench {
 
-/// Runs the triangle in place on a copy of the control points; `step(a, b)` combines two neighbours on one axis.
+/// Runs the triangle in place on `b`, a copy of the control points; `step(a, b)` combines two neighbours on one axis.
 template <class Scalar, int Dimension, int Degree, class Step>
-Point<Scalar, Dimension> run_triangle(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Step step) {
-  const int n = curve.degree();
-  auto b = curve;
+Point<Scalar, Dimension> run_triangle(Curve<Form::bernstein, Scalar, Dimension, Degree> b, Step step) {
+  const int n = b.degree();
   for (int k = 1; k <= n; ++k)
     for (int i = 0; i <= n - k; ++i)
       for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = step(b(axis, i), b(axis, i + 1));

@@ -34,6 +34,7 @@ struct EvaluationWord {
 template <Conversion Converter, Evaluator Method>
 requires(Converter::target == Method::info.form) struct Via {
   using First = Converter;
+  using Second = Method;
 
   /// With |converted| <= (1 + factor u) times its amplification, errors compose as gamma_j + gamma_k + gamma_j gamma_k
   /// (Higham, Lemma 3.3); the amplification of the conversion is at least that of the evaluation. The evaluator's

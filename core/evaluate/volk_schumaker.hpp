@@ -13,6 +13,7 @@
 #include "core/basis/amplification.hpp"
 #include "core/basis/binomial.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/nearer_end.hpp"
 
 namespace bezierbench {
 
@@ -44,13 +45,13 @@ struct VolkSchumaker {
     const auto& c = prepared.scaled;
     const int n = c.degree();
     const Scalar s = Scalar(1) - t;
-    const bool near_start = t + t <= Scalar(1);
-    const Scalar larger = near_start ? s : t;
-    const Scalar r = (near_start ? t : s) / larger;
+    const auto near_start = t + t <= Scalar(1);
+    const Scalar larger = select(near_start, s, t);
+    const Scalar r = select(near_start, t, s) / larger;
     Point<Scalar, Dimension> p;
-    for (int axis = 0; axis < Dimension; ++axis) p[axis] = c(axis, near_start ? n : 0);
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] = counted(near_start, c, axis, n);
     for (int i = 1; i <= n; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + c(axis, near_start ? n - i : i);
+      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + counted(near_start, c, axis, n - i);
     const Scalar scale = integer_power(larger, n);
     for (int axis = 0; axis < Dimension; ++axis) p[axis] *= scale;
     return p;

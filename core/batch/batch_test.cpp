@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// A batch kernel is right where its points have the bits of the scalar kernel's: all else is tested there.
+#include "core/batch/batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <set>
+
+#include "core/evaluate/evaluation_test.hpp"
+
+namespace bezierbench::batch {
+namespace {
+
+/// What any no-number is compared as: which one it is depends on the order of operands, which compilers choose.
+template <class Scalar>
+auto bits(Scalar value) {
+  using Bits = std::conditional_t<sizeof(Scalar) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+  return std::bit_cast<Bits>(std::isnan(value) ? std::numeric_limits<Scalar>::quiet_NaN() : value);
+}
+
+/// Ends, middle and its neighbours, zeros of both signs, subnormals, large numbers, no numbers, then anything.
+template <class Scalar>
+std::vector<Scalar> parameters(std::size_t count, Inputs& inputs) {
+  using Limits = std::numeric_limits<Scalar>;
+  const Scalar half = 0.5;
+  std::vector<Scalar> t{0,
+                        1,
+                        half,
+                        std::nextafter(half, Scalar(0)),
+                        std::nextafter(half, Scalar(1)),
+                        -Scalar(0),
+                        std::nextafter(Scalar(1), Scalar(0)),
+                        std::nextafter(Scalar(1), Scalar(2)),
+                        Limits::denorm_min(),
+                        -Limits::denorm_min(),
+                        Limits::min() / 2,
+                        Scalar(-0.25),
+                        Scalar(1.5),
+                        Scalar(-30),
+                        Scalar(1000),
+                        Limits::infinity(),
+                        Limits::quiet_NaN()};
+  while (t.size() < count) {
+    const double drawn = inputs.unit();
+    t.push_back(static_cast<Scalar>(t.size() % 5 == 0 ? 3 * inputs.symmetric() : drawn));
+  }
+  std::swap(t[0], t[t.size() / 2]);
+  t.resize(count);
+  return t;
+}
+
+template <class Scalar>
+std::vector<Scalar> coefficients(int degree, int dimension, Inputs& inputs) {
+  std::vector<Scalar> result;
+  for (const double value : inputs.coefficients(degree, dimension)) result.push_back(static_cast<Scalar>(value));
+  return result;
+}
+
+template <class Scalar>
+std::vector<Scalar> batch_points(const BatchKernel<Scalar>& batch, const Kernel<Scalar>& kernel,
+                                 const CurveView<Scalar>& curve, const std::vector<Scalar>& t) {
+  const std::size_t room = kernel.prepared_size + kernel.prepared_alignment;
+  const auto memory = std::make_unique<std::byte[]>(room);
+  void* prepared = memory.get();
+  std::size_t space = room;
+  std::align(kernel.prepared_alignment, kernel.prepared_size, prepared, space);
+  kernel.prepare(curve, prepared);
+  const auto d = static_cast<std::size_t>(curve.dimension);
+  constexpr Scalar untouched = 77;
+  std::vector<Scalar> by_axis(t.size() * d + 1, untouched);
+  batch(prepared, t, by_axis.data());
+  EXPECT_EQ(by_axis.back(), untouched) << "wrote past the end";
+  std::vector<Scalar> points(t.size() * d);
+  for (std::size_t k = 0; k < t.size(); ++k)
+    for (std::size_t axis = 0; axis < d; ++axis) points[k * d + axis] = by_axis[axis * t.size() + k];
+  return points;
+}
+
+constexpr auto any = [](const auto& /*kernel*/) { return true; };
+
+/// Every kernel of the roster that has a batch kernel, against it.
+template <class Scalar, class Wanted = decltype(any)>
+void expect_same_bits(const Target& target, int dimension, int degree, const std::vector<std::size_t>& lengths,
+                      Wanted wanted = any) {
+  Inputs inputs(static_cast<std::uint64_t>(degree * max_dimension + dimension));
+  for (const auto& kernel : kernels<Scalar>(dimension)) {
+    const auto batch = find(target, kernel);
+    if (!batch || !wanted(kernel) || !kernel.info->template supports<Scalar>(degree)) continue;
+    const auto drawn = coefficients<Scalar>(degree, dimension, inputs);
+    const auto curve = view<Scalar>(kernel.info->form, dimension, degree, drawn);
+    for (const std::size_t length : lengths) {
+      const auto t = parameters<Scalar>(length, inputs);
+      const auto right = evaluate(kernel, curve, t);
+      const auto ours = batch_points(batch, kernel, curve, t);
+      for (std::size_t k = 0; k < right.size(); ++k)
+        ASSERT_EQ(bits(ours[k]), bits(right[k]))
+            << kernel.info->id << ", degree " << degree << ", dimension " << dimension
+            << ", t = " << t[k / static_cast<std::size_t>(dimension)] << ": " << ours[k] << " for " << right[k];
+    }
+  }
+}
+
+class BatchTarget : public testing::TestWithParam<std::size_t> {
+ protected:
+  void SetUp() override {
+    if (!is_usable(target())) GTEST_SKIP() << "this processor has no " << target().name;
+  }
+  [[nodiscard]] static const Target& target() { return built_targets()[GetParam()]; }
+};
+
+constexpr int last_degree = 40;  // five sweeps of a triangle
+
+TEST_P(BatchTarget, HasTheBitsOfTheScalarKernelInDouble) {
+  for (int dimension = 1; dimension <= max_dimension; ++dimension)
+    for (int degree = 0; degree <= last_degree; ++degree) expect_same_bits<double>(target(), dimension, degree, {150});
+}
+
+TEST_P(BatchTarget, HasTheBitsOfTheScalarKernelInFloat) {
+  for (int dimension = 1; dimension <= max_dimension; ++dimension)
+    for (int degree = 0; degree <= last_degree; ++degree) expect_same_bits<float>(target(), dimension, degree, {290});
+}
+
+/// Blocks, single vectors and what is left of one, in every combination; nothing at all.
+TEST_P(BatchTarget, HasThemForEveryLength) {
+  std::vector<std::size_t> lengths;
+  for (std::size_t length = 0; length <= 140; ++length) lengths.push_back(length);
+  for (int dimension = 1; dimension <= max_dimension; ++dimension) {
+    expect_same_bits<double>(target(), dimension, 11, lengths);
+    expect_same_bits<float>(target(), dimension, 11, lengths);
+  }
+}
+
+/// Exact conversion would take minutes there.
+TEST_P(BatchTarget, HasThemAtHighDegreesOnCurvesAsGiven) {
+  const auto as_given = [](const auto& kernel) { return kernel.converted == nullptr; };
+  for (const int degree : {100, 131, 500, 1023}) {
+    expect_same_bits<double>(target(), 2, degree, {40}, as_given);
+    expect_same_bits<float>(target(), 2, degree, {40}, as_given);
+  }
+}
+
+std::set<std::string_view> offered(const Target& target) {
+  std::set<std::string_view> ids;
+  for (const auto& kernel : kernels<double>(2))
+    if (find(target, kernel)) ids.insert(kernel.evaluator->id);
+  return ids;
+}
+
+TEST(Batch, OffersWhatItPromises) {
+  const std::set<std::string_view> promised{"de_casteljau",
+                                            "de_casteljau_fma",
+                                            "de_casteljau_lerp",
+                                            "de_casteljau_lerp_fma",
+                                            "de_casteljau_two_sided",
+                                            "horner_bernstein",
+                                            "horner_bernstein_fma",
+                                            "volk_schumaker",
+                                            "compensated_volk_schumaker",
+                                            "horner",
+                                            "horner_fma",
+                                            "compensated_horner",
+                                            "horner_dd"};
+  for (const auto& target : built_targets()) EXPECT_EQ(offered(target), promised) << target.name;
+}
+
+TEST(Batch, TheBestTargetIsTheFirstThatIsUsable) {
+  const Target* best = best_target();
+  for (const auto& target : built_targets()) {
+    if (!is_usable(target)) continue;
+    EXPECT_EQ(best, &target);
+    return;
+  }
+  EXPECT_EQ(best, nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BatchTarget, testing::Range(std::size_t(0), built_targets().size()),
+                         [](const auto& target) {
+                           std::string name(built_targets()[target.param].name);
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace bezierbench::batch

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// A curve whose parameter is many lanes: its coefficients stay scalars in memory and are spread over the lanes as they
+// are read.
+#pragma once
+
+#include "core/batch/lanes.hpp"
+#include "core/evaluate/nearer_end.hpp"
+
+namespace bezierbench {
+
+/// A view; coefficient i of an axis is at first[i * DimensionT + axis].
+template <Form F, class S, int Count, int DimensionT, int DegreeT>
+class Curve<F, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
+ public:
+  using Scalar = batch::HWY_NAMESPACE::Lanes<S, Count>;
+  static constexpr Form form = F;
+  static constexpr int dimension = DimensionT;
+
+  HWY_INLINE Curve(const S* first, int degree) : first_(first), degree_(degree) {}
+
+  [[nodiscard]] HWY_INLINE int degree() const { return degree_; }
+  [[nodiscard]] HWY_INLINE Scalar operator()(int axis, int i) const {
+    return Scalar(first_[static_cast<std::ptrdiff_t>(i) * DimensionT + axis]);
+  }
+
+ private:
+  const S* first_;
+  int degree_;
+};
+
+template <class S, int Count, int DimensionT, int DegreeT>
+struct Curve<Form::power_double_double, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
+  using Part = Curve<Form::power, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT>;
+
+  [[nodiscard]] HWY_INLINE int degree() const { return high.degree(); }
+
+  Part high;
+  Part low;
+};
+
+namespace batch::HWY_NAMESPACE {
+
+template <class S, int Count, int Dimension, int Degree>
+using ControlPoints = Curve<Form::bernstein, Lanes<S, Count>, Dimension, Degree>;
+
+/// Each lane sees the curve from the end that it is nearer to.
+template <class S, int Count, int Dimension, int Degree>
+struct EitherEnd {
+  [[nodiscard]] HWY_INLINE int degree() const { return curve.degree(); }
+  [[nodiscard]] HWY_INLINE Lanes<S, Count> operator()(int axis, int i) const {
+    return select(from_start, curve(axis, i), curve(axis, curve.degree() - i));
+  }
+
+  LaneMask<S, Count> from_start;
+  ControlPoints<S, Count, Dimension, Degree> curve;
+};
+
+template <class S, int Count, int Dimension, int Degree>
+HWY_INLINE EitherEnd<S, Count, Dimension, Degree> seen(const LaneMask<S, Count>& from_start,
+                                                       const ControlPoints<S, Count, Dimension, Degree>& curve) {
+  return {from_start, curve};
+}
+
+template <class S, int Count, int Dimension, int Degree>
+HWY_INLINE Lanes<S, Count> counted(const LaneMask<S, Count>& from_start,
+                                   const ControlPoints<S, Count, Dimension, Degree>& curve, int axis, int i) {
+  return seen(from_start, curve)(axis, i);
+}
+
+}  // namespace batch::HWY_NAMESPACE
+}  // namespace bezierbench

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// de Casteljau's triangle on lanes, several levels at a time: what run_triangle() is for scalars, in an order in which
+// the values between the levels stay in registers.
+//
+// A sweep over `Levels` levels keeps the newest value of each; a coefficient that comes in moves each of them one on,
+//   x <- b_i;  for every level: y <- step(newest, x), newest <- x, x <- y,
+// and b_(i-Levels) of the last level goes out. Every step is one of the triangle's, with the same operands: the order
+// of steps that do not depend on each other changes no bit.
+#pragma once
+
+#include <utility>
+
+#include "core/batch/lane_curve.hpp"
+
+namespace bezierbench::batch::HWY_NAMESPACE {
+
+inline constexpr int levels_at_once = 8;  ///< so many values and what a step needs fit into 16 registers
+
+/// What is newest on each of the levels 0 .. Levels-1 of a sweep.
+template <class L, int Levels>
+class Sweep {
+ public:
+  /// Takes in the first `Levels` values.
+  template <class In, class Step>
+  HWY_INLINE void begin(const In& in, const Step& step) {
+    begin(in, step, std::make_integer_sequence<int, Levels>());
+  }
+  /// Takes in one more; what comes out on the level after the last.
+  template <class Step>
+  HWY_INLINE L next(L x, const Step& step) {
+    return pass(x, step, std::make_integer_sequence<int, Levels>());
+  }
+
+ private:
+  template <class In, class Step, int... I>
+  HWY_INLINE void begin(const In& in, const Step& step, std::integer_sequence<int, I...> /*all*/) {
+    ((newest_[I] = pass(in(I), step, std::make_integer_sequence<int, I>())), ...);
+  }
+  template <class Step, int... Level>
+  HWY_INLINE L pass(L x, const Step& step, std::integer_sequence<int, Level...> /*levels*/) {
+    (
+        [&] {
+          const L y = step(newest_[Level], x);
+          newest_[Level] = x;
+          x = y;
+        }(),
+        ...);
+    return x;
+  }
+
+  L newest_[Levels];
+};
+
+/// in(0), ..., in(count - 1) are the values of one level, out(i, b_i) takes those of the level `Levels` further on.
+template <int Levels, class L, class In, class Step, class Out>
+HWY_INLINE void sweep(int count, const In& in, const Step& step, const Out& out) {
+  Sweep<L, Levels> levels;
+  levels.begin(in, step);
+  for (int i = Levels; i < count; ++i) out(i - Levels, levels.next(in(i), step));
+}
+
+/// The same with 1 <= `levels` <= levels_at_once known at run time only.
+template <class L, class In, class Step, class Out>
+HWY_INLINE void sweep(int levels, int count, const In& in, const Step& step, const Out& out) {
+  switch (levels) {
+    case 1: return sweep<1, L>(count, in, step, out);
+    case 2: return sweep<2, L>(count, in, step, out);
+    case 3: return sweep<3, L>(count, in, step, out);
+    case 4: return sweep<4, L>(count, in, step, out);
+    case 5: return sweep<5, L>(count, in, step, out);
+    case 6: return sweep<6, L>(count, in, step, out);
+    case 7: return sweep<7, L>(count, in, step, out);
+    default: return sweep<levels_at_once, L>(count, in, step, out);
+  }
+}
+
+/// One axis of the triangle: in(0), ..., in(n) are its control points.
+template <class L, class In, class Step>
+HWY_INLINE L apex(int n, const In& in, const Step& step) {
+  if (n == 0) return in(0);
+  L between[max_degree];  // the values of a level between two sweeps
+  const auto read = [&between](int i) { return between[i]; };
+  const auto write = [&between](int i, const L& value) { between[i] = value; };
+  int levels = n < levels_at_once ? n : levels_at_once;
+  sweep<L>(levels, n + 1, in, step, write);
+  for (int left = n - levels; left > 0; left -= levels) {
+    levels = left < levels_at_once ? left : levels_at_once;
+    sweep<L>(levels, left + 1, read, step, write);
+  }
+  return between[0];
+}
+
+template <class L, int Dimension, class Source, class Step>
+HWY_INLINE Point<L, Dimension> run_axes(const Source& curve, const Step& step) {
+  Point<L, Dimension> point;
+  for (int axis = 0; axis < Dimension; ++axis)
+    point[axis] = apex<L>(
+        curve.degree(), [&](int i) { return curve(axis, i); }, step);
+  return point;
+}
+
+template <class S, int Count, int Dimension, int Degree, class Step>
+HWY_INLINE Point<Lanes<S, Count>, Dimension> run_triangle(const ControlPoints<S, Count, Dimension, Degree>& curve,
+                                                          Step step) {
+  return run_axes<Lanes<S, Count>, Dimension>(curve, step);
+}
+
+template <class S, int Count, int Dimension, int Degree, class Step>
+HWY_INLINE Point<Lanes<S, Count>, Dimension> run_triangle(const EitherEnd<S, Count, Dimension, Degree>& curve,
+                                                          Step step) {
+  return run_axes<Lanes<S, Count>, Dimension>(curve, step);
+}
+
+}  // namespace bezierbench::batch::HWY_NAMESPACE

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The evaluators that have batch kernels. One line here makes them exist on every target, for every path that ends in
+// the evaluator, in float and double and in 1 to 3 dimensions.
+#pragma once
+
+#include "core/evaluate/compensated_horner.hpp"
+#include "core/evaluate/compensated_volk_schumaker.hpp"
+#include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/de_casteljau_fma.hpp"
+#include "core/evaluate/de_casteljau_lerp.hpp"
+#include "core/evaluate/de_casteljau_lerp_fma.hpp"
+#include "core/evaluate/de_casteljau_two_sided.hpp"
+#include "core/evaluate/horner.hpp"
+#include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/horner_bernstein_fma.hpp"
+#include "core/evaluate/horner_dd.hpp"
+#include "core/evaluate/horner_fma.hpp"
+#include "core/evaluate/volk_schumaker.hpp"
+
+namespace bezierbench::batch {
+
+/// What an evaluator keeps of a curve, where that is the curve.
+template <Form F>
+struct TheCurve {
+  template <class Scalar, int Dimension, int Degree>
+  using Prepared = Curve<F, Scalar, Dimension, Degree>;
+};
+
+/// An evaluator, what it keeps of a curve (`State::Prepared`), and how many vectors its inner loop has in registers: so
+/// many for each axis, and so many for all. Whether several go side by side follows from that.
+template <class EvaluatorT, class StateT, int PerAxis, int Shared>
+struct Entry {
+  using Evaluator = EvaluatorT;
+  using State = StateT;
+  static constexpr int live(int dimension) { return PerAxis * dimension + Shared; }
+};
+
+/// A triangle goes axis by axis, with a vector for each level of a sweep.
+template <class EvaluatorT>
+using Triangle = Entry<EvaluatorT, TheCurve<Form::bernstein>, 0, 10>;
+
+/// For every target.
+using Unfused = TypeList<Triangle<DeCasteljau>,                          //
+                         Triangle<DeCasteljauLerp>,                      //
+                         Triangle<DeCasteljauTwoSided>,                  //
+                         Entry<HornerBernstein, HornerBernstein, 1, 3>,  //
+                         Entry<VolkSchumaker, HornerBernstein, 1, 2>,    //
+                         Entry<Horner, TheCurve<Form::power>, 1, 1>>;
+
+/// For targets that have a fused multiply-add in hardware: those that use it.
+using Fused = TypeList<Triangle<DeCasteljauFma>,                                         //
+                       Triangle<DeCasteljauLerpFma>,                                     //
+                       Entry<HornerBernsteinFma, HornerBernstein, 1, 3>,                 //
+                       Entry<CompensatedVolkSchumaker, CompensatedVolkSchumaker, 2, 6>,  //
+                       Entry<HornerFma, TheCurve<Form::power>, 1, 1>,                    //
+                       Entry<CompensatedHorner, TheCurve<Form::power>, 2, 3>,            //
+                       Entry<HornerDoubleDouble, TheCurve<Form::power_double_double>, 2, 3>>;
+
+}  // namespace bezierbench::batch

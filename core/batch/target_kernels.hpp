@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Turns the roster into kernels for the target that the including translation unit is compiled for.
+#pragma once
+
+#include "core/batch/lane_triangle.hpp"
+#include "core/batch/parts.hpp"
+#include "core/batch/roster.hpp"
+
+namespace bezierbench::batch::HWY_NAMESPACE {
+
+template <class Prepared, class S>
+HWY_INLINE Prepared prepared_from(const Parts<S>& parts) {
+  if constexpr (requires { Prepared{parts.first, parts.degree}; })
+    return Prepared{parts.first, parts.degree};
+  else if constexpr (requires { Prepared{{parts.first, parts.degree}, {parts.second, parts.degree}}; })
+    return Prepared{{parts.first, parts.degree}, {parts.second, parts.degree}};
+  else
+    return Prepared{{parts.first, parts.degree}};
+}
+
+/// How many vectors are evaluated side by side: as many as registers allow, at most 8.
+template <class Entry>
+constexpr int vectors(int dimension) {
+  constexpr int registers = HWY_TARGET == HWY_AVX2 ? 16 : 32;
+  constexpr int temporaries = 3;
+  int count = 8;
+  while (count > 1 && count * Entry::live(dimension) > registers - temporaries) count /= 2;
+  return count;
+}
+
+/// `Count` vectors of points at t[0], t[1], ...
+template <class Entry, class S, int Dimension, int Count>
+[[gnu::flatten]] void evaluate_block(const Parts<S>& parts, const S* t, S* points, std::size_t axis_stride) {
+  using L = Lanes<S, Count>;
+  using Prepared = typename Entry::State::template Prepared<L, Dimension, dynamic>;
+  const Point<L, Dimension> point = Entry::Evaluator::evaluate(prepared_from<Prepared>(parts), L::load(t));
+  for (int axis = 0; axis < Dimension; ++axis) point[axis].store(points + static_cast<std::size_t>(axis) * axis_stride);
+}
+
+/// Blocks of as many vectors as go side by side, then single ones; the last one is filled up with its first t.
+template <class Entry, class S, int Dimension>
+void evaluate_all(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
+  constexpr int side_by_side = vectors<Entry>(Dimension);
+  constexpr std::size_t block = Lanes<S, side_by_side>::size;
+  constexpr std::size_t single = Lanes<S, 1>::size;
+  std::size_t k = 0;
+  for (; k + block <= count; k += block)
+    evaluate_block<Entry, S, Dimension, side_by_side>(parts, t + k, points + k, count);
+  for (; k + single <= count; k += single) evaluate_block<Entry, S, Dimension, 1>(parts, t + k, points + k, count);
+  if (k == count) return;
+  S filled[single];
+  S last[single * Dimension];
+  for (std::size_t lane = 0; lane < single; ++lane) filled[lane] = t[k + lane < count ? k + lane : k];
+  evaluate_block<Entry, S, Dimension, 1>(parts, filled, last, single);
+  for (std::size_t axis = 0; axis < Dimension; ++axis)
+    for (std::size_t lane = 0; k + lane < count; ++lane) points[axis * count + k + lane] = last[axis * single + lane];
+}
+
+template <class S, class... Entries>
+inline constexpr TargetKernels<S> kernels_of[sizeof...(Entries)] = {
+    {{evaluate_all<Entries, S, 1>, evaluate_all<Entries, S, 2>, evaluate_all<Entries, S, 3>}}...};
+
+template <class S, class... Plain, class... WithFma>
+constexpr TargetTable<S> table_of(TypeList<Plain...> /*unfused*/, TypeList<WithFma...> /*fused*/) {
+#if HWY_NATIVE_FMA
+  return {kernels_of<S, Plain..., WithFma...>, sizeof...(Plain) + sizeof...(WithFma)};
+#else
+  return {kernels_of<S, Plain...>, sizeof...(Plain)};
+#endif
+}
+
+}  // namespace bezierbench::batch::HWY_NAMESPACE

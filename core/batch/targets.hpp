@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The targets that this program was built for, whether or not this processor has them.
+#pragma once
+
+#include "core/batch/parts.hpp"
+
+namespace bezierbench::batch {
+
+/// Each is defined in a translation unit of its own, compiled for its target; nothing else in that may be called on a
+/// lesser processor.
+template <class Scalar>
+struct Tables {
+  static const TargetTable<Scalar> avx512;
+  static const TargetTable<Scalar> avx2;
+  static const TargetTable<Scalar> neon;
+};
+
+}  // namespace bezierbench::batch

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A Bernstein-form curve seen from the end that t is nearer to: from the start for t <= 1/2, else from the other end,
+// where 1-t is the parameter. Choices are made here, as scalars that are vectors make them for each lane on its own.
+#pragma once
+
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+/// `first` where `condition` holds, else `second`.
+template <class Scalar>
+constexpr Scalar select(bool condition, const Scalar& first, const Scalar& second) {
+  return condition ? first : second;
+}
+
+/// Coefficient i of an axis, counted from the start or from the other end.
+template <class Scalar, int Dimension, int Degree>
+Scalar counted(bool from_start, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, int axis, int i) {
+  return curve(axis, from_start ? i : curve.degree() - i);
+}
+
+/// The curve, or the same curve run through backwards.
+template <class Scalar, int Dimension, int Degree>
+Curve<Form::bernstein, Scalar, Dimension, Degree> seen(bool from_start,
+                                                       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+  if (from_start) return curve;
+  Curve<Form::bernstein, Scalar, Dimension, Degree> backwards(curve.degree());
+  for (int i = 0; i <= curve.degree(); ++i)
+    for (int axis = 0; axis < Dimension; ++axis) backwards(axis, i) = counted(from_start, curve, axis, i);
+  return backwards;
+}
+
+}  // namespace bezierbench
