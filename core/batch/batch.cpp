@@ -56,6 +56,19 @@ std::span<const Known<Scalar>> all_known(TypeList<Plain...> /*unfused*/, TypeLis
   return table;
 }
 
+}  // namespace
+
+std::span<const Target> built_targets() { return all_targets; }
+
+bool is_usable(const Target& target) { return (hwy::SupportedTargets() & target.highway) != 0; }
+
+std::vector<const Target*> usable_targets() {
+  std::vector<const Target*> usable;
+  for (const auto& target : built_targets())
+    if (is_usable(target)) usable.push_back(&target);
+  return usable;
+}
+
 template <class Scalar>
 const TargetTable<Scalar>& table_of(const Target& target) {
   if constexpr (std::is_same_v<Scalar, float>)
@@ -64,17 +77,8 @@ const TargetTable<Scalar>& table_of(const Target& target) {
     return *target.double_table;
 }
 
-}  // namespace
-
-std::span<const Target> built_targets() { return all_targets; }
-
-bool is_usable(const Target& target) { return (hwy::SupportedTargets() & target.highway) != 0; }
-
-const Target* best_target() {
-  for (const auto& target : built_targets())
-    if (is_usable(target)) return &target;
-  return nullptr;
-}
+template const TargetTable<float>& table_of<float>(const Target&);
+template const TargetTable<double>& table_of<double>(const Target&);
 
 template <class Scalar>
 BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel) {
@@ -82,7 +86,8 @@ BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel) {
   const auto& table = table_of<Scalar>(target);
   const auto dimension = static_cast<std::size_t>(kernel.dimension) - 1;
   for (std::size_t k = 0; k < table.count; ++k)
-    if (all[k].evaluator == kernel.evaluator) return {all[k].parts[dimension], table.first[k].of_dimension[dimension]};
+    if (all[k].evaluator == kernel.evaluator)
+      return {all[k].parts[dimension], table.kernels[k].of_dimension[dimension]};
   return {};
 }
 

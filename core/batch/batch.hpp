@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
-#include "core/batch/parts.hpp"
+#include "core/batch/target_table.hpp"
 #include "core/evaluate/kernel.hpp"
 
 namespace bezierbench::batch {
@@ -26,8 +27,12 @@ std::span<const Target> built_targets();
 /// Can this processor run it?
 bool is_usable(const Target& target);
 
-/// The best target that this processor can run; null where there is none.
-const Target* best_target();
+/// Those that this processor can run, best first.
+std::vector<const Target*> usable_targets();
+
+/// The kernels and peak work of a target; only to be called where it is usable.
+template <class Scalar>
+const TargetTable<Scalar>& table_of(const Target& target);
 
 /// A kernel for a target; none where `evaluate` is null.
 template <class Scalar>

@@ -168,14 +168,35 @@ TEST(Batch, OffersWhatItPromises) {
   for (const auto& target : built_targets()) EXPECT_EQ(offered(target), promised) << target.name;
 }
 
-TEST(Batch, TheBestTargetIsTheFirstThatIsUsable) {
-  const Target* best = best_target();
-  for (const auto& target : built_targets()) {
-    if (!is_usable(target)) continue;
-    EXPECT_EQ(best, &target);
-    return;
-  }
-  EXPECT_EQ(best, nullptr);
+TEST(Batch, UsesEveryTargetThatThisProcessorHas) {
+  std::vector<const Target*> usable;
+  for (const auto& target : built_targets())
+    if (is_usable(target)) usable.push_back(&target);
+  EXPECT_EQ(usable_targets(), usable);
+}
+
+/// x <- x / 2 + 1/2 ends at 1 wherever it starts, and then y <- y + 1/2 is counted: no chain is left out.
+template <class Scalar>
+void expect_work(const PeakWork<Scalar>& work, double chain_flops) {
+  std::vector<Scalar> values(work.multiplied + work.added + 1, 0);
+  for (int run = 0; run < 2; ++run) work.run(Scalar(0.5), Scalar(0.5), values.data());
+  const double steps = work.flops / chain_flops;
+  for (std::size_t k = 0; k < work.multiplied; ++k) EXPECT_EQ(values[k], 1);
+  for (std::size_t k = 0; k < work.added; ++k) EXPECT_EQ(values[work.multiplied + k], steps);
+  EXPECT_EQ(values.back(), 0) << "wrote past the end";
+}
+
+TEST_P(BatchTarget, DoesItsPeakWork) {
+  const auto expect_both = []<class Scalar>(const TargetTable<Scalar>& table) {
+    const auto& plain = table.multiply_add;
+    const auto& both = table.multiply_add_and_add;
+    EXPECT_EQ(plain.added, 0U);
+    EXPECT_EQ(both.added, both.multiplied);
+    expect_work(plain, 2 * static_cast<double>(plain.multiplied));
+    expect_work(both, 3 * static_cast<double>(both.multiplied));
+  };
+  expect_both(table_of<float>(target()));
+  expect_both(table_of<double>(target()));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BatchTarget, testing::Range(std::size_t(0), built_targets().size()),

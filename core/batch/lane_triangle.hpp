@@ -14,7 +14,8 @@
 
 namespace bezierbench::batch::HWY_NAMESPACE {
 
-inline constexpr int levels_at_once = 8;  ///< so many values and what a step needs fit into 16 registers
+inline constexpr int levels_at_once =
+    4;  ///< so many values of two vectors each, and what a step needs, fit into 16 registers
 
 /// What is newest on each of the levels 0 .. Levels-1 of a sweep.
 template <class L, int Levels>
@@ -66,10 +67,6 @@ HWY_INLINE void sweep(int levels, int count, const In& in, const Step& step, con
     case 1: return sweep<1, L>(count, in, step, out);
     case 2: return sweep<2, L>(count, in, step, out);
     case 3: return sweep<3, L>(count, in, step, out);
-    case 4: return sweep<4, L>(count, in, step, out);
-    case 5: return sweep<5, L>(count, in, step, out);
-    case 6: return sweep<6, L>(count, in, step, out);
-    case 7: return sweep<7, L>(count, in, step, out);
     default: return sweep<levels_at_once, L>(count, in, step, out);
   }
 }

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace bezierbench::batch::HWY_NAMESPACE {
 
@@ -34,15 +35,14 @@ class Lanes {
   HWY_INLINE Lanes() {}  // NOLINT(modernize-use-equals-default): leaves them uninitialised, as of a double
   /// The same value in all lanes.
   HWY_INLINE explicit Lanes(Scalar value) {
-    for (int k = 0; k < Count; ++k) vector_[k] = hn::Set(Tag(), value);
+    const Vector all = hn::Set(Tag(), value);
+    *this = each([&](int /*k*/) { return all; });
   }
   /// Reads `size` values.
   static HWY_INLINE Lanes load(const Scalar* values) {
     return each([&](int k) { return hn::LoadU(Tag(), values + static_cast<std::size_t>(k) * per_vector); });
   }
-  HWY_INLINE void store(Scalar* values) const {
-    for (int k = 0; k < Count; ++k) hn::StoreU(vector_[k], Tag(), values + static_cast<std::size_t>(k) * per_vector);
-  }
+  HWY_INLINE void store(Scalar* values) const { store(values, All()); }
 
   friend HWY_INLINE Lanes operator+(const Lanes& a, const Lanes& b) {
     return each([&](int k) { return hn::Add(a.vector_[k], b.vector_[k]); });
@@ -68,21 +68,32 @@ class Lanes {
     return each([&](int k) { return hn::MulAdd(vector_[k], b.vector_[k], c.vector_[k]); });
   }
 
-  friend HWY_INLINE Mask operator<=(const Lanes& a, const Lanes& b) {
-    Mask result;
-    for (int k = 0; k < Count; ++k) result.mask[k] = hn::Le(a.vector_[k], b.vector_[k]);
-    return result;
-  }
+  friend HWY_INLINE Mask operator<=(const Lanes& a, const Lanes& b) { return less_equal(a, b, All()); }
   friend HWY_INLINE Lanes select(const Mask& condition, const Lanes& first, const Lanes& second) {
     return each([&](int k) { return hn::IfThenElse(condition.mask[k], first.vector_[k], second.vector_[k]); });
   }
 
  private:
+  using All = std::make_integer_sequence<int, Count>;
+
+  /// Written out one by one: GCC unrolls the loop over the vectors too late to keep them in registers.
   template <class Of>
-  static HWY_INLINE Lanes each(Of of) {
+  static HWY_INLINE Lanes each(const Of& of) {
+    return each(of, All());
+  }
+  template <class Of, int... K>
+  static HWY_INLINE Lanes each(const Of& of, std::integer_sequence<int, K...> /*all*/) {
     Lanes result;
-    for (int k = 0; k < Count; ++k) result.vector_[k] = of(k);
+    ((result.vector_[K] = of(K)), ...);
     return result;
+  }
+  template <int... K>
+  HWY_INLINE void store(Scalar* values, std::integer_sequence<int, K...> /*all*/) const {
+    (hn::StoreU(vector_[K], Tag(), values + K * per_vector), ...);
+  }
+  template <int... K>
+  static HWY_INLINE Mask less_equal(const Lanes& a, const Lanes& b, std::integer_sequence<int, K...> /*all*/) {
+    return {{hn::Le(a.vector_[K], b.vector_[K])...}};
   }
 
   Vector vector_[Count];

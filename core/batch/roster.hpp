@@ -37,7 +37,7 @@ struct Entry {
 
 /// A triangle goes axis by axis, with a vector for each level of a sweep.
 template <class EvaluatorT>
-using Triangle = Entry<EvaluatorT, TheCurve<Form::bernstein>, 0, 10>;
+using Triangle = Entry<EvaluatorT, TheCurve<Form::bernstein>, 0, 6>;
 
 /// For every target.
 using Unfused = TypeList<Triangle<DeCasteljau>,                          //

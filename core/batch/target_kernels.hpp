@@ -3,8 +3,9 @@
 #pragma once
 
 #include "core/batch/lane_triangle.hpp"
-#include "core/batch/parts.hpp"
+#include "core/batch/peak_work.hpp"
 #include "core/batch/roster.hpp"
+#include "core/batch/target_table.hpp"
 
 namespace bezierbench::batch::HWY_NAMESPACE {
 
@@ -18,12 +19,13 @@ HWY_INLINE Prepared prepared_from(const Parts<S>& parts) {
     return Prepared{{parts.first, parts.degree}};
 }
 
-/// How many vectors are evaluated side by side: as many as registers allow, at most 8.
+/// How many vectors are evaluated side by side: so many that eight chains hide the latency of a multiply-add, but no
+/// more than registers allow.
 template <class Entry>
 constexpr int vectors(int dimension) {
   constexpr int registers = HWY_TARGET == HWY_AVX2 ? 16 : 32;
   constexpr int temporaries = 3;
-  int count = 8;
+  int count = dimension == 1 ? 8 : 4;
   while (count > 1 && count * Entry::live(dimension) > registers - temporaries) count /= 2;
   return count;
 }
@@ -60,13 +62,19 @@ template <class S, class... Entries>
 inline constexpr TargetKernels<S> kernels_of[sizeof...(Entries)] = {
     {{evaluate_all<Entries, S, 1>, evaluate_all<Entries, S, 2>, evaluate_all<Entries, S, 3>}}...};
 
+/// Two multiply-adds of four cycles each start in a cycle, so that at least eight chains are needed; sixteen registers
+/// hold twelve of them, or seven of both kinds.
+template <class S, class... Entries>
+constexpr TargetTable<S> table_of(TypeList<Entries...> /*entries*/) {
+  return {kernels_of<S, Entries...>, sizeof...(Entries), Chains<S, 12, 0>::work(), Chains<S, 7, 7>::work()};
+}
+
 template <class S, class... Plain, class... WithFma>
-constexpr TargetTable<S> table_of(TypeList<Plain...> /*unfused*/, TypeList<WithFma...> /*fused*/) {
-#if HWY_NATIVE_FMA
-  return {kernels_of<S, Plain..., WithFma...>, sizeof...(Plain) + sizeof...(WithFma)};
-#else
-  return {kernels_of<S, Plain...>, sizeof...(Plain)};
-#endif
+constexpr TargetTable<S> table_of(TypeList<Plain...> plain, TypeList<WithFma...> /*fused*/) {
+  if constexpr (HWY_NATIVE_FMA != 0)
+    return table_of<S>(TypeList<Plain..., WithFma...>());
+  else
+    return table_of<S>(plain);
 }
 
 }  // namespace bezierbench::batch::HWY_NAMESPACE

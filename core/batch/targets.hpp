@@ -2,7 +2,7 @@
 // The targets that this program was built for, whether or not this processor has them.
 #pragma once
 
-#include "core/batch/parts.hpp"
+#include "core/batch/target_table.hpp"
 
 namespace bezierbench::batch {
 

@@ -26,11 +26,22 @@ struct TargetKernels {
   Evaluate<Scalar> of_dimension[max_dimension];
 };
 
-/// A target's kernels: one entry per evaluator of the roster, the fused ones last, or not at all.
+/// As many operations as the target can do at once, for as long as it takes: chains x <- factor x + addend and, between
+/// them, y <- y + addend or nothing. Reads where the chains start from `values`, and writes where they end.
+template <class Scalar>
+struct PeakWork {
+  void (*run)(Scalar factor, Scalar addend, Scalar* values);
+  std::size_t multiplied;  ///< of the values, the first so many are those of the chains x
+  std::size_t added;       ///< and the next so many those of the chains y
+  double flops;            ///< of a run; a fused multiply-add is two
+};
+
 template <class Scalar>
 struct TargetTable {
-  const TargetKernels<Scalar>* first;
-  std::size_t count;
+  const TargetKernels<Scalar>* kernels;  ///< one per evaluator of the roster, the fused ones last, or not at all
+  std::size_t count;                     ///< of them
+  PeakWork<Scalar> multiply_add;
+  PeakWork<Scalar> multiply_add_and_add;
 };
 
 }  // namespace bezierbench::batch
