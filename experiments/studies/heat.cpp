@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "experiments/sample/draw.hpp"
 #include "experiments/studies/method_choice.hpp"
 #include "experiments/studies/methods.hpp"
 #include "experiments/studies/timed_check.hpp"
-#include "experiments/studies/trial_inputs.hpp"
+#include "experiments/studies/timed_inputs.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "experiments/timing/kernel_rival.hpp"
@@ -29,25 +28,9 @@ std::vector<const MethodInfo*> methods_of(const suite::Study& study, const sampl
 }
 
 template <class Scalar>
-timing::Inputs<Scalar> draw_inputs(const Heat& heat, const suite::Study& study, std::uint64_t seed) {
-  const Form form = form_of(study.curve);
-  timing::Inputs<Scalar> inputs{form, heat.cell.dimension, heat.cell.degree, {}, {}, {}};
-  const sample::Sampler sampler(seed, study.id, heat.cell);
-  TrialInputs<Scalar> trial(form, heat.cell);
-  for (std::size_t k = 0; k < inputs_per_heat; ++k) {
-    trial.draw(sampler, k);
-    const auto curve = trial.curve();
-    inputs.curves.emplace_back(curve.coefficients.begin(), curve.coefficients.end());
-    inputs.weights.emplace_back(curve.weights.begin(), curve.weights.end());
-    inputs.t.push_back(trial.t());
-  }
-  return inputs;
-}
-
-template <class Scalar>
 std::vector<timing::Lap> race_of(const Heat& heat, const suite::Study& study, std::uint64_t seed,
                                  const timing::RaceOptions& options) {
-  const auto inputs = draw_inputs<Scalar>(heat, study, seed);
+  const auto inputs = timed_inputs<Scalar>(study, heat.cell, seed);
   std::vector<timing::Rival> rivals;
   std::vector<bool> right;
   for (const auto* info : heat.methods) {

@@ -26,8 +26,6 @@ struct Heat {
 /// The heats of a study, none of which ran. Throws Failure(usage) for methods that do not take the curves.
 std::vector<Heat> heats_of(const suite::Study& study);
 
-inline constexpr std::size_t inputs_per_heat = 256;
-
 /// Judges the methods, then races them. A method whose points are wrong is timed all the same, and not `checked`.
 std::vector<timing::Lap> run(const Heat& heat, const suite::Study& study, std::uint64_t seed,
                              const timing::RaceOptions& options);

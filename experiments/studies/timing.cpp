@@ -10,6 +10,7 @@
 #include "experiments/studies/complexity_rows.hpp"
 #include "experiments/studies/heat.hpp"
 #include "experiments/studies/interruption.hpp"
+#include "experiments/studies/timed_inputs.hpp"
 #include "experiments/studies/timing_rows.hpp"
 #include "experiments/suite/names.hpp"
 
@@ -37,7 +38,7 @@ class TimingJob final : public JobOf<Laps> {
     Extent sum{heats_.size(), study_.modes.size(), 0, 0};  // a sentinel's row in each mode
     for (const auto& heat : heats_) {
       sum.rows += heat.methods.size();
-      sum.evaluations += heat.methods.size() * inputs_per_heat;
+      sum.evaluations += heat.methods.size() * timed_inputs_per_cell;
     }
     return sum;
   }

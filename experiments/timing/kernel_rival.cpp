@@ -20,7 +20,7 @@ struct State {
   const Inputs<Scalar>& inputs;
   std::unique_ptr<std::byte[]> memory;
   void* prepared = nullptr;
-  std::vector<Scalar> points;
+  AlignedVector<Scalar> points;
   std::vector<Scalar> judged;
 
   State(const Kernel<Scalar>& k, const Inputs<Scalar>& in, std::vector<Scalar> right)
@@ -58,7 +58,6 @@ struct State {
 
  private:
   static constexpr Scalar spoilt = std::numeric_limits<Scalar>::quiet_NaN();
-  static constexpr std::size_t cache_line = 64;  // every rival's state begins on one: chance decides for none
   [[nodiscard]] std::size_t alignment() const { return std::max(kernel.prepared_alignment, cache_line); }
   void destroy() {
     if (kernel.destroy != nullptr) kernel.destroy(prepared);
@@ -94,7 +93,7 @@ void dependent_chain(State<Scalar>& s) {
 }
 
 template <class Scalar>
-void batch(State<Scalar>& s) {
+void all_at_once(State<Scalar>& s) {
   s.kernel.evaluate(s.prepared, s.inputs.t, s.points.data());
 }
 
@@ -104,9 +103,32 @@ void (*run_of(suite::Mode mode))(State<Scalar>&) {
     case suite::Mode::one_shot: return one_shot<Scalar>;
     case suite::Mode::point: return point_by_point<Scalar>;
     case suite::Mode::latency: return dependent_chain<Scalar>;
-    case suite::Mode::batch: return batch<Scalar>;
+    case suite::Mode::batch: return all_at_once<Scalar>;
   }
   return nullptr;
+}
+
+template <class Scalar>
+Rival rival_of(const std::shared_ptr<State<Scalar>>& state, std::function<void()> run) {
+  return {std::string(state->kernel.info->id), state->inputs.t.size(), std::move(run),
+          [state] { return state->check(); }};
+}
+
+/// Point by point, to axis by axis.
+template <class Scalar>
+std::vector<Scalar> by_axis(const std::vector<Scalar>& points, std::size_t dimension) {
+  std::vector<Scalar> sorted;
+  for (std::size_t axis = 0; axis < dimension; ++axis)
+    for (std::size_t k = axis; k < points.size(); k += dimension) sorted.push_back(points[k]);
+  return sorted;
+}
+
+template <class Scalar>
+Rival vector_rival(const batch::BatchKernel<Scalar>& vectors, const Kernel<Scalar>& kernel,
+                   const Inputs<Scalar>& inputs, const std::vector<Scalar>& judged) {
+  auto state =
+      std::make_shared<State<Scalar>>(kernel, inputs, by_axis(judged, static_cast<std::size_t>(inputs.dimension)));
+  return rival_of(state, [state, vectors] { vectors(state->prepared, state->inputs.t, state->points.data()); });
 }
 
 }  // namespace
@@ -114,12 +136,23 @@ void (*run_of(suite::Mode mode))(State<Scalar>&) {
 template <class Scalar>
 Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs,
                    std::vector<Scalar> judged) {
+  if (mode == suite::Mode::batch)
+    for (const auto* target : batch::usable_targets())
+      if (const auto vectors = batch::find(*target, kernel)) return vector_rival(vectors, kernel, inputs, judged);
   auto state = std::make_shared<State<Scalar>>(kernel, inputs, std::move(judged));
-  return {std::string(kernel.info->id), inputs.t.size(), [state, run = run_of<Scalar>(mode)] { run(*state); },
-          [state] { return state->check(); }};
+  return rival_of<Scalar>(state, [state, run = run_of<Scalar>(mode)] { run(*state); });
+}
+
+template <class Scalar>
+Rival batch_rival(const batch::Target& target, const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,
+                  std::vector<Scalar> judged) {
+  return vector_rival(batch::find(target, kernel), kernel, inputs, judged);
 }
 
 template Rival kernel_rival<float>(const Kernel<float>&, suite::Mode, const Inputs<float>&, std::vector<float>);
 template Rival kernel_rival<double>(const Kernel<double>&, suite::Mode, const Inputs<double>&, std::vector<double>);
+template Rival batch_rival<float>(const batch::Target&, const Kernel<float>&, const Inputs<float>&, std::vector<float>);
+template Rival batch_rival<double>(const batch::Target&, const Kernel<double>&, const Inputs<double>&,
+                                   std::vector<double>);
 
 }  // namespace bezierbench::timing

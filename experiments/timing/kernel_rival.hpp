@@ -5,8 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "core/batch/batch.hpp"
 #include "core/evaluate/kernel.hpp"
 #include "experiments/suite/suite.hpp"
+#include "experiments/timing/aligned_vector.hpp"
 #include "experiments/timing/race.hpp"
 
 namespace bezierbench::timing {
@@ -18,7 +20,7 @@ struct Inputs {
   int dimension = 2;
   int degree = 0;
   std::vector<std::vector<Scalar>> curves;   ///< coefficients point by point
-  std::vector<Scalar> t;                     ///< as many as curves
+  AlignedVector<Scalar> t;                   ///< as many as curves
   std::vector<std::vector<Scalar>> weights;  ///< as many as curves, if these are rational
 
   [[nodiscard]] CurveView<Scalar> curve(std::size_t k) const {
@@ -33,9 +35,15 @@ struct Inputs {
 };
 
 /// The rival. `judged` are the points that every run must reproduce bit for bit: points[k * dimension + axis] is the
-/// point at t[k]. `inputs` must outlive it.
+/// point at t[k]. `inputs` must outlive it. In mode `batch` the kernel's best batch kernel on this processor runs,
+/// which writes the points axis by axis, or where there is none the kernel itself.
 template <class Scalar>
 Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs,
                    std::vector<Scalar> judged);
+
+/// The rival in mode `batch` for one target that this processor can run, which must have a batch kernel for `kernel`.
+template <class Scalar>
+Rival batch_rival(const batch::Target& target, const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,
+                  std::vector<Scalar> judged);
 
 }  // namespace bezierbench::timing

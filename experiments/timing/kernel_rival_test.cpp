@@ -57,6 +57,24 @@ TYPED_TEST(KernelRival, ReproducesTheJudgedPointsInEveryMode) {
     }
 }
 
+/// Points of every axis, of every target; a batch kernel that left one out would find it spoilt.
+TYPED_TEST(KernelRival, ReproducesTheJudgedPointsOnEveryTarget) {
+  for (const auto* target : batch::usable_targets())
+    for (const auto& kernel : kernels<TypeParam>(2)) {
+      if (!batch::find(*target, kernel)) continue;
+      const auto inputs = cubic_inputs<TypeParam>(kernel.info->form);
+      auto judged = judged_points(kernel, suite::Mode::batch, inputs);
+      const Rival rival = batch_rival(*target, kernel, inputs, judged);
+      EXPECT_FALSE(rival.check()) << "nothing ran yet";
+      rival.run();
+      EXPECT_TRUE(rival.check()) << kernel.info->id << " on " << target->name;
+      judged[5] = std::nextafter(judged[5], std::numeric_limits<TypeParam>::infinity());
+      const Rival wrong = batch_rival(*target, kernel, inputs, judged);
+      wrong.run();
+      EXPECT_FALSE(wrong.check());
+    }
+}
+
 TYPED_TEST(KernelRival, IsHeldToTheLastBit) {
   const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
   const auto& kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
@@ -73,6 +91,7 @@ TYPED_TEST(KernelRival, IsHeldToTheLastBit) {
 /// The dependence on the last point must not change a t: not after NaN, not after an infinity, not for t = -0.
 TYPED_TEST(KernelRival, LatencyHandsOnWhatIsNoNumber) {
   Kernel<TypeParam> echo = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  echo.evaluator = nullptr;  // that no batch kernel may take its place
   echo.evaluate = [](const void*, std::span<const TypeParam> t, TypeParam* points) {
     points[0] = t[0];
     points[1] = t[0] > TypeParam(0.5) ? std::numeric_limits<TypeParam>::quiet_NaN()
@@ -90,6 +109,7 @@ int alive = 0;  ///< objects that the kernel below prepared and not yet destroye
 /// A library's object owns memory: each must end once, however often another curve takes its place.
 TYPED_TEST(KernelRival, EndsWhatItPrepared) {
   Kernel<TypeParam> owner = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  owner.evaluator = nullptr;
   owner.prepare = [](const CurveView<TypeParam>&, void*) { ++alive; };
   owner.evaluate = [](const void*, std::span<const TypeParam>, TypeParam*) { EXPECT_EQ(alive, 1); };
   owner.destroy = [](void*) { --alive; };
