@@ -16,7 +16,7 @@ SCHEMA_VERSION = 1
 # Columns that are words wherever they occur, even where a value looks like a number (study 2.2, table 2.4).
 TEXT = frozenset(
     "study accuracy_study table curve method conversion scalar generator baseline status statistic verdict note tier mode "
-    "relative_to quality checked pareto id problem form bound bit_stable flops citation worst_id search_id t coefficients "
+    "relative_to target goal_met quality checked pareto id problem form bound bit_stable flops citation worst_id search_id t coefficients "
     "weights kind bundle against file column fact cpu compiler machine normalised_verdict".split())
 
 _ACCURACY = ("study curve method scalar dimension degree coordinate_range t_min t_max generator trials baseline status "
@@ -35,6 +35,8 @@ REQUIRED = {
     "timing.csv": "study curve method degree mode median_ns low_ns high_ns checked".split(),
     "pareto.csv": ("study accuracy_study curve method scalar dimension degree mode ns ns_low ns_high observed_max_u bound_u "
                    "quality pareto").split(),
+    "roofline.csv": ("study curve method scalar dimension degree target median_ns peak_gflops mixed_peak_gflops share_of_peak "
+                     "goal_share goal_ns goal_met quality checked").split(),
     "audit.csv": "study curve tier degree generator trials mean_error_ulp max_error_ulp".split(),
     "search.csv": ("search_id study curve method scalar dimension degree coordinate_range t_min t_max generator trials budget "
                    "status sampled_error_u searched_error_u bound_u error t coefficients").split(),
@@ -49,7 +51,7 @@ REQUIRED = {
 
 # Columns that say what a row is about; a row of the files above without one of them is malformed.
 KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator trials baseline status statistic "
-                 "tier mode id search_id worst_id".split())
+                 "tier mode id search_id worst_id target".split())
 # The exceptions: a sentinel is timed over all degrees of a study.
 MAY_BE_EMPTY = frozenset({("timing.csv", "degree")})
 # Tables in which it depends on the row which columns apply and whether they hold a number.

@@ -112,6 +112,7 @@ FLIPS = {
     "worst_bounds": _set("searched_error_u", 18, "search.csv", search_id="s1"),
     "worst_gain": _more_short,
     "rational_weights": _raise("mean_error_u", 1e3, study="rational-ladder", method="direct", degree=20, generator="weights_wild"),
+    "roofline": _set("goal_met", "no", "roofline.csv", method="horner_bernstein_fma", target="AVX2"),
     "choosing": _set("pareto", "yes", "pareto.csv", method="direct"),
     "peers_accuracy": _scale("mean_error", 100, "unstable.csv", study="peers-bezier", degree=20),
     "peers_cache": _scale("mean_error", 1e-6, "unstable.csv", study="peers-bezier", method="peer_occt_cached"),

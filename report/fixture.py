@@ -209,9 +209,23 @@ def pareto():
                  generator="continuous") for n in DEGREES for m, (ns, u, front) in cases.items()]
 
 
+def roofline():
+    """A goal that is met and one that is not asked for, with the scalar kernels beside."""
+    def row(method, degree, target, share, goal):
+        ns = 2.0 * degree / (10 * (share or 0.1))
+        return dict(study="roofline-bezier", curve="bezier", method=method, scalar="double", dimension=2, degree=degree,
+                    target=target, median_ns=ns, low_ns=ns * 0.9, high_ns=ns * 1.1, flops=2 * degree, gflops=2 * degree / ns,
+                    peak_gflops=10 if share else "", mixed_peak_gflops=12 if share else "", share_of_peak=share, share_low=share,
+                    share_high=share, goal_share=goal, goal_ns="", goal_met="yes" if goal else "", quality="ok" if share else "",
+                    rounds=41, checked="yes")
+    return [r for m, goal in (("horner_bernstein_fma", 0.6), ("de_casteljau", "")) for n in DEGREES
+            for r in (row(m, n, "AVX2", 0.65, goal), row(m, n, "scalar", "", ""))]
+
+
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
          "conversion.csv": conversion, "search.csv": search, "worst.csv": worst, "methods.csv": methods, "audit.csv": audit,
-         "timing.csv": timing, "pareto.csv": pareto}
+         "timing.csv": timing, "pareto.csv": pareto,
+         "roofline.csv": roofline}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}
 

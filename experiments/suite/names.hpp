@@ -23,10 +23,11 @@ template <class Enum>
 inline constexpr std::array<Word<Enum>, 0> words{};
 
 template <>
-inline constexpr std::array<Word<Kind>, 10> words<Kind>{{{Kind::accuracy, "accuracy"},
+inline constexpr std::array<Word<Kind>, 11> words<Kind>{{{Kind::accuracy, "accuracy"},
                                                          {Kind::search, "search"},
                                                          {Kind::conversion, "conversion"},
                                                          {Kind::timing, "timing"},
+                                                         {Kind::roofline, "roofline"},
                                                          {Kind::derivative, "derivative"},
                                                          {Kind::arc_length, "arc_length"},
                                                          {Kind::inverse_arc_length, "inverse_arc_length"},

@@ -83,7 +83,7 @@ void keep_chosen(const Overrides& overrides, std::vector<Suite>& suites) {
       ids.push_back(study.id);
       const bool chosen = overrides.only.empty() || matches(overrides.only, study.id);
       found = found || chosen;
-      return !chosen || (overrides.no_timing && study.kind == Kind::timing);
+      return !chosen || (overrides.no_timing && is_timed(study.kind));
     });
   }
   if (!found) {

@@ -13,6 +13,7 @@ enum class Kind {
   search,
   conversion,
   timing,
+  roofline,
   derivative,
   arc_length,
   inverse_arc_length,
@@ -20,6 +21,9 @@ enum class Kind {
   interpolation,
   fitting
 };
+
+/// True for studies that a clock decides.
+constexpr bool is_timed(Kind kind) { return kind == Kind::timing || kind == Kind::roofline; }
 
 /// The form in which random curves are drawn.
 enum class CurveKind { bezier, polynomial, rational };

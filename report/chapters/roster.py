@@ -4,10 +4,10 @@
 from ..bundle import Missing
 from ..document import Chapter
 from . import (audit, choosing, comparison, conditioning, conversion, figures, found, how_measured, ladder, method_list, peers,
-               provenance, rational, regimes, scorecard, tables, timing, truth, worst)
+               provenance, rational, regimes, roofline, scorecard, tables, timing, truth, worst)
 
 ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, timing,
-          choosing, peers, comparison, audit, method_list, how_measured, provenance)
+          choosing, roofline, peers, comparison, audit, method_list, how_measured, provenance)
 
 
 def build_all(bundle, findings):

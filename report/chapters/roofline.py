@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""How near the batch kernels come to what the processor can do."""
+
+from ..bundle import Missing
+from ..document import Cell, Text
+from ..methods import form
+from ..tables import by_axis
+from ..wording import general, listing, percent, shortest
+from .suite_parts import figure, of_suite
+
+TITLE = "Batch kernels against the peak of this machine"
+SIGN = {"yes": " ✓", "no": " ✗"}
+
+
+def blocks(bundle, findings):
+    """The finding, the figure, then a table for each study, scalar type and number of axes."""
+    table = bundle["roofline.csv"]
+    rows = [r for r in table.rows if r["share_of_peak"] is not None]
+    if not rows:
+        raise Missing("`roofline.csv` has no rows")
+    yield from of_suite(findings, "roofline")
+    yield from figure("share_of_peak", bundle)
+    yield Text("One curve, many t, on one core. The peak is that of fused multiply-adds, measured in the same rounds as the methods: "
+               + listing(_peaks(rows)) + ". A fused multiply-add counts as two operations. Every point has the bits of the scalar "
+               "kernel's" + ("." if all(r["checked"] == "yes" for r in table.rows) else ", **but where a row says `checked` no**.")
+               + " ✓ and ✗: a goal is asked of the row, and met or not. ~: the peak itself was more than 2 % below the best of the "
+               "study in that race; others were at work.")
+    kinds = {}
+    for row in table.rows:
+        kinds.setdefault((row["study"], row["scalar"], row["dimension"]), []).append(row)
+    for (study, scalar, dimension), members in kinds.items():
+        english, chinese = form(members[0]["curve"])
+        yield by_axis(
+            members, "degree", f"{study}-{scalar}-{shortest(dimension)}",
+            f"Nanoseconds per point and share of the peak, {english} ({scalar}, {shortest(dimension)} axes)",
+            f"批量求值：每点用时（纳秒）与占峰值的比例，{chinese}",
+            [(target, _cell, lambda r, target=target: r["target"] == target)
+             for target in dict.fromkeys(r["target"] for r in members)], row_head="target")
+
+
+def _peaks(rows):
+    """`AVX2 double 47.9 GFLOP/s, 52.1 with additions beside`, by target and scalar type: the median over the races."""
+    peaks = {}
+    for row in rows:
+        peaks.setdefault((row["target"], row["scalar"]), set()).add((row["peak_gflops"], row["mixed_peak_gflops"]))
+    middle = {key: sorted(found)[len(found) // 2] for key, found in peaks.items()}
+    return [f"{target} {scalar} {general(alone)} GFLOP/s, {general(mixed)} with additions beside"
+            for (target, scalar), (alone, mixed) in middle.items()]
+
+
+def _cell(row):
+    share = f", {percent(row['share_of_peak'])}" if row["share_of_peak"] is not None else ""
+    met = row["goal_met"] or ""
+    noisy = " ~" if row["quality"] == "noisy" else ""
+    return Cell(f"{general(row['median_ns'])}{share}{noisy}{SIGN.get(met, '')}", row.text("median_ns"),
+                {"yes": "inside", "no": "outside"}.get(met, ""))
