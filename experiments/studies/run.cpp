@@ -2,10 +2,8 @@
 #include "experiments/studies/run.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -15,6 +13,7 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/interruption.hpp"
+#include "experiments/studies/parallel_ranges.hpp"
 #include "experiments/studies/plan.hpp"
 #include "experiments/studies/progress.hpp"
 #include "experiments/studies/workplace.hpp"
@@ -136,13 +135,13 @@ void work(const RunRequest& request, const Jobs& jobs, Ledger& ledger) {
                                         : static_cast<std::size_t>(tbb::info::default_concurrency());
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const auto run_range = [&](const tbb::blocked_range<std::uint64_t>& range) {
-      for (auto k = range.begin(); k < range.end() && !interrupted(); ++k) {
+    const auto run_range = [&](std::uint64_t begin, std::uint64_t end) {
+      for (auto k = begin; k < end && !interrupted(); ++k) {
         const auto index = static_cast<std::size_t>(std::ranges::upper_bound(ends, k) - ends.begin());
         run_one(shared[index], share.blocks(shared[index]).second - (ends[index] - k));
       }
     };
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, ends.empty() ? 0 : ends.back()), run_range);
+    parallel_ranges(ends.empty() ? 0 : ends.back(), run_range);
   }
   for (std::size_t number = 0; number < jobs.size(); ++number) {
     const auto [first, end] = share.blocks(number);
