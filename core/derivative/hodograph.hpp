@@ -57,12 +57,12 @@ struct HodographBy {
     return {.text = text,
             .differences =
                 [](int n, int k, double u) {
-                  const double gamma_k = gamma_over_u(k, u);
+                  const double gamma_k = gamma_over_u(std::min(n, k), u);
                   return gamma_k * (1 + u * gamma_k) * (1 + u * evaluator_factor(n, k, u));
                 },
             .evaluation =
                 [](int n, int k, double u) {
-                  const double gamma_k = gamma_over_u(k, u);
+                  const double gamma_k = gamma_over_u(std::min(n, k), u);
                   const double gamma_e = evaluator_factor(n, k, u);
                   return gamma_k + gamma_e + u * gamma_k * gamma_e;
                 },

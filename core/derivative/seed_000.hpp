@@ -38,9 +38,9 @@ struct Seed000 {
   static Prepared<Dimension> prepare(const Curve<Form::bernstein, double, Dimension>& curve, int order) {
     const int n = curve.degree();
     std::uint32_t prefix = 1;
-    for (int i = 0; i < order; ++i) prefix *= static_cast<std::uint32_t>(n - i);
+    for (int i = 0; i < order && prefix != 0; ++i) prefix *= static_cast<std::uint32_t>(n - i);
     auto temp = curve;
-    for (int k = 0; k < order; ++k)
+    for (int k = 0; k < order && order <= n; ++k)
       for (int i = 0; i <= n - order; ++i)
         for (int axis = 0; axis < Dimension; ++axis) temp(axis, i) = temp(axis, i + 1) - temp(axis, i);
     Prepared<Dimension> prepared{Curve<Form::bernstein, double, Dimension>(std::max(n - order, 0)),

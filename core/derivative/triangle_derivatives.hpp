@@ -25,8 +25,10 @@ struct TriangleDerivatives {
       .differences = [](int n, int k,
                         double u) { return gamma_over_u(3 * std::max(n - k, 0) + 2 * std::min(n, k), u); },
       .evaluation = [](int, int, double) { return 0.0; },
-      .underflow = [](int n,
-                      int k) { return falling_factorial(n, k) * integer_power(2.0, k) * 2 * std::max(n - k, 0) + 1; },
+      .underflow =
+          [](int n, int k) {
+            return falling_factorial(n, k) * integer_power(2.0, std::min(n, k)) * 2 * std::max(n - k, 0) + 1;
+          },
       .underflow_scales_with_coefficients = false};
   static constexpr MethodInfo info{.id = "triangle_derivatives",
                                    .label = "de Casteljau triangle, all orders",
