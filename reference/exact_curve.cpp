@@ -84,6 +84,46 @@ const ExactPoint& ExactCurve::with_complement(const CurveView<double>& curve, do
   return point_;
 }
 
+const ExactPoint& ExactCurve::derivative(const CurveView<double>& curve, int order, double t) {
+  const auto derivative = load_derivative(curve, order);
+  set_parameter(t, curve.form, false);
+  sum(derivative);
+  return point_;
+}
+
+const ExactPoint& ExactCurve::derivative_p_tilde(const CurveView<double>& curve, int order, double t) {
+  const auto derivative = load_derivative(curve, order);
+  for (auto& coefficient : coefficients_) coefficient = ::abs(coefficient);
+  set_parameter(t, curve.form, true);
+  sum(derivative);
+  return point_;
+}
+
+std::vector<double> ExactCurve::derivative_coefficients(const CurveView<double>& curve, int order) {
+  load_derivative(curve, order);
+  std::vector<double> rounded;
+  for (const auto& coefficient : coefficients_)
+    rounded.push_back(round_to(binary64, {coefficient, 1, coefficient_exponent_}));
+  return rounded;
+}
+
+CurveView<double> ExactCurve::load_derivative(const CurveView<double>& curve, int order) {
+  load(curve, false);
+  const auto d = static_cast<std::size_t>(curve.dimension);
+  for (int k = 0; k < std::min(order, curve.degree); ++k) {
+    const auto remaining = static_cast<std::size_t>(curve.degree - k);  // the degree of what is differentiated
+    for (std::size_t i = 0; i < remaining * d; ++i) {
+      if (curve.form == Form::bernstein)
+        coefficients_[i] = (coefficients_[i + d] - coefficients_[i]) * remaining;
+      else
+        coefficients_[i] = coefficients_[i + d] * (i / d + 1);
+    }
+    coefficients_.resize(remaining * d);
+  }
+  if (order > curve.degree) coefficients_.assign(d, 0);
+  return {curve.form, curve.dimension, std::max(curve.degree - order, 0), {}};
+}
+
 void ExactCurve::load(const CurveView<double>& curve, bool magnitudes) {
   const auto d = static_cast<std::size_t>(curve.dimension);
   const std::size_t count = static_cast<std::size_t>(curve.degree) + 1;

@@ -7,6 +7,9 @@
 //   power form       p = 2^(e - kn) sum T^j 2^(k(n-j)) Q_j
 //   centred form     as the power form, with T - 2^(k-1) for T
 //   rational         p = 2^e sum C(n,i) T^i S^(n-i) W_i B_i / sum C(n,i) T^i S^(n-i) W_i
+// and of the k-th derivative of the first two, likewise with degree n - k, the coefficients
+//   Bernstein form   n (n-1) ... (n-k+1) D^k B_i, D B_i = B_(i+1) - B_i
+//   power form       (j+k) (j+k-1) ... (j+1) Q_(j+k)
 // which needs no fractions, and holds for every finite t: tiny, huge or negative. Double-double coefficients are the
 // sums of their parts.
 #pragma once
@@ -35,8 +38,20 @@ class ExactCurve {
   /// the same complement, that makes no difference. Valid until the next call.
   const ExactPoint& with_complement(const CurveView<double>& curve, double t, double complement, bool normalised);
 
+  /// The derivative of this order >= 0 of a curve in Bernstein or power form. Valid until the next call.
+  const ExactPoint& derivative(const CurveView<double>& curve, int order, double t);
+
+  /// p~ of that derivative, over its own coefficients in the form of `curve`. Valid until the next call.
+  const ExactPoint& derivative_p_tilde(const CurveView<double>& curve, int order, double t);
+
+  /// The coefficients of that derivative in the form of `curve`, point by point, each rounded once (infinite where it
+  /// overflows); one point, 0, for orders beyond the degree.
+  std::vector<double> derivative_coefficients(const CurveView<double>& curve, int order);
+
  private:
   void load(const CurveView<double>& curve, bool magnitudes);
+  /// Loads the coefficients of the derivative; returns a curve without any, of its form, dimension and degree.
+  CurveView<double> load_derivative(const CurveView<double>& curve, int order);
   void sum(const CurveView<double>& curve);
   void divide_by_weights(int n);
   void set_parameter(double t, Form form, bool magnitudes);

@@ -237,5 +237,55 @@ TEST(Distance, FromAPointInDouble) {
   EXPECT_EQ(from_huge.to(std::vector<double>{-1e308, 1e308}), std::numeric_limits<double>::infinity());
 }
 
+/// The derivative of the power form, term by term with rationals.
+Rational derivative_of_powers(const std::vector<ExactPoint>& q, int order, double t) {
+  Rational sum;
+  for (int j = order; j < static_cast<int>(q.size()); ++j) {
+    mpz_class factor = 1;
+    for (int m = 0; m < order; ++m) factor *= j - m;
+    sum = sum + q[static_cast<std::size_t>(j)].coordinate(0) * Rational{factor, 1, 0} * power(exactly(t), j - order);
+  }
+  return sum;
+}
+
+TEST(ExactDerivative, OfTheBernsteinFormIsThatOfTheConvertedCurve) {
+  ExactCurve exact;
+  for (const auto& c : nasty_c) {
+    const CurveView<double> curve{Form::bernstein, 1, static_cast<int>(c.size()) - 1, c};
+    const auto q = converted(curve);
+    for (int order = 0; order <= curve.degree + 1; ++order)
+      for (const double t : nasty_t)
+        EXPECT_TRUE(same(exact.derivative(curve, order, t).coordinate(0), derivative_of_powers(q, order, t)))
+            << c.size() << " " << order << " " << t;
+  }
+}
+
+TEST(ExactDerivative, OfThePowerFormIsThatOfItsPowers) {
+  ExactCurve exact;
+  for (const auto& c : nasty_c) {
+    std::vector<ExactPoint> q;
+    for (const double value : c) q.push_back(exactly(std::span(&value, 1)));
+    const CurveView<double> curve{Form::power, 1, static_cast<int>(c.size()) - 1, c};
+    for (int order = 0; order <= curve.degree + 1; ++order)
+      for (const double t : nasty_t)
+        EXPECT_TRUE(same(exact.derivative(curve, order, t).coordinate(0), derivative_of_powers(q, order, t)))
+            << c.size() << " " << order << " " << t;
+  }
+}
+
+/// Control points of the hodographs as the seed document 000 prints them for (1,1) (3,1) (4,2) (6,3).
+TEST(ExactDerivative, HasTheCoefficientsOfTheWorkedExample) {
+  ExactCurve exact;
+  const std::vector<double> points{1, 1, 3, 1, 4, 2, 6, 3};
+  const CurveView<double> curve{Form::bernstein, 2, 3, points};
+  EXPECT_EQ(exact.derivative_coefficients(curve, 1), (std::vector<double>{6, 0, 3, 3, 6, 3}));
+  EXPECT_EQ(exact.derivative_coefficients(curve, 2), (std::vector<double>{-6, 6, 6, 0}));
+  EXPECT_EQ(exact.derivative_coefficients(curve, 3), (std::vector<double>{12, -6}));
+  EXPECT_EQ(exact.derivative_coefficients(curve, 4), (std::vector<double>{0, 0}));
+  const auto& p_tilde = exact.derivative_p_tilde(curve, 2, 0.5);
+  EXPECT_EQ(round_to(binary64, p_tilde.coordinate(0)), 6);
+  EXPECT_EQ(round_to(binary64, p_tilde.coordinate(1)), 3);
+}
+
 }  // namespace
 }  // namespace bezierbench::reference

@@ -370,6 +370,25 @@ class Curves(Case):
                 self.assertEqual(repr(float(row[column])), repr(float(row[column]) + 0.0))
         self.assertEqual([float(row["value"]) for row in found[2:4]], [1.25, 1.25])
 
+    def test_derivative(self):
+        self.write("w.csv", "x,y\n1,1\n3,1\n4,2\n6,3\n")  # the worked example of the seed document 000
+        text = self.fine("curve", "derivative", "--curve", "w.csv", "--order", "2", "--t", "0", "--t", "0.5")
+        found = rows(text)
+        self.assertEqual(list(found[0]), EVAL_COLUMNS[:2] + ["order"] + EVAL_COLUMNS[2:])
+        for row in found:
+            truth = {("0", "x"): -6, ("0", "y"): 6, ("0.5", "x"): 0, ("0.5", "y"): 3}[row["t"], row["axis"]]
+            self.assertEqual((float(row["exact"]), row["order"]), (truth, "2"))
+            self.assertEqual(row["value"] == row["exact"], row["method"] != "seed_000" or row["t"] == "0")
+        self.write("r.csv", "x,w\n0,1\n1,2\n")
+        derivative = ["curve", "derivative", "--t", "0.5", "--curve"]
+        for arguments, *needles in [
+                (["w.csv", "--order", "-1"], "--order"), (["w.csv", "--order", "1.5"], "--order"), (["w.csv"], "--order"),
+                (["r.csv", "--order", "1"], "r.csv", "column w"),
+                (["w.csv", "--order", "1", "--method", "seed_00"], 'did you mean "seed_000"?'),
+                (["w.csv", "--order", "1", "--method", "power_derivative"], "bernstein form")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, derivative + arguments, *needles)
+
     def test_every_listed_method_evaluates(self):
         for form in ("bernstein", "power"):
             found = rows(self.fine("curve", "eval", "--curve", "c.csv", "--form", form, "--t", "0.25"))

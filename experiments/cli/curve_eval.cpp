@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <memory>
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve_commands.hpp"
 #include "experiments/cli/curve_methods.hpp"
+#include "experiments/cli/judged_coordinate.hpp"
 #include "experiments/cli/vocabulary.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "experiments/number/number.hpp"
@@ -26,41 +26,16 @@ struct Options {
   std::vector<std::string> methods;
 };
 
-/// u p~, exactly.
-reference::Rational unit_of(const reference::Rational& p_tilde) { return p_tilde * reference::Rational{1, 1, -53}; }
-
-/// bound / (u p~) on one axis; nothing where no bound is stated or proved, or p~ is zero.
+/// The column bound_u of one axis.
 std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis, double t,
                         const reference::Rational& truth, const reference::Rational& p_tilde) {
-  if (!info.bound || p_tilde.numerator == 0) return "";
+  if (!info.bound) return "";
   std::vector<double> coefficients;
   for (int i = 0; i <= curve.degree(); ++i) coefficients.push_back(curve.view()(axis, i));
   metric::TrialScale scale;
   scale.set({curve.form, 1, curve.degree(), coefficients, curve.weights}, t);
   const double length = std::abs(reference::round_to(reference::binary64, truth));
-  const double bound = scale.bound(*info.bound, metric::double_arithmetic, length);
-  if (!std::isfinite(bound)) return "";
-  return number::decimal(reference::quotient(reference::binary64, reference::exactly(bound), unit_of(p_tilde)));
-}
-
-/// The columns value to error_u of one coordinate.
-std::vector<std::string> judged(double value, const reference::Rational& truth, const reference::Rational& p_tilde) {
-  using reference::binary64;
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  double error = infinite;
-  double error_ulp = infinite;
-  double error_u = infinite;
-  if (std::isfinite(value)) {
-    const auto difference = abs(reference::exactly(value) - truth);
-    error = reference::round_to(binary64, difference);
-    error_ulp = reference::quotient(binary64, difference, reference::ulp(truth));
-    if (difference.numerator == 0)
-      error_u = 0;
-    else if (p_tilde.numerator != 0)
-      error_u = reference::quotient(binary64, difference, unit_of(p_tilde));
-  }
-  return {number::decimal(value), number::decimal(reference::round_to(binary64, truth)), number::decimal(error),
-          number::decimal(error_ulp), number::decimal(error_u)};
+  return bound_field(scale.bound(*info.bound, metric::double_arithmetic, length), p_tilde);
 }
 
 void evaluate(const Options& options) {
@@ -88,8 +63,8 @@ void evaluate(const Options& options) {
       studies::evaluate_once<double>(*kernel, curve.view(), ts[k], storage, point);
       for (int axis = 0; axis < curve.dimension; ++axis) {
         std::vector<std::string> row{std::string(kernel->info->id), number::decimal(ts[k]), axis_name(axis)};
-        for (auto& field :
-             judged(point[static_cast<std::size_t>(axis)], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)))
+        for (auto& field : judged_coordinate(point[static_cast<std::size_t>(axis)], truths[k].coordinate(axis),
+                                             p_tildes[k].coordinate(axis)))
           row.push_back(std::move(field));
         row.push_back(
             bound_units(*kernel->info, curve, axis, ts[k], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)));

@@ -28,6 +28,12 @@ bool applies(const MethodInfo& info, const CurveFile& curve) {
   return info.form == curve.form && info.supports<double>(curve.degree());
 }
 
+std::vector<std::string> ids_of(std::span<const MethodInfo* const> infos) {
+  std::vector<std::string> ids;
+  for (const auto* info : infos) ids.emplace_back(info->id);
+  return ids;
+}
+
 void unknown_method(const std::string& id, const std::vector<std::string>& known) {
   for (const auto& peer : peers::absent())
     if (peer.id == id)

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ bool applies(const MethodInfo& info, const CurveFile& curve);
 
 /// Why it does not, for a person.
 std::string why_not(const MethodInfo& info, const CurveFile& curve);
+
+/// Their ids, in their order.
+std::vector<std::string> ids_of(std::span<const MethodInfo* const> infos);
 
 /// Throws the Failure(usage) that `id` is no method, or none of this build; `known` are those that it could have meant.
 [[noreturn]] void unknown_method(const std::string& id, const std::vector<std::string>& known);

@@ -28,7 +28,7 @@ void add_once(std::vector<std::string>& ids, std::string_view id) {
 void add_row(bundle::CsvTable& table, const MethodInfo& info) {
   table.add_row({std::string(info.id), std::string(name(info.problem)), std::string(name(info.form)),
                  std::to_string(info.min_degree), std::to_string(info.max_degree),
-                 info.bound ? std::string(info.bound->text) : "", info.bit_stable ? "yes" : "no",
+                 std::string(info.bound ? info.bound->text : info.promise), info.bit_stable ? "yes" : "no",
                  std::string(info.flops), std::string(info.citation)});
 }
 

@@ -8,6 +8,7 @@
 #include "experiments/failure.hpp"
 #include "experiments/studies/accuracy.hpp"
 #include "experiments/studies/conversion.hpp"
+#include "experiments/studies/derivative.hpp"
 #include "experiments/studies/roofline.hpp"
 #include "experiments/studies/search.hpp"
 #include "experiments/studies/timing.hpp"
@@ -25,7 +26,8 @@ constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      
                            StudyKind{suite::Kind::search, search_job},          //
                            StudyKind{suite::Kind::conversion, conversion_job},  //
                            StudyKind{suite::Kind::timing, timing_job},          //
-                           StudyKind{suite::Kind::roofline, roofline_job}};
+                           StudyKind{suite::Kind::roofline, roofline_job},
+                           StudyKind{suite::Kind::derivative, derivative_job}};
 
 }  // namespace
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What a method for derivatives is: data about itself, per-curve work for one order, per-point work.
+#pragma once
+
+#include <concepts>
+
+#include "core/basis/derivative_bound.hpp"
+#include "core/curve.hpp"
+#include "core/method.hpp"
+
+namespace bezierbench {
+
+/// `prepare(curve, order)` does all that does not depend on t, for any order >= 0; `evaluate` gives the derivative of
+/// that order at t: 0 beyond the degree, the point itself for order 0. A method whose error is bounded has a
+/// `DerivativeBound bound`.
+template <class M>
+concept DerivativeMethod = requires(const Curve<M::info.form, double, 2>& curve, int order, double t) {
+  requires M::info.problem == Problem::derivative;
+  { M::evaluate(M::prepare(curve, order), t) } -> std::same_as<Point<double, 2>>;
+};
+
+}  // namespace bezierbench

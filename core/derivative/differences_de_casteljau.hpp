@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The hodograph of order k by differences (hodograph.hpp), evaluated by de Casteljau's algorithm.
+//
+// Source: Farin, Curves and Surfaces for CAGD, 5th ed. (higher order derivatives); seed document 000, section 2.2, with
+//   its difference loop mended: pass m runs to n - m.
+// Cost: once d k (2n - k + 1)/2 + d (n-k+1) + k, then 3 d (n-k)(n-k+1)/2 + 1 flops per point.
+// Bound: gamma_k A + gamma_(k + 3(n-k)) p~, to first order.
+// Fails: as the hodograph.
+#pragma once
+
+#include "core/derivative/hodograph.hpp"
+#include "core/evaluate/de_casteljau.hpp"
+
+namespace bezierbench {
+
+struct DifferencesDeCasteljau : HodographBy<DeCasteljau> {
+  static constexpr DerivativeBound bound = bound_as("gamma_k A + gamma_(k+3(n-k)) p~");
+  static constexpr MethodInfo info{.id = "differences_de_casteljau",
+                                   .label = "Differences, de Casteljau",
+                                   .problem = Problem::derivative,
+                                   .form = Form::bernstein,
+                                   .promise = bound.text,
+                                   .one_minus_t = OneMinusT::summed,
+                                   .flops = "3d (n-k)(n-k+1)/2 + 1",
+                                   .cost_exponent = 2,
+                                   .prepare_exponent = 2,
+                                   .citation = "Farin 2002; seed document 000, eq. (6)"};
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The hodograph of order k by differences (hodograph.hpp), evaluated by nested multiplication in Bernstein form.
+//
+// Source: Farin, Curves and Surfaces for CAGD, 5th ed. (higher order derivatives; nested multiplication).
+// Cost: once d k (2n - k + 1)/2 + 2d (n-k+1) + k, then (n-k)(1 + 3d) + 1 flops per point.
+// Bound: gamma_k A + gamma_(k + 3(n-k) + 1) p~, to first order, and n-k more roundings past n-k = 54.
+// Fails: as the hodograph.
+#pragma once
+
+#include "core/derivative/hodograph.hpp"
+#include "core/evaluate/horner_bernstein.hpp"
+
+namespace bezierbench {
+
+struct DifferencesHorner : HodographBy<HornerBernstein> {
+  static constexpr DerivativeBound bound =
+      bound_as("gamma_k A + gamma_(k+3(n-k)+1) p~, and n-k more roundings past n-k = 54");
+  static constexpr MethodInfo info{.id = "differences_horner",
+                                   .label = "Differences, Horner-Bernstein",
+                                   .problem = Problem::derivative,
+                                   .form = Form::bernstein,
+                                   .promise = bound.text,
+                                   .one_minus_t = OneMinusT::summed,
+                                   .flops = "(n-k)(1+3d) + 1",
+                                   .prepare_exponent = 2,
+                                   .citation = "Farin 2002, nested multiplication"};
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// C^(k)(t) = sum h_i B_i,n-k(t) with h_i = (n)_k D^k b_i: the k-th derivative is a Bezier curve of degree n - k, its
+// k-th hodograph, which any evaluator can take.
+//
+// Source: Farin, Curves and Surfaces for CAGD, 5th ed. (higher order derivatives); seed document 000, eq. (6).
+// Cost: d k (2n - k + 1)/2 + d (n-k+1) + k flops once, then the evaluator's for degree n - k.
+// Bound: k differences cost gamma_k A, the product with (n)_k and its k - 1 roundings gamma_k of the result; the
+//   evaluator, whose own bound is gamma_e of the p~ of its coefficients, works on those. Together
+//     gamma_k (1 + gamma_k) (1 + gamma_e) A + (gamma_k + gamma_e + gamma_k gamma_e) p~.
+//   Differences cannot underflow; each product with (n)_k may, by eta/2.
+// Fails: where the control points are close together in comparison with their size, A is far above p~.
+#pragma once
+
+#include <algorithm>
+
+#include "core/basis/falling_factorial.hpp"
+#include "core/derivative/derivative.hpp"
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+/// The control points of the derivative of this order; one point, 0, for orders beyond the degree.
+template <class Scalar, int Dimension, int Degree>
+Curve<Form::bernstein, Scalar, Dimension> hodograph(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve,
+                                                    int order) {
+  const int n = curve.degree();
+  Curve<Form::bernstein, Scalar, Dimension> result(std::max(n - order, 0));
+  auto difference = curve;
+  for (int k = 1; k <= std::min(order, n); ++k)
+    for (int i = 0; i <= n - k; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) difference(axis, i) = difference(axis, i + 1) - difference(axis, i);
+  const auto factor = static_cast<Scalar>(falling_factorial(n, order));
+  for (int i = 0; i <= result.degree(); ++i)
+    for (int axis = 0; axis < Dimension; ++axis) result(axis, i) = order > n ? Scalar(0) : factor * difference(axis, i);
+  return result;
+}
+
+/// Differences, then the evaluator `E` on the hodograph: everything of such a method but its name.
+template <Evaluator E>
+struct HodographBy {
+  static_assert(E::info.bound->amplification == Amplification::p_tilde_bernstein &&
+                    E::info.bound->result_roundings == 0,
+                "the bound is derived for evaluators of the Bernstein form that are not compensated");
+
+  template <class Scalar, int Dimension, int Degree>
+  static PreparedOf<E, Scalar, Dimension> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve,
+                                                  int order) {
+    return E::prepare(hodograph(curve, order));
+  }
+
+  template <class Prepared, class Scalar>
+  static auto evaluate(const Prepared& prepared, Scalar t) {
+    return E::evaluate(prepared, t);
+  }
+
+  static constexpr DerivativeBound bound_as(std::string_view text) {
+    return {.text = text,
+            .differences =
+                [](int n, int k, double u) {
+                  const double gamma_k = gamma_over_u(std::min(n, k), u);
+                  return gamma_k * (1 + u * gamma_k) * (1 + u * evaluator_factor(n, k, u));
+                },
+            .evaluation =
+                [](int n, int k, double u) {
+                  const double gamma_k = gamma_over_u(std::min(n, k), u);
+                  const double gamma_e = evaluator_factor(n, k, u);
+                  return gamma_k + gamma_e + u * gamma_k * gamma_e;
+                },
+            .underflow = [](int n, int k) { return E::info.bound->underflow(std::max(n - k, 0)) + 1; },
+            .underflow_scales_with_coefficients = E::info.bound->underflow_scales_with_coefficients};
+  }
+
+ private:
+  static constexpr double evaluator_factor(int n, int k, double u) {
+    return E::info.bound->factor(std::max(n - k, 0), u);
+  }
+};
+
+}  // namespace bezierbench

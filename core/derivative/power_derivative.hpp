@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// C^(k)(t) = sum_(j>=k) j (j-1) ... (j-k+1) q_j t^(j-k), by Horner's scheme.
+//
+// Source: the derivative of a power, k times; Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section
+//   5.2, for Horner's scheme on derivatives.
+// Cost: (n-k+1)(k + d) once, then 2d (n-k) flops per point.
+// Bound: each coefficient has k roundings, Horner's scheme 2(n-k): gamma_(k+2(n-k)) p~. Products may underflow, by
+// eta/2
+//   each.
+// Fails: as any power form, when its coefficients came out of a rounded conversion.
+#pragma once
+
+#include <algorithm>
+
+#include "core/basis/falling_factorial.hpp"
+#include "core/derivative/derivative.hpp"
+#include "core/evaluate/horner.hpp"
+
+namespace bezierbench {
+
+struct PowerDerivative {
+  static constexpr DerivativeBound bound{
+      .text = "gamma_(k+2(n-k)) p~",
+      .differences = [](int, int, double) { return 0.0; },
+      .evaluation = [](int n, int k, double u) { return gamma_over_u(std::min(n, k) + 2 * std::max(n - k, 0), u); },
+      .underflow = [](int n, int) { return n + 1.0; },
+      .underflow_scales_with_coefficients = false};
+  static constexpr MethodInfo info{.id = "power_derivative",
+                                   .label = "Power form, Horner",
+                                   .problem = Problem::derivative,
+                                   .form = Form::power,
+                                   .promise = bound.text,
+                                   .flops = "2d (n-k)",
+                                   .prepare_exponent = 2,
+                                   .citation = "Higham 2002, section 5.2"};
+
+  template <int Dimension>
+  static Curve<Form::power, double, Dimension> prepare(const Curve<Form::power, double, Dimension>& curve, int order) {
+    const int n = curve.degree();
+    Curve<Form::power, double, Dimension> derivative(std::max(n - order, 0));
+    for (int j = 0; j <= derivative.degree(); ++j)
+      for (int axis = 0; axis < Dimension; ++axis)
+        derivative(axis, j) = order > n ? 0 : falling_factorial(j + order, order) * curve(axis, j + order);
+    return derivative;
+  }
+
+  template <int Dimension>
+  static Point<double, Dimension> evaluate(const Curve<Form::power, double, Dimension>& derivative, double t) {
+    return Horner::evaluate(derivative, t);
+  }
+};
+
+}  // namespace bezierbench

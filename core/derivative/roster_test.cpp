@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// Properties of every method for derivatives, then the bounds over random and nasty curves.
+#include "core/derivative/roster.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/derivative/kernel.hpp"
+#include "core/evaluate/evaluation_test.hpp"
+#include "experiments/metric/derivative_scale.hpp"
+
+namespace bezierbench {
+namespace {
+
+constexpr std::string_view as_printed = Seed000::info.id;
+
+std::vector<double> derivative(const DerivativeKernel& kernel, const CurveView<double>& curve, int order, double t) {
+  std::vector<double> point(static_cast<std::size_t>(curve.dimension));
+  kernel.derivative(curve, order, t, point.data());
+  return point;
+}
+
+/// Every method of this form that is right at this order.
+std::vector<DerivativeKernel> right_kernels(Form form, int dimension, int order) {
+  std::vector<DerivativeKernel> kernels;
+  for (const auto& kernel : derivative_kernels(dimension))
+    if (kernel.info->form == form && (order <= 1 || kernel.info->id != as_printed)) kernels.push_back(kernel);
+  return kernels;
+}
+
+/// The worked example of the seed document (its section 2.2): the control points of the hodographs are printed there.
+const std::vector<double> worked{1, 1, 3, 1, 4, 2, 6, 3};
+const std::vector<double> worked_in_powers{1, 1, 6, 0, -3, 3, 2, -1};
+
+struct WorkedDerivative {
+  int order;
+  double t;
+  std::vector<double> value;
+};
+const std::vector<WorkedDerivative> worked_derivatives{
+    {1, 0, {6, 0}}, {1, 0.5, {4.5, 2.25}}, {1, 1, {6, 3}},   {2, 0, {-6, 6}},      {2, 0.5, {0, 3}},
+    {2, 1, {6, 0}}, {3, 0.5, {12, -6}},    {4, 0.5, {0, 0}}, {1023, 0.25, {0, 0}}, {0, 0, {1, 1}},
+};
+
+TEST(Derivative, GivesTheWorkedExampleExactly) {
+  for (const auto& [order, t, value] : worked_derivatives)
+    for (const Form form : {Form::bernstein, Form::power})
+      for (const auto& kernel : right_kernels(form, 2, order))
+        EXPECT_EQ(derivative(kernel, {form, 2, 3, form == Form::power ? worked_in_powers : worked}, order, t), value)
+            << kernel.info->id << " order " << order << " t " << t;
+}
+
+TEST(Derivative, TheSeedDocumentAsPrintedIsWrongFromTheSecondOrderOn) {
+  const auto& seed = derivative_kernels(2).back();
+  ASSERT_EQ(seed.info->id, as_printed);
+  EXPECT_EQ(seed.bound, nullptr);
+  const CurveView<double> curve{Form::bernstein, 2, 3, worked};
+  EXPECT_THAT(derivative(seed, curve, 1, 0.5), testing::ElementsAre(4.5, 2.25));
+  EXPECT_THAT(derivative(seed, curve, 2, 0.5), testing::ElementsAre(6, 6));
+  EXPECT_THAT(derivative(seed, curve, 3, 0.5), testing::ElementsAre(12, 0));
+}
+
+/// 20 19 ... 13 = 5079110400 is 784143104 in 32 bits. D^8 b_0 = b_0 where all other control points are 0.
+TEST(Derivative, TheFactorOfTheSeedDocumentWrapsAround) {
+  std::vector<double> first(21, 0.0);
+  first[0] = 1;
+  const CurveView<double> curve{Form::bernstein, 1, 20, first};
+  EXPECT_EQ(derivative(derivative_kernels(1).back(), curve, 8, 0)[0], 784143104);
+  EXPECT_EQ(derivative(derivative_kernels(1).front(), curve, 8, 0)[0], 5079110400);
+}
+
+/// What every method of the form must keep, at whatever order.
+template <class Check>
+void for_each_method(Check check) {
+  for (const Form form : {Form::bernstein, Form::power})
+    for (const int order : {0, 1, 2, 3, 5, 8})
+      for (const auto& kernel : right_kernels(form, 1, order))
+        for (const int n : {0, 1, 2, 3, 8, 20}) check(kernel, form, order, n);
+}
+
+TEST(Derivative, OfAConstantAndBeyondTheDegreeIsZero) {
+  for_each_method([](const DerivativeKernel& kernel, Form form, int order, int n) {
+    std::vector<double> constant(static_cast<std::size_t>(n) + 1, form == Form::bernstein ? 0.7 : 0.0);
+    constant[0] = 0.7;
+    for (const double t : {-0.5, 0.0, 0.3, 1.0}) {
+      const double value = derivative(kernel, {form, 1, n, constant}, order, t)[0];
+      if (order > 0) {
+        EXPECT_NEAR(value, 0, 1e-15 * std::pow(4 * (n + 1), order)) << kernel.info->id << " " << order << " " << n;
+      }
+    }
+    if (order <= n) return;
+    const auto c = Inputs(static_cast<std::uint64_t>(n)).coefficients(n, 1);
+    EXPECT_EQ(derivative(kernel, {form, 1, n, c}, order, 0.3)[0], 0) << kernel.info->id << " " << order << " " << n;
+  });
+}
+
+/// Powers of two scale every operation exactly while nothing underflows.
+TEST(Derivative, ScalesWithTheCurve) {
+  for_each_method([](const DerivativeKernel& kernel, Form form, int order, int n) {
+    const auto c = Inputs(static_cast<std::uint64_t>(n)).coefficients(n, 1);
+    auto larger = c;
+    for (double& value : larger) value *= -0x1p+40;
+    EXPECT_EQ(derivative(kernel, {form, 1, n, larger}, order, 0.3)[0],
+              -0x1p+40 * derivative(kernel, {form, 1, n, c}, order, 0.3)[0])
+        << kernel.info->id << " " << order << " " << n;
+  });
+}
+
+TEST(Derivative, AxesDoNotMix) {
+  for (const Form form : {Form::bernstein, Form::power})
+    for (const int order : {0, 1, 4}) {
+      const auto c = Inputs(5).coefficients(6, 3);
+      const auto in_space = right_kernels(form, 3, order);
+      const auto on_a_line = right_kernels(form, 1, order);
+      for (std::size_t k = 0; k < in_space.size(); ++k) {
+        const auto point = derivative(in_space[k], {form, 3, 6, c}, order, 0.3);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          std::vector<double> own;
+          for (std::size_t i = 0; i < 7; ++i) own.push_back(c[3 * i + axis]);
+          EXPECT_EQ(derivative(on_a_line[k], {form, 1, 6, own}, order, 0.3)[0], point[axis]) << in_space[k].info->id;
+        }
+      }
+    }
+}
+
+TEST(TriangleDerivatives, GivesAllOrdersAtOnce) {
+  Inputs inputs(9);
+  for (const int n : {0, 1, 2, 5, 20}) {
+    Curve<Form::bernstein, double, 2> curve(n);
+    for (int i = 0; i <= n; ++i)
+      for (int axis = 0; axis < 2; ++axis) curve(axis, i) = inputs.symmetric();
+    const double t = inputs.unit();
+    const auto all = TriangleDerivatives::all(curve, n + 2, t);
+    ASSERT_EQ(all.cols(), n + 3);
+    for (int k = 0; k <= n + 2; ++k)
+      EXPECT_EQ(all.col(k), TriangleDerivatives::evaluate(TriangleDerivatives::prepare(curve, k), t)) << n << " " << k;
+  }
+}
+
+/// Curves on which differences or evaluators have lost digits, range or sense.
+std::vector<double> nasty(int kind, int n, int d, Inputs& inputs) {
+  auto c = inputs.coefficients(n, d);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const auto point = static_cast<double>(i / static_cast<std::size_t>(d));
+    switch (kind) {
+      case 0: break;                                                                      // random
+      case 1: c[i] = 1 + 0x1p-45 * c[i]; break;                                           // all points close together
+      case 2: c[i] = std::ldexp(c[i], static_cast<int>(inputs.unit() * 80) - 40); break;  // sizes far apart
+      case 3: c[i] *= 0x1p-1060; break;                                                   // subnormal
+      case 4: c[i] *= 0x1p+800; break;                                                    // huge
+      case 5: c[i] = 0.1; break;                                                          // all points equal
+      case 6: c[i] = 0.1 + 0.3 * point; break;                                            // equally spaced on a line
+      case 7: c[i] = static_cast<int>(point) % 2 == 0 ? 0.1 : -0.1; break;                // doubling back
+      case 8: c[i] = point * point * 0x1p-10 + c[i] * 0x1p-50; break;  // smooth, so differences cancel
+      default: c[i] = std::floor(c[i] * 9); break;                     // small integers
+    }
+  }
+  return c;
+}
+constexpr int nasty_kinds = 10;
+
+double nasty_t(int trial, Inputs& inputs) {
+  switch (trial % 8) {
+    case 0: return 0;
+    case 1: return 1;
+    case 2: return inputs.unit() * 0x1p-60;
+    case 3: return 1 - inputs.unit() * 0x1p-40;
+    case 4: return 3 * inputs.symmetric();
+    default: return inputs.unit();
+  }
+}
+
+/// 1,000 curves of each kind, each at orders from 0 beyond the degree, by every method with a bound.
+TEST(Derivative, KeepsItsBoundOnRandomAndNastyCurves) {
+  Inputs inputs(10);
+  reference::ExactCurve exact;
+  metric::DerivativeScale scale;
+  int judged = 0;
+  int violations = 0;
+  for (int trial = 0; trial < 1000 * nasty_kinds; ++trial) {
+    const int d = 1 + trial % 3;
+    const int n = static_cast<int>(inputs.unit() * (trial % 50 == 0 ? 70 : 12));
+    const int order = static_cast<int>(inputs.unit() * (n + 2));
+    const Form form = trial % 4 == 0 ? Form::power : Form::bernstein;
+    const auto c = nasty(trial % nasty_kinds, n, d, inputs);
+    const double t = nasty_t(trial / nasty_kinds, inputs);
+    const CurveView<double> curve{form, d, n, c};
+    scale.set(curve, order, t);
+    const reference::Distance distance(exact.derivative(curve, order, t));
+    for (const auto& kernel : derivative_kernels(d)) {
+      if (kernel.info->form != form || kernel.bound == nullptr) continue;
+      const double bound = scale.bound(*kernel.bound, metric::double_arithmetic);
+      const double error = distance.to(derivative(kernel, curve, order, t));
+      if (!std::isfinite(bound) || !std::isfinite(error)) continue;
+      ++judged;
+      if (!metric::TrialScale::violates(error, bound)) continue;
+      ++violations;
+      ADD_FAILURE() << kernel.info->id << " trial " << trial << " degree " << n << " order " << order << " t " << t
+                    << ": error " << error << ", bound " << bound;
+      ASSERT_LT(violations, 5);
+    }
+  }
+  EXPECT_GT(judged, 22000);  // all but what overflows
+}
+
+}  // namespace
+}  // namespace bezierbench

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What the error of a derivative is compared with: p~ and A of core/basis/derivative_bound.hpp and the proved bound,
+// with Euclidean norms as in TrialScale.
+#pragma once
+
+#include <vector>
+
+#include "core/basis/derivative_bound.hpp"
+#include "core/curve.hpp"
+#include "experiments/metric/trial_scale.hpp"
+#include "reference/exact_curve.hpp"
+
+namespace bezierbench::metric {
+
+/// Scales of the derivative of one order of one curve at one t. Reusable.
+class DerivativeScale {
+ public:
+  /// Of a curve in Bernstein or power form. Must be called before anything else.
+  void set(const CurveView<double>& curve, int order, double t);
+
+  /// p~ of the derivative, over its own coefficients; infinite where one of them overflows.
+  [[nodiscard]] double p_tilde() const { return p_tilde_; }
+
+  /// error / (u p~); where p~ is 0: 0 for error 0, else infinite.
+  [[nodiscard]] double in_bound_units(double error, const Arithmetic& arithmetic) const;
+
+  /// The bound in coordinate units; to be compared by TrialScale::violates.
+  [[nodiscard]] double bound(const DerivativeBound& bound, const Arithmetic& arithmetic) const;
+
+ private:
+  /// (n)_k sum_j C(k,j) |b_(i+j)|, the coefficients of A.
+  [[nodiscard]] std::vector<double> magnitudes(const CurveView<double>& curve) const;
+
+  int dimension_ = 0;
+  int degree_ = 0;
+  int order_ = 0;
+  double t_ = 0;
+  double p_tilde_ = 0;
+  double differences_ = 0;  ///< A
+  double largest_ = 0;      ///< of the coefficients of A
+  reference::ExactCurve exact_;
+  TrialScale scale_;
+};
+
+}  // namespace bezierbench::metric

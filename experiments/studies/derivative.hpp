@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Studies of kind `derivative`: derivatives of random curves at random t, order by order, against the exact ones.
+#pragma once
+
+#include <memory>
+
+#include "experiments/studies/job.hpp"
+
+namespace bezierbench::studies {
+
+/// Throws Failure(usage) for rational curves, for scalars but double, and for methods that take another form.
+std::unique_ptr<Job> derivative_job(const suite::Study& study, const JobContext& context);
+
+}  // namespace bezierbench::studies
