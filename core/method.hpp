@@ -56,7 +56,7 @@ struct MethodInfo {
   int max_degree_float = bezierbench::max_degree;  ///< in float, whose range ends sooner
   std::optional<ErrorBound> bound = std::nullopt;
   std::string_view promise = {};  ///< of a companion problem's method: what is sure of its results, for people
-  bool bit_stable = true;  ///< false where libm decides the last bits
+  bool bit_stable = true;         ///< false where libm decides the last bits
   OneMinusT one_minus_t = OneMinusT::unused;
   std::string_view flops;    ///< in n and d: per point, of a conversion per curve
   int cost_exponent = 1;     ///< k of the claim that those are O(n^k)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/batch.hpp"
 
-#include <hwy/highway.h>
+#include <hwy/targets.h>
 
 #include <array>
 #include <type_traits>
