@@ -32,6 +32,8 @@ REQUIRED = {
     "scorecard_timing.csv": _SCORECARD + ["prepared_median"],
     "conversion.csv": ("study conversion degree coordinate_range generator trials mean_error max_error "
                        "within_1e-5 within_1e-3 within_0.1").split(),
+    "derivative.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator order trials status "
+                       "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split(),
     "timing.csv": "study curve method degree mode median_ns low_ns high_ns checked".split(),
     "pareto.csv": ("study accuracy_study curve method scalar dimension degree mode ns ns_low ns_high observed_max_u bound_u "
                    "quality pareto").split(),
@@ -50,8 +52,8 @@ REQUIRED = {
 }
 
 # Columns that say what a row is about; a row of the files above without one of them is malformed.
-KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator trials baseline status statistic "
-                 "tier mode id search_id worst_id target".split())
+KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator order trials baseline status "
+                 "statistic tier mode id search_id worst_id target".split())
 # The exceptions: a sentinel is timed over all degrees of a study.
 MAY_BE_EMPTY = frozenset({("timing.csv", "degree")})
 # Tables in which it depends on the row which columns apply and whether they hold a number.

@@ -116,6 +116,9 @@ FLIPS = {
     "choosing": _set("pareto", "yes", "pareto.csv", method="direct"),
     "peers_accuracy": _scale("mean_error", 100, "unstable.csv", study="peers-bezier", degree=20),
     "peers_cache": _scale("mean_error", 1e-6, "unstable.csv", study="peers-bezier", method="peer_occt_cached"),
+    "derivative_as_printed": _set("mean_error", 1e-16, "derivative.csv", method="seed_000", order=2),
+    "derivative_distant": _set("mean_error_u", 0.5, "derivative.csv", method="triangle_derivatives", degree=20, order=1),
+    "derivative_bounds": _set("bound_violations", 1, "derivative.csv", method="triangle_derivatives", degree=4, order=2),
     "sample_maximum": _scale("max_error", 0.5, generator="report", study=("2.3.1-bezier", "2.3.1-polynomial")),
 }
 

@@ -154,6 +154,22 @@ def conversion():
                    for (curve, m), ends in errors.items() for n, e in zip(DEGREES, ends)]
 
 
+def derivative():
+    """Mean errors in u p~ by study and method, for orders 1 and 2."""
+    ends = {("derivative-order", "differences_de_casteljau"): (0.5, 0.5), ("derivative-order", "seed_000"): (0.5, 1e15),
+            ("derivative-distant", "differences_de_casteljau"): (0.5, 0.5), ("derivative-distant", "triangle_derivatives"): (2e6, 3e6)}
+    rows = []
+    for (study, method), errors in ends.items():
+        for n in DEGREES:
+            for k, mean_u in enumerate(errors, 1):
+                row = _judged(study, method, n, mean_u * 1e-16, "distant" if "distant" in study else "continuous",
+                              coordinate_range=1, order=k, mean_error_u=mean_u, max_error_u=5 * mean_u, bound_u=60 * mean_u)
+                if method == "seed_000":
+                    row.update(bound_u="", bound_violations="")
+                rows.append({c: v for c, v in row.items() if c not in (*SOMETIMES, "baseline", "rms_error")})
+    return rows
+
+
 def _bits(curve):
     return dict(coordinate_range=1, t_min=0, t_max=1, error=1e-16, t="0x1p-2", coefficients="0x1p+0 -0x1p-1 0.25 1",
                 weights="0x1p+0 0x1p-1" if curve == "rational" else "")
@@ -223,7 +239,8 @@ def roofline():
 
 
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
-         "conversion.csv": conversion, "search.csv": search, "worst.csv": worst, "methods.csv": methods, "audit.csv": audit,
+         "conversion.csv": conversion, "derivative.csv": derivative, "search.csv": search, "worst.csv": worst,
+         "methods.csv": methods, "audit.csv": audit,
          "timing.csv": timing, "pareto.csv": pareto,
          "roofline.csv": roofline}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",

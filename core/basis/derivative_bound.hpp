@@ -5,9 +5,10 @@
 // derivative has the Bernstein coefficients (n)_k D^k b_i, and two sums rule its error:
 //   p~ = (n)_k sum_i |D^k b_i| B_i,n-k(t)                       what an evaluation of these coefficients can lose
 //   A  = (n)_k sum_i (sum_j C(k,j) |b_(i+j)|) B_i,n-k(t)        what forming the differences can lose
-// A / p~ is the condition number of differencing: smooth curves of high degree have A far above p~, and no method that
-// is handed the control points in double can avoid it. In power form the coefficients j (j-1) ... (j-k+1) q_j of
-// t^(j-k) are formed without differences, and p~ is the sum of their magnitudes times |t|^(j-k).
+// A / p~ is the condition number of the derivative in the control points: what their own relative errors come to. The
+// differences of points within a factor of two of each other are exact (Sterbenz), so a method that takes differences
+// first can do far better than its bound. In power form the coefficients j (j-1) ... (j-k+1) q_j of t^(j-k) are formed
+// without differences, and p~ is the sum of their magnitudes times |t|^(j-k).
 #pragma once
 
 #include <string_view>

@@ -8,7 +8,7 @@
 //   evaluator, whose own bound is gamma_e of the p~ of its coefficients, works on those. Together
 //     gamma_k (1 + gamma_k) (1 + gamma_e) A + (gamma_k + gamma_e + gamma_k gamma_e) p~.
 //   Differences cannot underflow; each product with (n)_k may, by eta/2.
-// Fails: where the control points are close together in comparison with their size, A is far above p~.
+// Fails: where points are of like size and their differences small but not exact, A is far above p~.
 #pragma once
 
 #include <algorithm>

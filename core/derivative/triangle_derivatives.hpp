@@ -8,7 +8,8 @@
 // Bound: the points of level n - k carry gamma_(3(n-k)) sum |b_(i+j)| B_j,n-k(t), k differences and k roundings of the
 //   product with (n)_k follow: gamma_(3(n-k)+2k) A. A product of the triangle may underflow by eta/2, twice a level;
 //   k differences double that k times, and (n)_k magnifies it.
-// Fails: the error has the size of A, not of p~: the roundings of the triangle are differenced.
+// Fails: far from the origin: the triangle's roundings, of the size of the coordinates, are differenced, even where the
+//   differences of the control points themselves are exact.
 #pragma once
 
 #include <algorithm>

@@ -162,18 +162,21 @@ TYPED_TEST(CoordinateGeneratorTest, StaysInRangeAndFillsIt) {
   const double range = 1000;
   const Sampler sampler(1, "a", cell_of(TypeParam::info.id, range, interval));
   Trial trial;
-  double sum = 0;
+  const bool distant = TypeParam::info.id == std::string_view("distant");
+  const double lowest = distant ? range * (1 - 0x1p-20) : -range;
+  double sum = 0;  // of coordinates with [lowest, range] taken to [-1, 1]
   double squares = 0;
   double t_sum = 0;
-  double low = 0;
-  double high = 0;
+  double low = 1;
+  double high = -1;
   constexpr int trials = 4000;
   for (std::uint64_t i = 0; i < trials; ++i) {
     sampler.draw(i, trial);
     ASSERT_TRUE(trial.t >= interval.min && trial.t <= interval.max);
     t_sum += trial.t;
-    for (const double x : trial.coefficients) {
-      ASSERT_LE(std::abs(x), range);
+    for (const double coordinate : trial.coefficients) {
+      ASSERT_TRUE(coordinate >= lowest && coordinate <= range);
+      const double x = (coordinate - lowest) / (range - lowest) * 2 - 1;
       sum += x;
       squares += x * x;
       low = std::min(low, x);
@@ -184,15 +187,13 @@ TYPED_TEST(CoordinateGeneratorTest, StaysInRangeAndFillsIt) {
   // 0 to 12766 twice, which makes the mean of its coordinates -0.140925 R.
   const bool lattice = TypeParam::info.id == std::string_view("report");
   const double n = 10.0 * trials;
-  const double deviation = range / std::sqrt(3.0);
-  const double mean = lattice ? range * -0.140925 : 0;
-  EXPECT_NEAR(sum / n, mean, 5 * deviation / std::sqrt(n));
+  EXPECT_NEAR(sum / n, lattice ? -0.140925 : 0, 5 / std::sqrt(3.0 * n));
   if (!lattice) {
-    EXPECT_NEAR(squares / n, range * range / 3, 5 * range * range * 0.3 / std::sqrt(n));
+    EXPECT_NEAR(squares / n, 1.0 / 3, 5 * 0.3 / std::sqrt(n));
   }
   EXPECT_NEAR(t_sum / trials, 0.5, 5 * 0.5 / std::sqrt(12.0 * trials));
-  EXPECT_LT(low, -0.99 * range);
-  EXPECT_GT(high, 0.99 * range);
+  EXPECT_LT(low, -0.99);
+  EXPECT_GT(high, 0.99);
 }
 
 TYPED_TEST(GeneratorTest, HasWeightsForRationalCurvesWhereItSaysSo) {

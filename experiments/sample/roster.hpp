@@ -6,6 +6,7 @@
 
 #include "experiments/sample/clustered_roots.hpp"
 #include "experiments/sample/continuous.hpp"
+#include "experiments/sample/distant.hpp"
 #include "experiments/sample/dyadic.hpp"
 #include "experiments/sample/integer.hpp"
 #include "experiments/sample/multiple_root.hpp"
@@ -15,13 +16,14 @@
 
 namespace bezierbench::sample {
 
-using Generators = std::tuple<Continuous,    //
-                              Dyadic,        //
-                              Integer,       //
-                              Report,        //
-                              WeightsMild,   //
-                              WeightsWild,   //
-                              MultipleRoot,  //
-                              ClusteredRoots>;
+using Generators = std::tuple<Continuous,      //
+                              Dyadic,          //
+                              Integer,         //
+                              Report,          //
+                              WeightsMild,     //
+                              WeightsWild,     //
+                              MultipleRoot,    //
+                              ClusteredRoots,  //
+                              Distant>;
 
 }  // namespace bezierbench::sample

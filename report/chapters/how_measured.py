@@ -37,6 +37,7 @@ def blocks(_bundle, _findings):
         ("generators `multiple_root`, `clustered_roots`", "curves whose coordinates vanish at a multiple root or near a "
                                                           "cluster, with exact "
                                                          "coefficients"),
+        ("generator `distant`", "coordinates in [R (1 - 2^-20), R]: small curves far from the origin"),
         ("generators `weights_mild`, `weights_wild`", "rational curves with weights in [1/2, 2], and over forty powers of two"),
         ("path", "`conversion:evaluator`: convert to the other form, then evaluate there"),
         ("time", "median over rounds; the report charges the conversion to every curve, `prepared` does it once"),

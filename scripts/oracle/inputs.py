@@ -19,7 +19,7 @@ from fractions import Fraction
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SUITES = [ROOT / "experiments/suites/report.toml", ROOT / "experiments/suites/conditioning.toml"]
+SUITES = [ROOT / f"experiments/suites/{name}.toml" for name in ("report", "conditioning", "derivative")]
 DRAWS = ROOT / "experiments/sample/first_draws.csv"
 COLUMNS = ["study", "curve", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator", "trial", "t",
            "coefficients", "weights"]
@@ -102,6 +102,10 @@ def continuous(r, stream):
     return affine(-r, r, stream)
 
 
+def distant(r, stream):
+    return affine(r * (1 - 2.0**-20), r, stream)
+
+
 def dyadic_t(a, b, stream):
     return float(Fraction(round(Fraction(affine(a, b, stream)) * 2**53), 2**53))
 
@@ -173,7 +177,7 @@ def polynomial(curve, leading, roots):
     return doubles
 
 
-COORDINATES = {"continuous": continuous, "dyadic": continuous, "integer": integer, "report": report,
+COORDINATES = {"continuous": continuous, "dyadic": continuous, "integer": integer, "report": report, "distant": distant,
                "weights_mild": continuous, "weights_wild": continuous}
 POLYNOMIALS = {"multiple_root": multiple_root, "clustered_roots": clustered_roots}
 PARAMETERS = {"dyadic": dyadic_t, "report": report_t}  # the others: as continuous
@@ -215,7 +219,7 @@ def studies():
     for path in SUITES:
         suite = tomllib.loads(path.read_text(encoding="utf-8"))
         for study in suite["study"]:
-            if study["kind"] in ("accuracy", "conversion"):
+            if study["kind"] in ("accuracy", "conversion", "derivative"):
                 yield suite["suite"].get("seed", 1), study
     yield 1, WEIGHTED
 

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""Derivatives of any order: by differences, from the triangle, in power form, and as the source document prints them."""
+
+from ..document import Text
+from ..error_tables import error_tables, swept
+from .suite_parts import figure, of_suite
+
+TITLE = "Derivatives"
+PREFIX = "derivative-"
+
+
+def _axes(rows):
+    """(axis across, kind of inputs down): orders run across unless an interval or the degrees do."""
+    across = swept(rows)[0]
+    orders = {r["order"] for r in rows}
+    if across == "degree" and len(orders) > len({r["degree"] for r in rows}):
+        return "order", "degree"
+    return across, "order"
+
+
+def blocks(bundle, findings):
+    """Findings, the figure, then the tables of each study."""
+    table = bundle["derivative.csv"].starting(PREFIX)
+    yield from of_suite(findings, "derivative")
+    yield from figure("derivative_against_order", bundle)
+    for study in table.distinct("study"):
+        rows = table.select(study=study)
+        yield from error_tables(study, rows, *_axes(rows))
+    yield Text("p~ is that of the derivative: its own control points D^k b_i, times n (n-1) ... (n-k+1), in magnitude, weighted "
+               "with the Bernstein polynomials of degree n-k (in power form its own coefficients with the powers of t). The bound "
+               "has a second part for the differences, which control points far from the origin make large. An order beyond the "
+               "degree gives 0. `seed_000` has no bound: it is kept to be compared with.")
