@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The program from outside: exit codes, one-line messages, no file half-written. Usage: cli_test.py BEZIERBENCH"""
 import csv
+import decimal
 import hashlib
 import io
 import json
@@ -388,6 +389,30 @@ class Curves(Case):
                 (["w.csv", "--order", "1", "--method", "power_derivative"], "bernstein form")]:
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, derivative + arguments, *needles)
+
+    def test_length(self):
+        columns = ["method", "length", "error_estimate", "evaluations", "converged", "exact", "error"]
+        self.write("cusp.csv", "x,y\n3,-3\n-1,3\n-1,-3\n3,3\n")  # 3 (u^2, u^3), u = 2t - 1: (13 sqrt(13) - 8) 2/9
+        truth = decimal.Decimal("8.63825924022930240234")
+        length = ["curve", "length", "--curve", "cusp.csv"]
+        found = rows(self.fine(*length, "--tolerance", "1e-6"))
+        self.assertEqual(list(found[0]), columns)
+        self.assertEqual([row["converged"] for row in found], ["yes", "no", "yes", "yes"])
+        for row in found:
+            self.assertLess(abs(decimal.Decimal(row["exact"]) - truth), 1e-19)
+            error = abs(decimal.Decimal(row["length"]) - decimal.Decimal(row["exact"]))
+            self.assertLess(abs(float(error) - float(row["error"])), 1e-15)
+            if row["converged"] == "yes":
+                self.assertLessEqual(float(row["error"]), float(row["error_estimate"]))
+                self.assertLessEqual(float(row["error"]), 1e-6 * float(row["exact"]))
+        half = rows(self.fine(*length, "--to", "0.5", "--method", "gauss_legendre_adaptive"))
+        self.assertLess(abs(decimal.Decimal(half[0]["exact"]) - truth / 2), 1e-19)
+        for arguments, *needles in [
+                (["--from", "0.6", "--to", "0.5"], "--from 0.6"), (["--to", "1.5"], "--to 1.5"), (["--tolerance", "0"], "--tolerance"),
+                (["--form", "power"], "power form", "curve convert"),
+                (["--method", "chord_sums"], 'did you mean "chord_sum"?')]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, length + arguments, *needles)
 
     def test_every_listed_method_evaluates(self):
         for form in ("bernstein", "power"):

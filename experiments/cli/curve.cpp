@@ -15,6 +15,7 @@ void add_curve(CLI::App& app, Exit& /*exit*/) {
   add_curve_eval(*curve);
   add_curve_convert(*curve);
   add_curve_derivative(*curve);
+  add_curve_length(*curve);
 }
 
 }  // namespace bezierbench::cli

@@ -22,5 +22,6 @@ struct CurveOptions {
 void add_curve_eval(CLI::App& curve);
 void add_curve_convert(CLI::App& curve);
 void add_curve_derivative(CLI::App& curve);
+void add_curve_length(CLI::App& curve);
 
 }  // namespace bezierbench::cli

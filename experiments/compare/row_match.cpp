@@ -26,7 +26,7 @@ constexpr std::array columns{
     InputColumn{"degree", true},     InputColumn{"mode", false},   InputColumn{"coordinate_range", true},
     InputColumn{"t_min", true},      InputColumn{"t_max", true},   InputColumn{"generator", false},
     InputColumn{"trials", true},     InputColumn{"budget", true},  InputColumn{"baseline", false},
-    InputColumn{"statistic", false},
+    InputColumn{"statistic", false}, InputColumn{"order", true},   InputColumn{"tolerance", true},
 };
 
 /// A conversion is the method of its table.

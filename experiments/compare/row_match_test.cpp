@@ -28,6 +28,12 @@ TEST(RowMatch, FindsRowsByTheirInputsInAnyOrderOfRowsAndColumns) {
   EXPECT_EQ(match.only_b, 1U);
 }
 
+TEST(RowMatch, OrdersAndTolerancesTellRowsApart) {
+  const auto match = match_rows(table("study,order,tolerance\ns,1,1e-3\ns,2,1e-3\n"),
+                                table("study,order,tolerance\ns,2,1e-3\ns,1,1e-6\n"));
+  EXPECT_THAT(pairs(match), ElementsAre(std::pair(1, 0)));
+}
+
 TEST(RowMatch, NumbersAgreeAsValuesAndNamesAsText) {
   const auto match =
       match_rows(table("study,coordinate_range\n2.2,1e+06\n"), table("study,coordinate_range\n2.2,1000000\n"));

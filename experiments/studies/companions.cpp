@@ -7,6 +7,7 @@
 #include <array>
 #include <span>
 
+#include "core/arc_length/kernel.hpp"
 #include "core/derivative/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -17,7 +18,7 @@ namespace {
 using Infos = std::span<const MethodInfo* const> (*)();
 
 /// One entry for each problem's roster.
-constexpr std::array<Infos, 1> rosters{derivative_infos};
+constexpr std::array<Infos, 2> rosters{derivative_infos, arc_length_infos};
 
 }  // namespace
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Simpson's 3/8 rule S = (b-a)/8 (f_0 + 3 f_1 + 3 f_2 + f_3) on a panel and on its halves, halved again until both
+// agree; then S_left + S_right + (S_left + S_right - S)/15.
+//
+// Source: seed document 000, section 3.1, eq. (13); Davis and Rabinowitz, Methods of Numerical Integration, 2nd ed., on
+//   adaptive Simpson rules. The factor 15: the error falls by 16 when a panel of a smooth integrand is halved.
+// Cost: 3 speeds per halving: of the 7 abscissae of two halves 4 are those of the panel.
+// Estimate: the sum of |S_left + S_right - S|, not of its fifteenth: at a cusp the error falls by 4 only, and a third
+//   of the difference is left. The depth is limited, and differences of the size of rounding errors end the halving.
+// Fails: a tolerance near u is refused in the end, for the roundings are part of the estimate.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/arc_length/arc_length.hpp"
+#include "core/arc_length/speed.hpp"
+
+namespace bezierbench {
+
+struct AdaptiveSimpson38 {
+  static constexpr int depth_limit = 40;
+
+  static constexpr MethodInfo info{.id = "adaptive_simpson38",
+                                   .label = "Adaptive Simpson 3/8",
+                                   .problem = Problem::arc_length,
+                                   .form = Form::bernstein,
+                                   .promise = "the tolerance, or converged is no",
+                                   .flops = "per speed (n-1)(1+3d) + 2d + 2",
+                                   .citation = "seed document 000, eq. (13); Davis and Rabinowitz 1984"};
+
+  template <int Dimension>
+  static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {
+    const double rounding = rounding_of_length(hodograph, 3 * hodograph.degree() + 64);
+    Search<Dimension> search{Speed<Dimension>(hodograph), rounding};
+    const int panels = 2 * (hodograph.degree() + 1);
+    const double width = 1.0 / panels;
+    // A first length, to make the tolerance absolute; half of it, for that length may be too large.
+    double first_length = 0;
+    std::vector<Panel> initial;
+    for (int k = 0; k < panels; ++k) {
+      initial.push_back(search.panel(k * width, width));
+      first_length += initial.back().integral();
+    }
+    const double share = tolerance * first_length / panels / 2;
+    for (const Panel& panel : initial) search.refine(panel, share, 0);
+    const double estimate = search.estimate + rounding;
+    return {search.length, estimate, search.speed.evaluations(), estimate <= tolerance * search.length};
+  }
+
+ private:
+  struct Panel {
+    double begin;
+    double width;
+    double f0, f1, f2, f3;
+    [[nodiscard]] double integral() const { return width / 8 * ((f0 + f3) + 3 * (f1 + f2)); }
+  };
+
+  template <int Dimension>
+  struct Search {
+    Speed<Dimension> speed;
+    double rounding;  ///< of the whole length
+    double length = 0;
+    double estimate = 0;
+
+    Panel panel(double begin, double width) {
+      return {begin, width, speed(begin), speed(begin + width / 3), speed(begin + width * 2 / 3), speed(begin + width)};
+    }
+
+    void refine(const Panel& whole, double share, int depth) {
+      const double half = whole.width / 2;
+      const double middle_speed = speed(whole.begin + half);
+      const Panel left{whole.begin, half, whole.f0, speed(whole.begin + half / 3), whole.f1, middle_speed};
+      const Panel right{
+          whole.begin + half, half, middle_speed, whole.f2, speed(whole.begin + half + half * 2 / 3), whole.f3};
+      const double halves = left.integral() + right.integral();
+      const double difference = halves - whole.integral();
+      if (depth == depth_limit || std::abs(difference) <= std::max(share, whole.width * rounding)) {
+        length += halves + difference / 15;
+        estimate += std::abs(difference);
+        return;
+      }
+      refine(left, share / 2, depth + 1);
+      refine(right, share / 2, depth + 1);
+    }
+  };
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What a method for arc length is: data about itself and one function from a hodograph to a length with its error.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+#include "core/curve.hpp"
+#include "core/method.hpp"
+
+namespace bezierbench {
+
+/// A length, and what its method says of it.
+struct ArcLength {
+  double length = 0;
+  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< absolute; NaN: the method has none
+  std::int64_t evaluations = 0;                                      ///< of the speed or, for chords, of the curve
+  bool converged = false;  ///< the estimate is at most tolerance times the length: the promise
+};
+
+/// The length of a curve is the integral of |h(t)| over [0, 1], h its first hodograph, which a method is handed scaled
+/// such that the largest of its control vectors has a size between 1/2 and 2 sqrt(3) (ArcLengthKernel does that).
+/// `tolerance` > 0 is relative to the length. A method that cannot keep it says so: `converged` is then false.
+template <class M>
+concept ArcLengthMethod = requires(const Curve<Form::bernstein, double, 2>& hodograph, double tolerance) {
+  requires M::info.problem == Problem::arc_length;
+  { M::measure(hodograph, tolerance) } -> std::same_as<ArcLength>;
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The sum of the chords between N + 1 points at equal steps of t, N doubled until its proved error is small enough.
+//
+// Source: seed document 000, section 3.1, first formula.
+// Cost: N + 1 points, each used again when N is doubled.
+// Estimate: proved. Over a step of width w let v be the mean of C' (the chord over w) and D = w/2 max|C''|, so that
+//   |C' - v| <= D. The chord is short of the arc by at most the integral of |C' - v|, w D; and by at most
+//   w D^2 / (2 (|v| - D)) where |v| > D, for |C'| - C'.v/|v| <= |part of C' across v|^2 / (2 C'.v/|v|). The roundings
+//   of the points come on top. Two sums that agree would prove nothing: a curve that turns back next to one of the
+//   points gives the same sum for N and 2N.
+// Fails: slow, error about 1/N^2; every chord carries the roundings of two points, so many chords carry many.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/arc_length/arc_length.hpp"
+#include "core/basis/error_bound.hpp"
+#include "core/evaluate/horner_bernstein.hpp"
+
+namespace bezierbench {
+
+struct ChordSum {
+  static constexpr int doublings = 10;
+
+  static constexpr MethodInfo info{.id = "chord_sum",
+                                   .label = "Chord sums",
+                                   .problem = Problem::arc_length,
+                                   .form = Form::bernstein,
+                                   .promise = "the tolerance, proved, or converged is no",
+                                   .flops = "per point n(1+3d) + 2d + 2",
+                                   .citation = "seed document 000, section 3.1"};
+
+  template <int Dimension>
+  static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {
+    const auto curve = curve_of(hodograph);
+    const auto prepared = HornerBernstein::prepare(curve);
+    int chords = 8 * curve.degree();
+    std::vector<Point<double, Dimension>> points;
+    for (int k = 0; k <= chords; ++k)
+      points.push_back(HornerBernstein::evaluate(prepared, static_cast<double>(k) / chords));
+    const double bend = largest_bend(hodograph);
+    const double rounding = point_error(curve);
+    for (int doubling = 0;; ++doubling) {
+      auto result = sum_of_chords(points, bend);
+      const double roundings = chords * rounding;
+      result.error_estimate += roundings;
+      result.evaluations = chords + 1;
+      result.converged = result.error_estimate <= tolerance * result.length;
+      const bool hopeless = roundings > tolerance * result.length;  // more chords have more of them
+      if (result.converged || hopeless || doubling == doublings) return result;
+      points = with_middles(prepared, points);
+      chords *= 2;
+    }
+  }
+
+ private:
+  /// The curve with this hodograph that begins at the origin.
+  template <int Dimension>
+  static Curve<Form::bernstein, double, Dimension> curve_of(
+      const Curve<Form::bernstein, double, Dimension>& hodograph) {
+    const int n = hodograph.degree() + 1;
+    Curve<Form::bernstein, double, Dimension> curve(n);
+    for (int axis = 0; axis < Dimension; ++axis) {
+      curve(axis, 0) = 0;
+      for (int i = 0; i < n; ++i) curve(axis, i + 1) = curve(axis, i) + hodograph(axis, i) / n;
+    }
+    return curve;
+  }
+
+  template <class Prepared, int Dimension>
+  static std::vector<Point<double, Dimension>> with_middles(const Prepared& prepared,
+                                                            const std::vector<Point<double, Dimension>>& points) {
+    const auto chords = points.size() - 1;
+    std::vector<Point<double, Dimension>> finer;
+    for (std::size_t k = 0; k < chords; ++k) {
+      finer.push_back(points[k]);
+      finer.push_back(
+          HornerBernstein::evaluate(prepared, (static_cast<double>(k) + 0.5) / static_cast<double>(chords)));
+    }
+    finer.push_back(points.back());
+    return finer;
+  }
+
+  /// The sum, and by how much it may be short of the length.
+  template <int Dimension>
+  static ArcLength sum_of_chords(const std::vector<Point<double, Dimension>>& points, double bend) {
+    const double width = 1 / static_cast<double>(points.size() - 1);
+    const double deviation = width / 2 * bend;
+    ArcLength result{.length = 0, .error_estimate = 0};
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const double chord = (points[k] - points[k - 1]).norm();
+      const double rest = chord / width - deviation;
+      result.length += chord;
+      result.error_estimate += width * deviation * (rest > deviation / 2 ? deviation / (2 * rest) : 1);
+    }
+    return result;
+  }
+
+  /// max |C''| is at most that of its control vectors.
+  template <int Dimension>
+  static double largest_bend(const Curve<Form::bernstein, double, Dimension>& hodograph) {
+    double largest = 0;
+    for (int i = 0; i < hodograph.degree(); ++i) {
+      double square = 0;
+      for (int axis = 0; axis < Dimension; ++axis) {
+        const double step = hodograph(axis, i + 1) - hodograph(axis, i);
+        square += step * step;
+      }
+      largest = std::max(largest, hodograph.degree() * std::sqrt(square));
+    }
+    return largest;
+  }
+
+  /// What roundings can change one chord by: two points, each with the roundings of its evaluation.
+  template <int Dimension>
+  static double point_error(const Curve<Form::bernstein, double, Dimension>& curve) {
+    constexpr double u = 0x1p-53;
+    double largest = 0;
+    for (int i = 0; i <= curve.degree(); ++i)
+      for (int axis = 0; axis < Dimension; ++axis) largest = std::max(largest, std::abs(curve(axis, i)));
+    return 2 * Dimension * u * gamma_over_u(4 * curve.degree() + 8, u) * largest;
+  }
+};
+
+}  // namespace bezierbench

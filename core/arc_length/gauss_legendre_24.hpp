@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The Gauss-Legendre rule with 24 points on the whole curve.
+//
+// Source: Davis and Rabinowitz, Methods of Numerical Integration, 2nd ed., section 2.7; a common choice for Bezier
+// curves
+//   (Pomax, A Primer on Bezier Curves, arc length).
+// Cost: 24 speeds.
+// Estimate: none, whatever the tolerance; so `converged` is always false.
+// Fails: at and near cusps, without a sign of it.
+#pragma once
+
+#include "core/arc_length/arc_length.hpp"
+#include "core/arc_length/gauss_legendre.hpp"
+#include "core/arc_length/speed.hpp"
+
+namespace bezierbench {
+
+struct GaussLegendre24 {
+  static constexpr MethodInfo info{.id = "gauss_legendre_24",
+                                   .label = "Gauss-Legendre, 24 points",
+                                   .problem = Problem::arc_length,
+                                   .form = Form::bernstein,
+                                   .promise = "none: converged is no",
+                                   .flops = "24 speeds of (n-1)(1+3d) + 2d + 2",
+                                   .citation = "Davis and Rabinowitz 1984, section 2.7"};
+
+  template <int Dimension>
+  static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double /*tolerance*/) {
+    Speed<Dimension> speed(hodograph);
+    ArcLength result;
+    result.length = gauss_integral<24>(speed);
+    result.evaluations = speed.evaluations();
+    return result;
+  }
+};
+
+}  // namespace bezierbench

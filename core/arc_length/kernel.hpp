@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The methods for arc lengths behind function pointers.
+#pragma once
+
+#include <span>
+
+#include "core/arc_length/arc_length.hpp"
+
+namespace bezierbench {
+
+/// One method, for Bezier curves with this many axes.
+struct ArcLengthKernel {
+  const MethodInfo* info;
+  int dimension;
+  /// The length of the part of `curve` between parameters 0 <= from <= to <= 1, to `tolerance` > 0 times that length.
+  /// Sizes are scaled by a power of two first, so that coordinates of any size have the same results.
+  ArcLength (*measure)(const CurveView<double>& curve, double from, double to, double tolerance);
+};
+
+/// All methods, in roster order. Dimension is 1, 2 or 3.
+std::span<const ArcLengthKernel> arc_length_kernels(int dimension);
+
+/// What they say of themselves, in roster order.
+std::span<const MethodInfo* const> arc_length_infos();
+
+}  // namespace bezierbench

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Every method for arc lengths. One line here makes it exist everywhere.
+#pragma once
+
+#include "core/arc_length/adaptive_simpson38.hpp"
+#include "core/arc_length/chord_sum.hpp"
+#include "core/arc_length/gauss_legendre_24.hpp"
+#include "core/arc_length/gauss_legendre_adaptive.hpp"
+
+namespace bezierbench {
+
+using ArcLengthMethods = TypeList<AdaptiveSimpson38,      //
+                                  GaussLegendre24,        //
+                                  GaussLegendreAdaptive,  //
+                                  ChordSum>;
+
+}  // namespace bezierbench

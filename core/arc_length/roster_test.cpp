@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Lengths that are known in closed form, and the promise: a tolerance is kept, or the result says that it is not.
+#include "core/arc_length/roster.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/arc_length/kernel.hpp"
+#include "core/evaluate/evaluation_test.hpp"
+
+namespace bezierbench {
+namespace {
+
+/// A curve with the length of the part between two parameters.
+struct Known {
+  std::string name;
+  int dimension;
+  std::vector<double> points;
+  double length;
+  double from = 0;
+  double to = 1;
+  [[nodiscard]] CurveView<double> view() const {
+    return {Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};
+  }
+};
+
+/// (u^2, u^3) with u = 2t - 1 has a cusp at u = 0; its length from there is ((4 + 9 u^2)^(3/2) - 8)/27.
+const std::vector<double> cusp{1, -1, -1.0 / 3, 1, -1.0 / 3, -1, 1, 1};
+double from_cusp(double u) { return (std::pow(4 + 9 * u * u, 1.5) - 8) / 27; }
+
+/// C' = ((a(1-t) + bt) + i (c(1-t) + dt))^2, a Pythagorean hodograph: |C'| is a polynomial (Farouki and Sakkalis 1990).
+Known pythagorean(double a, double b, double c, double d) {
+  const double hodograph[3][2]{{a * a - c * c, 2 * a * c}, {a * b - c * d, a * d + b * c}, {b * b - d * d, 2 * b * d}};
+  Known curve{"Pythagorean hodograph", 2, {0, 0}, (a * a + a * b + b * b + c * c + c * d + d * d) / 3};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      curve.points.push_back(curve.points[2 * i + axis] + hodograph[i][axis] / 3);
+  return curve;
+}
+
+std::vector<Known> known_curves() {
+  std::vector<Known> all{
+      {"line", 2, {1, 2, 4, 6}, 5},
+      {"line of degree 3", 3, {0, 0, 0, 1, 2, 2, 2, 4, 4, 3, 6, 6}, 9},
+      {"there and back", 1, {0, 1, 0}, 1},
+      {"there and farther back", 1, {0, 2, -1}, 13.0 / 5},  // 4t - 5t^2 turns at 2/5, 4/5 up: 4/5 + 9/5
+      {"parabola", 2, {0, 0, 0.5, 0, 1, 1}, std::sqrt(5) / 2 + std::asinh(2) / 4},
+      {"cusp at the beginning", 2, {0, 0, 0, 0, 1.0 / 3, 0, 1, 1}, (13 * std::sqrt(13) - 8) / 27},
+      {"cusp in the middle", 2, cusp, 2 * from_cusp(1)},
+  };
+  for (const double to : {0.51, 0.7, 0.9})
+    all.push_back({"cusp inside", 2, cusp, from_cusp(1) + from_cusp(2 * to - 1), 0, to});
+  all.push_back({"cusp inside", 2, cusp, from_cusp(0.8) + from_cusp(0.3), 0.1, 0.65});
+  all.push_back({"part of a parabola",
+                 2,
+                 {0, 0, 0.5, 0, 1, 1},
+                 (std::sqrt(2) + std::asinh(1)) / 4 * 2 - (std::sqrt(2) + std::asinh(1)) / 4,
+                 0,
+                 0.5});
+  Inputs inputs(3);
+  for (int k = 0; k < 20; ++k)
+    all.push_back(pythagorean(inputs.symmetric(), inputs.symmetric(), inputs.symmetric(), inputs.symmetric()));
+  for (const double nearness : {1e-1, 1e-2, 1e-3, 1e-5, 1e-8}) {  // of the cusp that u = 0 would be, at k
+    const double k = 0.2 + 0.5 * inputs.unit();
+    all.push_back(pythagorean(-k, 1 - k, nearness, nearness * 1.5));
+  }
+  return all;
+}
+
+Known scaled(Known curve, double factor) {
+  for (double& value : curve.points) value *= factor;
+  curve.length *= factor;
+  return curve;
+}
+
+TEST(ArcLength, KeepsItsToleranceOrSaysSo) {
+  for (const auto& original : known_curves())
+    for (const double factor : {1.0, 1e-9, 1e10, 0x1p-900, 0x1p+900})
+      for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-15, 1e-17}) {
+        const auto curve = scaled(original, factor);
+        for (const auto& kernel : arc_length_kernels(curve.dimension)) {
+          const auto result = kernel.measure(curve.view(), curve.from, curve.to, tolerance);
+          if (!result.converged) continue;
+          const double error = std::abs(result.length - curve.length);
+          const double of_known = 1e-14 * curve.length;  // roundings of the control points and of the known length
+          EXPECT_LE(error, tolerance * curve.length + of_known)
+              << kernel.info->id << " " << curve.name << " x " << factor << " tolerance " << tolerance;
+          EXPECT_LE(result.error_estimate, tolerance * result.length);
+        }
+      }
+}
+
+/// Cusps and near cusps anywhere between the abscissae of the rules.
+TEST(ArcLength, KeepsItsToleranceWhereverACuspIs) {
+  Inputs inputs(5);
+  for (int trial = 0; trial < 200; ++trial) {
+    const double from = 0.499 * inputs.unit();
+    const double to = 0.501 + 0.499 * inputs.unit();
+    const double k = inputs.unit();
+    const double nearness = std::ldexp(1.0, -static_cast<int>(30 * inputs.unit()));
+    for (const auto& curve :
+         {Known{"cusp", 2, cusp, from_cusp(1 - 2 * from) + from_cusp(2 * to - 1), from, to},
+          Known{"turn", 1, {k * k, k * k - k, (1 - k) * (1 - k)}, k * k + (1 - k) * (1 - k)},  // (t - k)^2
+          pythagorean(-k, 1 - k, nearness, nearness * 1.5)})
+      for (const auto& kernel : arc_length_kernels(curve.dimension))
+        for (const double tolerance : {1e-2, 1e-3, 1e-5, 1e-8}) {
+          const auto result = kernel.measure(curve.view(), curve.from, curve.to, tolerance);
+          EXPECT_LE(std::abs(result.length - curve.length),
+                    (result.converged ? tolerance + 1e-14 : 0.05) * curve.length)
+              << kernel.info->id << " " << curve.name << " trial " << trial << " tolerance " << tolerance;
+        }
+  }
+}
+
+TEST(ArcLength, AdaptiveMethodsConvergeWhereTheyCan) {
+  for (const auto& curve : known_curves())
+    for (const auto& kernel : arc_length_kernels(curve.dimension)) {
+      const bool simpson = kernel.info->id == AdaptiveSimpson38::info.id;
+      const bool gauss = kernel.info->id == GaussLegendreAdaptive::info.id;
+      const double tolerance = simpson ? 1e-9 : gauss ? 1e-12 : 1e-4;
+      const auto result = kernel.measure(curve.view(), curve.from, curve.to, tolerance);
+      EXPECT_EQ(result.converged, kernel.info->id != GaussLegendre24::info.id)
+          << kernel.info->id << " " << curve.name << ": estimate " << result.error_estimate << " of " << result.length;
+      if (simpson || gauss) {
+        EXPECT_LT(result.evaluations, 60000) << kernel.info->id << " " << curve.name;
+      }
+    }
+}
+
+TEST(ArcLength, ADifferenceBelowRoundingEndsAndIsNotPromised) {
+  for (const auto& kernel : arc_length_kernels(2)) {
+    const auto result = kernel.measure({Form::bernstein, 2, 3, cusp}, 0, 1, 1e-18);
+    EXPECT_FALSE(result.converged) << kernel.info->id;
+    const bool adaptive = kernel.info->id.starts_with("adaptive") || kernel.info->id.ends_with("adaptive");
+    if (adaptive) {
+      EXPECT_NEAR(result.length, 2 * from_cusp(1), 1e-12) << kernel.info->id;
+    }
+  }
+}
+
+TEST(ArcLength, OfAPointIsZero) {
+  const std::vector<double> point{0.1, 0.2, 0.1, 0.2, 0.1, 0.2};
+  for (const auto& kernel : arc_length_kernels(2))
+    for (const int degree : {0, 2}) {
+      const auto result =
+          kernel.measure({Form::bernstein, 2, degree, std::span(point).first(2 * degree + 2U)}, 0, 1, 1e-9);
+      EXPECT_TRUE(result.converged && result.length == 0 && result.error_estimate == 0) << kernel.info->id;
+      EXPECT_EQ(kernel.measure({Form::bernstein, 2, 3, cusp}, 0.3, 0.3, 1e-9).length, 0);
+    }
+}
+
+/// Scaling by a power of two changes nothing but the scale, and far from the origin lengths stay the same.
+TEST(ArcLength, DoesNotHangOnScale) {
+  const auto curve = known_curves()[4];
+  for (const auto& kernel : arc_length_kernels(2)) {
+    const auto plain = kernel.measure(curve.view(), 0, 1, 1e-8);
+    const auto large = kernel.measure(scaled(curve, 0x1p+700).view(), 0, 1, 1e-8);
+    EXPECT_EQ(large.length, std::ldexp(plain.length, 700)) << kernel.info->id;
+    EXPECT_EQ(large.evaluations, plain.evaluations) << kernel.info->id;
+  }
+}
+
+/// Two methods that both promise cannot be farther apart than both promises.
+TEST(ArcLength, MethodsAgreeOnCurvesOfAnyDegree) {
+  Inputs inputs(7);
+  for (int trial = 0; trial < 120; ++trial) {
+    const int n = 1 + trial % 20;
+    const int d = 1 + trial % 3;
+    const auto points = inputs.coefficients(n, d);
+    const CurveView<double> curve{Form::bernstein, d, n, points};
+    const auto kernels = arc_length_kernels(d);
+    const auto best = GaussLegendreAdaptive::info.id;
+    double reference = 0;
+    for (const auto& kernel : kernels)
+      if (kernel.info->id == best) reference = kernel.measure(curve, 0, 1, 1e-11).length;
+    for (const auto& kernel : kernels)
+      for (const double tolerance : {1e-3, 1e-6}) {
+        const auto result = kernel.measure(curve, 0, 1, tolerance);
+        if (result.converged) {
+          EXPECT_NEAR(result.length, reference, (tolerance + 1e-11) * reference)
+              << kernel.info->id << " degree " << n << " axes " << d << " tolerance " << tolerance;
+        }
+      }
+  }
+}
+
+TEST(GaussLegendre, IntegratesPolynomialsExactly) {
+  const auto check = []<int Points>(std::integral_constant<int, Points>) {
+    for (int power = 0; power < 2 * Points; ++power)
+      EXPECT_NEAR(gauss_integral<Points>([power](double t) { return std::pow(t, power); }), 1.0 / (power + 1), 4e-16)
+          << Points << " points, power " << power;
+    EXPECT_GT(std::abs(gauss_integral<Points>([](double t) { return std::pow(2 * t - 1, 2 * Points); }) -
+                       1.0 / (2 * Points + 1)),
+              1e-16);
+  };
+  check(std::integral_constant<int, 8>{});
+  check(std::integral_constant<int, 16>{});
+  check(std::integral_constant<int, 24>{});
+}
+
+}  // namespace
+}  // namespace bezierbench

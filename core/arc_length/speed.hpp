@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The speed |h(t)| of a curve from its hodograph h, counted, and what its roundings can add to a length.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/basis/error_bound.hpp"
+#include "core/evaluate/horner_bernstein.hpp"
+
+namespace bezierbench {
+
+/// Evaluates |h(t)| by Horner-Bernstein; counts how often.
+template <int Dimension>
+class Speed {
+ public:
+  explicit Speed(const Curve<Form::bernstein, double, Dimension>& hodograph)
+      : prepared_(HornerBernstein::prepare(hodograph)) {}
+
+  double operator()(double t) {
+    ++evaluations_;
+    return HornerBernstein::evaluate(prepared_, t).norm();
+  }
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+
+ private:
+  HornerBernstein::Prepared<double, Dimension, dynamic> prepared_;
+  std::int64_t evaluations_ = 0;
+};
+
+/// The mean size of the control vectors: the length of the control polygon, which is never below that of the curve.
+template <int Dimension>
+double polygon_length(const Curve<Form::bernstein, double, Dimension>& hodograph) {
+  double sum = 0;
+  for (int i = 0; i <= hodograph.degree(); ++i) {
+    double square = 0;
+    for (int axis = 0; axis < Dimension; ++axis) square += hodograph(axis, i) * hodograph(axis, i);
+    sum += std::sqrt(square);
+  }
+  return sum / (hodograph.degree() + 1);
+}
+
+/// What `roundings` relative errors u in each value of h, and in the sums of a quadrature with positive weights, can
+/// change a length by: each |h(t)| is off by at most gamma sum |h_i| B_i(t), whose integral is the polygon's length.
+template <int Dimension>
+double rounding_of_length(const Curve<Form::bernstein, double, Dimension>& hodograph, int roundings) {
+  constexpr double u = 0x1p-53;
+  return u * gamma_over_u(roundings, u) * polygon_length(hodograph);
+}
+
+}  // namespace bezierbench

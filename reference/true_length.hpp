@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The true arc length of a Bezier curve, to at least 30 digits.
+//
+// The speed is integrated in 70 digits by Gauss-Legendre rules of 30 and of 44 points, panel by panel: a panel is taken
+// where both rules agree, or where its control polygon, never shorter than the arc, exceeds its chord, never longer, by
+// next to nothing; else it is halved. At a cusp, whose place need not be known, the second rule ends the halving: the
+// length of the panels next to it falls like the square of their width. What all panels left open is summed and stated.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <string>
+
+#include "core/curve.hpp"
+
+namespace bezierbench::reference {
+
+using LongReal = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<70>>;
+
+class TrueLength {
+ public:
+  /// Of the part of `curve` (Bernstein form, finite, dimension at most 3) between parameters 0 <= from <= to <= 1.
+  /// Throws std::runtime_error should the two levels not agree to 30 digits.
+  TrueLength(const CurveView<double>& curve, double from, double to);
+
+  [[nodiscard]] const LongReal& value() const { return value_; }
+  /// How far the two levels are apart, or polygon and chord: the value is right to about this.
+  [[nodiscard]] const LongReal& uncertainty() const { return uncertainty_; }
+
+  /// In decimal with this many significant digits.
+  [[nodiscard]] std::string decimal(int digits) const;
+  /// |length - value|, rounded once; infinite for a length that is not finite.
+  [[nodiscard]] double error_of(double length) const;
+
+ private:
+  LongReal value_ = 0;
+  LongReal uncertainty_ = 0;
+};
+
+}  // namespace bezierbench::reference
