@@ -34,6 +34,8 @@ REQUIRED = {
                        "within_1e-5 within_1e-3 within_0.1").split(),
     "derivative.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator order trials status "
                        "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split(),
+    "arc_length.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator tolerance trials status "
+                       "mean_relative max_relative mean_evaluations non_converged broken_promises non_finite").split(),
     "timing.csv": "study curve method degree mode median_ns low_ns high_ns checked".split(),
     "pareto.csv": ("study accuracy_study curve method scalar dimension degree mode ns ns_low ns_high observed_max_u bound_u "
                    "quality pareto").split(),
@@ -52,7 +54,7 @@ REQUIRED = {
 }
 
 # Columns that say what a row is about; a row of the files above without one of them is malformed.
-KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator order trials baseline status "
+KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator order tolerance trials baseline status "
                  "statistic tier mode id search_id worst_id target".split())
 # The exceptions: a sentinel is timed over all degrees of a study.
 MAY_BE_EMPTY = frozenset({("timing.csv", "degree")})

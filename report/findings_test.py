@@ -116,6 +116,8 @@ FLIPS = {
     "choosing": _set("pareto", "yes", "pareto.csv", method="direct"),
     "peers_accuracy": _scale("mean_error", 100, "unstable.csv", study="peers-bezier", degree=20),
     "peers_cache": _scale("mean_error", 1e-6, "unstable.csv", study="peers-bezier", method="peer_occt_cached"),
+    "arc_length_promise": _set("broken_promises", 1, "arc_length.csv", method="adaptive_simpson38", tolerance=1e-9),
+    "arc_length_cost": _set("mean_evaluations", 20, "arc_length.csv", method="adaptive_simpson38", tolerance=1e-9),
     "derivative_as_printed": _set("mean_error", 1e-16, "derivative.csv", method="seed_000", order=2),
     "derivative_distant": _set("mean_error_u", 0.5, "derivative.csv", method="triangle_derivatives", degree=20, order=1),
     "derivative_bounds": _set("bound_violations", 1, "derivative.csv", method="triangle_derivatives", degree=4, order=2),

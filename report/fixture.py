@@ -170,6 +170,16 @@ def derivative():
     return rows
 
 
+def arc_length():
+    """Evaluations by method and tolerance; one method never promises."""
+    costs = {"adaptive_simpson38": (40, 400), "gauss_legendre_adaptive": (30, 60), "gauss_legendre_24": (24, 24)}
+    return [dict(study="arc_length-tolerance", curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1,
+                 t_min=0, t_max=1, generator=g, tolerance=e, trials=100, status="ok", mean_error=e / 8, p50_error=e / 9, p99_error=e / 3,
+                 max_error=e / 2, mean_relative=e / 8, max_relative=e / 2, mean_evaluations=n, max_evaluations=3 * n,
+                 non_converged=100 if m == "gauss_legendre_24" else 0, broken_promises=0, non_finite=0)
+            for m, ends in costs.items() for g in ("continuous", "integer") for e, n in zip((1e-3, 1e-9), ends)]
+
+
 def _bits(curve):
     return dict(coordinate_range=1, t_min=0, t_max=1, error=1e-16, t="0x1p-2", coefficients="0x1p+0 -0x1p-1 0.25 1",
                 weights="0x1p+0 0x1p-1" if curve == "rational" else "")
@@ -239,7 +249,7 @@ def roofline():
 
 
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
-         "conversion.csv": conversion, "derivative.csv": derivative, "search.csv": search, "worst.csv": worst,
+         "conversion.csv": conversion, "derivative.csv": derivative, "arc_length.csv": arc_length, "search.csv": search, "worst.csv": worst,
          "methods.csv": methods, "audit.csv": audit,
          "timing.csv": timing, "pareto.csv": pareto,
          "roofline.csv": roofline}

@@ -7,6 +7,7 @@
 
 #include "experiments/failure.hpp"
 #include "experiments/studies/accuracy.hpp"
+#include "experiments/studies/arc_length.hpp"
 #include "experiments/studies/conversion.hpp"
 #include "experiments/studies/derivative.hpp"
 #include "experiments/studies/roofline.hpp"
@@ -27,7 +28,8 @@ constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      
                            StudyKind{suite::Kind::conversion, conversion_job},  //
                            StudyKind{suite::Kind::timing, timing_job},          //
                            StudyKind{suite::Kind::roofline, roofline_job},
-                           StudyKind{suite::Kind::derivative, derivative_job}};
+                           StudyKind{suite::Kind::derivative, derivative_job},  //
+                           StudyKind{suite::Kind::arc_length, arc_length_job}};
 
 }  // namespace
 

@@ -3,11 +3,11 @@
 
 from ..bundle import Missing
 from ..document import Chapter
-from . import (audit, choosing, comparison, conditioning, conversion, derivative, figures, found, how_measured, ladder, method_list,
+from . import (arc_length, audit, choosing, comparison, conditioning, conversion, derivative, figures, found, how_measured, ladder, method_list,
                peers, provenance, rational, regimes, roofline, scorecard, tables, timing, truth, worst)
 
 ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, derivative,
-          timing, choosing, roofline, peers, comparison, audit, method_list, how_measured, provenance)
+          arc_length, timing, choosing, roofline, peers, comparison, audit, method_list, how_measured, provenance)
 
 
 def build_all(bundle, findings):

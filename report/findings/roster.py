@@ -2,7 +2,7 @@
 """All findings, in the order of the page."""
 
 from ..bundle import Missing
-from . import (bounds_hold, cells_inside, choosing, common_rounding, conditioning, conversion_dominates, conversion_growth,
+from . import (arc_length_cost, arc_length_promise, bounds_hold, cells_inside, choosing, common_rounding, conditioning, conversion_dominates, conversion_growth,
                conversion_norm, conversion_parts, de_casteljau_flat, derivative_as_printed, derivative_bounds,
                derivative_distant, factorial_overflow, forward_substitution, growth_with_degree,
                growth_with_t, ladder_best, ladder_growth, peers_accuracy, peers_cache, printed_slip, range_bend, rational_weights,
@@ -15,7 +15,7 @@ ROSTER = (cells_inside, bounds_hold, yardstick_ranking, common_rounding, forward
           ladder_best, ladder_growth, regimes_parameter, regimes_range, regimes_degree, regimes_float, regimes_dimension,
           conditioning, conversion_norm, conversion_parts, conversion_growth, worst_bounds, worst_gain, rational_weights,
           choosing, roofline, peers_accuracy, peers_cache, derivative_as_printed, derivative_distant,
-          derivative_bounds)
+          derivative_bounds, arc_length_promise, arc_length_cost)
 
 
 def find_all(bundle):
