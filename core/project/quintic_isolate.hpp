@@ -58,6 +58,8 @@ struct QuinticIsolate {
     }
     for (const auto& piece : pieces) candidates.push_back(descend(offset, piece.from + piece.width / 2));
     auto foot = nearest(offset, std::move(candidates));
+    foot.t = nearest_neighbour(offset, foot.t);
+    foot.distance = offset.distance(foot.t);
     foot.converged = judged < most_pieces;
     return foot;
   }

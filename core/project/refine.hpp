@@ -53,4 +53,14 @@ double descend(const OffsetCurve<Dimension>& curve, double t) {
   return t;
 }
 
+/// The nearest of t in [0, 1] and the two doubles beside it: Newton's last step ends one off where its slope was
+/// rounded, and next to the curve an ulp of t is several of the distance.
+template <int Dimension>
+double nearest_neighbour(const OffsetCurve<Dimension>& curve, double t) {
+  double best = t;
+  for (const double other : {std::nextafter(t, 0.0), std::nextafter(t, 1.0)})
+    if (curve.scaled_distance(other) < curve.scaled_distance(best)) best = other;
+  return best;
+}
+
 }  // namespace bezierbench
