@@ -53,13 +53,13 @@ double descend(const OffsetCurve<Dimension>& curve, double t) {
   return t;
 }
 
-/// The nearest of t in [0, 1] and the two doubles beside it: Newton's last step ends one off where its slope was
-/// rounded, and next to the curve an ulp of t is several of the distance.
+/// t in [0, 1], or the double beside it that is nearer by more than rounding: Newton's last step may end one off, and
+/// next to the curve an ulp of t is several of the distance.
 template <int Dimension>
 double nearest_neighbour(const OffsetCurve<Dimension>& curve, double t) {
   double best = t;
   for (const double other : {std::nextafter(t, 0.0), std::nextafter(t, 1.0)})
-    if (curve.scaled_distance(other) < curve.scaled_distance(best)) best = other;
+    if (curve.scaled_distance(other) < curve.scaled_distance(best) * (1 - 0x1p-50)) best = other;
   return best;
 }
 

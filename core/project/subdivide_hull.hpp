@@ -7,8 +7,9 @@
 // Source: seed document 004, third answer, whose bound is wrong: the distance of a control polygon's vertices bounds
 //   nothing from below. Chen, Zhou, Shu, Su and Paul 2007 clip by the coefficients of |C - P|^2.
 // Cost: O(n^2) flops per piece; some 100 pieces.
-// Sure: a piece is dropped only where rounding leaves it less than 4c u of the best distance, c = d (5n + d + 5), to be
-//   nearer by, or where it is narrower than 2^-54; the distance is then descended from the best parameter.
+// Sure: a piece is dropped only where it could be nearer than the best parameter by no more than its rounding errors:
+//   2c u of the distance, c = d (5n + d + 5), and what halving has added, (n + 1) u times the size of every piece that
+//   it was cut from. Or where it is narrower than 2^-54. The distance is then descended from the best parameter.
 // Fails: beyond degree 512 the binomials of degree 2n overflow; next to a curve whose distance is flat to rounding over
 //   a long way it gives up after 20,000 pieces, and says so.
 #pragma once
@@ -39,7 +40,7 @@ struct SubdivideHull {
     const Binomials binomials(offset.degree());
     Best best{0, offset.scaled_distance(0)};
     best.take(1, offset.scaled_distance(1));
-    std::vector<Piece<Dimension>> level{{offset.offsets(), 0}};
+    std::vector<Piece<Dimension>> level{{offset.offsets(), 0, 0}};
     int judged = 0;
     for (double width = 1; !level.empty() && width >= smallest_width && judged < most_pieces; width /= 2) {
       std::vector<Piece<Dimension>> next;
@@ -48,9 +49,11 @@ struct SubdivideHull {
         if (!may_be_nearer(piece, binomials, best.distance)) continue;
         const double middle = piece.from + width / 2;
         best.take(middle, offset.scaled_distance(middle));
+        const double error = piece.error + 0x1p-53 * static_cast<double>(piece.offset.cols()) *
+                                               largest_coordinate<Dimension>(piece.offset);
         auto [left, right] = halves<Dimension>(std::move(piece.offset));
-        next.push_back({std::move(left), piece.from});
-        next.push_back({std::move(right), middle});
+        next.push_back({std::move(left), piece.from, error});
+        next.push_back({std::move(right), middle, error});
       }
       level = std::move(next);
     }
@@ -76,6 +79,7 @@ struct SubdivideHull {
   struct Piece {
     Polygon<Dimension> offset;  ///< of C - P, over m as in OffsetCurve
     double from;
+    double error;  ///< of a coordinate, from halving
   };
 
   struct Binomials {
@@ -91,12 +95,13 @@ struct SubdivideHull {
     const int n = degree_of<Dimension>(piece.offset);
     const double largest = largest_coordinate<Dimension>(piece.offset);
     const double roundings = 0x1p-53 * Dimension * (5.0 * n + Dimension + 5);  // of a g_k over the largest product
+    const double nearer = std::max(0.0, best * (1 - 2 * roundings) - Dimension * piece.error);
     for (int k = 0; k <= 2 * n; ++k) {
       double sum = 0;
       for (int i = std::max(0, k - n); i <= std::min(k, n); ++i)
         sum += binomials.of_curve[i] * binomials.of_curve[k - i] *
                dot<Dimension>(piece.offset.col(i), piece.offset.col(k - i));
-      if (sum / binomials.of_square[k] - roundings * largest * largest < best * best * (1 - 4 * roundings)) return true;
+      if (sum / binomials.of_square[k] - roundings * largest * largest < nearer * nearer) return true;
     }
     return false;
   }

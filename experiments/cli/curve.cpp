@@ -14,6 +14,7 @@ void add_curve(CLI::App& app, Exit& /*exit*/) {
   curve->require_subcommand(1);
   add_curve_eval(*curve);
   add_curve_convert(*curve);
+  add_curve_project(*curve);
 }
 
 }  // namespace bezierbench::cli

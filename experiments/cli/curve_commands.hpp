@@ -21,5 +21,6 @@ struct CurveOptions {
 
 void add_curve_eval(CLI::App& curve);
 void add_curve_convert(CLI::App& curve);
+void add_curve_project(CLI::App& curve);
 
 }  // namespace bezierbench::cli

@@ -7,6 +7,7 @@
 #include <array>
 #include <span>
 
+#include "core/project/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/pattern.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 using Infos = std::span<const MethodInfo* const> (*)();
 
 /// One entry for each problem's roster.
-constexpr std::array<Infos, 0> rosters{};
+constexpr std::array<Infos, 1> rosters{projection_infos};
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include "experiments/failure.hpp"
 #include "experiments/studies/accuracy.hpp"
 #include "experiments/studies/conversion.hpp"
+#include "experiments/studies/projection.hpp"
 #include "experiments/studies/search.hpp"
 #include "experiments/studies/timing.hpp"
 #include "experiments/suite/names.hpp"
@@ -23,7 +24,8 @@ struct StudyKind {
 constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      //
                            StudyKind{suite::Kind::search, search_job},          //
                            StudyKind{suite::Kind::conversion, conversion_job},  //
-                           StudyKind{suite::Kind::timing, timing_job}};
+                           StudyKind{suite::Kind::timing, timing_job},          //
+                           StudyKind{suite::Kind::projection, projection_job}};
 
 }  // namespace
 
