@@ -3,7 +3,8 @@
 //
 // With m a power of two at or above all coordinates, b_i and P are divided by m, exactly, and b_i - P = high + low is
 // an error-free sum. C - P is evaluated by de Casteljau in two parts (core/evaluate/compensated_triangle.hpp), so that
-// it is right to about one rounding of itself even next to the curve, where C and P agree in all digits.
+// it is right to one rounding of itself and c_2 u^2 of the coordinates, also next to the curve, where C and P agree in
+// all digits.
 #pragma once
 
 #include "core/evaluate/compensated_triangle.hpp"
