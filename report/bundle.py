@@ -17,12 +17,14 @@ SCHEMA_VERSION = 1
 TEXT = frozenset(
     "study accuracy_study table curve method conversion scalar generator baseline status statistic verdict note tier mode "
     "relative_to quality checked pareto id problem form bound bit_stable flops citation worst_id search_id t coefficients "
-    "weights kind bundle against file column fact cpu compiler machine normalised_verdict".split())
+    "weights placement kind bundle against file column fact cpu compiler machine normalised_verdict".split())
 
 _ACCURACY = ("study curve method scalar dimension degree coordinate_range t_min t_max generator trials baseline status "
              "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split()
 _SCORECARD = ("table curve method statistic degree coordinate_range t_min t_max published ours_median ours_p05 ours_p95 "
               "verdict note").split()
+_PROJECTION = ("study method dimension degree coordinate_range generator placement trials status missed max_error_eps max_t_error "
+               "non_converged").split()
 
 # What the report reads from each file. Files that are not named here can be read too; their types are inferred.
 REQUIRED = {
@@ -32,6 +34,8 @@ REQUIRED = {
     "scorecard_timing.csv": _SCORECARD + ["prepared_median"],
     "conversion.csv": ("study conversion degree coordinate_range generator trials mean_error max_error "
                        "within_1e-5 within_1e-3 within_0.1").split(),
+    "projection.csv": _PROJECTION,
+    "projection_unstable.csv": _PROJECTION,
     "timing.csv": "study curve method degree mode median_ns low_ns high_ns checked".split(),
     "pareto.csv": ("study accuracy_study curve method scalar dimension degree mode ns ns_low ns_high observed_max_u bound_u "
                    "quality pareto").split(),
@@ -49,7 +53,7 @@ REQUIRED = {
 
 # Columns that say what a row is about; a row of the files above without one of them is malformed.
 KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator trials baseline status statistic "
-                 "tier mode id search_id worst_id".split())
+                 "tier mode id search_id worst_id placement".split())
 # The exceptions: a sentinel is timed over all degrees of a study.
 MAY_BE_EMPTY = frozenset({("timing.csv", "degree")})
 # Tables in which it depends on the row which columns apply and whether they hold a number.

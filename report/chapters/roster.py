@@ -4,9 +4,9 @@
 from ..bundle import Missing
 from ..document import Chapter
 from . import (audit, choosing, comparison, conditioning, conversion, figures, found, how_measured, ladder, method_list, peers,
-               provenance, rational, regimes, scorecard, tables, timing, truth, worst)
+               projection, provenance, rational, regimes, scorecard, tables, timing, truth, worst)
 
-ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, timing,
+ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, projection, timing,
           choosing, peers, comparison, audit, method_list, how_measured, provenance)
 
 

@@ -4,8 +4,8 @@
 from ..bundle import Missing
 from . import (bounds_hold, cells_inside, choosing, common_rounding, conditioning, conversion_dominates, conversion_growth,
                conversion_norm, conversion_parts, de_casteljau_flat, factorial_overflow, forward_substitution, growth_with_degree,
-               growth_with_t, ladder_best, ladder_growth, peers_accuracy, peers_cache, printed_slip, range_bend, rational_weights,
-               regimes_degree, regimes_dimension, regimes_float, regimes_parameter, regimes_range, round_trip_grid, sample_maximum,
+               growth_with_t, ladder_best, ladder_growth, peers_accuracy, peers_cache, printed_slip, projection_isolate,
+               projection_printed, range_bend, rational_weights, regimes_degree, regimes_dimension, regimes_float, regimes_parameter, regimes_range, round_trip_grid, sample_maximum,
                time_order, timings_quantised, via_power_worse, worst_bounds, worst_gain, yardstick_ranking)
 
 ROSTER = (cells_inside, bounds_hold, yardstick_ranking, common_rounding, forward_substitution, range_bend,
@@ -13,7 +13,7 @@ ROSTER = (cells_inside, bounds_hold, yardstick_ranking, common_rounding, forward
           growth_with_degree, growth_with_t, conversion_dominates, time_order, sample_maximum,
           ladder_best, ladder_growth, regimes_parameter, regimes_range, regimes_degree, regimes_float, regimes_dimension,
           conditioning, conversion_norm, conversion_parts, conversion_growth, worst_bounds, worst_gain, rational_weights,
-          choosing, peers_accuracy, peers_cache)
+          projection_isolate, projection_printed, choosing, peers_accuracy, peers_cache)
 
 
 def find_all(bundle):
