@@ -8,6 +8,7 @@
 
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/project/kernel.hpp"
+#include "reference/exact_curve.hpp"
 #include "reference/projection.hpp"
 
 namespace bezierbench {
@@ -128,6 +129,21 @@ TEST(QuinticIsolate, NeverMissesTheFootPointOnNastyCurves) {
     if (HasFailure() && units > 4) break;
   }
   RecordProperty("worst_units", std::to_string(worst));
+}
+
+/// C - P cancels to the last digits of both, or beyond: the distance at t is still right to its own rounding.
+TEST(OffsetCurve, IsRightToItsOwnRoundingNextToTheCurve) {
+  Inputs inputs(12);
+  reference::ExactCurve exact;
+  for (int trial = 0; trial < 300; ++trial) {
+    const int d = 1 + trial % 3;
+    const int n = 1 + trial % 6;
+    Problem problem{d, n, inputs.coefficients(n, d), inputs.coefficients(0, d)};
+    problem.point = on_curve(problem, inputs.unit());
+    const auto foot = projection_kernels(d).front().project(problem.curve(), problem.point);
+    const double truth = distance(exact.point(problem.curve(), foot.t), reference::exactly(problem.point));
+    EXPECT_NEAR(foot.distance, truth, 0x1p-22 * truth + 0x1p-96) << "trial " << trial;  // truth has 24 bits
+  }
 }
 
 }  // namespace

@@ -5,8 +5,9 @@ from ..bundle import Missing
 from . import (bounds_hold, cells_inside, choosing, common_rounding, conditioning, conversion_dominates, conversion_growth,
                conversion_norm, conversion_parts, de_casteljau_flat, factorial_overflow, forward_substitution, growth_with_degree,
                growth_with_t, ladder_best, ladder_growth, peers_accuracy, peers_cache, printed_slip, projection_isolate,
-               projection_printed, range_bend, rational_weights, regimes_degree, regimes_dimension, regimes_float, regimes_parameter, regimes_range, round_trip_grid, sample_maximum,
-               time_order, timings_quantised, via_power_worse, worst_bounds, worst_gain, yardstick_ranking)
+               projection_printed, range_bend, rational_weights, regimes_degree, regimes_dimension, regimes_float,
+               regimes_parameter, regimes_range, round_trip_grid, sample_maximum, time_order, timings_quantised, via_power_worse,
+               worst_bounds, worst_gain, yardstick_ranking)
 
 ROSTER = (cells_inside, bounds_hold, yardstick_ranking, common_rounding, forward_substitution, range_bend,
           round_trip_grid, de_casteljau_flat, factorial_overflow, timings_quantised, printed_slip, via_power_worse,
