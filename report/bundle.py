@@ -16,13 +16,15 @@ SCHEMA_VERSION = 1
 # Columns that are words wherever they occur, even where a value looks like a number (study 2.2, table 2.4).
 TEXT = frozenset(
     "study accuracy_study table curve method conversion scalar generator baseline status statistic verdict note tier mode "
-    "relative_to target goal_met quality checked pareto id problem form bound bit_stable flops citation worst_id search_id t coefficients "
-    "weights kind bundle against file column fact cpu compiler machine normalised_verdict".split())
+    "relative_to target goal_met quality checked pareto id problem form bound bit_stable flops citation worst_id search_id t "
+    "coefficients weights placement kind bundle against file column fact cpu compiler machine normalised_verdict".split())
 
 _ACCURACY = ("study curve method scalar dimension degree coordinate_range t_min t_max generator trials baseline status "
              "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split()
 _SCORECARD = ("table curve method statistic degree coordinate_range t_min t_max published ours_median ours_p05 ours_p95 "
               "verdict note").split()
+_PROJECTION = ("study method dimension degree coordinate_range generator placement trials status missed max_error_eps max_t_error "
+               "non_converged").split()
 
 # What the report reads from each file. Files that are not named here can be read too; their types are inferred.
 REQUIRED = {
@@ -36,6 +38,8 @@ REQUIRED = {
                        "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split(),
     "arc_length.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator tolerance trials status "
                        "mean_relative max_relative mean_evaluations non_converged broken_promises non_finite").split(),
+    "projection.csv": _PROJECTION,
+    "projection_unstable.csv": _PROJECTION,
     "timing.csv": "study curve method degree mode median_ns low_ns high_ns checked".split(),
     "pareto.csv": ("study accuracy_study curve method scalar dimension degree mode ns ns_low ns_high observed_max_u bound_u "
                    "quality pareto").split(),
@@ -54,8 +58,8 @@ REQUIRED = {
 }
 
 # Columns that say what a row is about; a row of the files above without one of them is malformed.
-KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator order tolerance trials baseline status "
-                 "statistic tier mode id search_id worst_id target".split())
+KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator order tolerance "
+                 "trials baseline status statistic tier mode id search_id worst_id target placement".split())
 # The exceptions: a sentinel is timed over all degrees of a study.
 MAY_BE_EMPTY = frozenset({("timing.csv", "degree")})
 # Tables in which it depends on the row which columns apply and whether they hold a number.

@@ -113,6 +113,8 @@ FLIPS = {
     "worst_gain": _more_short,
     "rational_weights": _raise("mean_error_u", 1e3, study="rational-ladder", method="direct", degree=20, generator="weights_wild"),
     "roofline": _set("goal_met", "no", "roofline.csv", method="horner_bernstein_fma", target="AVX2"),
+    "projection_isolate": _set("missed", 1, "projection.csv", method="quintic_isolate", placement="cusp"),
+    "projection_printed": _set("missed", 0, "projection_unstable.csv", method="quintic_seed_002"),
     "choosing": _set("pareto", "yes", "pareto.csv", method="direct"),
     "peers_accuracy": _scale("mean_error", 100, "unstable.csv", study="peers-bezier", degree=20),
     "peers_cache": _scale("mean_error", 1e-6, "unstable.csv", study="peers-bezier", method="peer_occt_cached"),

@@ -248,11 +248,24 @@ def roofline():
             for r in (row(m, n, "AVX2", 0.65, goal), row(m, n, "scalar", "", ""))]
 
 
+def _projected(method, missed, largest):
+    return [dict(study="projection-cubics", curve="bezier", method=method, scalar="double", dimension=2, degree=3, coordinate_range=1,
+                 t_min=0, t_max=1, generator="continuous", placement=placement, trials=1000, status="ok", missed=missed,
+                 max_error_eps=largest, max_t_error=1e-9, non_converged=0) for placement in ("uniform", "cusp")]
+
+
+def projection():
+    return _projected("quintic_isolate", 0, 1.5) + _projected("scan_bisect", 5, 1e14)
+
+
+def projection_unstable():
+    return _projected("quintic_companion", 0, 1e9) + _projected("quintic_seed_002", 700, 4e15)
+
+
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
-         "conversion.csv": conversion, "derivative.csv": derivative, "arc_length.csv": arc_length, "search.csv": search, "worst.csv": worst,
-         "methods.csv": methods, "audit.csv": audit,
-         "timing.csv": timing, "pareto.csv": pareto,
-         "roofline.csv": roofline}
+         "conversion.csv": conversion, "derivative.csv": derivative, "arc_length.csv": arc_length, "projection.csv": projection,
+         "projection_unstable.csv": projection_unstable, "search.csv": search, "worst.csv": worst, "methods.csv": methods,
+         "audit.csv": audit, "timing.csv": timing, "pareto.csv": pareto, "roofline.csv": roofline}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}
 

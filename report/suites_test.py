@@ -8,15 +8,15 @@ from pathlib import Path
 
 from . import fixture
 from .bundle import Bundle, BundleError, Missing
-from .chapters import arc_length, conditioning, conversion, derivative, ladder, peers, rational, regimes, worst
+from .chapters import (arc_length, conditioning, conversion, derivative, ladder, peers, projection, rational, regimes,
+                       worst)
 from .chapters.roster import build_all
 from .error_tables import swept
 from .findings.roster import find_all
 from .search_tables import search_tables
 
 CHAPTERS = {"ladder": ladder, "regimes": regimes, "conditioning": conditioning, "conversion": conversion, "worst": worst,
-            "rational": rational, "peers": peers, "derivative": derivative,
-            "arc_length": arc_length}
+            "rational": rational, "peers": peers, "derivative": derivative, "arc_length": arc_length, "projection": projection}
 
 
 def _only(*suites):

@@ -9,6 +9,7 @@
 
 #include "core/arc_length/kernel.hpp"
 #include "core/derivative/kernel.hpp"
+#include "core/project/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/pattern.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 using Infos = std::span<const MethodInfo* const> (*)();
 
 /// One entry for each problem's roster.
-constexpr std::array<Infos, 2> rosters{derivative_infos, arc_length_infos};
+constexpr std::array<Infos, 3> rosters{derivative_infos, arc_length_infos, projection_infos};
 
 }  // namespace
 

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 """All chapters, in the order of the page."""
 
+from importlib import import_module
+
 from ..bundle import Missing
 from ..document import Chapter
-from . import (arc_length, audit, choosing, comparison, conditioning, conversion, derivative, figures, found, how_measured, ladder, method_list,
-               peers, provenance, rational, regimes, roofline, scorecard, tables, timing, truth, worst)
 
-ROSTER = (found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, rational, derivative,
-          arc_length, timing, choosing, roofline, peers, comparison, audit, method_list, how_measured, provenance)
+NAMES = """found scorecard tables figures truth ladder regimes conditioning conversion worst rational derivative arc_length
+           projection timing choosing roofline peers comparison audit method_list how_measured provenance""".split()
+ROSTER = tuple(import_module(f".{name}", __package__) for name in NAMES)
 
 
 def build_all(bundle, findings):

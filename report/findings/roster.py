@@ -1,21 +1,17 @@
 # SPDX-License-Identifier: MIT
 """All findings, in the order of the page."""
 
-from ..bundle import Missing
-from . import (arc_length_cost, arc_length_promise, bounds_hold, cells_inside, choosing, common_rounding, conditioning, conversion_dominates, conversion_growth,
-               conversion_norm, conversion_parts, de_casteljau_flat, derivative_as_printed, derivative_bounds,
-               derivative_distant, factorial_overflow, forward_substitution, growth_with_degree,
-               growth_with_t, ladder_best, ladder_growth, peers_accuracy, peers_cache, printed_slip, range_bend, rational_weights,
-               regimes_degree, regimes_dimension, regimes_float, regimes_parameter, regimes_range, roofline, round_trip_grid,
-               sample_maximum, time_order, timings_quantised, via_power_worse, worst_bounds, worst_gain, yardstick_ranking)
+from importlib import import_module
 
-ROSTER = (cells_inside, bounds_hold, yardstick_ranking, common_rounding, forward_substitution, range_bend,
-          round_trip_grid, de_casteljau_flat, factorial_overflow, timings_quantised, printed_slip, via_power_worse,
-          growth_with_degree, growth_with_t, conversion_dominates, time_order, sample_maximum,
-          ladder_best, ladder_growth, regimes_parameter, regimes_range, regimes_degree, regimes_float, regimes_dimension,
-          conditioning, conversion_norm, conversion_parts, conversion_growth, worst_bounds, worst_gain, rational_weights,
-          choosing, roofline, peers_accuracy, peers_cache, derivative_as_printed, derivative_distant,
-          derivative_bounds, arc_length_promise, arc_length_cost)
+from ..bundle import Missing
+
+NAMES = """cells_inside bounds_hold yardstick_ranking common_rounding forward_substitution range_bend round_trip_grid
+           de_casteljau_flat factorial_overflow timings_quantised printed_slip via_power_worse growth_with_degree growth_with_t
+           conversion_dominates time_order sample_maximum ladder_best ladder_growth regimes_parameter regimes_range regimes_degree
+           regimes_float regimes_dimension conditioning conversion_norm conversion_parts conversion_growth worst_bounds worst_gain
+           rational_weights projection_isolate projection_printed choosing roofline peers_accuracy peers_cache
+           derivative_as_printed derivative_distant derivative_bounds arc_length_promise arc_length_cost""".split()
+ROSTER = tuple(import_module(f".{name}", __package__) for name in NAMES)
 
 
 def find_all(bundle):

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Candidates from the eigenvalues of a companion matrix, Eigen's balanced one. Eigen's iterations do the same on every
+// machine only as far as its build does: methods that use this are not bit-stable.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <unsupported/Eigen/Polynomials>
+#include <vector>
+
+namespace bezierbench {
+
+/// Where sum coefficients[k] t^k may be zero in [0, 1]: the real parts of all complex roots that lie there. A double
+/// root that rounding split into a pair counts, too; a parameter too many costs one comparison of distances.
+///
+/// Leading coefficients of at most u times the largest one are left out: in [0, 1] they change the polynomial by no
+/// more than the rounding of the others did, and they would be divided by.
+inline std::vector<double> companion_roots(std::vector<double> coefficients) {
+  double largest = 0;
+  for (const double coefficient : coefficients) largest = std::max(largest, std::abs(coefficient));
+  while (!coefficients.empty() && std::abs(coefficients.back()) <= 0x1p-53 * largest) coefficients.pop_back();
+  std::vector<double> roots;
+  if (coefficients.size() < 2) return roots;
+  const Eigen::Map<const Eigen::VectorXd> polynomial(coefficients.data(),
+                                                     static_cast<Eigen::Index>(coefficients.size()));
+  const Eigen::PolynomialSolver<double, Eigen::Dynamic> solver(polynomial);
+  for (const auto& root : solver.roots())
+    if (root.real() >= 0 && root.real() <= 1) roots.push_back(root.real());
+  return roots;
+}
+
+}  // namespace bezierbench

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The methods for point projection behind function pointers.
+#pragma once
+
+#include <span>
+
+#include "core/curve.hpp"
+#include "core/method.hpp"
+#include "core/project/projection.hpp"
+
+namespace bezierbench {
+
+/// One method, for curves with this many axes.
+struct ProjectionKernel {
+  const MethodInfo* info;
+  int dimension;
+  /// `curve` in Bernstein form, of a degree that the method supports; `point` has as many coordinates as the curve.
+  FootPoint (*project)(const CurveView<double>& curve, std::span<const double> point);
+};
+
+/// All methods, in roster order. Dimension is 1, 2 or 3.
+std::span<const ProjectionKernel> projection_kernels(int dimension);
+
+/// What they say of themselves, in roster order.
+std::span<const MethodInfo* const> projection_infos();
+
+}  // namespace bezierbench

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Roots of f = (C - P).C' / n in power form as eigenvalues of a companion matrix. With q_i = C(n,i) D^i (b_0 - P) and
+// h_j = C(n-1,j) D^(j+1) b_0 (D the forward difference), f_k = sum_(i+j=k) q_i.h_j. For a cubic, with A = b_0 - P,
+// B = D b_0, C = D^2 b_0, D = D^3 b_0:
+//   k0 = A.B, k1 = 2 A.C + 3 B.B, k2 = A.D + 9 B.C, k3 = 4 B.D + 6 C.C, k4 = 5 C.D, k5 = D.D.
+//
+// Source: the method of seed document 002 with its coefficients k2, k3 and k4 put right; Edelman and Murakami, Math.
+//   Comp. 64 (1995) 763-776 (roots from companion eigenvalues).
+// Cost: about 10 (2n-1)^3 flops.
+// Fails: f is rounded in power form, so roots are off by (3^n u)^(1/k) at a k-fold root: 1e-5 at a cusp under the
+// point.
+#pragma once
+
+#include "core/basis/binomial.hpp"
+#include "core/project/companion_roots.hpp"
+#include "core/project/nearest.hpp"
+
+namespace bezierbench {
+
+struct QuinticCompanion {
+  static constexpr MethodInfo info{.id = "quintic_companion",
+                                   .label = "Companion matrix",
+                                   .problem = Problem::projection,
+                                   .form = Form::bernstein,
+                                   .min_degree = 1,
+                                   .max_degree = 100,
+                                   .bit_stable = false,
+                                   .flops = "about 10 (2n-1)^3",
+                                   .cost_exponent = 3,
+                                   .citation = "Edelman and Murakami 1995"};
+
+  template <int Dimension>
+  static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,
+                           const Point<double, Dimension>& point) {
+    const OffsetCurve<Dimension> offset(curve, point);
+    return nearest(offset, companion_roots(coefficients(offset)));
+  }
+
+  /// f_0 .. f_(2n-1), over the square of the power of two that OffsetCurve divides by.
+  template <int Dimension>
+  static std::vector<double> coefficients(const OffsetCurve<Dimension>& offset) {
+    const int n = offset.degree();
+    const auto of_curve = binomials<double, dynamic>(n);
+    const auto of_difference = binomials<double, dynamic>(n - 1);
+    const auto curve = first_differences(offset.offsets());
+    const auto difference = first_differences(offset.differences_of_points());
+    std::vector<double> f(static_cast<std::size_t>(2 * n), 0.0);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j < n; ++j)
+        f[static_cast<std::size_t>(i + j)] +=
+            of_curve[i] * of_difference[j] * dot<Dimension>(curve.col(i), difference.col(j));
+    return f;
+  }
+
+ private:
+  /// Column k is D^k b_0.
+  template <class Columns>
+  static Columns first_differences(Columns b) {
+    for (Eigen::Index k = 1; k < b.cols(); ++k)
+      for (Eigen::Index i = b.cols() - 1; i >= k; --i)
+        for (Eigen::Index axis = 0; axis < b.rows(); ++axis) b(axis, i) = b(axis, i) - b(axis, i - 1);
+    return b;
+  }
+};
+
+}  // namespace bezierbench

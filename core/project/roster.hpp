@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Every method for point projection. One line here makes it exist everywhere.
+#pragma once
+
+#include "core/project/quintic_companion.hpp"
+#include "core/project/quintic_isolate.hpp"
+#include "core/project/quintic_seed_002.hpp"
+#include "core/project/scan_bisect.hpp"
+#include "core/project/scan_refine.hpp"
+#include "core/project/subdivide_hull.hpp"
+
+namespace bezierbench {
+
+using ProjectionMethods = TypeList<QuinticIsolate,    //
+                                   QuinticCompanion,  //
+                                   SubdivideHull,     //
+                                   ScanBisect,        //
+                                   ScanRefine,        //
+                                   QuinticSeed002>;
+
+}  // namespace bezierbench

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Equally spaced samples of a curve, and the nearest of them: how every search by scanning begins.
+#pragma once
+
+#include <limits>
+
+#include "core/project/offset_curve.hpp"
+
+namespace bezierbench {
+
+/// |C(t) - P|^2 / m^2 from plain arithmetic, as the searches compare it.
+template <int Dimension>
+double squared_distance(const OffsetCurve<Dimension>& curve, double t) {
+  const auto offset = point_at<Dimension>(curve.offsets(), t);
+  return dot<Dimension>(offset, offset);
+}
+
+/// The nearest of from + i (to - from) / slices, i = 0, ..., slices; of equally near ones the first.
+template <int Dimension>
+double nearest_sample(const OffsetCurve<Dimension>& curve, double from, double to, int slices) {
+  double best = from;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= slices; ++i) {
+    const double t = i == slices ? to : from + (to - from) * (static_cast<double>(i) / slices);
+    if (const double squared = squared_distance(curve, t); squared < least) {
+      least = squared;
+      best = t;
+    }
+  }
+  return best;
+}
+
+}  // namespace bezierbench

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Repeated slicing: the nearest of 17 samples, then of 17 samples between its neighbours, and so on until the interval
+// is shorter than 2^-52.
+//
+// Source: seed document 004, the recursive snippet, which leaves both numbers to the caller. One thing differs: samples
+//   are multiples of a slice, not sums of it, so that the last is the end of the interval.
+// Cost: 17 (the first time) + 17 18 points by de Casteljau.
+// Fails: finds one local minimum, as scan_bisect; distances are compared squared, so that t is right to half of its
+//   digits only where the point is off the curve.
+#pragma once
+
+#include "core/project/projection.hpp"
+#include "core/project/scan.hpp"
+
+namespace bezierbench {
+
+struct ScanRefine {
+  static constexpr MethodInfo info{.id = "scan_refine",
+                                   .label = "Repeated slicing",
+                                   .problem = Problem::projection,
+                                   .form = Form::bernstein,
+                                   .min_degree = 1,
+                                   .flops = "323 points by de Casteljau",
+                                   .cost_exponent = 2,
+                                   .citation = "seed document 004"};
+
+  template <int Dimension>
+  static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,
+                           const Point<double, Dimension>& point) {
+    constexpr int slices = 16;
+    const OffsetCurve<Dimension> offset(curve, point);
+    double from = 0;
+    double to = 1;
+    double best = 0;
+    int candidates = 0;
+    do {
+      best = nearest_sample(offset, from, to, slices);
+      const double slice = (to - from) / slices;
+      from = std::max(best - slice, 0.0);
+      to = std::min(best + slice, 1.0);
+      candidates += slices + 1;
+    } while (to - from >= 0x1p-52);
+    return {best, offset.distance(best), candidates, true};
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Halves the curve and drops pieces that cannot hold the nearest point: of |C - P|^2 in Bernstein form,
+//   g_k = sum_(i+j=k) C(n,i) C(n,j) / C(2n,k) (b_i - P).(b_j - P),
+// the least coefficient is a lower bound on the piece, its ends give upper bounds. The least g_k is never below the
+// squared distance of the convex hull where that is positive and close to it, and converges quadratically.
+//
+// Source: seed document 004, third answer, whose bound is wrong: the distance of a control polygon's vertices bounds
+//   nothing from below. Chen, Zhou, Shu, Su and Paul 2007 clip by the coefficients of |C - P|^2.
+// Cost: O(n^2) flops per piece; some 100 pieces.
+// Sure: a piece is dropped only where it could be nearer than the best parameter by no more than its rounding errors:
+//   2c u of the distance, c = d (5n + d + 5), and what halving has added, (n + 1) u times the size of every piece that
+//   it was cut from. Or where it is narrower than 2^-54. The distance is then descended from the best parameter.
+// Fails: beyond degree 512 the binomials of degree 2n overflow; next to a curve whose distance is flat to rounding over
+//   a long way it gives up after 20,000 pieces, and says so.
+#pragma once
+
+#include <vector>
+
+#include "core/basis/binomial.hpp"
+#include "core/project/projection.hpp"
+#include "core/project/refine.hpp"
+
+namespace bezierbench {
+
+struct SubdivideHull {
+  static constexpr MethodInfo info{.id = "subdivide_hull",
+                                   .label = "Subdivision with a lower bound",
+                                   .problem = Problem::projection,
+                                   .form = Form::bernstein,
+                                   .min_degree = 1,
+                                   .max_degree = 512,
+                                   .flops = "O(d n^2) per piece",
+                                   .cost_exponent = 2,
+                                   .citation = "Chen et al. 2007; seed document 004"};
+
+  template <int Dimension>
+  static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,
+                           const Point<double, Dimension>& point) {
+    const OffsetCurve<Dimension> offset(curve, point);
+    const Binomials binomials(offset.degree());
+    Best best{0, offset.scaled_distance(0)};
+    best.take(1, offset.scaled_distance(1));
+    std::vector<Piece<Dimension>> level{{offset.offsets(), 0, 0}};
+    int judged = 0;
+    for (double width = 1; !level.empty() && width >= smallest_width && judged < most_pieces; width /= 2) {
+      std::vector<Piece<Dimension>> next;
+      for (auto& piece : level) {
+        ++judged;
+        if (!may_be_nearer(piece, binomials, best.distance)) continue;
+        const double middle = piece.from + width / 2;
+        best.take(middle, offset.scaled_distance(middle));
+        const double error = piece.error + 0x1p-53 * static_cast<double>(piece.offset.cols()) *
+                                               largest_coordinate<Dimension>(piece.offset);
+        auto [left, right] = halves<Dimension>(std::move(piece.offset));
+        next.push_back({std::move(left), piece.from, error});
+        next.push_back({std::move(right), middle, error});
+      }
+      level = std::move(next);
+    }
+    best.t = descend(offset, best.t);
+    return {best.t, offset.distance(best.t), judged, judged < most_pieces};
+  }
+
+ private:
+  static constexpr int most_pieces = 20'000;
+  static constexpr double smallest_width = 0x1p-54;
+
+  struct Best {
+    double t;
+    double distance;
+    void take(double other, double its_distance) {
+      if (!(its_distance < distance)) return;
+      t = other;
+      distance = its_distance;
+    }
+  };
+
+  template <int Dimension>
+  struct Piece {
+    Polygon<Dimension> offset;  ///< of C - P, over m as in OffsetCurve
+    double from;
+    double error;  ///< of a coordinate, from halving
+  };
+
+  struct Binomials {
+    using Row = PerCoefficient<double, dynamic>;
+    explicit Binomials(int n) : of_curve(binomials<double, dynamic>(n)), of_square(binomials<double, dynamic>(2 * n)) {}
+    Row of_curve;
+    Row of_square;
+  };
+
+  /// False where every point of the piece is at least as far as `best`, but for rounding.
+  template <int Dimension>
+  static bool may_be_nearer(const Piece<Dimension>& piece, const Binomials& binomials, double best) {
+    const int n = degree_of<Dimension>(piece.offset);
+    const double largest = largest_coordinate<Dimension>(piece.offset);
+    const double roundings = 0x1p-53 * Dimension * (5.0 * n + Dimension + 5);  // of a g_k over the largest product
+    const double nearer = std::max(0.0, best * (1 - 2 * roundings) - Dimension * piece.error);
+    for (int k = 0; k <= 2 * n; ++k) {
+      double sum = 0;
+      for (int i = std::max(0, k - n); i <= std::min(k, n); ++i)
+        sum += binomials.of_curve[i] * binomials.of_curve[k - i] *
+               dot<Dimension>(piece.offset.col(i), piece.offset.col(k - i));
+      if (sum / binomials.of_square[k] - roundings * largest * largest < nearer * nearer) return true;
+    }
+    return false;
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/sample/placement.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace bezierbench::sample {
+namespace {
+
+using Vector = std::vector<double>;
+
+double& at(PlacedPoint& problem, int i, int axis) {
+  return problem.points[static_cast<std::size_t>(i * problem.dimension + axis)];
+}
+
+/// The point of the k-th hodograph at t, without the factors of the degree; rounding does not matter.
+Vector difference_at(const PlacedPoint& problem, int k, double t) {
+  auto b = problem;
+  for (int last = b.degree; last > 0; --last)
+    for (int i = 0; i < last; ++i)
+      for (int axis = 0; axis < b.dimension; ++axis) {
+        const double step = at(b, i + 1, axis) - at(b, i, axis);
+        at(b, i, axis) = b.degree - last < k ? step : at(b, i, axis) + t * step;
+      }
+  b.points.resize(static_cast<std::size_t>(b.dimension));
+  return b.points;
+}
+
+double dot(const Vector& a, const Vector& b) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < a.size(); ++axis) sum += a[axis] * b[axis];
+  return sum;
+}
+
+void uniform(PlacedPoint& /*problem*/, double /*t*/) {}
+
+void on_curve(PlacedPoint& problem, double t) { problem.point = difference_at(problem, 0, t); }
+
+/// A millionth of the way from the curve to the point that was drawn.
+void beside(PlacedPoint& problem, double t) {
+  const auto foot = difference_at(problem, 0, t);
+  for (std::size_t axis = 0; axis < foot.size(); ++axis)
+    problem.point[axis] = foot[axis] + 0x1p-20 * (problem.point[axis] - foot[axis]);
+}
+
+/// C + N / kappa: with v = C' and a the part of C'' across v, that is C + a |v|^2 / |a|^2. Stays where it was drawn
+/// where the curve is straight.
+void centre(PlacedPoint& problem, double t) {
+  if (problem.degree < 2 || problem.dimension < 2) return;
+  const double n = problem.degree;
+  const auto foot = difference_at(problem, 0, t);
+  const auto v = difference_at(problem, 1, t);
+  auto a = difference_at(problem, 2, t);
+  const double along = dot(v, a) / dot(v, v);
+  for (std::size_t axis = 0; axis < a.size(); ++axis) a[axis] -= along * v[axis];
+  const double radius = n * dot(v, v) / ((n - 1) * dot(a, a));
+  if (!std::isfinite(radius) || radius > 0x1p+20) return;
+  for (std::size_t axis = 0; axis < a.size(); ++axis) problem.point[axis] = foot[axis] + radius * a[axis];
+}
+
+/// C'(1/2) = 0, exactly, as long as (2^20) 2^n is: on a lattice of about 2^20 steps the first control point is moved to
+/// where sum C(n-1,j) (b_(j+1) - b_j) = 0. The point is that cusp.
+void cusp(PlacedPoint& problem, double /*t*/) {
+  double largest = 0;
+  for (const double x : problem.points) largest = std::fmax(largest, std::abs(x));
+  if (largest == 0 || problem.degree < 2) return on_curve(problem, 0.5);
+  const double lattice = std::ldexp(1.0, std::ilogb(largest) - 20);
+  for (double& x : problem.points) x = std::floor(x / lattice) * lattice;
+  for (int axis = 0; axis < problem.dimension; ++axis) {
+    double sum = 0;
+    double binomial = 1;
+    for (int j = 1; j < problem.degree; ++j) {
+      binomial = binomial * (problem.degree - j) / j;
+      sum += binomial * (at(problem, j + 1, axis) - at(problem, j, axis));
+    }
+    at(problem, 0, axis) = at(problem, 1, axis) + sum;
+  }
+  on_curve(problem, 0.5);
+}
+
+/// The second half mirrors the first at the plane x = 0, on which the point lies: nearest points come in pairs.
+void mirrored(PlacedPoint& problem, double /*t*/) {
+  const int n = problem.degree;
+  for (int i = 0; 2 * i <= n; ++i)
+    for (int axis = 0; axis < problem.dimension; ++axis)
+      at(problem, n - i, axis) = axis == 0 ? -at(problem, i, axis) : at(problem, i, axis);
+  if (n % 2 == 0) at(problem, n / 2, 0) = 0;
+  problem.point[0] = 0;
+}
+
+/// Control points at equal steps on a line: C'' = 0, and all leading coefficients of (C - P).C' vanish, but for the
+/// rounding of the steps.
+void line(PlacedPoint& problem, double /*t*/) {
+  for (int i = 1; i < problem.degree; ++i)
+    for (int axis = 0; axis < problem.dimension; ++axis) {
+      const double from = at(problem, 0, axis);
+      at(problem, i, axis) =
+          from + (at(problem, problem.degree, axis) - from) * (static_cast<double>(i) / problem.degree);
+    }
+}
+
+constexpr std::array all{Placement{"uniform", "as a control point", uniform},
+                         Placement{"on_curve", "on the curve, rounded", on_curve},
+                         Placement{"beside", "a millionth of the way from the curve to a uniform point", beside},
+                         Placement{"centre", "the centre of curvature", centre},
+                         Placement{"cusp", "in a cusp of the curve", cusp},
+                         Placement{"mirrored", "on the axis of a symmetric curve", mirrored},
+                         Placement{"line", "as a control point; the curve is a line at constant speed", line}};
+
+}  // namespace
+
+std::span<const Placement> placements() { return all; }
+
+Cell with_point(Cell cell) {
+  ++cell.degree;
+  return cell;
+}
+
+PlacedPoint place(const Placement& placement, const Sampler& sampler, const Cell& cell, std::uint64_t trial) {
+  Trial drawn;
+  sampler.draw(trial, drawn);
+  const auto d = static_cast<std::ptrdiff_t>(cell.dimension);
+  PlacedPoint problem{cell.dimension,
+                      cell.degree,
+                      {drawn.coefficients.begin(), drawn.coefficients.end() - d},
+                      {drawn.coefficients.end() - d, drawn.coefficients.end()}};
+  placement.place(problem, drawn.t);
+  return problem;
+}
+
+}  // namespace bezierbench::sample

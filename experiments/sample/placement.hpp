@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Where the point lies that is projected onto a curve. Each placement takes a drawn curve and a point that was drawn
+// like its control points, and moves one or both; plain arithmetic without libm, so that no bit depends on the machine.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "experiments/sample/draw.hpp"
+
+namespace bezierbench::sample {
+
+/// A curve in Bernstein form and a point with as many coordinates.
+struct PlacedPoint {
+  int dimension = 0;
+  int degree = 0;
+  std::vector<double> points;  ///< point by point
+  std::vector<double> point;
+};
+
+struct Placement {
+  std::string_view id;
+  std::string_view what;
+  void (*place)(PlacedPoint& problem, double t);
+};
+
+/// All placements.
+std::span<const Placement> placements();
+
+/// Trial number `trial` of the cell's problems, the point placed at the parameter that is drawn with the curve. The
+/// point is what would be the next control point; `sampler` draws the cell with one degree more (see with_point).
+PlacedPoint place(const Placement& placement, const Sampler& sampler, const Cell& cell, std::uint64_t trial);
+
+/// The cell whose curves have one control point more, which becomes the point.
+Cell with_point(Cell cell);
+
+}  // namespace bezierbench::sample

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/projection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/project/kernel.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/sample/placement.hpp"
+#include "experiments/studies/cell_fields.hpp"
+#include "experiments/studies/companions.hpp"
+#include "experiments/studies/interruption.hpp"
+#include "experiments/studies/projection_tally.hpp"
+#include "reference/projection.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+constexpr std::int64_t block_trials = 100;
+
+/// One cell and one way to place the point.
+struct Part {
+  sample::Cell cell;
+  const sample::Placement* placement;
+  sample::Sampler sampler;
+  std::vector<const ProjectionKernel*> kernels;
+};
+
+void refuse_what_is_not_judged(const suite::Study& study) {
+  if (study.curve != suite::CurveKind::bezier)
+    throw Failure(
+        Exit::usage,
+        fmt::format("study \"{}\": points are projected onto Bezier curves; write curve = \"bezier\"", study.id));
+  if (study.scalar != std::vector{suite::ScalarKind::float64})
+    throw Failure(Exit::usage,
+                  fmt::format("study \"{}\": projection is in double only; write scalar = [\"double\"]", study.id));
+  for (const auto& generator : sample::generators())
+    if (generator.limits.exact_coefficients && std::ranges::count(study.generator, generator.id) > 0)
+      throw Failure(Exit::usage,
+                    fmt::format("study \"{}\": generator \"{}\" draws one polynomial for all axes and no point; "
+                                "choose another, see `list generators`",
+                                study.id, generator.id));
+}
+
+double largest_coordinate(const sample::PlacedPoint& problem) {
+  double largest = 0;
+  for (const auto* values : {&problem.points, &problem.point})
+    for (const double x : *values) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+/// |t - t*| for the nearest t* of those whose distance is the least, to a relative 2^-40.
+double t_error(double t, const reference::ExactProjection& exact) {
+  constexpr double tie = 1 + 0x1p-40;
+  const auto distance = [](const reference::CriticalPoint& point) {
+    return reference::square_root(reference::binary64, point.distance_squared);
+  };
+  const double least = distance(exact.foot());
+  double error = 1;
+  for (const auto& critical : exact.critical)
+    if (distance(critical) <= least * tie)
+      error = std::min(error, reference::round_to(reference::error_format, abs(reference::exactly(t) - critical.t)));
+  return error;
+}
+
+class ProjectionJob final : public JobOf<ProjectionTallies> {
+ public:
+  ProjectionJob(const suite::Study& study, std::uint64_t seed)
+      : study_(study), infos_(chosen_companions(study, Problem::projection)) {
+    refuse_what_is_not_judged(study_);
+    for (const auto& cell : sample::cells(study_))
+      for (const auto& placement : sample::placements())
+        parts_.push_back(
+            {cell, &placement, sample::Sampler(seed, study_.id, sample::with_point(cell)), kernels_of(cell.dimension)});
+  }
+
+  [[nodiscard]] std::size_t parts() const override { return parts_.size(); }
+  [[nodiscard]] std::size_t blocks_per_part() const override {
+    return static_cast<std::size_t>((trials() - 1) / block_trials + 1);
+  }
+  [[nodiscard]] double cost(std::size_t part) const override {
+    const double n = parts_[part].cell.degree;
+    return static_cast<double>(std::min(trials(), block_trials)) * 20'000 * n * n;
+  }
+  [[nodiscard]] Extent extent() const override {
+    constexpr std::size_t tally = 300'000;
+    const auto rows = parts_.size() * infos_.size();
+    return {parts_.size(), rows, rows * static_cast<std::uint64_t>(trials()), rows * tally};
+  }
+  void write(Tables& tables) const override;
+  [[nodiscard]] std::vector<Series> series() const override { return {}; }
+
+ protected:
+  [[nodiscard]] ProjectionTallies work(std::size_t block) const override;
+
+ private:
+  [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
+  [[nodiscard]] std::vector<const ProjectionKernel*> kernels_of(int dimension) const {
+    std::vector<const ProjectionKernel*> kernels;
+    for (const auto* info : infos_)
+      for (const auto& kernel : projection_kernels(dimension))
+        if (kernel.info == info) kernels.push_back(&kernel);
+    return kernels;
+  }
+  static void judge(const ProjectionKernel& kernel, const sample::PlacedPoint& problem,
+                    const reference::ExactProjection& exact, ProjectionTally& tally);
+
+  suite::Study study_;
+  std::vector<const MethodInfo*> infos_;
+  std::vector<Part> parts_;
+};
+
+void ProjectionJob::judge(const ProjectionKernel& kernel, const sample::PlacedPoint& problem,
+                          const reference::ExactProjection& exact, ProjectionTally& tally) {
+  const auto foot = kernel.project({Form::bernstein, problem.dimension, problem.degree, problem.points}, problem.point);
+  tally.candidates += static_cast<std::uint64_t>(foot.candidates);
+  tally.most_candidates = std::max(tally.most_candidates, static_cast<std::uint64_t>(foot.candidates));
+  tally.non_converged += foot.converged ? 0 : 1;
+  if (!std::isfinite(foot.distance) || !std::isfinite(foot.t)) {
+    ++tally.non_finite;
+    return;
+  }
+  const double error = reference::distance_error(reference::error_format, foot.distance, exact.foot().distance_squared);
+  const double largest = largest_coordinate(problem);
+  tally.error.add(error);
+  tally.error_unit.add(error == 0 ? 0 : metric::to_24_bits(error / largest * 0x1p+52));
+  tally.t_error.add(t_error(foot.t, exact));
+  tally.missed += error > missed_tolerance * largest ? 1 : 0;
+}
+
+ProjectionTallies ProjectionJob::work(std::size_t block) const {
+  const auto& part = parts_[part_of(block)];
+  ProjectionTallies tallies;
+  tallies.methods.resize(infos_.size());
+  const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * block_trials;
+  const auto last = std::min(first + block_trials, trials());
+  for (auto trial = first; trial < last && !interrupted(); ++trial) {
+    const auto problem = sample::place(*part.placement, part.sampler, part.cell, static_cast<std::uint64_t>(trial));
+    if (problem.degree < 1) break;
+    const auto exact =
+        reference::projection({Form::bernstein, problem.dimension, problem.degree, problem.points}, problem.point);
+    for (std::size_t m = 0; m < part.kernels.size(); ++m)
+      if (infos_[m]->supports<double>(problem.degree)) judge(*part.kernels[m], problem, exact, tallies.methods[m]);
+  }
+  return tallies;
+}
+
+struct Column {
+  const char* name;
+  std::string (*field)(const ProjectionTally& tally);
+};
+
+using Value = double (*)(const metric::Tally&);
+constexpr Value mean = [](const metric::Tally& tally) { return tally.mean(); };
+constexpr Value median = [](const metric::Tally& tally) { return tally.quantile(0.5); };
+constexpr Value p99 = [](const metric::Tally& tally) { return tally.quantile(0.99); };
+constexpr Value largest = [](const metric::Tally& tally) { return tally.max(); };
+
+/// A statistic of no trial is an empty field.
+template <metric::Tally ProjectionTally::*Of, Value Which>
+std::string statistic(const ProjectionTally& tally) {
+  return (tally.*Of).count() > 0 ? number::decimal(Which(tally.*Of)) : "";
+}
+
+template <std::uint64_t ProjectionTally::*Of>
+std::string count(const ProjectionTally& tally) {
+  return std::to_string(tally.*Of);
+}
+
+constexpr Column columns[]{
+    {"missed", count<&ProjectionTally::missed>},
+    {"mean_error", statistic<&ProjectionTally::error, mean>},
+    {"p50_error", statistic<&ProjectionTally::error, median>},
+    {"p99_error", statistic<&ProjectionTally::error, p99>},
+    {"max_error", statistic<&ProjectionTally::error, largest>},
+    {"mean_error_eps", statistic<&ProjectionTally::error_unit, mean>},
+    {"max_error_eps", statistic<&ProjectionTally::error_unit, largest>},
+    {"mean_t_error", statistic<&ProjectionTally::t_error, mean>},
+    {"p50_t_error", statistic<&ProjectionTally::t_error, median>},
+    {"max_t_error", statistic<&ProjectionTally::t_error, largest>},
+    {"candidates", count<&ProjectionTally::candidates>},
+    {"max_candidates", count<&ProjectionTally::most_candidates>},
+    {"non_converged", count<&ProjectionTally::non_converged>},
+    {"non_finite", count<&ProjectionTally::non_finite>},
+};
+
+void ProjectionJob::write(Tables& tables) const {
+  auto names = cell_columns();
+  names.insert(names.end(), {"placement", "trials", "status"});
+  for (const auto& column : columns) names.emplace_back(column.name);
+  for (std::size_t part = 0; part < parts_.size(); ++part)
+    for (std::size_t m = 0; m < infos_.size(); ++m) {
+      const auto& cell = parts_[part].cell;
+      auto row = cell_fields(study_, cell, infos_[m]->id, suite::ScalarKind::float64);
+      const bool supported = infos_[m]->supports<double>(cell.degree);
+      row.insert(row.end(), {std::string(parts_[part].placement->id), std::to_string(trials()),
+                             supported ? "ok" : "degree_unsupported"});
+      if (supported)
+        for (const auto& column : columns) row.push_back(column.field(state(part).methods.at(m)));
+      row.resize(names.size());
+      tables.table(infos_[m]->bit_stable ? "projection.csv" : "projection_unstable.csv", names).add_row(std::move(row));
+    }
+}
+
+}  // namespace
+
+std::unique_ptr<Job> projection_job(const suite::Study& study, const JobContext& context) {
+  return std::make_unique<ProjectionJob>(study, context.seed);
+}
+
+}  // namespace bezierbench::studies

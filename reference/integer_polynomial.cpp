@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "reference/integer_polynomial.hpp"
+
+#include <algorithm>
+
+namespace bezierbench::reference {
+namespace {
+
+void trim(IntegerPolynomial& p) {
+  while (!p.empty() && p.back() == 0) p.pop_back();
+}
+
+/// Divides by the greatest common divisor of the coefficients.
+void make_primitive(IntegerPolynomial& p) {
+  mpz_class content = 0;
+  for (const auto& c : p) content = gcd(content, c);
+  if (content > 1)
+    for (auto& c : p) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), content.get_mpz_t());
+}
+
+/// Replaces a by its remainder over b, up to a factor, and returns the quotient up to a factor; deg a >= deg b.
+IntegerPolynomial divide(IntegerPolynomial& a, const IntegerPolynomial& b) {
+  IntegerPolynomial quotient(a.size() - b.size() + 1, 0);
+  for (std::size_t top = a.size(); top >= b.size(); --top) {
+    const mpz_class factor = a[top - 1];
+    const std::size_t shift = top - b.size();
+    for (auto& c : quotient) c *= b.back();
+    quotient[shift] += factor;
+    for (auto& c : a) c *= b.back();
+    for (std::size_t i = 0; i < b.size(); ++i) a[shift + i] -= factor * b[i];
+  }
+  trim(a);
+  return quotient;
+}
+
+/// p(t + 1).
+void shift_by_one(IntegerPolynomial& p) {
+  for (std::size_t last = 0; last + 1 < p.size(); ++last)
+    for (std::size_t i = p.size() - 1; i > last; --i) p[i - 1] += p[i];
+}
+
+/// 2^m p(t / 2).
+void stretch(IntegerPolynomial& p) {
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] <<= p.size() - 1 - i;
+}
+
+/// Sign variations of (1 + x)^m p(1 / (1 + x)): at least as many as p has roots in (0, 1), and of the same parity.
+int variations(IntegerPolynomial p) {
+  std::reverse(p.begin(), p.end());
+  shift_by_one(p);
+  int count = 0;
+  int last = 0;
+  for (const auto& c : p) {
+    const int sign = sgn(c);
+    if (sign == 0) continue;
+    count += last == -sign ? 1 : 0;
+    last = sign;
+  }
+  return count;
+}
+
+/// Divides by t^k as far as it goes; true if it does at all.
+bool drop_root_at_zero(IntegerPolynomial& p) {
+  const auto first = std::find_if(p.begin(), p.end(), [](const mpz_class& c) { return c != 0; });
+  const bool found = first != p.begin();
+  p.erase(p.begin(), first);
+  return found;
+}
+
+/// The roots in [0, 1) of p, which is the square-free polynomial over [k, k+1] / 2^shift.
+void isolate(IntegerPolynomial p, const Dyadic& place, std::vector<RootInterval>& roots) {
+  if (drop_root_at_zero(p)) roots.push_back({place, true});
+  const int count = variations(p);
+  if (count == 0) return;
+  if (count == 1) {
+    roots.push_back({place, false});
+    return;
+  }
+  stretch(p);
+  Dyadic half{place.k * 2, place.shift + 1};
+  isolate(p, half, roots);
+  shift_by_one(p);
+  ++half.k;
+  isolate(std::move(p), half, roots);
+}
+
+/// p(k / 2^shift) 2^(m shift).
+mpz_class value_at(const IntegerPolynomial& p, const Dyadic& t) {
+  mpz_class value = 0;
+  for (std::size_t i = p.size(); i-- > 0;) value = value * t.k + (p[i] << (t.shift * (p.size() - 1 - i)));
+  return value;
+}
+
+/// One step of the refinement: cuts the interval into 2^cut parts and takes the one in which the secant meets zero, if
+/// the signs at its ends say so.
+bool take_guess(const IntegerPolynomial& p, RootInterval& root, unsigned long cut) {
+  const mpz_class left = value_at(p, root.t);
+  const mpz_class right = value_at(p, {root.t.k + 1, root.t.shift});
+  const mpz_class denominator = left - right;
+  if (denominator == 0) return false;
+  mpz_class numerator = left << cut;
+  mpz_class part;
+  mpz_fdiv_q(part.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
+  const mpz_class parts = mpz_class(1) << cut;
+  if (part < 0 || part >= parts) return false;
+  const Dyadic a{(root.t.k << cut) + part, root.t.shift + cut};
+  const int at_a = part == 0 ? sgn(left) : sign_at(p, a);
+  if (at_a == 0 && part != 0) {
+    root = {a, true};
+    return true;
+  }
+  const int at_b = part + 1 == parts ? sgn(right) : sign_at(p, {a.k + 1, a.shift});
+  if (at_a * at_b >= 0) return false;
+  root.t = a;
+  return true;
+}
+
+/// Halves an interval at one of whose ends p may be zero (another root): the sign inside then follows from the middle.
+void halve(const IntegerPolynomial& p, RootInterval& root) {
+  const Dyadic middle{root.t.k * 2 + 1, root.t.shift + 1};
+  const int at_middle = sign_at(p, middle);
+  if (at_middle == 0) {
+    root = {middle, true};
+    return;
+  }
+  int at_left = sign_at(p, root.t);
+  if (at_left == 0) at_left = sign_at(derivative(p), root.t);  // simple roots: the sign just right of it
+  root.t = at_left == at_middle ? middle : Dyadic{root.t.k * 2, root.t.shift + 1};
+}
+
+}  // namespace
+
+IntegerPolynomial from_scaled_bernstein(const std::vector<mpz_class>& c) {
+  IntegerPolynomial p;  // Horner in s = 1-t over t: p <- p (1-t) + c_k t^k
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    p.emplace_back(0);
+    for (std::size_t i = p.size() - 1; i > 0; --i) p[i] -= p[i - 1];
+    p[k] += c[k];
+  }
+  trim(p);
+  return p;
+}
+
+IntegerPolynomial derivative(const IntegerPolynomial& p) {
+  IntegerPolynomial result;
+  for (std::size_t i = 1; i < p.size(); ++i) result.emplace_back(p[i] * static_cast<unsigned long>(i));
+  return result;
+}
+
+IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial b) {
+  if (a.size() < b.size()) std::swap(a, b);
+  make_primitive(a);
+  make_primitive(b);
+  while (!b.empty()) {
+    divide(a, b);
+    make_primitive(a);
+    std::swap(a, b);
+  }
+  return a;
+}
+
+IntegerPolynomial square_free(const IntegerPolynomial& p) {
+  const auto common = greatest_common_divisor(p, derivative(p));
+  auto rest = p;
+  auto quotient = common.size() < 2 ? p : divide(rest, common);
+  make_primitive(quotient);
+  return quotient;
+}
+
+int sign_at(const IntegerPolynomial& p, const Dyadic& t) { return sgn(value_at(p, t)); }
+
+std::vector<RootInterval> isolate_roots(const IntegerPolynomial& p) {
+  std::vector<RootInterval> roots;
+  isolate(p, {0, 0}, roots);
+  if (sign_at(p, {1, 0}) == 0) roots.push_back({{1, 0}, true});
+  return roots;
+}
+
+void refine(const IntegerPolynomial& p, RootInterval& root, unsigned long bits) {
+  unsigned long cut = 2;
+  while (!root.exact && root.t.shift < bits) {
+    if (take_guess(p, root, cut)) {
+      cut *= 2;
+      continue;
+    }
+    halve(p, root);
+    cut = std::max(cut / 2, 2UL);
+  }
+}
+
+}  // namespace bezierbench::reference

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Polynomials with integer coefficients, and their real roots in [0, 1].
+#pragma once
+
+#include <gmpxx.h>
+
+#include <vector>
+
+namespace bezierbench::reference {
+
+/// Coefficients, ascending; the last one is not 0. The zero polynomial has none.
+using IntegerPolynomial = std::vector<mpz_class>;
+
+/// From the coefficients of sum c_k t^k (1-t)^(m-k), ascending.
+IntegerPolynomial from_scaled_bernstein(const std::vector<mpz_class>& c);
+
+IntegerPolynomial derivative(const IntegerPolynomial& p);
+
+/// The greatest common divisor, up to a factor; primitive. Of two zero polynomials it is zero.
+IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial b);
+
+/// p with each of its complex roots once, up to a factor; p is not zero.
+IntegerPolynomial square_free(const IntegerPolynomial& p);
+
+/// k / 2^shift.
+struct Dyadic {
+  mpz_class k;
+  unsigned long shift = 0;
+};
+
+/// The sign of p there.
+int sign_at(const IntegerPolynomial& p, const Dyadic& t);
+
+/// [k, k + 1] / 2^shift holds one root, inside; or k / 2^shift is it.
+struct RootInterval {
+  Dyadic t;
+  bool exact = false;
+};
+
+/// One interval for each root of the square-free, non-zero p in [0, 1], in ascending order: halving, with Descartes'
+/// rule of signs (Collins and Akritas, SYMSAC 1976, 272-275).
+std::vector<RootInterval> isolate_roots(const IntegerPolynomial& p);
+
+/// Narrows the interval around a simple root until it is at most 2^-bits wide, or the root is met: guesses by the
+/// secant are tried at twice the bits each time they are right (Abbott, Quadratic interval refinement, 2014).
+void refine(const IntegerPolynomial& p, RootInterval& root, unsigned long bits);
+
+}  // namespace bezierbench::reference

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The true foot points of a point on a curve over [0, 1]: with dyadic input, f = (C - P).C' has integer coefficients,
+// up to a power of two. All its real roots in [0, 1] are isolated with integers, so no minimum can be missed.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/curve.hpp"
+#include "reference/rational.hpp"
+
+namespace bezierbench::reference {
+
+/// A root of f in [0, 1], or an end of the curve.
+struct CriticalPoint {
+  Rational t;  ///< a dyadic number less than 2^-128, and less than half an ulp, from the root, or the root
+  Rational
+      distance_squared;  ///< at that t: the distance is right to 2^-126 |C'|; 0 where the curve meets the point there
+};
+
+struct ExactProjection {
+  std::vector<CriticalPoint> critical;  ///< in ascending order of t, from t = 0 to t = 1
+  std::size_t nearest = 0;              ///< of the least distance; of equally near ones the first
+
+  [[nodiscard]] const CriticalPoint& foot() const { return critical[nearest]; }
+};
+
+/// For finite coefficients in Bernstein form, degree >= 1, and a point with as many finite coordinates.
+ExactProjection projection(const CurveView<double>& curve, std::span<const double> point);
+
+/// |a - sqrt(b)| for a double a >= 0 and b >= 0, rounded once to `format`, but that the root is cut to 256 bits.
+double distance_error(const Format& format, double a, const Rational& b);
+
+}  // namespace bezierbench::reference

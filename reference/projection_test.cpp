@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "reference/projection.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "reference/exact_curve.hpp"
+#include "reference/integer_polynomial.hpp"
+
+namespace bezierbench::reference {
+namespace {
+
+ExactProjection project(const std::vector<double>& points, const std::vector<double>& point) {
+  const int d = static_cast<int>(point.size());
+  return projection({Form::bernstein, d, static_cast<int>(points.size()) / d - 1, points}, point);
+}
+
+double t_of(const CriticalPoint& point) { return round_to(binary64, point.t); }
+double distance_of(const CriticalPoint& point) { return square_root(binary64, point.distance_squared); }
+
+TEST(IntegerPolynomial, IsolatesRootsThatLieCloseTogetherAndAtTheEnds) {
+  // t (2t - 1)^2 (t - 1) (4096 t - 1365) (4096 t - 1366): roots 0, 1/2 (double), 1, and two 2^-12 apart
+  IntegerPolynomial p{1};
+  const auto times = [&p](long a, long b) {  // a t + b
+    IntegerPolynomial next(p.size() + 1, 0);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      next[i] += p[i] * b;
+      next[i + 1] += p[i] * a;
+    }
+    p = next;
+  };
+  times(1, 0);
+  times(2, -1);
+  times(2, -1);
+  times(1, -1);
+  times(4096, -1365);
+  times(4096, -1366);
+  auto roots = isolate_roots(square_free(p));
+  ASSERT_EQ(roots.size(), 5U);
+  std::vector<double> found;
+  for (auto& root : roots) {
+    refine(square_free(p), root, 60);
+    found.push_back(std::ldexp(root.t.k.get_d(), -static_cast<int>(root.t.shift)));
+  }
+  EXPECT_THAT(found, testing::ElementsAre(0, 1365 * 0x1p-12, 1366 * 0x1p-12, 0.5, 1));
+}
+
+TEST(ExactProjection, FindsFiveInteriorCriticalPoints) {
+  const auto exact = project({-3, 1, 4, -7, -4, 7, 3, -1}, {0, 0});
+  ASSERT_EQ(exact.critical.size(), 7U);
+  const std::vector<double> printed{0, 0.13301, 0.23046, 0.5, 0.76954, 0.86699, 1};
+  for (std::size_t i = 0; i < printed.size(); ++i) EXPECT_NEAR(t_of(exact.critical[i]), printed[i], 5e-6);
+  EXPECT_EQ(exact.nearest, 3U);
+  EXPECT_EQ(distance_of(exact.foot()), 0);
+}
+
+/// Square roots that are known otherwise: onto (t, t^2 / 2) from (0, 1) every distance is sqrt(1 + t^4 / 4); from
+/// (0, 2) the foot is at t^2 = 2, at the distance sqrt(3).
+TEST(ExactProjection, OntoAParabola) {
+  const std::vector<double> parabola{0, 0, 1, 0, 2, 2};  // (2s, 2s^2), s in [0,1]: t = 2s
+  const auto at_vertex = project(parabola, {0, 1});      // the centre of curvature: a triple root at s = 0
+  EXPECT_EQ(t_of(at_vertex.foot()), 0);
+  EXPECT_EQ(distance_of(at_vertex.foot()), 1);
+  EXPECT_EQ(at_vertex.critical.size(), 2U);
+  const auto above = project(parabola, {0, 2});
+  EXPECT_EQ(t_of(above.foot()), std::sqrt(0.5));
+  EXPECT_EQ(distance_of(above.foot()), std::sqrt(3.0));
+}
+
+TEST(ExactProjection, KnowsThatThePointIsOnTheCurve) {
+  const auto third = project({0, 0, 3, 0}, {1, 0});  // at t = 1/3, which is no dyadic number
+  EXPECT_EQ(t_of(third.foot()), 1.0 / 3);
+  EXPECT_EQ(third.foot().distance_squared.numerator, 0);
+  const auto beside = project({0, 0, 3, 0}, {1, 0x1p-60});
+  EXPECT_EQ(distance_of(beside.foot()), 0x1p-60);
+}
+
+TEST(ExactProjection, OfTwoEquallyNearPointsItTakesTheFirst) {
+  const auto exact = project({-2, 0, -1, 3, 1, 3, 2, 0}, {0, -1});
+  EXPECT_EQ(exact.nearest, 0U);
+  EXPECT_EQ(distance_of(exact.critical.front()), distance_of(exact.critical.back()));
+}
+
+TEST(ExactProjection, OntoACurveThatIsAPoint) {
+  const auto exact = project({1, 2, 3, 1, 2, 3}, {3, 4, 4});
+  EXPECT_EQ(distance_of(exact.foot()), 3);
+}
+
+/// No point of a fine grid is nearer, and the foot point is as far as the exact curve says it is.
+TEST(ExactProjection, NoSampleIsNearer) {
+  std::mt19937_64 words(5);
+  const auto number = [&words] { return static_cast<double>(static_cast<std::int64_t>(words())) * 0x1p-63; };
+  ExactCurve exact_curve;
+  for (int trial = 0; trial < 40; ++trial) {
+    const int d = 1 + trial % 3;
+    const int n = 1 + trial % 9;
+    std::vector<double> points(static_cast<std::size_t>(d * (n + 1)));
+    std::vector<double> point(static_cast<std::size_t>(d));
+    for (double& x : points) x = number();
+    for (double& x : point) x = number();
+    const CurveView<double> curve{Form::bernstein, d, n, points};
+    const auto exact = projection(curve, point);
+    const double least = distance_of(exact.foot());
+    for (int i = 0; i <= 256; ++i)
+      EXPECT_GE(distance(exact_curve.point(curve, i / 256.0), exactly(point)), least * (1 - 0x1p-23)) << trial;
+    const double there = distance(exact_curve.point(curve, t_of(exact.foot())), exactly(point));
+    EXPECT_NEAR(there, least, 0x1p-23 * least + 0x1p-50) << trial;
+  }
+}
+
+TEST(DistanceError, IsRoundedOnce) {
+  EXPECT_EQ(distance_error(binary64, 2, {4, 1, 0}), 0);
+  EXPECT_EQ(distance_error(binary64, 1, {1, 1, -200}), 1);  // 1 - 2^-100 rounds to 1
+  EXPECT_NEAR(distance_error(binary64, std::sqrt(2.0), {2, 1, 0}), 9.667293313452913e-17, 1e-31);
+}
+
+}  // namespace
+}  // namespace bezierbench::reference

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+"""What projection studies say of a method, over all their cells."""
+
+from dataclasses import dataclass
+
+from ..bundle import Missing, Table
+
+PREFIX = "projection-"
+FILES = ("projection.csv", "projection_unstable.csv")  # the second is that of methods which are not bit-stable
+GOAL = 4  # units of 2^-52 times the largest coordinate
+
+
+@dataclass(frozen=True)
+class Method:
+    """One method over the cells that it supports."""
+
+    rows: tuple
+    trials: float
+    missed: float
+    largest: float  # error of a distance, in units of 2^-52 times the largest coordinate
+
+    @property
+    def share(self):
+        return self.missed / self.trials
+
+
+def rows_of(bundle):
+    """The rows of all methods that have numbers; Missing where there are none."""
+    tables = [bundle[f] for f in FILES if f in bundle]
+    if not tables:
+        raise Missing(f"the bundle has no `{FILES[0]}`")
+    table = Table(FILES[0], tables[0].columns, [row for t in tables for row in t.rows]).starting(PREFIX)
+    return table.some(status="ok")
+
+
+def of_rows(rows):
+    """The method whose rows these are; Missing where there are none."""
+    if not rows:
+        raise Missing(f"`{FILES[0]}` has no cells of the same degree for two methods that are compared")
+    return Method(tuple(rows), sum(r.number("trials") for r in rows), sum(r.number("missed") for r in rows),
+                  max(r.number("max_error_eps") for r in rows))
+
+
+def by_method(bundle):
+    """{method: Method}, fewest missed first, then the smallest error."""
+    methods = {}
+    for row in rows_of(bundle):
+        methods.setdefault(row["method"], []).append(row)
+    all_of = {m: of_rows(rows) for m, rows in methods.items()}
+    return dict(sorted(all_of.items(), key=lambda item: (item[1].share, item[1].largest, item[0])))

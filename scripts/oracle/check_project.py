@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Judges `bezierbench curve project` in rational arithmetic, on random and nasty curves.
+
+Shares nothing with the program: the distance at the program's exact_t is computed from the definition, (C - P).C' must
+change its sign there (or vanish, or push outwards at an end), and no point of a grid may be nearer.
+
+check_project.py PROGRAM [--seed S]    exits 1 with the first mismatches
+"""
+import argparse
+import csv
+import math
+import random
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+
+COLUMNS = "method,t,distance,candidates,exact_t,exact_distance,error".split(",")
+GRID = 128
+ALWAYS = {"quintic_isolate", "quintic_companion", "subdivide_hull", "scan_bisect", "scan_refine"}
+SHOWN = 12
+
+
+def point_at(points, t):
+    """De Casteljau in rationals."""
+    while len(points) > 1:
+        points = [[(1 - t) * a + t * b for a, b in zip(p, q)] for p, q in zip(points, points[1:])]
+    return points[0]
+
+
+def squared_distance(points, target, t):
+    return sum((a - b) ** 2 for a, b in zip(point_at(points, t), target))
+
+
+def slope(points, target, t):
+    """(C - P).C' / n."""
+    difference = [[b - a for a, b in zip(p, q)] for p, q in zip(points, points[1:])]
+    return sum((a - b) * v for a, b, v in zip(point_at(points, t), target, point_at(difference, t)))
+
+
+def uniform(draw, n, d):
+    return [[draw.uniform(-1, 1) for _ in range(d)] for _ in range(n + 1)]
+
+
+def integers(draw, n, d):
+    return [[float(draw.randint(-3, 3)) for _ in range(d)] for _ in range(n + 1)]
+
+
+def graded(draw, n, d):
+    return [[draw.uniform(-1, 1) * 2.0 ** draw.randint(-40, 40) for _ in range(d)] for _ in range(n + 1)]
+
+
+def straight(draw, n, d):
+    step = [float(draw.randint(-3, 3)) for _ in range(d)]
+    return [[i * s for s in step] for i in range(n + 1)]
+
+
+def constant(draw, n, d):
+    return uniform(draw, 0, d) * (n + 1)
+
+
+def mirrored(draw, n, d):
+    half = uniform(draw, n // 2, d)
+    whole = half + [[-p[0], *p[1:]] for p in reversed(half)]
+    return whole[: n + 1] if n % 2 else whole[: n // 2] + [[0.0, *half[-1][1:]]] + whole[n // 2 + 2:]
+
+
+KINDS = (uniform, integers, graded, straight, constant, mirrored)
+TARGETS = {
+    "drawn": lambda draw, points: uniform(draw, 0, len(points[0]))[0],
+    "at a control point": lambda draw, points: draw.choice(points),
+    "on the curve": lambda draw, points: [float(x) for x in point_at([list(map(Fraction, p)) for p in points],
+                                                                     Fraction(draw.random()))],
+    "at the origin": lambda draw, points: [0.0] * len(points[0]),
+    "far away": lambda draw, points: [x * 1e12 for x in uniform(draw, 0, len(points[0]))[0]],
+}
+
+
+def cases(seed):
+    """(name, control points, point)."""
+    draw = random.Random(seed)
+    five = [[-3.0, 1.0], [4.0, -7.0], [-4.0, 7.0], [3.0, -1.0]]
+    yield "five critical points", five, [0.0, 0.0]
+    for kind in KINDS:
+        for name, target in TARGETS.items():
+            for n in (1, 3, draw.choice((2, 4, 5, 6)), 3):
+                points = kind(draw, n, 1 + draw.randrange(3))
+                yield f"{kind.__name__} {n}, point {name}", points, target(draw, points)
+
+
+def judge(rows, points, target):
+    """What is wrong with the program's rows, line by line."""
+    exact_points, exact_target = [list(map(Fraction, p)) for p in points], list(map(Fraction, target))
+    size = max(abs(x) for p in [*points, target] for x in p) or 1.0
+    methods = {row["method"] for row in rows}
+    if not rows or list(rows[0]) != COLUMNS or not ALWAYS <= methods or ("quintic_seed_002" in methods) != (len(points) == 4):
+        yield f"columns or methods: {rows[:1]} {sorted(methods)}"
+        return
+    t, distance = Fraction(float(rows[0]["exact_t"])), float(rows[0]["exact_distance"])
+    if not 0 <= t <= 1:
+        yield f"exact_t {float(t)} is outside [0, 1]"
+    here = math.sqrt(squared_distance(exact_points, exact_target, t))
+    if abs(here - distance) > 2.0**-50 * size:  # t is rounded
+        yield f"exact_distance {distance}, but {here} at exact_t"
+    step = Fraction(1, 2**51)
+    before = slope(exact_points, exact_target, t - step)
+    after = slope(exact_points, exact_target, t + step)
+    if not ((t == 0 or before <= 0) and (t == 1 or after >= 0)):
+        yield f"no minimum at exact_t {float(t)}: (C - P).C' is {float(before)}, then {float(after)}"
+    least = min(squared_distance(exact_points, exact_target, Fraction(i, GRID)) for i in range(GRID + 1))
+    if least < (Fraction(distance) * (1 - Fraction(1, 2**52))) ** 2:
+        yield f"exact_distance {distance}, but a point of the grid is at {math.sqrt(least)}"
+    for row in rows:
+        error = abs(float(row["distance"]) - distance)
+        if abs(float(row["error"]) - error) > 2.0**-52 * (distance + error):
+            yield f"{row['method']}: error {row['error']}, not {error}"
+        there = math.sqrt(squared_distance(exact_points, exact_target, Fraction(float(row["t"]))))
+        if abs(there - float(row["distance"])) > 2.0**-50 * there + 2.0**-97 * size:  # u and c_2 u^2, c_2 < 2^9
+            yield f"{row['method']}: distance {row['distance']}, but {there} at t = {row['t']}"
+        if row["method"] == "quintic_isolate" and float(row["error"]) > 4 * 2.0**-52 * size:
+            yield f"quintic_isolate is {float(row['error']) / size * 2**52} units off"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    mismatches, judged = [], 0
+    with tempfile.TemporaryDirectory() as place:
+        file = Path(place) / "c.csv"
+        for name, points, target in cases(arguments.seed):
+            head = ",".join("xyz"[: len(target)])
+            file.write_text("\n".join([head, *(",".join(x.hex() for x in p) for p in points), ""]), encoding="ascii")
+            command = [arguments.program, "curve", "project", "--curve", str(file),
+                       "--point=" + ",".join(x.hex() for x in target)]
+            result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+            if result.returncode != 0:
+                mismatches.append(f"{name}: exit {result.returncode}: {result.stderr.strip()[:300]}")
+                continue
+            judged += 1
+            lines = judge(list(csv.DictReader(result.stdout.splitlines())), points, target)
+            mismatches += [f"{name} {points} {target}: {line}" for line in lines]
+    for line in mismatches[:SHOWN]:
+        print(line)
+    print(f"{judged} projections, {len(mismatches)} mismatches")
+    return 1 if mismatches or judged < 100 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
