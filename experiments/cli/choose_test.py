@@ -5,7 +5,7 @@ import csv
 import io
 import unittest
 
-from cli_test import FINDING, HEAD, INPUT_OUTPUT, USAGE, Case
+from program_case import FINDING, HEAD, INPUT_OUTPUT, USAGE, Case
 
 METHODS = ["de_casteljau", "compensated_de_casteljau", "horner_bernstein", "differences:horner"]
 STUDIES = ['[[study]]', 'id = "truth"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [8]', 'trials = 300',

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from cli_test import FINDING, FINE, INPUT_OUTPUT, PROGRAM, ROOT, STUDY, USAGE, Case, rows
+from program_case import FINDING, FINE, INPUT_OUTPUT, PROGRAM, ROOT, STUDY, USAGE, Case, rows
 
 CONTRACT = "kind,study,method,scalar,dimension,degree,mode,a,b,ratio,ratio_low,ratio_high,verdict".split(",")
 BASELINE = ROOT / "results/baseline"

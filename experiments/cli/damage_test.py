@@ -7,7 +7,7 @@ import re
 import shutil
 import unittest
 
-from cli_test import CONVERSION, FINDING, FINE, IN_MEMORY, INPUT_OUTPUT, STUDY, USAGE, rows
+from program_case import CONVERSION, FINDING, FINE, IN_MEMORY, INPUT_OUTPUT, STUDY, USAGE, rows
 from resume_test import SEARCH, ResumeCase
 
 SMALL = {**STUDY, "trials": "20", "replicates": "2"}

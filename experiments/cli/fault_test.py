@@ -11,7 +11,7 @@ import sys
 import unittest
 
 FAILING_CALLS = os.path.abspath(sys.argv.pop(2))
-from cli_test import CONVERSION, FINE, IN_MEMORY, INPUT_OUTPUT, PROGRAM, STUDY
+from program_case import CONVERSION, FINE, IN_MEMORY, INPUT_OUTPUT, PROGRAM, STUDY
 from resume_test import ResumeCase
 
 ERRORS = [errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EROFS]

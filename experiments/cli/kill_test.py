@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from cli_test import CONVERSION, FINE, PROGRAM
+from program_case import CONVERSION, FINE, PROGRAM
 from resume_test import ACCURACY, SEARCH, ResumeCase
 
 SHARDS = 3

@@ -4,7 +4,7 @@
 import json
 import unittest
 
-from cli_test import ROOT, USAGE, Case, rows
+from program_case import ROOT, USAGE, Case, rows
 
 SUITE = ROOT / "experiments/suites/peers.toml"
 CURVE = "x,y\n0,0\n1,2\n3,-1\n4,0.5\n"

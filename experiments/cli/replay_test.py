@@ -4,7 +4,7 @@
 import csv
 import unittest
 
-from cli_test import FINDING, HEAD, INPUT_OUTPUT, USAGE, Case
+from program_case import FINDING, HEAD, INPUT_OUTPUT, USAGE, Case
 
 STUDIES = ['[[study]]', 'id = "a"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [0, 4]', 'dimension = [1, 3]',
            'scalar = ["float", "double"]', 'trials = 40',

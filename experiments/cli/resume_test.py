@@ -11,7 +11,7 @@ import subprocess
 import time
 import unittest
 
-from cli_test import CONVERSION, FINE, INPUT_OUTPUT, INTERRUPTED, PROGRAM, STUDY, TIMING, USAGE, Case, rows
+from program_case import CONVERSION, FINE, INPUT_OUTPUT, INTERRUPTED, PROGRAM, STUDY, TIMING, USAGE, Case, rows
 
 NOISY = ("machine.json", "SHA256SUMS")  # the load of the machine is in the former
 # Several blocks per replicate, several replicates per cell, cells in two scalar types, and every kind of study.

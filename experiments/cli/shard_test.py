@@ -12,7 +12,7 @@ import subprocess
 import time
 import unittest
 
-from cli_test import CONVERSION, FINDING, FINE, INPUT_OUTPUT, PROGRAM, TIMING, USAGE, rows
+from program_case import CONVERSION, FINDING, FINE, INPUT_OUTPUT, PROGRAM, TIMING, USAGE, rows
 from resume_test import ACCURACY, SEARCH, ResumeCase
 
 # What launchers set, and nothing of it may leak from where the tests run.

@@ -6,7 +6,7 @@ import math
 import unittest
 from fractions import Fraction
 
-from cli_test import HEAD, INPUT_OUTPUT, USAGE, Case, rows
+from program_case import HEAD, INPUT_OUTPUT, USAGE, Case, rows
 
 STUDIES = ['[[study]]', 'id = "a"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [0, 6]', 'dimension = [1, 3]',
            'scalar = ["float", "double"]', 't_interval = [[0, 1], [0.25, 0.5]]', 'trials = 30', 'replicates = 2',

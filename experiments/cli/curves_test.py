@@ -1,0 +1,214 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""`curve` from outside: files, parameters, methods, and what comes out. Usage: curves_test.py BEZIERBENCH"""
+import decimal
+import unittest
+
+from program_case import EVAL_COLUMNS, INPUT_OUTPUT, PROJECT_COLUMNS, TO_BERNSTEIN, TO_POWER, USAGE, Case, rows
+
+
+class Curves(Case):
+    def setUp(self):
+        super().setUp()
+        self.curve = self.write("c.csv", "x,y\n0,0\n1,2\n3,1\n")
+
+    def test_files_that_are_no_curve(self):
+        for content, *needles in [
+                ("", "c.csv:1: ", "empty"), ("x,y\n", "no coefficients"), ("x,y\n1,2\n3\n", "c.csv:3: ", "1 field"),
+                ("x\n1,2\n", "c.csv:2: ", "2 fields"), ("x,y\n1,nan\n", "c.csv:2: ", "row 1, column y", '"nan"'),
+                ("x,y\n1,2\ninf,1\n", "c.csv:3: ", "row 2, column x"), ("x\n-inf\n", "c.csv:2: ", '"-inf"'),
+                ("x,y\n1,two\n", "c.csv:2: ", '"two"'), ("x\n1e999\n", "c.csv:2: "), ("x,y\n1,\n", "c.csv:2: ", "column y"),
+                ("x\n 1\n", "c.csv:2: "), ("x\n1\n\n", "c.csv:3: "), ("a,b\n1,2\n", "c.csv:1: ", "a,b"),
+                ("1,2\n3,4\n", "c.csv:1: "), ("y\n1\n", "c.csv:1: "), ("w\n1\n", "c.csv:1: "), ("x,x\n1,2\n", "c.csv:1: ", "twice"),
+                ("x,y,z,v\n1,2,3,4\n", "c.csv:1: "), ("x,\n1,2\n", "c.csv:1: "), ("x\n1\0\n", "c.csv:2: ", "NUL"),
+                ("x\n\x1b[31m\n", "c.csv:2: "), ('x\n"1\n', "c.csv:2: "), ('x\n"a\nb"\n', "c.csv:2: "),
+                ("x\n" + "1\n" * 1025, "c.csv", "1025"), ("x,w,v\n1,1,1\n", "c.csv:1: "), ("x,z,w\n1,1,1\n", "c.csv:1: "),
+                ("x,y,w\n1,2,3\n1,2,nan\n", "c.csv:3: ", "row 2, column w"), ("x,w\n1,inf\n", "c.csv:2: ", "column w"),
+                ("x,w\n1,\n", "c.csv:2: ", "column w"), ("x,w\n1,0\n2,-0\n", "c.csv:2: ", "rows 1 to 2, column w", "0")]:
+            with self.subTest(content=content[:30]):
+                self.write("c.csv", content)
+                self.refused(INPUT_OUTPUT, ["curve", "eval", "--curve", "c.csv", "--t", "0.5"], *needles)
+                self.refused(INPUT_OUTPUT, ["curve", "convert", "--curve", "c.csv", "--method", "exact"], *needles)
+
+    def test_files_that_cannot_be_read(self):
+        for name in ("absent.csv", ".", "c.csv/c.csv"):
+            with self.subTest(name=name):
+                self.refused(INPUT_OUTPUT, ["curve", "eval", "--curve", name, "--t", "0"], f"bezierbench: {name}: ")
+
+    def test_parameters(self):
+        for t in ("nan", "inf", "-inf", "1e999", "half", "", "0.5x", "0,5"):
+            with self.subTest(t=t):
+                self.refused(USAGE, ["curve", "eval", "--curve", "c.csv", f"--t={t}"], "--t")
+
+    def test_methods_that_do_not_apply(self):
+        evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.5"]
+        convert = ["curve", "convert", "--curve", "c.csv"]
+        for arguments, *needles in [
+                (evaluate + ["--method", "hroner"], 'did you mean "horner"?'), (evaluate + ["--method", "zzz"], "zzz"),
+                (evaluate + ["--method", "horner"], "horner", "bernstein form"),
+                (evaluate + ["--form", "power", "--method", "direct"], "direct", "power form"),
+                (evaluate + ["--method", "direct", "--method", "horner"], "horner"),
+                (evaluate + ["--method", "factorial"], "factorial"), (convert + ["--method", "exat"], '"exact"'),
+                (convert + ["--method", "direct"], "direct"), (convert + ["--method", "triangle"], "bernstein form"),
+                (convert + ["--form", "power", "--method", "differences"], "power form")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, arguments, *needles)
+
+    def test_degree_beyond_a_method(self):
+        self.write("c.csv", "x\n" + "1\n" * 172)
+        evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.5"]
+        self.refused(USAGE, evaluate + ["--method", "direct"], "direct", "170", "171")
+        self.refused(USAGE, ["curve", "convert", "--curve", "c.csv", "--method", "factorial"], "170", "171")
+        found = [row["method"] for row in rows(self.fine(*evaluate))]  # without --method: all that apply
+        self.assertIn("de_casteljau", found)
+        self.assertNotIn("direct", found)
+        self.write("c.csv", "x\n" + "1\n" * 171)
+        self.assertEqual(rows(self.fine(*evaluate, "--method", "direct"))[0]["exact"], "1")
+
+    def test_output(self):
+        text = self.fine("curve", "eval", "--curve", "c.csv", "--t", "-0.5", "0x1p-1", "--t", "1e-3", "--method",
+                         "direct", "--method", "de_casteljau")
+        found = rows(text)
+        self.assertEqual(list(found[0]), EVAL_COLUMNS)
+        self.assertEqual([(row["method"], float(row["t"]), row["axis"]) for row in found],
+                         [(method, t, axis) for method in ("direct", "de_casteljau") for t in (-0.5, 0.5, 1e-3)
+                          for axis in "xy"])
+        for row in found:
+            for column in EVAL_COLUMNS[3:8]:
+                self.assertEqual(repr(float(row[column])), repr(float(row[column]) + 0.0))
+        self.assertEqual([float(row["value"]) for row in found[2:4]], [1.25, 1.25])
+
+    def test_derivative(self):
+        self.write("w.csv", "x,y\n1,1\n3,1\n4,2\n6,3\n")  # the worked example of the seed document 000
+        text = self.fine("curve", "derivative", "--curve", "w.csv", "--order", "2", "--t", "0", "--t", "0.5")
+        found = rows(text)
+        self.assertEqual(list(found[0]), EVAL_COLUMNS[:2] + ["order"] + EVAL_COLUMNS[2:])
+        for row in found:
+            truth = {("0", "x"): -6, ("0", "y"): 6, ("0.5", "x"): 0, ("0.5", "y"): 3}[row["t"], row["axis"]]
+            self.assertEqual((float(row["exact"]), row["order"]), (truth, "2"))
+            self.assertEqual(row["value"] == row["exact"], row["method"] != "seed_000" or row["t"] == "0")
+        self.write("r.csv", "x,w\n0,1\n1,2\n")
+        derivative = ["curve", "derivative", "--t", "0.5", "--curve"]
+        for arguments, *needles in [
+                (["w.csv", "--order", "-1"], "--order"), (["w.csv", "--order", "1.5"], "--order"), (["w.csv"], "--order"),
+                (["r.csv", "--order", "1"], "r.csv", "column w"),
+                (["w.csv", "--order", "1", "--method", "seed_00"], 'did you mean "seed_000"?'),
+                (["w.csv", "--order", "1", "--method", "power_derivative"], "bernstein form")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, derivative + arguments, *needles)
+
+    def test_length(self):
+        columns = ["method", "length", "error_estimate", "evaluations", "converged", "exact", "error"]
+        self.write("cusp.csv", "x,y\n3,-3\n-1,3\n-1,-3\n3,3\n")  # 3 (u^2, u^3), u = 2t - 1: (13 sqrt(13) - 8) 2/9
+        truth = decimal.Decimal("8.63825924022930240234")
+        length = ["curve", "length", "--curve", "cusp.csv"]
+        found = rows(self.fine(*length, "--tolerance", "1e-6"))
+        self.assertEqual(list(found[0]), columns)
+        self.assertEqual([row["converged"] for row in found], ["yes", "no", "yes", "yes"])
+        for row in found:
+            self.assertLess(abs(decimal.Decimal(row["exact"]) - truth), 1e-19)
+            error = abs(decimal.Decimal(row["length"]) - decimal.Decimal(row["exact"]))
+            self.assertLess(abs(float(error) - float(row["error"])), 1e-15)
+            if row["converged"] == "yes":
+                self.assertLessEqual(float(row["error"]), float(row["error_estimate"]))
+                self.assertLessEqual(float(row["error"]), 1e-6 * float(row["exact"]))
+        half = rows(self.fine(*length, "--to", "0.5", "--method", "gauss_legendre_adaptive"))
+        self.assertLess(abs(decimal.Decimal(half[0]["exact"]) - truth / 2), 1e-19)
+        for arguments, *needles in [
+                (["--from", "0.6", "--to", "0.5"], "--from 0.6"), (["--to", "1.5"], "--to 1.5"), (["--tolerance", "0"], "--tolerance"),
+                (["--form", "power"], "power form", "curve convert"),
+                (["--method", "chord_sums"], 'did you mean "chord_sum"?')]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, length + arguments, *needles)
+
+    def test_every_listed_method_evaluates(self):
+        for form in ("bernstein", "power"):
+            found = rows(self.fine("curve", "eval", "--curve", "c.csv", "--form", form, "--t", "0.25"))
+            listed = self.our_methods()
+            self.assertEqual(list(dict.fromkeys(row["method"] for row in found)),
+                             [row["id"] for row in listed if row["problem"] == "evaluation" and row["form"] == form])
+            for row in found:
+                self.assertLessEqual(float(row["error_ulp"]), 4, row)
+
+    def test_rational(self):
+        """The quarter circle ((1-t^2)/(1+t^2), 2t/(1+t^2)): at 1/2 it is 3-4-5."""
+        self.write("c.csv", "x,y,w\n1,0,1\n1,1,1\n0,1,2\n")
+        evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.5"]
+        text = self.fine(*evaluate)
+        found = rows(text)
+        listed = rows(self.fine("list", "methods", "--format", "csv"))
+        self.assertEqual(list(dict.fromkeys(row["method"] for row in found)),
+                         [row["id"] for row in listed if row["form"] == "rational"])
+        for row in found:
+            self.assertEqual(row["exact"], {"x": "0.6", "y": "0.8"}[row["axis"]])
+            self.assertLessEqual(float(row["error_ulp"]), 4, row)
+        self.assertTrue(any(row["bound_u"] for row in found))
+        self.write("c.csv", "w,y,x\n1,0,1\n1,1,1\n2,1,0\n")  # columns are found by name
+        self.assertEqual(self.fine(*evaluate), text)
+        for method in ("horner", "compensated_de_casteljau"):
+            self.refused(USAGE, evaluate + ["--method", method], method, "column w")
+        self.refused(USAGE, evaluate + ["--form", "power"], "--form power", "column w")
+        self.refused(USAGE, ["curve", "convert", "--curve", "c.csv", "--method", "exact"], "exact", "column w")
+        self.refused(USAGE, ["curve", "eval", "--curve", self.write("p.csv", "x\n1\n"), "--t", "0", "--method",
+                             "de_casteljau_farin"], "de_casteljau_farin", "column w")
+
+    def test_rational_with_weights_of_both_signs(self):
+        self.write("c.csv", "x,w\n1,1\n2,-3\n")  # the weights sum to 1 - 4t
+        found = rows(self.fine("curve", "eval", "--curve", "c.csv", "--t", "0.5", "--method", "de_casteljau"))
+        self.assertEqual([(row["exact"], row["value"], row["bound_u"]) for row in found], [("2.5", "2.5", "")])
+        self.refused(USAGE, ["curve", "eval", "--curve", "c.csv", "--t", "0.5", "--t", "0.25"], "--t 0.25", "c.csv")
+
+    def test_same_numbers_however_written(self):
+        values = [(0.1, -1e-310), (1e308, 5e-324), (-3.25, 7.0)]
+        evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.1"]
+        texts = []
+        for write, end in ((repr, "\n"), (float.hex, "\n"), (repr, "\r\n"), (lambda x: f'"{x!r}"', "\r\n")):
+            self.write("c.csv", end.join(["x,y"] + [",".join(map(write, row)) for row in values]) + end)
+            texts.append(self.fine(*evaluate))
+            texts.append(self.fine(*evaluate[:-1], float.hex(0.1)))
+        self.assertEqual(len(set(texts)), 1)
+        self.write("c.csv", "\ufeffx,y\n" + "\n".join(f"{x!r},{y!r}" for x, y in values))  # no line end at the end
+        self.assertEqual(self.fine(*evaluate), texts[0])
+
+    def test_projection(self):
+        self.write("c.csv", "x,y\n8,5\n-4,0\n6,3\n9,7\n")
+        project = ["curve", "project", "--curve", "c.csv"]
+        found = rows(self.fine(*project, "--point", "6,4"))
+        self.assertEqual(list(found[0]), PROJECT_COLUMNS)
+        self.assertEqual([row["method"] for row in found],
+                         [row["id"] for row in self.our_methods() if row["problem"] == "projection"])
+        for row in found:
+            self.assertAlmostEqual(float(row["exact_t"]), 0.064530, 6)
+            self.assertAlmostEqual(float(row["exact_distance"]), 0.141664, 6)
+            self.assertAlmostEqual(float(row["error"]), float(row["distance"]) - float(row["exact_distance"]), 15)
+        errors = {row["method"]: float(row["error"]) for row in found}
+        self.assertLess(errors["quintic_isolate"], 1e-15)
+        self.assertGreater(min(errors["scan_bisect"], errors["quintic_seed_002"]), 0.1)
+        for arguments, *needles in [
+                (["--point", "6"], "--point 6", "2"), (["--point", "6,4,1"], "3 coordinates"), (["--point", "6,nan"], "--point"),
+                (["--point", ""], "--point"), (["--point", "6,"], "--point"), (["--point", "6,4", "--method", "direct"], "direct"),
+                (["--point", "6,4", "--method", "scan_bisec"], '"scan_bisect"'),
+                (["--point", "6,4", "--form", "power"], "power form")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, project + arguments, *needles)
+        self.write("c.csv", "x,y,z\n8,5,1\n-4,0,2\n")
+        self.refused(USAGE, project + ["--point", "1,2,3", "--method", "quintic_seed_002"], "quintic_seed_002", "degree 1")
+        self.assertEqual(len(rows(self.fine(*project, "--point", "1,2,-3"))), 5)
+        self.write("c.csv", "x,y,w\n8,5,1\n-4,0,2\n")
+        self.refused(USAGE, project + ["--point", "1,2"], "weights")
+        self.refused(INPUT_OUTPUT, ["curve", "project", "--curve", "absent.csv", "--point", "1,2"], "absent.csv")
+
+    def test_conversions_both_ways(self):
+        for to_power in TO_POWER:
+            self.write("q.csv", self.fine("curve", "convert", "--curve", "c.csv", "--method", to_power))
+            self.assertEqual(rows((self.folder / "q.csv").read_text()),
+                             [{"x": "0", "y": "0"}, {"x": "2", "y": "4"}, {"x": "1", "y": "-3"}])
+            for to_bernstein in TO_BERNSTEIN:
+                back = self.fine("curve", "convert", "--curve", "q.csv", "--form", "power", "--method", to_bernstein)
+                for row, expected in zip(rows(back), rows((self.folder / "c.csv").read_text()), strict=True):
+                    for axis in "xy":
+                        self.assertAlmostEqual(float(row[axis]), float(expected[axis]), places=14)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""What tests that run the program have and expect. The program is $BEZIERBENCH or the first argument."""
+import csv
+import io
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(os.environ.get("BEZIERBENCH") or sys.argv.pop(1))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+REPORT_SUITE = ROOT / "experiments/suites/report.toml"
+
+FINE, FINDING, USAGE, INPUT_OUTPUT, INTERRUPTED = 0, 1, 2, 4, 130
+IN_MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # where thousands of fsyncs take seconds only
+ADVICE = r"; |must|write|see|from|did you mean|is empty"
+
+METHOD_COLUMNS = ["id", "problem", "form", "min_degree", "max_degree", "bound", "bit_stable", "flops", "citation"]
+PROJECT_COLUMNS = ["method", "t", "distance", "candidates", "exact_t", "exact_distance", "error"]
+EVAL_COLUMNS = ["method", "t", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"]
+BERNSTEIN = ["direct", "direct_pow", "de_casteljau", "de_casteljau_lerp", "horner_bernstein"]
+POWER = ["power_sum", "horner"]
+TO_POWER = ["factorial", "differences", "exact"]
+TO_BERNSTEIN = ["forward_substitution", "positive_sum", "triangle", "exact"]
+
+HEAD = ['schema_version = 1', '[suite]', 'id = "tiny"', 'title = "Tiny"', 'seed = 1']
+STUDY = {"id": '"a"', "kind": '"accuracy"', "curve": '"bezier"', "degree": "[3]", "coordinate_range": "[1]",
+         "trials": "50", "methods": '["direct", "de_casteljau"]'}
+CONVERSION = {"id": '"c"', "kind": '"conversion"', "curve": '"bezier"', "degree": "[3, 5]",
+              "coordinate_range": "[1]", "trials": "5", "replicates": "4",
+              "methods": '["factorial+forward_substitution"]'}
+TIMING = {"id": '"t"', "kind": '"timing"', "curve": '"bezier"', "degree": "[3]", "coordinate_range": "[1]"}
+
+
+def lines_of(*studies, **changes):
+    """The lines of a suite; `changes` go to its first study, None leaves a key out."""
+    studies = [dict(study) for study in studies or [STUDY]]
+    studies[0].update(changes)
+    lines = list(HEAD)
+    for study in studies:
+        lines += ["[[study]]"] + [f"{key} = {value}" for key, value in study.items() if value is not None]
+    return lines
+
+
+def rows(text):
+    return list(csv.DictReader(io.StringIO(text), strict=True))
+
+
+class Case(unittest.TestCase):
+    place = None  # where the test's folder is; None: the usual place for temporary files
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="bezierbench-cli-", dir=self.place)
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    # What a test needs to have, and to do.
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return name
+
+    def suite(self, *studies, name="s.toml", **changes):
+        return self.write(name, "\n".join(lines_of(*studies, **changes)) + "\n")
+
+    def run_program(self, *arguments, **options):
+        options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL,
+                   "timeout": 60, **options}
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, check=False, **options)
+
+    def snapshot(self, folder="."):
+        """Every name below a folder, with the bytes of files and the targets of links."""
+        found = {}
+        for path in sorted((self.folder / folder).rglob("*")):
+            name = str(path.relative_to(self.folder))
+            found[name] = os.readlink(path) if path.is_symlink() else path.is_dir() or path.read_bytes()
+        return found
+
+    def manifest(self, bundle):
+        return json.loads((self.folder / bundle / "bundle.json").read_text())
+
+    # What is expected.
+
+    def assert_one_line(self, result, *needles):
+        message = result.stderr.decode()
+        self.assertRegex(message, r"\Abezierbench: [^\n]+\n\Z")
+        self.assertTrue(message[:-1].isprintable(), message)
+        self.assertRegex(message, ADVICE)
+        for needle in needles:
+            self.assertIn(needle, message)
+
+    def refused(self, code, arguments, *needles, unchanged=True, alone=True, **options):
+        """The program ends with `code` and one line that has the needles, prints nothing and changes no file; `alone`
+        says whether no other writes there at the same time."""
+        before = self.snapshot() if alone else None
+        result = self.run_program(*arguments, **options)
+        self.assertEqual(result.returncode, code, result)
+        self.assertIn(result.stdout, (b"", None))
+        self.assert_one_line(result, *needles)
+        if not alone:
+            return result
+        after = self.snapshot()
+        self.assertEqual([name for name in after if name.endswith(".tmp")], [])
+        if unchanged:
+            self.assertEqual(before, after)
+        return result
+
+    def fine(self, *arguments, **options):
+        """The program's standard output; standard error stays empty."""
+        result = self.run_program(*arguments, **options)
+        self.assertEqual((result.returncode, result.stderr or b""), (FINE, b""), result)
+        return (result.stdout or b"").decode()
+
+    def our_methods(self):
+        """The lines of `list methods` without those of other libraries, which a build may have as well."""
+        return [row for row in rows(self.fine("list", "methods", "--format", "csv")) if not row["id"].startswith("peer_")]
+
+    def bundle(self, *arguments, name="b", **options):
+        """A complete bundle whose checksums hold."""
+        arguments = arguments or [self.suite()]
+        self.assertEqual(self.fine("run", *arguments, "--quiet", "--out", name, **options), "")
+        self.assert_complete(name)
+        return name
+
+    def assert_complete(self, name):
+        self.assertEqual(self.manifest(name)["state"], "complete")
+        self.assertFalse((self.folder / name / "blocks").exists())
+        subprocess.run(["sha256sum", "--check", "--strict", "--quiet", "SHA256SUMS"], cwd=self.folder / name,
+                       check=True, capture_output=True)
+        self.assertEqual(self.fine("verify", name), f"{name}: fine\n")
+
+    def assert_not_complete(self, name):
+        if (self.folder / name / "bundle.json").exists():
+            self.assertEqual(self.manifest(name)["state"], "partial")
