@@ -2,8 +2,10 @@
 // What every method states about itself, next to its code: one value read by docs, tests and the run-time check.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "core/basis/error_bound.hpp"
@@ -75,5 +77,12 @@ template <class... Ts>
 struct TypeList {
   static constexpr std::size_t size = sizeof...(Ts);
 };
+
+/// What the methods of a roster say of themselves, in its order.
+template <class... Methods>
+std::span<const MethodInfo* const> infos_of(TypeList<Methods...> /*roster*/) {
+  static constexpr std::array<const MethodInfo*, sizeof...(Methods)> infos{&Methods::info...};
+  return infos;
+}
 
 }  // namespace bezierbench

@@ -2,12 +2,12 @@
 #include "core/arc_length/kernel.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/arc_length/roster.hpp"
 #include "core/derivative/hodograph.hpp"
 #include "core/evaluate/kernel_of.hpp"
+#include "core/kernel_tables.hpp"
 
 namespace bezierbench {
 namespace {
@@ -72,32 +72,17 @@ ArcLength measure(const CurveView<double>& view, double from, double to, double 
   return result;
 }
 
-template <ArcLengthMethod M, int Dimension>
-constexpr ArcLengthKernel kernel() {
-  return {&M::info, Dimension, measure<M, Dimension>};
-}
-
-template <int Dimension, class... Ms>
-std::span<const ArcLengthKernel> table_of(TypeList<Ms...>) {
-  static constexpr std::array table{kernel<Ms, Dimension>()...};
-  return table;
-}
-
-template <class... Ms>
-std::span<const MethodInfo* const> infos_of(TypeList<Ms...>) {
-  static constexpr std::array<const MethodInfo*, sizeof...(Ms)> infos{&Ms::info...};
-  return infos;
-}
+struct Entry {
+  template <ArcLengthMethod M, int Dimension>
+  static constexpr ArcLengthKernel of() {
+    return {&M::info, Dimension, measure<M, Dimension>};
+  }
+};
 
 }  // namespace
 
 std::span<const ArcLengthKernel> arc_length_kernels(int dimension) {
-  switch (dimension) {
-    case 1: return table_of<1>(ArcLengthMethods{});
-    case 2: return table_of<2>(ArcLengthMethods{});
-    case 3: return table_of<3>(ArcLengthMethods{});
-    default: return {};
-  }
+  return kernels_of<ArcLengthKernel, Entry>(ArcLengthMethods{}, dimension);
 }
 
 std::span<const MethodInfo* const> arc_length_infos() { return infos_of(ArcLengthMethods{}); }

@@ -38,12 +38,6 @@ std::span<const ConversionKernel<Scalar>> conversion_table_of(TypeList<Cs...>) {
 using Methods = typename PathsOf<Conversions, Evaluators>::Type;
 using PlainConversions = typename GivenTargets<Conversions>::Type;
 
-template <class... Cs>
-std::span<const MethodInfo* const> infos_of(TypeList<Cs...>) {
-  static constexpr std::array<const MethodInfo*, sizeof...(Cs)> infos{&Cs::info...};
-  return infos;
-}
-
 }  // namespace bezierbench::instantiate
 
 namespace bezierbench {

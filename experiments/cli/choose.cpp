@@ -173,13 +173,6 @@ std::vector<std::string> words_of_forms() {
   return forms;
 }
 
-template <class Enum>
-std::vector<std::string> words_of() {
-  std::vector<std::string> all;
-  for (const auto& entry : suite::words<Enum>) all.emplace_back(entry.word);
-  return all;
-}
-
 }  // namespace
 
 void add_choose(CLI::App& app, Exit& exit) {
@@ -191,9 +184,9 @@ void add_choose(CLI::App& app, Exit& exit) {
   command->add_option("--unit", wish->unit, "of the tolerance: u (units of u p~) or coordinate")
       ->check(CLI::IsMember({"u", "coordinate"}));
   command->add_option("--form", wish->form, "in which the curves are given")->check(CLI::IsMember(words_of_forms()));
-  command->add_option("--mode", wish->mode, "of the times")->check(CLI::IsMember(words_of<suite::Mode>()));
+  command->add_option("--mode", wish->mode, "of the times")->check(CLI::IsMember(suite::all_words<suite::Mode>()));
   command->add_option("--scalar", wish->scalar, "type that the methods compute in")
-      ->check(CLI::IsMember(words_of<suite::ScalarKind>()));
+      ->check(CLI::IsMember(suite::all_words<suite::ScalarKind>()));
   command->add_option("--dimension", wish->dimension, "axes of the curves");
   command->add_option("--study", wish->study, "whose times to take, where several have some");
   command->add_option("--accuracy-study", wish->accuracy_study, "whose errors to take, where several have some");

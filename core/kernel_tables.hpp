@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// From a roster to a table of function pointers for each dimension, the same for all companion problems.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/method.hpp"
+
+namespace bezierbench {
+
+/// `Entry::of<Method, dimension>()` for each method of the roster, in its order; none but for dimension 1, 2 or 3.
+/// All dimensions are instantiated where this is called: kernels stay in the translation unit of their problem.
+template <class Kernel, class Entry, class... Methods>
+std::span<const Kernel> kernels_of(TypeList<Methods...> /*roster*/, int dimension) {
+  static constexpr std::array line{Entry::template of<Methods, 1>()...};
+  static constexpr std::array plane{Entry::template of<Methods, 2>()...};
+  static constexpr std::array space{Entry::template of<Methods, 3>()...};
+  switch (dimension) {
+    case 1: return line;
+    case 2: return plane;
+    case 3: return space;
+    default: return {};
+  }
+}
+
+}  // namespace bezierbench
