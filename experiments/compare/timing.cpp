@@ -30,6 +30,13 @@ metric::Interval interval(const bundle::CsvDocument& table, std::size_t row) {
   return {time(table, row, "median_ns"), time(table, row, "low_ns"), time(table, row, "high_ns")};
 }
 
+/// In units of the sentinel of the same races; none in the sentinel's own row and in bundles of earlier versions.
+std::optional<metric::Interval> units(const bundle::CsvDocument& table, std::size_t row) {
+  if (!table.has_column("sentinel_units") || table.at(row, "sentinel_units").empty()) return std::nullopt;
+  return metric::Interval{time(table, row, "sentinel_units"), time(table, row, "sentinel_units_low"),
+                          time(table, row, "sentinel_units_high")};
+}
+
 std::string_view quality(const bundle::CsvDocument& table, std::size_t row) {
   if (table.has_column("checked") && table.at(row, "checked") != "yes") return unchecked;
   return table.has_column("quality") ? std::string_view(table.at(row, "quality")) : quality_ok;
@@ -54,13 +61,15 @@ struct Race {
 
 Race race_of(const Inputs& inputs) { return {inputs.field("study"), inputs.field("curve"), inputs.field("mode")}; }
 
+/// For bundles that do not say themselves how long a method took in units of the sentinel: by the sentinel over all
+/// races of the study in the same mode.
 void normalise(std::vector<TimingRow>& rows) {
   std::map<Race, const TimingRow*> sentinels;
   for (const auto& row : rows)
     if (row.is_sentinel()) sentinels.emplace(race_of(row.inputs), &row);
   for (auto& row : rows) {
     const auto found = sentinels.find(race_of(row.inputs));
-    if (row.is_sentinel() || found == sentinels.end()) continue;
+    if (row.is_sentinel() || row.normalised || found == sentinels.end()) continue;
     row.normalised = judged(ratio_in_units(row.b, found->second->b, row.a, found->second->a), row.quality);
   }
 }
@@ -95,12 +104,15 @@ TimingComparison compare_timing(const Side& a, const Side& b) {
     const auto time_a = interval(*ours, pair.a);
     const auto time_b = interval(*theirs, pair.b);
     const auto doubt = worse(quality(*ours, pair.a), quality(*theirs, pair.b));
-    comparison.rows.push_back({.inputs = std::move(pair.inputs),
-                               .a = time_a,
-                               .b = time_b,
-                               .raw = judged(ratio(time_b, time_a), doubt),
-                               .normalised = {},
-                               .quality = doubt});
+    const auto units_a = units(*ours, pair.a);
+    const auto units_b = units(*theirs, pair.b);
+    comparison.rows.push_back(
+        {.inputs = std::move(pair.inputs),
+         .a = time_a,
+         .b = time_b,
+         .raw = judged(ratio(time_b, time_a), doubt),
+         .normalised = units_a && units_b ? std::optional(judged(ratio(*units_b, *units_a), doubt)) : std::nullopt,
+         .quality = doubt});
   }
   comparison.only_a = match.only_a;
   comparison.only_b = match.only_b;

@@ -30,7 +30,7 @@ struct TimingRow {
   metric::Interval a;  ///< nanoseconds per point
   metric::Interval b;
   TimeRatio raw;
-  std::optional<TimeRatio> normalised;  ///< in units of the sentinel of the same study and mode, where both have it
+  std::optional<TimeRatio> normalised;  ///< in units of the sentinel, where both have it
   std::string quality;  ///< `ok`, or what the file says of the doubtful side; `unchecked` where timed output was wrong
   int rank_a = 0;       ///< 1 + how many methods of the same race are certainly faster; 0 for the sentinel
   int rank_b = 0;

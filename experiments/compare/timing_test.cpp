@@ -52,6 +52,23 @@ TEST(Timing, InSentinelsASlowMachineIsTheSame) {
   EXPECT_DOUBLE_EQ(slower.normalised->ratio.median, 1);
 }
 
+// The sentinel of the races of another degree says less than that of the method's own race.
+TEST(Timing, TheSentinelOfTheSameRaceIsTheUnitWhereTheBundleSaysIt) {
+  const auto side = [](const std::string& name, double ns, double units) {
+    return side_of(name, {{timing_file, fmt::format("study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,"
+                                                    "high_ns,sentinel_units,sentinel_units_low,sentinel_units_high\n"
+                                                    "s,bezier,horner,double,2,4,point,{0},{0},{0},{1},{1},{1}\n"
+                                                    "s,bezier,sentinel,double,,,point,1,1,1,,,\n",
+                                                    ns, units)}});
+  };
+  const auto comparison = compare_timing(side("a", 10, 10), side("b", 20, 10.005));
+  EXPECT_EQ(comparison.rows[0].raw.verdict, Verdict::slower);
+  ASSERT_TRUE(comparison.rows[0].normalised);
+  EXPECT_EQ(comparison.rows[0].normalised->verdict, Verdict::same);
+  EXPECT_DOUBLE_EQ(comparison.rows[0].normalised->ratio.median, 1.0005);
+  EXPECT_FALSE(comparison.rows[1].normalised);
+}
+
 TEST(Timing, WithoutASentinelOnBothSidesThereIsNoSuchUnit) {
   EXPECT_FALSE(only_row(row("horner", 10) + row("sentinel", 1), row("horner", 10)).normalised);
 }

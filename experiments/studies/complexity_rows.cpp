@@ -35,7 +35,7 @@ std::vector<Ladder> ladders_of(const std::vector<Heat>& heats) {
       if (is_new) ladders.push_back({&heat, heat.methods[m], {}, {}});
       Ladder& ladder = ladders[place->second];
       ladder.degrees.push_back(heat.cell.degree);
-      ladder.ns.push_back(metric::median_interval(heat.laps[m].ns_per_point, metric::timing_confidence).median);
+      ladder.ns.push_back(metric::median_interval(heat.laps[m].sitting_ns, metric::timing_confidence).median);
     }
   return ladders;
 }

@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
+#include "experiments/metric/order_statistics.hpp"
+#include "experiments/metric/verdict.hpp"
 #include "experiments/studies/method_choice.hpp"
 #include "experiments/studies/methods.hpp"
 #include "experiments/studies/timed_check.hpp"
@@ -13,6 +17,7 @@
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "experiments/timing/kernel_rival.hpp"
+#include "experiments/timing/stack_place.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -28,8 +33,8 @@ std::vector<const MethodInfo*> methods_of(const suite::Study& study, const sampl
 }
 
 template <class Scalar>
-std::vector<timing::Lap> race_of(const Heat& heat, const suite::Study& study, std::uint64_t seed,
-                                 const timing::RaceOptions& options) {
+HeatLaps race_of(const Heat& heat, const suite::Study& study, std::uint64_t seed, std::size_t sitting,
+                 const timing::RaceOptions& options) {
   const auto inputs = timed_inputs<Scalar>(study, heat.cell, seed);
   std::vector<timing::Rival> rivals;
   std::vector<bool> right;
@@ -40,10 +45,15 @@ std::vector<timing::Lap> race_of(const Heat& heat, const suite::Study& study, st
     rivals.push_back(timing::kernel_rival(kernel, heat.mode, inputs, std::move(judged.points)));
   }
   rivals.push_back(timing::sentinel());
-  auto laps =
-      timing::race(fmt::format("{}/{}/{}", study.id, heat.cell.degree, suite::name(heat.mode)), rivals, options);
+  const auto name = fmt::format("{}/{}/{}", study.id, heat.cell.degree, suite::name(heat.mode));
+  auto laps = timing::with_stack_moved(sitting, [&] { return timing::race(name, rivals, options); });
   for (std::size_t m = 0; m < right.size(); ++m) laps[m].checked = laps[m].checked && right[m];
-  return laps;
+  HeatLaps result;
+  for (auto& lap : laps) {
+    const double median = metric::median_interval(lap.ns_per_point, metric::timing_confidence).median;
+    result.each.push_back({std::move(lap), {median}});
+  }
+  return result;
 }
 
 }  // namespace
@@ -59,25 +69,35 @@ std::vector<Heat> heats_of(const suite::Study& study) {
   return heats;
 }
 
-std::vector<timing::Lap> run(const Heat& heat, const suite::Study& study, std::uint64_t seed,
-                             const timing::RaceOptions& options) {
-  return heat.scalar == suite::ScalarKind::float32 ? race_of<float>(heat, study, seed, options)
-                                                   : race_of<double>(heat, study, seed, options);
+void HeatLaps::merge(const HeatLaps& other) {
+  if (each.empty()) each.resize(other.each.size());
+  if (other.each.size() != each.size()) throw std::invalid_argument("sittings of different heats");
+  for (std::size_t m = 0; m < each.size(); ++m) {
+    each[m].rounds.append(other.each[m].rounds);
+    each[m].sitting_ns.insert(each[m].sitting_ns.end(), other.each[m].sitting_ns.begin(),
+                              other.each[m].sitting_ns.end());
+  }
 }
 
-timing::HalfMedians sentinel_of(const std::vector<timing::Lap>& laps) {
-  return timing::half_medians(laps.back().ns_per_point);
+HeatLaps run(const Heat& heat, const suite::Study& study, std::uint64_t seed, std::size_t sitting,
+             const timing::RaceOptions& options) {
+  return heat.scalar == suite::ScalarKind::float32 ? race_of<float>(heat, study, seed, sitting, options)
+                                                   : race_of<double>(heat, study, seed, sitting, options);
+}
+
+double fastest_sentinel(const std::vector<HeatLap>& laps) {
+  return laps.empty() ? std::numeric_limits<double>::infinity() : std::ranges::min(laps.back().sitting_ns);
 }
 
 double fastest_sentinel(const std::vector<Heat>& heats) {
   double fastest = std::numeric_limits<double>::infinity();
-  for (const auto& heat : heats)
-    if (!heat.laps.empty()) fastest = std::min(fastest, sentinel_of(heat.laps).fast);
+  for (const auto& heat : heats) fastest = std::min(fastest, fastest_sentinel(heat.laps));
   return fastest;
 }
 
-bool drifted(const std::vector<timing::Lap>& laps, double fastest) {
-  return timing::drift(sentinel_of(laps), fastest) > timing::tolerated_drift;
+bool drifted(const std::vector<HeatLap>& laps, double fastest) {
+  const auto sentinel = metric::median_interval(laps.back().sitting_ns, metric::timing_confidence);
+  return sentinel.median > (1 + timing::tolerated_drift) * fastest;
 }
 
 std::string named_baseline(const suite::Study& study) {

@@ -26,10 +26,11 @@ suite::Study timing_study() {
   return study;
 }
 
-timing::Lap lap_of(double ns, std::size_t rounds = 10) {
-  timing::Lap lap;
-  lap.ns_per_point.assign(rounds, ns);
-  lap.points_per_round = 256;
+HeatLap lap_of(double ns, std::size_t sittings = 10) {
+  HeatLap lap;
+  lap.rounds.ns_per_point.assign(2 * sittings, ns);
+  lap.rounds.points_per_round = 256;
+  lap.sitting_ns.assign(sittings, ns);
   return lap;
 }
 
@@ -109,10 +110,10 @@ TEST(TimingRows, RatiosAreTakenRoundByRound) {
   auto heats = heats_of(study);
   heats.resize(1);
   make_up(heats[0]);
-  for (std::size_t round = 0; round < 10; ++round) {  // a machine that grows slower, by more than any method differs
+  for (std::size_t round = 0; round < 20; ++round) {  // a machine that grows slower, by more than any method differs
     const double machine = 1 + static_cast<double>(round);
-    heats[0].laps[0].ns_per_point[round] = 3 * machine;
-    heats[0].laps[1].ns_per_point[round] = 2 * machine;
+    heats[0].laps[0].rounds.ns_per_point[round] = 3 * machine;
+    heats[0].laps[1].rounds.ns_per_point[round] = 2 * machine;
   }
   const auto csv = timing_csv(study, heats);
   EXPECT_THAT(column(csv, "method"), ElementsAre("de_casteljau", "horner_bernstein", "sentinel"));
@@ -120,8 +121,28 @@ TEST(TimingRows, RatiosAreTakenRoundByRound) {
   EXPECT_THAT(column(csv, "ratio"), ElementsAre("1.5", "1", ""));
   EXPECT_THAT(column(csv, "ratio_low"), ElementsAre("1.5", "1", ""));
   EXPECT_THAT(column(csv, "ratio_high"), ElementsAre("1.5", "1", ""));
-  EXPECT_THAT(column(csv, "median_ns"), ElementsAre("16.5", "11", "1"));
   EXPECT_THAT(column(csv, "degree"), ElementsAre("3", "3", ""));
+}
+
+TEST(TimingRows, TimesAreOverSittingsAlsoInUnitsOfTheirSentinels) {
+  const auto study = timing_study();
+  auto heats = heats_of(study);
+  heats.resize(1);
+  heats[0].laps = {lap_of(0, 8), lap_of(0, 8), lap_of(0, 8)};
+  for (std::size_t sitting = 0; sitting < 8; ++sitting) {
+    const double machine = 1 + static_cast<double>(sitting);
+    heats[0].laps[0].sitting_ns[sitting] = 3 * machine;
+    heats[0].laps[1].sitting_ns[sitting] = 10;  // in fewer and fewer units
+    heats[0].laps[2].sitting_ns[sitting] = machine;
+  }
+  const auto csv = timing_csv(study, heats);
+  EXPECT_THAT(column(csv, "median_ns"), ElementsAre("13.5", "10", "4.5"));
+  EXPECT_THAT(column(csv, "low_ns"), ElementsAre("3", "10", "1"));
+  EXPECT_THAT(column(csv, "high_ns"), ElementsAre("24", "10", "8"));
+  EXPECT_THAT(column(csv, "sittings"), ElementsAre("8", "8", "8"));
+  EXPECT_THAT(column(csv, "sentinel_units_low"), ElementsAre("3", "1.25", ""));
+  EXPECT_THAT(column(csv, "sentinel_units"), ElementsAre("3", "2.25", ""));  // between 10/5 and 10/4
+  EXPECT_THAT(column(csv, "sentinel_units_high"), ElementsAre("3", "10", ""));
 }
 
 TEST(TimingRows, CountsAreMediansOrEmpty) {
@@ -129,8 +150,8 @@ TEST(TimingRows, CountsAreMediansOrEmpty) {
   auto heats = heats_of(study);
   heats.resize(1);
   make_up(heats[0]);
-  heats[0].laps[0].cycles_per_point = {4, 3, 5};
-  heats[0].laps[0].instructions_per_point = {7, 9, 8};
+  heats[0].laps[0].rounds.cycles_per_point = {4, 3, 5};
+  heats[0].laps[0].rounds.instructions_per_point = {7, 9, 8};
   const auto csv = timing_csv(study, heats);
   EXPECT_THAT(column(csv, "cycles"), ElementsAre("4", "", ""));
   EXPECT_THAT(column(csv, "instructions"), ElementsAre("8", "", ""));
@@ -139,23 +160,36 @@ TEST(TimingRows, CountsAreMediansOrEmpty) {
 TEST(TimingRows, SayWhatTheSentinelSaw) {
   const auto study = timing_study();
   auto heats = made_up_heats(study);
-  make_up(heats[1], 1.019);                  // within what is tolerated
-  make_up(heats[2], 1.021);                  // steady, but slower than the others
-  heats[3].laps.back().ns_per_point[9] = 5;  // one disturbed round is what medians are for
+  make_up(heats[1], 1.019);                // within what is tolerated
+  make_up(heats[2], 1.021);                // steady, but slower than the others
+  heats[3].laps.back().sitting_ns[9] = 5;  // one disturbed sitting is what medians are for
   const auto csv = timing_csv(study, heats);
   EXPECT_THAT(column(csv, "quality"), ElementsAre("ok", "ok", "ok", "ok", "noisy", "noisy", "ok", "ok", "noisy"));
-  for (std::size_t round = 5; round < 10; ++round) heats[3].laps.back().ns_per_point[round] = 1.03;
-  EXPECT_EQ(timing_csv(study, heats).at(6, "quality"), "noisy") << "slower in its second half";
+  for (std::size_t sitting = 3; sitting < 10; ++sitting) heats[3].laps.back().sitting_ns[sitting] = 1.03;
+  EXPECT_EQ(timing_csv(study, heats).at(6, "quality"), "noisy") << "slower in most sittings";
 }
 
-TEST(TimingRows, TooFewRoundsAreNamed) {
-  const auto study = timing_study();
-  auto heats = made_up_heats(study);
-  heats[0].laps = {lap_of(1, 7), lap_of(1, 7), lap_of(1, 7)};
-  heats[1].laps = {lap_of(1, 8), lap_of(1, 8), lap_of(1, 8)};
-  const auto csv = timing_csv(study, heats);
-  EXPECT_EQ(csv.at(0, "quality"), "few_rounds");
-  EXPECT_EQ(csv.at(2, "quality"), "ok");
+TEST(HeatLaps, SittingsCanComeInAnyOrder) {
+  const auto one = HeatLaps{{lap_of(3, 1), lap_of(1, 1)}};
+  const auto two = HeatLaps{{lap_of(5, 1), lap_of(2, 1)}};
+  HeatLaps forth;
+  forth.merge(one);
+  forth.merge(two);
+  EXPECT_THAT(forth.each[0].sitting_ns, ElementsAre(3, 5));
+  EXPECT_THAT(forth.each[1].sitting_ns, ElementsAre(1, 2));
+  EXPECT_EQ(forth.each[0].rounds.ns_per_point.size(), 4U);
+  HeatLaps back = two;
+  back.merge(one);
+  EXPECT_THAT(back.each[0].sitting_ns, ElementsAre(5, 3));
+  EXPECT_THROW(back.merge(HeatLaps{{lap_of(1)}}), std::invalid_argument);
+}
+
+TEST(HeatLaps, OneSittingThatFoundPointsWrongSpoilsAll) {
+  auto wrong = HeatLaps{{lap_of(3, 1)}};
+  wrong.each[0].rounds.checked = false;
+  auto laps = HeatLaps{{lap_of(3, 1)}};
+  laps.merge(wrong);
+  EXPECT_FALSE(laps.each[0].rounds.checked);
 }
 
 TEST(TimingRows, OnlyHeatsThatRanHaveRows) {

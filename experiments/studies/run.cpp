@@ -145,7 +145,10 @@ void work(const RunRequest& request, const Jobs& jobs, Ledger& ledger) {
   }
   for (std::size_t number = 0; number < jobs.size(); ++number) {
     const auto [first, end] = share.blocks(number);
-    for (auto block = first; jobs[number]->exclusive() && block < end; ++block) run_one(number, block);
+    if (!jobs[number]->exclusive()) continue;
+    const auto each = jobs[number]->blocks_per_part();  // one of every part in turn: a part's are spread over the time
+    for (std::size_t k = 0; k < each; ++k)
+      for (auto block = first + k; block < end; block += each) run_one(number, block);
   }
 }
 

@@ -17,22 +17,22 @@
 namespace bezierbench::studies {
 namespace {
 
-constexpr int most_reruns_per_heat = 2;
+constexpr int most_reruns_per_sitting = 2;
 
-/// What a heat gives: the lap of each method, then of the sentinel.
-using Laps = std::vector<timing::Lap>;
-
-class TimingJob final : public JobOf<Laps> {
+/// One heat is a part, each of its sittings a block.
+class TimingJob final : public JobOf<HeatLaps> {
  public:
   TimingJob(const suite::Study& study, std::uint64_t seed)
-      : study_(study), seed_(seed), heats_(heats_of(study)), reruns_left_(std::max<std::size_t>(heats_.size() / 2, 1)) {
+      : study_(study), seed_(seed), heats_(heats_of(study)), reruns_left_(heats_.size() * sittings_per_heat / 2) {
     require_racing_baseline();
   }
 
   [[nodiscard]] std::size_t parts() const override { return heats_.size(); }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return sittings_per_heat; }
   [[nodiscard]] bool exclusive() const override { return true; }
   [[nodiscard]] double cost(std::size_t part) const override {
-    return 5e7 * static_cast<double>(heats_[part].methods.size());  // about the same wall time whatever the degree
+    // about the same wall time whatever the degree
+    return 5e7 / sittings_per_heat * static_cast<double>(heats_[part].methods.size());
   }
   [[nodiscard]] Extent extent() const override {
     Extent sum{heats_.size(), study_.modes.size(), 0, 0};  // a sentinel's row in each mode
@@ -49,21 +49,28 @@ class TimingJob final : public JobOf<Laps> {
   [[nodiscard]] std::vector<Series> series() const override;
 
  protected:
-  [[nodiscard]] Laps work(std::size_t block) const override;
+  [[nodiscard]] HeatLaps work(std::size_t block) const override;
 
  private:
   /// The heats with what they gave so far.
   [[nodiscard]] std::vector<Heat> raced() const {
     auto heats = heats_;
-    for (std::size_t part = 0; part < heats.size(); ++part) heats[part].laps = state(part);
+    for (std::size_t part = 0; part < heats.size(); ++part) heats[part].laps = state(part).each;
     return heats;
+  }
+  /// The sentinel's fastest sitting in all results so far, those of an earlier run included when this one continues it.
+  [[nodiscard]] double fastest_so_far() const {
+    double fastest = std::numeric_limits<double>::infinity();
+    for (std::size_t part = 0; part < heats_.size(); ++part)
+      fastest = std::min(fastest, fastest_sentinel(state(part).each));
+    return fastest;
   }
   void require_racing_baseline() const;
 
   suite::Study study_;
   std::uint64_t seed_;
   std::vector<Heat> heats_;
-  // Heats run one at a time, so these need no lock.
+  // Sittings run one at a time, so these need no lock.
   mutable std::size_t reruns_left_;  ///< of the study: a restless machine lengthens it by half at most
   mutable double fastest_ = std::numeric_limits<double>::infinity();  ///< sentinel of the study so far
   timing::Counters counters_;
@@ -81,22 +88,35 @@ void TimingJob::require_racing_baseline() const {
                                            study_.id, named));
 }
 
-/// A race in which the sentinel drifted is run again; the attempt with the quicker sentinel counts.
-Laps TimingJob::work(std::size_t block) const {
-  const Heat& heat = heats_[block];
-  if (heat.methods.empty()) return {};                       // none supports the degree
-  fastest_ = std::min(fastest_, fastest_sentinel(raced()));  // those of an earlier run, when this one continues it
+/// What a race may take, divided among the sittings of its heat.
+timing::RaceOptions options_of_a_sitting() {
   timing::RaceOptions options;
-  options.counters = &counters_;
+  options.rounds /= sittings_per_heat;
+  options.least_rounds /= sittings_per_heat;
+  options.rival_seconds /= sittings_per_heat;
+  options.most_seconds /= sittings_per_heat;
   options.stop = interrupted;
-  Laps laps = run(heat, study_, seed_, options);
-  for (int rerun = 0; rerun < most_reruns_per_heat && reruns_left_ > 0; ++rerun) {
+  return options;
+}
+
+/// A sitting in which the sentinel drifted is run again; the attempt with the quicker sentinel counts.
+HeatLaps TimingJob::work(std::size_t block) const {
+  const Heat& heat = heats_[part_of(block)];
+  if (heat.methods.empty()) return {};  // none supports the degree
+  fastest_ = std::min(fastest_, fastest_so_far());
+  const auto race = [&] {
+    auto options = options_of_a_sitting();
+    options.counters = &counters_;
+    return run(heat, study_, seed_, block % sittings_per_heat, options);
+  };
+  HeatLaps laps = race();
+  for (int rerun = 0; rerun < most_reruns_per_sitting && reruns_left_ > 0; ++rerun) {
     if (interrupted()) break;
-    fastest_ = std::min(fastest_, sentinel_of(laps).fast);
-    if (!drifted(laps, fastest_)) break;
+    fastest_ = std::min(fastest_, fastest_sentinel(laps.each));
+    if (!drifted(laps.each, fastest_)) break;
     --reruns_left_;
-    auto again = run(heat, study_, seed_, options);
-    if (sentinel_of(again).slow < sentinel_of(laps).slow) laps = std::move(again);
+    auto again = race();
+    if (fastest_sentinel(again.each) < fastest_sentinel(laps.each)) laps = std::move(again);
   }
   return laps;
 }
@@ -117,7 +137,7 @@ std::vector<Series> TimingJob::series() const {
                      .generator = heat.cell.generator,
                      .baseline = "",
                      .mode = std::string(suite::name(heat.mode)),
-                     .values = heat.laps[m].ns_per_point});
+                     .values = heat.laps[m].rounds.ns_per_point});
   return all;
 }
 

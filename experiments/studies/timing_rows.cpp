@@ -14,25 +14,24 @@ namespace {
 
 constexpr std::string_view ok = "ok";
 constexpr std::string_view noisy = "noisy";
-constexpr std::string_view few_rounds = "few_rounds";
 
-std::string_view quality(const Heat& heat, double fastest) {
-  if (!metric::covers_median(heat.laps.back().ns_per_point.size(), metric::timing_confidence)) return few_rounds;
-  return drifted(heat.laps, fastest) ? noisy : ok;
-}
+std::string_view quality(const Heat& heat, double fastest) { return drifted(heat.laps, fastest) ? noisy : ok; }
 
 std::vector<std::string> interval_fields(std::span<const double> sample) {
   const auto interval = metric::median_interval(sample, metric::timing_confidence);
   return {number::decimal(interval.median), number::decimal(interval.low), number::decimal(interval.high)};
 }
 
+std::vector<double> quotients(std::span<const double> a, std::span<const double> b) {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < a.size(); ++k) all.push_back(a[k] / b[k]);
+  return all;
+}
+
 /// relative_to, ratio, ratio_low, ratio_high: the ratio is taken round by round, in which both met the same machine.
-std::vector<std::string> ratio_fields(const Heat& heat, const timing::Lap& lap, std::optional<std::size_t> base) {
+std::vector<std::string> ratio_fields(const Heat& heat, const HeatLap& lap, std::optional<std::size_t> base) {
   if (!base) return {"", "", "", ""};
-  std::vector<double> ratios;
-  for (std::size_t round = 0; round < lap.ns_per_point.size(); ++round)
-    ratios.push_back(lap.ns_per_point[round] / heat.laps[*base].ns_per_point[round]);
-  auto fields = interval_fields(ratios);
+  auto fields = interval_fields(quotients(lap.rounds.ns_per_point, heat.laps[*base].rounds.ns_per_point));
   fields.insert(fields.begin(), std::string(heat.methods[*base]->id));
   return fields;
 }
@@ -47,17 +46,21 @@ struct RowParts {
   std::vector<std::string> ratio;  ///< relative_to to ratio_high
   std::string_view quality;
   std::vector<std::string> inputs;  ///< coordinate_range to generator
+  std::vector<std::string> units;   ///< sentinel_units to sentinel_units_high
 };
 
-void add_row(bundle::CsvTable& table, RowParts parts, const timing::Lap& lap) {
+void add_row(bundle::CsvTable& table, RowParts parts, const HeatLap& lap) {
+  const auto& rounds = lap.rounds;
   auto row = std::move(parts.key);
   const auto append = [&](const std::vector<std::string>& more) { row.insert(row.end(), more.begin(), more.end()); };
-  append(interval_fields(lap.ns_per_point));
-  append({std::to_string(lap.ns_per_point.size()), std::to_string(lap.points_per_round)});
+  append(interval_fields(lap.sitting_ns));
+  append({std::to_string(rounds.ns_per_point.size()), std::to_string(rounds.points_per_round)});
   append(parts.ratio);
-  append({median_text(lap.cycles_per_point), median_text(lap.instructions_per_point), std::string(parts.quality),
-          lap.checked ? "yes" : "no"});
+  append({median_text(rounds.cycles_per_point), median_text(rounds.instructions_per_point), std::string(parts.quality),
+          rounds.checked ? "yes" : "no"});
   append(parts.inputs);
+  append({std::to_string(lap.sitting_ns.size())});
+  append(parts.units);
   table.add_row(std::move(row));
 }
 
@@ -70,36 +73,31 @@ void add_heat(bundle::CsvTable& table, const suite::Study& study, const Heat& he
                      std::to_string(heat.cell.degree), std::string(suite::name(heat.mode))},
              .ratio = ratio_fields(heat, heat.laps[m], base),
              .quality = quality(heat, fastest),
-             .inputs = drawn_fields(heat.cell)},
+             .inputs = drawn_fields(heat.cell),
+             .units = interval_fields(quotients(heat.laps[m].sitting_ns, heat.laps.back().sitting_ns))},
             heat.laps[m]);
-}
-
-void append(std::vector<double>& all, const std::vector<double>& more) {
-  all.insert(all.end(), more.begin(), more.end());
 }
 
 /// The sentinel over all heats of a mode.
 void add_sentinel(bundle::CsvTable& table, const suite::Study& study, const std::vector<Heat>& heats, suite::Mode mode,
                   double fastest) {
-  timing::Lap all;
+  HeatLap all;
   std::string_view worst = ok;
   for (const auto& heat : heats) {
     if (heat.mode != mode || heat.laps.empty()) continue;
-    const timing::Lap& lap = heat.laps.back();
-    append(all.ns_per_point, lap.ns_per_point);
-    append(all.cycles_per_point, lap.cycles_per_point);
-    append(all.instructions_per_point, lap.instructions_per_point);
-    all.points_per_round = std::max(all.points_per_round, lap.points_per_round);
-    all.checked = all.checked && lap.checked;
+    const HeatLap& lap = heat.laps.back();
+    all.rounds.append(lap.rounds);
+    all.sitting_ns.insert(all.sitting_ns.end(), lap.sitting_ns.begin(), lap.sitting_ns.end());
     if (drifted(heat.laps, fastest)) worst = noisy;
   }
-  if (all.ns_per_point.empty()) return;
+  if (all.sitting_ns.empty()) return;
   add_row(table,
           {.key = {study.id, std::string(suite::name(study.curve)), std::string(timing::sentinel_name),
                    std::string(suite::name(suite::ScalarKind::float64)), "", "", std::string(suite::name(mode))},
            .ratio = {"", "", "", ""},
            .quality = worst,
-           .inputs = {"", "", "", ""}},
+           .inputs = {"", "", "", ""},
+           .units = {"", "", ""}},
           all);
 }
 
@@ -111,6 +109,7 @@ void write_timing_rows(const suite::Study& study, const std::vector<Heat>& heats
       "median_ns", "low_ns",     "high_ns", "rounds",       "points_per_round", "relative_to", "ratio",
       "ratio_low", "ratio_high", "cycles",  "instructions", "quality",          "checked"};
   columns.insert(columns.end(), drawn_columns().begin(), drawn_columns().end());
+  columns.insert(columns.end(), {"sittings", "sentinel_units", "sentinel_units_low", "sentinel_units_high"});
   auto& table = tables.table("timing.csv", columns);
   const double fastest = fastest_sentinel(heats);
   for (const auto& heat : heats)

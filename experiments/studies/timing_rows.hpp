@@ -9,9 +9,10 @@
 
 namespace bezierbench::studies {
 
-/// Heats that did not run have no rows. `quality` is `few_rounds` where a race ended before its intervals could cover,
-/// `noisy` where the sentinel drifted, else `ok`. The sentinel's row is over all heats of its mode, so it has no
-/// dimension or degree, and `noisy` where any of them is.
+/// Heats that did not run have no rows. Times are medians over sittings, also in units of the sentinel of the same
+/// sitting (`sentinel_units`), with their intervals; ratios are paired round by round. `quality` is `noisy` where the
+/// sentinel drifted, else `ok`. The sentinel's row is over all heats of its mode, so it has no dimension or degree, and
+/// is `noisy` where any of them is.
 void write_timing_rows(const suite::Study& study, const std::vector<Heat>& heats, Tables& tables);
 
 }  // namespace bezierbench::studies

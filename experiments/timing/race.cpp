@@ -80,6 +80,17 @@ class SilentReporter final : public benchmark::BenchmarkReporter {
 
 }  // namespace
 
+void Lap::append(const Lap& other) {
+  const auto add = [](std::vector<double>& all, const std::vector<double>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  add(ns_per_point, other.ns_per_point);
+  add(cycles_per_point, other.cycles_per_point);
+  add(instructions_per_point, other.instructions_per_point);
+  points_per_round = std::max(points_per_round, other.points_per_round);
+  checked = checked && other.checked;
+}
+
 std::vector<Lap> race(const std::string& name, std::span<const Rival> rivals, const RaceOptions& options) {
   std::vector<Lap> laps(rivals.size());
   std::vector<std::size_t> repetitions;

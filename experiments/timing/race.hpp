@@ -26,8 +26,11 @@ struct Lap {
   std::vector<double> ns_per_point;            ///< one per round
   std::vector<double> cycles_per_point;        ///< one per round in which the counters ran; none without counters
   std::vector<double> instructions_per_point;  ///< likewise
-  std::size_t points_per_round = 0;
-  bool checked = true;  ///< every check held
+  std::size_t points_per_round = 0;            ///< the most, of several races
+  bool checked = true;                         ///< every check held
+
+  /// The rounds of another race of the same rival.
+  void append(const Lap& other);
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {

@@ -63,7 +63,7 @@ def _times(found, other, table_id):
         yield Text("No time is in both.")
         return
     yield Text("Times of b over times of a, with the interval in brackets that holds the ratio in 99 of 100 cases, as far as "
-               "times vary within a run. `same` is within 1 %, `slower` and `faster` are beyond it, each with the whole "
+               "times vary between the races of a run. `same` is within 1 %, `slower` and `faster` are beyond it, each with the whole "
                "interval; anything else is `unresolved`. Under it the same with every time in units of the sentinel, fixed "
                "work that runs beside the methods: between machines, that is what compares methods."
                + (" A ratio marked ~ comes from a race that was noisy on at least one side."

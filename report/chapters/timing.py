@@ -17,7 +17,8 @@ def blocks(bundle, _findings):
     if not methods:
         raise Missing("`timing.csv` has no rows")
     yield Text("`one_shot`: prepare a curve and evaluate one point. `point`: prepared, one point at a time. The interval in "
-               "brackets is the file's `low_ns` to `high_ns`. Every timed output was first checked against the judged one"
+               "brackets, `low_ns` to `high_ns` of the file, covers how far the median varies from one race to another of the same "
+               "methods, spread over the run. Every timed output was first checked against the judged one"
                + ("." if all(r["checked"] == "yes" for r in methods) else
                   "; **some outputs did not pass that check** and are marked ✗.")
                + (" A time marked ~ comes from a race in which fixed work beside it changed its speed by more than 2 %: "
