@@ -21,10 +21,18 @@ struct Fields {
   std::size_t bin;  ///< the bits after the leading one
 };
 Fields fields_of(double value) {
-  int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  const auto significand = static_cast<std::uint64_t>(std::ldexp(mantissa, precision));
-  return {exponent, significand, (significand >> (precision - 1 - bin_bits)) & ((1U << bin_bits) - 1)};
+  constexpr int fraction_bits = 52;
+  constexpr int bias = 1022;  // of mantissas in [1/2, 1)
+  int shifted = 0;
+  if (value < std::numeric_limits<double>::min()) {
+    shifted = 2 * fraction_bits;
+    value *= 0x1p+104;  // exact, and normal
+  }
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto fraction = bits & ((1ULL << fraction_bits) - 1);
+  return {static_cast<int>(bits >> fraction_bits) - bias - shifted,
+          (1ULL << (precision - 1)) | (fraction >> (fraction_bits - precision + 1)),
+          fraction >> (fraction_bits - bin_bits)};
 }
 
 mpz_class to_mpz(Wide value) {

@@ -30,11 +30,12 @@ void TrialScale::set(const CurveView<double>& curve, double t) {
       const double scaled = curve(axis, i) * scale;
       sum += scaled * scaled;
     }
-    const double norm = std::sqrt(sum) / scale;
+    const double norm = scale == 1 ? std::sqrt(sum) : std::sqrt(sum) / scale;
     norms_[static_cast<std::size_t>(i)] = norm;
     largest_ = std::max(largest_, norm);
   }
   amplified_.fill(std::nullopt);
+  growth_.reset();
   if (form_ == Form::rational) weigh(curve);
 }
 
@@ -79,42 +80,45 @@ double TrialScale::in_bound_units(double error, const Arithmetic& arithmetic) {
   return error / p_tilde() / arithmetic.unit_roundoff;  // x / 0 is infinite, as defined
 }
 
-double TrialScale::polynomial_underflow(const ErrorBound& bound, const Arithmetic& arithmetic) const {
-  const int n = static_cast<int>(norms_.size()) - 1;
-  const double growth = integer_power(std::abs(t_) + std::abs(1 - t_), n);
-  const double size = bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
+double TrialScale::polynomial_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic, double rounding) {
+  if (!growth_) growth_ = integer_power(std::abs(t_) + std::abs(1 - t_), degree());
+  const double size = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
+  // Subnormal numbers take a processor a hundred times as long: they are left out where they cannot change a bit.
+  const bool is_lost = rounding > 0x1p-800 && size * bound.underflow * *growth_ < 0x1p+100 &&
+                       arithmetic.smallest_subnormal == double_arithmetic.smallest_subnormal;
+  if (is_lost) return 0;
   // The tiny unit first, so that large factors do not overflow on the way.
-  return arithmetic.smallest_subnormal * size * bound.underflow(n) * growth;
+  return arithmetic.smallest_subnormal * size * bound.underflow * *growth_;
 }
 
-double TrialScale::rational_underflow(const ErrorBound& bound, const Arithmetic& arithmetic) {
-  const int n = static_cast<int>(norms_.size()) - 1;
+double TrialScale::rational_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic) {
+  const int n = degree();
   const double eta = arithmetic.smallest_subnormal;
   const double in_range = arithmetic.range / integer_power(2.0, n);
   const auto& w = weights_;
-  if (bound.positive_weights_only) {
+  if (bound.bound.positive_weights_only) {
     if (!(w.smallest > 0 && (n + 1) * (1 + w.largest) * (1 + 1 / w.smallest) <= in_range)) return infinite;
-    return eta + eta * bound.underflow(n) * (1 + w.largest_point) * ((1 + w.largest) / w.smallest);
+    return eta + eta * bound.underflow * (1 + w.largest_point) * ((1 + w.largest) / w.smallest);
   }
   if (!(w.smallest >= 0 && w.sum > 0 && 1 + w.largest <= in_range)) return infinite;
-  const double of_numerator = bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
-  const double of_denominator = bound.underflow_scales_with_coefficients ? 1 + w.largest : 1;
-  const double lost = eta * bound.underflow(n);
+  const double of_numerator = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
+  const double of_denominator = bound.bound.underflow_scales_with_coefficients ? 1 + w.largest : 1;
+  const double lost = eta * bound.underflow;
   if (!(lost * of_denominator / w.sum <= 0.125)) return infinite;
   return eta + lost * (of_numerator + of_denominator * p_tilde()) / w.sum;
 }
 
-double TrialScale::bound(const ErrorBound& bound, const Arithmetic& arithmetic, std::optional<double> length) {
+double TrialScale::bound(const BoundAtDegree& at_degree, const Arithmetic& arithmetic, std::optional<double> length) {
+  const ErrorBound& bound = at_degree.bound;
   if (bound.unit_interval_only && (t_ < 0 || t_ > 1)) return infinite;
-  const int n = static_cast<int>(norms_.size()) - 1;
-  const double factor = bound.factor(n, arithmetic.unit_roundoff);
-  const double underflow =
-      form_ == Form::rational ? rational_underflow(bound, arithmetic) : polynomial_underflow(bound, arithmetic);
-  if (!std::isfinite(factor) || !std::isfinite(underflow)) return infinite;
+  if (!std::isfinite(at_degree.factor)) return infinite;
   // |p| <= p~
   const double result = bound.result_roundings == 0 ? 0 : bound.result_roundings * (length ? *length : p_tilde());
-  const double rounding = result + factor * amplified(bound.amplification);
-  return rounding * arithmetic.unit_roundoff + dimension_ * underflow;
+  const double rounding = (result + at_degree.factor * amplified(bound.amplification)) * arithmetic.unit_roundoff;
+  const double underflow = form_ == Form::rational ? rational_underflow(at_degree, arithmetic)
+                                                   : polynomial_underflow(at_degree, arithmetic, rounding);
+  if (!std::isfinite(underflow)) return infinite;
+  return rounding + dimension_ * underflow;
 }
 
 }  // namespace bezierbench::metric

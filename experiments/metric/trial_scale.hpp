@@ -26,6 +26,18 @@ struct Arithmetic {
 inline constexpr Arithmetic double_arithmetic{0x1p-53, 0x1p-1074, 0x1p+1000};
 inline constexpr Arithmetic float_arithmetic{0x1p-24, 0x1p-149, 0x1p+120};
 
+/// A bound at one degree: what of it does not depend on the trial.
+struct BoundAtDegree {
+  BoundAtDegree(const ErrorBound& error_bound, int degree, const Arithmetic& arithmetic)
+      : bound(error_bound),
+        factor(error_bound.factor(degree, arithmetic.unit_roundoff)),
+        underflow(error_bound.underflow(degree)) {}
+
+  ErrorBound bound;
+  double factor;
+  double underflow;
+};
+
 /// Scales of one (curve, t); amplifications are computed when first asked for. Reusable.
 class TrialScale {
  public:
@@ -40,7 +52,10 @@ class TrialScale {
 
   /// The bound in coordinate units. `length` is |p| to 24 bits where it is known: a compensated method promises a few
   /// roundings of the result itself, which may be far less than those of p~.
-  double bound(const ErrorBound& bound, const Arithmetic& arithmetic, std::optional<double> length = std::nullopt);
+  double bound(const BoundAtDegree& bound, const Arithmetic& arithmetic, std::optional<double> length = std::nullopt);
+  double bound(const ErrorBound& bound, const Arithmetic& arithmetic, std::optional<double> length = std::nullopt) {
+    return this->bound(BoundAtDegree(bound, degree(), arithmetic), arithmetic, length);
+  }
 
   /// True where `error` is certainly beyond `bound`: both are known to a relative 2^-20 only.
   static bool violates(double error, double bound) { return error > bound * (1 + 0x1p-20); }
@@ -54,12 +69,14 @@ class TrialScale {
     double largest_point = 0;  ///< max |b_i|
   };
 
+  [[nodiscard]] int degree() const { return static_cast<int>(norms_.size()) - 1; }
   void weigh(const CurveView<double>& curve);
   /// For sums that may cancel and magnitudes that leave the range of double; `norms` holds |b_i| and w_i.
   void weigh_exactly(const CurveView<double>& norms);
   double amplified(Amplification kind);
-  [[nodiscard]] double polynomial_underflow(const ErrorBound& bound, const Arithmetic& arithmetic) const;
-  [[nodiscard]] double rational_underflow(const ErrorBound& bound, const Arithmetic& arithmetic);
+  /// `rounding` is what the bound is without it.
+  [[nodiscard]] double polynomial_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic, double rounding);
+  [[nodiscard]] double rational_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic);
 
   Form form_ = Form::bernstein;
   double t_ = 0;
@@ -69,6 +86,7 @@ class TrialScale {
   Weights weights_;
   reference::ExactCurve exact_;
   std::array<std::optional<double>, amplification_count> amplified_;
+  std::optional<double> growth_;  ///< (|t| + |1 - t|)^n
 };
 
 }  // namespace bezierbench::metric

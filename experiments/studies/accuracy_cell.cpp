@@ -97,6 +97,10 @@ class ScalarCell final : public AccuracyCell {
   ScalarCell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, reference::Tier tier)
       : study_(study), cell_(cell), tier_(tier), sampler_(seed, study.id, cell) {
     methods_ = chosen_kernels<Scalar>(study, cell.dimension);
+    for (const auto* method : methods_) {
+      bounds_.emplace_back();
+      if (method->info->bound) bounds_.back().emplace(*method->info->bound, cell.degree, arithmetic);
+    }
     for (const auto& id : study.baseline) {
       const Kernel<Scalar>* kernel = nullptr;
       if (id != exact_baseline) {
@@ -147,6 +151,8 @@ class ScalarCell final : public AccuracyCell {
   void collect(const CellTally& tally, std::vector<Violation>& violations) const override;
 
  private:
+  static constexpr auto arithmetic = ScalarFacts<Scalar>::arithmetic;
+
   /// Judgements are method by method, baseline by baseline.
   [[nodiscard]] std::size_t judgement_count() const { return methods_.size() * baselines_.size(); }
   [[nodiscard]] std::size_t index(std::size_t method, std::size_t baseline) const {
@@ -171,7 +177,7 @@ class ScalarCell final : public AccuracyCell {
   [[nodiscard]] Origin origin(std::size_t baseline, const Lane<Scalar>& lane, reference::TruePoint& truth,
                               Scratch<Scalar>& scratch) const;
   void add_truth(TrialNumber number, const Origin& from, Lane<Scalar>& lane, CellTally& block) const;
-  void count(const Kernel<Scalar>& method, double error, std::uint64_t trial, const Origin& from,
+  void count(const std::optional<metric::BoundAtDegree>& proved, double error, std::uint64_t trial, const Origin& from,
              metric::TrialScale& scale, Judgement& judgement) const;
   void take_apart(const Kernel<Scalar>& method, const Computed& computed, const Lane<Scalar>& lane, const Origin& from,
                   Scratch<Scalar>& scratch, Judgement& judgement) const;
@@ -182,6 +188,7 @@ class ScalarCell final : public AccuracyCell {
   reference::Tier tier_;
   sample::Sampler sampler_;
   std::vector<const Kernel<Scalar>*> methods_;
+  std::vector<std::optional<metric::BoundAtDegree>> bounds_;  ///< per method
   std::vector<const Kernel<Scalar>*> baselines_;
 };
 
@@ -208,7 +215,7 @@ void ScalarCell<Scalar>::judge_group(TrialNumber first, std::int64_t count, Cell
     certified.emplace(form, cell_.dimension, cell_.degree);
   for (std::int64_t k = 0; k < count; ++k) {
     auto& lane = scratch.group[static_cast<std::size_t>(k)];
-    lane.inputs = TrialInputs<Scalar>(form, cell_);
+    lane.inputs.be_of(form, cell_);
     lane.inputs.draw(sampler_, static_cast<std::uint64_t>(first.replicate * study_.trials + first.trial + k));
     lane.scale.set(lane.inputs.true_curve(), lane.inputs.true_t());
     if (certified) certified->load(static_cast<std::size_t>(k), lane.inputs.true_curve(), lane.inputs.true_t());
@@ -246,7 +253,7 @@ void ScalarCell<Scalar>::judge(TrialNumber number, Lane<Scalar>& lane, reference
         ++judgement.non_finite;
         continue;
       }
-      count(*methods_[m], from.distance({computed.point.data(), d}), counted, from, lane.scale, judgement);
+      count(bounds_[m], from.distance({computed.point.data(), d}), counted, from, lane.scale, judgement);
       if (from.truth != nullptr && number.replicate == 0 && number.trial < study_.decomposed_trials)
         take_apart(*methods_[m], computed, lane, from, scratch, judgement);
     }
@@ -281,9 +288,8 @@ void ScalarCell<Scalar>::add_truth(TrialNumber number, const Origin& from, Lane<
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::count(const Kernel<Scalar>& method, double error, std::uint64_t trial, const Origin& from,
-                               metric::TrialScale& scale, Judgement& judgement) const {
-  constexpr auto arithmetic = ScalarFacts<Scalar>::arithmetic;
+void ScalarCell<Scalar>::count(const std::optional<metric::BoundAtDegree>& proved, double error, std::uint64_t trial,
+                               const Origin& from, metric::TrialScale& scale, Judgement& judgement) const {
   if (!std::isfinite(error)) {
     ++judgement.non_finite;
     return;
@@ -295,8 +301,8 @@ void ScalarCell<Scalar>::count(const Kernel<Scalar>& method, double error, std::
   add(error / from.ulp, judgement.error_ulp);
   if (std::isfinite(from.length)) add_quotient(error, from.length, judgement.relative);
   judgement.keep_worst({error_u, error, trial});
-  if (!method.info->bound) return;
-  const double bound = scale.bound(*method.info->bound, arithmetic, from.length);
+  if (!proved) return;
+  const double bound = scale.bound(*proved, arithmetic, from.length);
   if (!std::isfinite(bound)) return;  // nothing is proved here
   ++judgement.bounded;
   judgement.bound = std::max(judgement.bound, bound);

@@ -17,7 +17,13 @@ class TrialInputs {
  public:
   TrialInputs() = default;
   /// `form` is that of the drawn curves.
-  TrialInputs(Form form, const sample::Cell& cell) : form_(form), dimension_(cell.dimension), degree_(cell.degree) {}
+  TrialInputs(Form form, const sample::Cell& cell) { be_of(form, cell); }
+  /// Of another cell from the next draw on; keeps its memory.
+  void be_of(Form form, const sample::Cell& cell) {
+    form_ = form;
+    dimension_ = cell.dimension;
+    degree_ = cell.degree;
+  }
 
   void draw(const sample::Sampler& sampler, std::uint64_t trial) {
     sampler.draw(trial, drawn_);
