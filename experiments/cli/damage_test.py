@@ -111,8 +111,11 @@ class Complete(DamageCase):
         (self.folder / "whole/blocks").mkdir()
 
         def check(_):
-            self.run_program("run", "s.toml", "--quiet", "--out", "b")
-            self.assertFalse((self.folder / "b/blocks").exists())
+            for _ in ("with blocks/", "without"):
+                result = self.run_program("run", "s.toml", "--quiet", "--out", "b")
+                self.assertEqual(result.returncode, FINDING, result)
+                self.assertIn(b"restore it, or remove it and run the command again", result.stderr)
+                self.assertFalse((self.folder / "b/blocks").exists())
             self.assertEqual(self.run_program("verify", "b").returncode, FINDING)
 
         self.each_damage("whole", check, ["accuracy.csv", "SHA256SUMS"])

@@ -180,8 +180,13 @@ Findings run(const RunRequest& request) {
     return {};
   }
   const auto already_complete = [&] {
-    if (!request.quiet) note(request.out.string() + ": already complete, nothing to do");
-    return Findings{};
+    auto findings = bundle::verify(request.out);
+    if (!findings.empty())
+      findings.push_back(request.out.string() +
+                         ": complete, but not as it was written; restore it, or remove it and run the command again");
+    else if (!request.quiet)
+      note(request.out.string() + ": already complete, nothing to do");
+    return findings;
   };
   std::error_code ignored;
   if (is_complete && !fs::exists(request.out / "blocks", ignored)) return already_complete();
