@@ -236,16 +236,19 @@ def pareto():
 
 
 def roofline():
-    """A goal that is met and one that is not asked for, with the scalar kernels beside."""
-    def row(method, degree, target, share, goal):
+    """A goal that is met and one that is not asked for, with the scalar kernels beside; and work in float that is slow but in
+    the middle."""
+    def row(method, degree, target, share, goal, study="roofline-bezier", scalar="double", t_min=0):
         ns = 2.0 * degree / (10 * (share or 0.1))
-        return dict(study="roofline-bezier", curve="bezier", method=method, scalar="double", dimension=2, degree=degree,
+        return dict(study=study, curve="bezier", method=method, scalar=scalar, dimension=2, degree=degree,
                     target=target, median_ns=ns, low_ns=ns * 0.9, high_ns=ns * 1.1, flops=2 * degree, gflops=2 * degree / ns,
                     peak_gflops=10 if share else "", mixed_peak_gflops=12 if share else "", share_of_peak=share, share_low=share,
                     share_high=share, goal_share=goal, goal_ns="", goal_met="yes" if goal else "", quality="ok" if share else "",
-                    rounds=41, checked="yes")
+                    rounds=41, checked="yes", t_min=t_min, t_max=1 - t_min)
     return [r for m, goal in (("horner_bernstein_fma", 0.6), ("de_casteljau", "")) for n in DEGREES
-            for r in (row(m, n, "AVX2", 0.65, goal), row(m, n, "scalar", "", ""))]
+            for r in (row(m, n, "AVX2", 0.65, goal), row(m, n, "scalar", "", ""))] + [
+                row("horner_bernstein_fma", 20, "AVX2", 0.05, "", scalar="float"),
+                row("horner_bernstein_fma", 20, "AVX2", 0.7, "", study="roofline-middle", scalar="float", t_min=0.4)]
 
 
 def _projected(method, missed, largest):

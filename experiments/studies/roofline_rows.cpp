@@ -10,6 +10,7 @@
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/studies/cell_fields.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/timing/sentinel.hpp"
 
@@ -53,7 +54,8 @@ class Race {
 
   /// In double: Horner is a chain of multiply-adds, which a target can do side by side; Horner-Bernstein's products
   /// take their place, five for seven operations; where additions have units of their own, a + t (b - a) passes the
-  /// peak. In float powers of t soon fall among the subnormals, on which processors take detours of a hundred cycles.
+  /// peak. In float powers of t soon fall among the subnormals, on which processors take detours of a hundred cycles:
+  /// the study roofline-middle has the share without them.
   [[nodiscard]] Goal goal(const Contestant& who) const {
     if (race_.scalar != suite::ScalarKind::float64) return {};
     const auto id = who.method->id;
@@ -130,18 +132,20 @@ void add_row(bundle::CsvTable& table, const suite::Study& study, const RooflineR
     append({steady ? "ok" : "noisy"});
   }
   append({std::to_string(lap.ns_per_point.size()), lap.checked ? "yes" : "no"});
+  append(drawn_fields(race.cell));
   table.add_row(std::move(row));
 }
 
 }  // namespace
 
 void write_roofline_rows(const suite::Study& study, const std::vector<RooflineRace>& races, Tables& tables) {
-  auto& table = tables.table(
-      "roofline.csv",
-      {"study",         "curve",     "method",     "scalar",     "dimension", "degree",      "target",
-       "median_ns",     "low_ns",    "high_ns",    "flops",      "gflops",    "peak_gflops", "mixed_peak_gflops",
-       "share_of_peak", "share_low", "share_high", "goal_share", "goal_ns",   "goal_met",    "quality",
-       "rounds",        "checked"});
+  std::vector<std::string> columns{
+      "study",         "curve",     "method",     "scalar",     "dimension", "degree",      "target",
+      "median_ns",     "low_ns",    "high_ns",    "flops",      "gflops",    "peak_gflops", "mixed_peak_gflops",
+      "share_of_peak", "share_low", "share_high", "goal_share", "goal_ns",   "goal_met",    "quality",
+      "rounds",        "checked"};
+  columns.insert(columns.end(), drawn_columns().begin(), drawn_columns().end());
+  auto& table = tables.table("roofline.csv", columns);
   const auto fastest = fastest_peaks(races);
   for (const auto& race : races)
     for (std::size_t k = 0; k < race.laps.size(); ++k)

@@ -30,9 +30,11 @@ def blocks(bundle, findings):
         kinds.setdefault((row["study"], row["scalar"], row["dimension"]), []).append(row)
     for (study, scalar, dimension), members in kinds.items():
         english, chinese = form(members[0]["curve"])
+        interval = "" if (members[0]["t_min"], members[0]["t_max"]) == (0, 1) else \
+            f", t in [{shortest(members[0]['t_min'])}, {shortest(members[0]['t_max'])}]"
         yield by_axis(
             members, "degree", f"{study}-{scalar}-{shortest(dimension)}",
-            f"Nanoseconds per point and share of the peak, {english} ({scalar}, {shortest(dimension)} axes)",
+            f"Nanoseconds per point and share of the peak, {english} ({scalar}, {shortest(dimension)} axes{interval})",
             f"批量求值：每点用时（纳秒）与占峰值的比例，{chinese}",
             [(target, _cell, lambda r, target=target: r["target"] == target)
              for target in dict.fromkeys(r["target"] for r in members)], row_head="target")
