@@ -18,6 +18,7 @@ function(bezierbench_folder name)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE ${name} ${FOLDER_TEST_DEPENDS} GTest::gmock GTest::gtest_main)
     set_target_properties(${name}_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+    target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>) # they run for seconds and compile for minutes
     target_compile_definitions(${name}_test PRIVATE BEZIERBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
   endif()
