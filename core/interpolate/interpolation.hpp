@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What a method for interpolation is: data about itself, and one function from points to the cubic Bezier segments that
+// join them with continuous first and second derivatives. Axes do not know of each other, so a method sees one.
+#pragma once
+
+#include <concepts>
+#include <span>
+#include <vector>
+
+#include "core/method.hpp"
+
+namespace bezierbench {
+
+/// The inner control points of n cubic segments on one axis: segment i is K_i, first[i], second[i], K_(i+1).
+struct InnerPoints {
+  std::vector<double> first;
+  std::vector<double> second;
+};
+
+/// The spline is C2 at uniform parameters and natural: its second derivative is 0 at both ends. A method is handed the
+/// n + 1 >= 2 coordinates K_0 ... K_n of one axis, the largest of which has a size in [1/2, 1), or is 0
+/// (InterpolationKernel does that), and says with `residual_bound` which multiple of u times that size no residual of
+/// C1, C2 and natural ends exceeds; 0 where nothing is proved.
+template <class M>
+concept InterpolationMethod = requires(std::span<const double> coordinates) {
+  requires M::info.problem == Problem::interpolation;
+  requires std::same_as<const double, decltype(M::residual_bound)>;
+  { M::inner_points(coordinates) } -> std::same_as<InnerPoints>;
+};
+
+}  // namespace bezierbench

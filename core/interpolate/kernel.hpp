@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The methods for interpolation behind function pointers.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/interpolate/interpolation.hpp"
+#include "core/method.hpp"
+
+namespace bezierbench {
+
+/// One method, for points with any number of axes.
+struct InterpolationKernel {
+  const MethodInfo* info;
+  double residual_bound;  ///< in u times the largest coordinate of an axis; 0 where nothing is proved
+  /// The n cubic Bezier segments through n + 1 >= 2 points of `dimension` finite coordinates each, point by point:
+  /// 4 n control points, segment by segment. The first and last of a segment are the given points, bit for bit. Each
+  /// axis is scaled by a power of two first, so that coordinates of any size have the same results; an inner control
+  /// point that exceeds the largest double is infinite.
+  std::vector<double> (*interpolate)(std::span<const double> points, int dimension);
+};
+
+/// All methods, in roster order.
+std::span<const InterpolationKernel> interpolation_kernels();
+
+/// What they say of themselves, in roster order.
+std::span<const MethodInfo* const> interpolation_infos();
+
+}  // namespace bezierbench

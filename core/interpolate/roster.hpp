@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Every method for interpolation. One line here makes it exist everywhere.
+#pragma once
+
+#include "core/interpolate/c2_natural.hpp"
+#include "core/interpolate/c2_natural_handles.hpp"
+
+namespace bezierbench {
+
+using InterpolationMethods = TypeList<C2Natural,  //
+                                      C2NaturalHandles>;
+
+}  // namespace bezierbench

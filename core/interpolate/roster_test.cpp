@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Splines that are known, what every method owes, and the residuals that the first one promises.
+#include "core/interpolate/roster.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/evaluate/evaluation_test.hpp"
+#include "core/interpolate/kernel.hpp"
+#include "reference/interpolation.hpp"
+
+namespace bezierbench {
+namespace {
+
+constexpr double u = 0x1p-53;
+
+double size_of(std::span<const double> k) {
+  double largest = 0;
+  for (const double x : k) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+/// The largest residual over u max|K|; 0 over 0 is 0.
+double residual_u(std::span<const double> k, std::span<const double> segments) {
+  const auto all = reference::spline_residuals(k, segments);
+  double largest = 0;
+  for (const auto* residual : {&all.data, &all.c0, &all.c1, &all.c2, &all.natural})
+    largest = std::max(largest, reference::round_to(reference::binary64, *residual));
+  return largest == 0 ? 0 : largest / size_of(k) / u;
+}
+
+double inner_point_error_u(std::span<const double> k, std::span<const double> segments) {
+  const auto error = reference::inner_point_error(reference::exact_spline(k), segments);
+  return error.numerator == 0 ? 0 : reference::round_to(reference::binary64, error) / size_of(k) / u;
+}
+
+/// Kinds of points that have hurt splines: random, signs only, whole numbers that coincide, far from 0, of all sizes.
+std::vector<double> points_of(int kind, std::size_t count, Inputs& inputs) {
+  std::vector<double> k;
+  const double range = 0.5 + 0.5 * inputs.unit();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = inputs.symmetric();
+    switch (kind) {
+      case 0: k.push_back(x); break;
+      case 1: k.push_back(x < 0 ? -range : range); break;
+      case 2: k.push_back(std::floor(2 * x)); break;
+      case 3: k.push_back(1e6 + x); break;
+      default: k.push_back(std::ldexp(x, -static_cast<int>(60 * inputs.unit()))); break;
+    }
+  }
+  return k;
+}
+
+/// 5/9, 8/9, -1/9 and 10/9, 1/9, 4/9: by hand from the corrected system of seed document 003.
+TEST(Interpolation, OfZeroOneZeroOne) {
+  const std::vector<double> k{0, 1, 0, 1};
+  const std::vector<double> ninths{0, 5, 10, 9, 9, 8, 1, 0, 0, -1, 4, 9};
+  for (const auto& kernel : interpolation_kernels()) {
+    const auto segments = kernel.interpolate(k, 1);
+    ASSERT_EQ(segments.size(), ninths.size());
+    for (std::size_t i = 0; i < ninths.size(); ++i)
+      EXPECT_NEAR(segments[i], ninths[i] / 9, 2 * u) << kernel.info->id << " " << i;
+  }
+}
+
+/// The goal, 8 units, and the bound that is proved, on nasty points of every size.
+TEST(Interpolation, KeepsTheResidualsThatItPromises) {
+  Inputs inputs(1);
+  double worst = 0;
+  for (const double scale : {1.0, 0x1p-900, 0x1p+1000})
+    for (const std::size_t count : {2U, 3U, 4U, 5U, 9U, 40U})
+      for (int trial = 0; trial < 200; ++trial) {
+        auto k = points_of(trial % 5, count, inputs);
+        for (double& x : k) x *= scale;
+        for (const auto& kernel : interpolation_kernels()) {
+          const auto segments = kernel.interpolate(k, 1);
+          const double residual = residual_u(k, segments);
+          if (kernel.residual_bound == 0) {
+            worst = std::max(worst, residual);
+            continue;
+          }
+          EXPECT_LE(kernel.residual_bound, 8);
+          EXPECT_LE(residual, kernel.residual_bound) << kernel.info->id << " of " << count << ", trial " << trial;
+          EXPECT_LE(inner_point_error_u(k, segments), std::sqrt(3) * (1 + 0x1p-40)) << kernel.info->id;
+        }
+      }
+  EXPECT_GT(worst, 8);  // what handles without refinement lose: these points tell the methods apart
+}
+
+/// The sums of the weights of the points, on which the bound rests: in |P|, and in each residual where every control
+/// point is off by u |P|. Unit points give the weights; the sums are largest inside long splines.
+TEST(Interpolation, WeightsAreThoseOfTheBound) {
+  for (const std::size_t n : {1U, 2U, 3U, 6U, 40U}) {
+    std::vector<std::vector<double>> weights;  // of each K_m in all control points
+    for (std::size_t m = 0; m <= n; ++m) {
+      std::vector<double> k(n + 1, 0);
+      k[m] = 1;
+      weights.push_back(interpolation_kernels().front().interpolate(k, 1));
+    }
+    /// max over |K| <= 1 of the sum of factor |P_at|.
+    struct Term {
+      double factor;
+      std::size_t at;
+    };
+    const auto most = [&](const std::vector<Term>& terms) {
+      double largest = 0;
+      for (unsigned signs = 0; signs < (1U << terms.size()); ++signs) {
+        double sum = 0;
+        for (const auto& weight : weights) {
+          double part = 0;
+          for (std::size_t j = 0; j < terms.size(); ++j)
+            part += ((signs >> j & 1U) != 0 ? -1 : 1) * terms[j].factor * weight[terms[j].at];
+          sum += std::abs(part);
+        }
+        largest = std::max(largest, sum);
+      }
+      return largest;
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t p1 = 4 * i + 1;
+      const std::size_t p2 = p1 + 1;
+      EXPECT_LE(most({{1, p1}}), std::sqrt(3));
+      EXPECT_LE(most({{1, p2}}), std::sqrt(3));
+      if (i == 0) continue;
+      EXPECT_LE(most({{1, p1}, {1, p2 - 4}}), 2 * (1 + 10 * u));
+      EXPECT_LE(most({{2, p1}, {1, p2}, {1, p1 - 4}, {2, p2 - 4}}), 14 - 4 * std::sqrt(3));
+    }
+    EXPECT_LE(most({{2, 1}, {1, 2}}), 4.24);
+    EXPECT_LE(most({{1, 4 * n - 3}, {2, 4 * n - 2}}), 4.24);
+  }
+}
+
+TEST(Interpolation, OfASegmentAndOfCoincidingPointsIsStraight) {
+  for (const auto& kernel : interpolation_kernels()) {
+    EXPECT_EQ(kernel.interpolate(std::vector<double>{1, 7, -2, -5}, 2),
+              (std::vector<double>{1, 7, 0, 3, -1, -1, -2, -5}));
+    for (const double x : {0.0, 0.1, -1e300, 5e-324})
+      for (const std::size_t count : {2U, 3U, 50U})
+        for (const double value : kernel.interpolate(std::vector<double>(count, x), 1))
+          EXPECT_NEAR(value, x, 4 * u * std::abs(x)) << kernel.info->id;
+  }
+}
+
+TEST(Interpolation, ReversedAndScaledAndByAxisIsTheSame) {
+  Inputs inputs(2);
+  for (const auto& kernel : interpolation_kernels())
+    for (const std::size_t count : {2U, 5U, 30U}) {
+      const auto x = points_of(0, count, inputs);
+      const auto y = points_of(4, count, inputs);
+      const auto of_x = kernel.interpolate(x, 1);
+      const auto of_y = kernel.interpolate(y, 1);
+      std::vector<double> points;
+      std::vector<double> reversed(x.rbegin(), x.rend());
+      for (std::size_t i = 0; i < count; ++i) points.insert(points.end(), {x[i], 0x1p+990 * y[i]});
+      const auto plane = kernel.interpolate(points, 2);
+      const auto back = kernel.interpolate(reversed, 1);
+      for (std::size_t i = 0; i < of_x.size(); ++i) {
+        EXPECT_EQ(plane[2 * i], of_x[i]);
+        EXPECT_EQ(plane[2 * i + 1], 0x1p+990 * of_y[i]);
+        EXPECT_NEAR(back[of_x.size() - 1 - i], of_x[i], 8 * u) << kernel.info->id;
+      }
+    }
+}
+
+/// Sums of coordinates overflow long before control points do.
+TEST(Interpolation, TakesTheLargestAndTheSmallestNumbers) {
+  const std::vector<double> large{1.7e308, -1.7e308, 1.7e308, 1.6e308};
+  for (const auto& kernel : interpolation_kernels()) {
+    const auto segments = kernel.interpolate(std::vector<double>{1e308, -1e308, 1e308, 1e308}, 1);
+    for (const double value : segments) EXPECT_TRUE(std::isfinite(value)) << kernel.info->id;
+    const auto beyond = kernel.interpolate(large, 1);
+    EXPECT_EQ(beyond[0], large[0]);
+    for (const double value : beyond) EXPECT_FALSE(std::isnan(value));
+    const auto small = kernel.interpolate(std::vector<double>{0, 9 * 5e-324, 0, 9 * 5e-324}, 1);
+    EXPECT_EQ(small, (std::vector<double>{0, 5 * 5e-324, 10 * 5e-324, 9 * 5e-324, 9 * 5e-324, 8 * 5e-324, 5e-324, 0, 0,
+                                          -5e-324, 4 * 5e-324, 9 * 5e-324}))
+        << kernel.info->id;
+  }
+}
+
+/// A million points take a moment, and the middle of so long a spline is as right as its ends.
+TEST(Interpolation, OfAMillionPoints) {
+  Inputs inputs(3);
+  const auto k = points_of(0, 1'000'000, inputs);
+  for (const auto& kernel : interpolation_kernels()) {
+    const auto segments = kernel.interpolate(k, 1);
+    ASSERT_EQ(segments.size(), 4 * (k.size() - 1));
+    for (const auto& [from, at] : {std::pair{0UL, 0UL}, {k.size() / 2, 40UL}, {k.size() - 81, 79UL}}) {
+      // what lies 40 points or more away moves a point by less than (2 - sqrt(3))^40 = 1e-22
+      const auto local = reference::exact_spline(std::span(k).subspan(from, 81));
+      EXPECT_NEAR(segments[4 * (from + at) + 1], reference::round_to(reference::binary64, local.first[at]), 4 * u)
+          << kernel.info->id << " " << from;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bezierbench

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "reference/interpolation.hpp"
+
+#include <algorithm>
+
+namespace bezierbench::reference {
+namespace {
+
+/// The largest power of two, as exponent, of which all values are multiples.
+long common_exponent(std::span<const double> values) {
+  long exponent = 0;
+  for (const double x : values)
+    if (x != 0) exponent = std::min(exponent, exactly(x).exponent);
+  return exponent;
+}
+
+/// The values over 2^exponent.
+std::vector<mpz_class> integers(std::span<const double> values, long exponent) {
+  std::vector<mpz_class> all;
+  all.reserve(values.size());
+  for (const double x : values) {
+    const Rational exact = exactly(x);
+    all.emplace_back(x == 0 ? mpz_class(0)
+                            : mpz_class(exact.numerator << static_cast<mp_bitcnt_t>(exact.exponent - exponent)));
+  }
+  return all;
+}
+
+/// Keeps the largest magnitude.
+void keep(mpz_class& largest, const mpz_class& value) {
+  if (mpz_cmpabs(value.get_mpz_t(), largest.get_mpz_t()) > 0) largest = ::abs(value);
+}
+
+/// p + q a_0.
+struct Shot {
+  mpz_class p;
+  mpz_class q;
+};
+
+/// The handles by the equations of all but the last row.
+std::vector<Shot> shoot(const std::vector<mpz_class>& k) {
+  const std::size_t n = k.size() - 1;
+  std::vector<Shot> handles(n);
+  handles[0].q = 1;
+  if (n == 1) return handles;
+  handles[1] = {k[0] + 2 * k[1], -2};
+  for (std::size_t i = 1; i + 1 < n; ++i)
+    handles[i + 1] = {4 * k[i] + 2 * k[i + 1] - handles[i - 1].p - 4 * handles[i].p,
+                      -handles[i - 1].q - 4 * handles[i].q};
+  return handles;
+}
+
+/// numerator / denominator = a_0 by the last row, or for a single segment by 3 a_0 = 2 K_0 + K_1; denominator > 0.
+struct First {
+  mpz_class numerator;
+  mpz_class denominator;
+};
+
+First first_handle(const std::vector<mpz_class>& k, const std::vector<Shot>& handles) {
+  const std::size_t n = handles.size();
+  if (n == 1) return {2 * k[0] + k[1], 3};
+  First first{8 * k[n - 1] + k[n] - 2 * handles[n - 2].p - 7 * handles[n - 1].p,
+              2 * handles[n - 2].q + 7 * handles[n - 1].q};
+  if (first.denominator < 0) first = {-first.numerator, -first.denominator};
+  return first;
+}
+
+}  // namespace
+
+ExactSpline exact_spline(std::span<const double> coordinates) {
+  const long exponent = common_exponent(coordinates);
+  const auto k = integers(coordinates, exponent);
+  const auto handles = shoot(k);
+  const auto [numerator, denominator] = first_handle(k, handles);
+  const std::size_t n = handles.size();
+  ExactSpline spline;
+  for (const Shot& handle : handles)
+    spline.first.push_back({handle.p * denominator + handle.q * numerator, denominator, exponent});
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    spline.second.push_back({2 * k[i + 1] * denominator - spline.first[i + 1].numerator, denominator, exponent});
+  spline.second.push_back({k[n] * denominator + spline.first[n - 1].numerator, denominator, exponent - 1});
+  return spline;
+}
+
+SplineResiduals spline_residuals(std::span<const double> coordinates, std::span<const double> segments) {
+  const long exponent = std::min(common_exponent(coordinates), common_exponent(segments));
+  const auto k = integers(coordinates, exponent);
+  const auto p = integers(segments, exponent);
+  const std::size_t n = k.size() - 1;
+  mpz_class data;
+  mpz_class c0;
+  mpz_class c1;
+  mpz_class c2;
+  mpz_class natural;
+  for (std::size_t i = 0; i < n; ++i) {
+    const mpz_class* s = &p[4 * i];
+    keep(data, s[0] - k[i]);
+    keep(data, s[3] - k[i + 1]);
+    if (i == 0) continue;
+    const mpz_class* before = s - 4;
+    keep(c0, s[0] - before[3]);
+    keep(c1, (s[1] - s[0]) - (before[3] - before[2]));
+    keep(c2, (s[0] - 2 * s[1] + s[2]) - (before[1] - 2 * before[2] + before[3]));
+  }
+  const mpz_class* last = &p[4 * (n - 1)];
+  keep(natural, p[0] - 2 * p[1] + p[2]);
+  keep(natural, last[1] - 2 * last[2] + last[3]);
+  return {{data, 1, exponent}, {c0, 1, exponent}, {c1, 1, exponent}, {c2, 1, exponent}, {natural, 1, exponent}};
+}
+
+Rational inner_point_error(const ExactSpline& exact, std::span<const double> segments) {
+  Rational largest;
+  const auto keep_error = [&](double value, const Rational& truth) {
+    const Rational error = abs(exactly(value) - truth);
+    if ((error - largest).numerator > 0) largest = error;
+  };
+  for (std::size_t i = 0; i < exact.first.size(); ++i) {
+    keep_error(segments[4 * i + 1], exact.first[i]);
+    keep_error(segments[4 * i + 2], exact.second[i]);
+  }
+  return largest;
+}
+
+}  // namespace bezierbench::reference
