@@ -17,6 +17,7 @@ void add_curve(CLI::App& app, Exit& /*exit*/) {
   add_curve_derivative(*curve);
   add_curve_length(*curve);
   add_curve_project(*curve);
+  add_curve_interpolate(*curve);
 }
 
 }  // namespace bezierbench::cli

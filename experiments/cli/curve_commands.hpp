@@ -24,5 +24,6 @@ void add_curve_convert(CLI::App& curve);
 void add_curve_derivative(CLI::App& curve);
 void add_curve_length(CLI::App& curve);
 void add_curve_project(CLI::App& curve);
+void add_curve_interpolate(CLI::App& curve);
 
 }  // namespace bezierbench::cli

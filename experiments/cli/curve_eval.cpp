@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "experiments/bundle/csv.hpp"
+#include "experiments/cli/coordinate_columns.hpp"
 #include "experiments/cli/curve_commands.hpp"
 #include "experiments/cli/curve_methods.hpp"
 #include "experiments/cli/judged_coordinate.hpp"

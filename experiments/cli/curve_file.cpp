@@ -4,19 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
+#include "experiments/cli/coordinate_columns.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {
-
-constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 
 constexpr std::string_view weight_name = "w";
 
@@ -26,43 +23,16 @@ struct Columns {
   std::optional<std::size_t> weight;
 };
 
-std::optional<std::size_t> find_column(const std::vector<std::string>& header, std::string_view name) {
-  const auto found = std::ranges::find(header, name);
-  if (found == header.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - header.begin());
-}
-
 /// The header names x | x,y | x,y,z, and w or not, in any order.
 Columns columns_of(const bundle::CsvDocument& csv) {
-  const auto& header = csv.header();
-  Columns columns;
-  columns.weight = find_column(header, weight_name);
-  for (const auto axis : axes) {
-    const auto column = find_column(header, axis);
-    if (!column) break;
-    columns.axes.push_back(*column);
-  }
-  if (columns.axes.empty() || columns.axes.size() + (columns.weight ? 1 : 0) != header.size())
-    throw Failure(Exit::input_output,
-                  fmt::format("{}:1: header is \"{}\"; write x, or x,y, or x,y,z, and w for the weights of a rational "
-                              "curve",
-                              csv.file_name(), fmt::join(header, ",")));
+  Columns columns{axis_columns(csv), std::nullopt};
+  if (csv.has_column(weight_name)) columns.weight = csv.column(weight_name);
+  if (columns.axes.empty() || columns.axes.size() + (columns.weight ? 1 : 0) != csv.header().size())
+    refuse_header(csv, "x, or x,y, or x,y,z, and w for the weights of a rational curve");
   return columns;
 }
 
-double number_at(const bundle::CsvDocument& csv, std::size_t row, std::size_t column) {
-  const auto& text = csv.row(row)[column];
-  const auto value = number::parse_number(text);
-  if (!value || !std::isfinite(*value))
-    throw Failure(Exit::input_output, fmt::format("{}:{}: row {}, column {}: \"{}\" is not a finite number; write a "
-                                                  "decimal or hexadecimal double",
-                                                  csv.file_name(), csv.line(row), row + 1, csv.header()[column], text));
-  return *value;
-}
-
 }  // namespace
-
-std::string axis_name(int axis) { return std::string(axes.at(static_cast<std::size_t>(axis))); }
 
 CurveFile parse_curve(std::string_view text, const std::string& file_name, Form form) {
   const auto csv = bundle::parse_csv(text, file_name);

@@ -22,9 +22,6 @@ struct CurveFile {
   [[nodiscard]] CurveView<double> view() const { return {form, dimension, degree(), coefficients, weights}; }
 };
 
-/// The name of an axis: x, y, z.
-std::string axis_name(int axis);
-
 /// The curve in a file's text whose polynomial coefficients are in `form`; a rational one where there is a column w,
 /// which only the Bernstein form may have (else Failure(usage)). Throws Failure(input_output) that names file, row and
 /// column for anything but finite numbers under a good header, and for weights that are all zero.

@@ -198,6 +198,32 @@ class Curves(Case):
         self.refused(USAGE, project + ["--point", "1,2"], "weights")
         self.refused(INPUT_OUTPUT, ["curve", "project", "--curve", "absent.csv", "--point", "1,2"], "absent.csv")
 
+    def test_interpolation(self):
+        """0, 1, 0, 1 worked by hand: the corrected system of the seed document 003."""
+        self.write("p.csv", "y,x\n-1,0\n-1,1\n-1,0\n-1,1\n")  # columns are found by name
+        interpolate = ["curve", "interpolate", "--points", "p.csv"]
+        ninths = [0, 5, 10, 9, 9, 8, 1, 0, 0, -1, 4, 9]
+        for arguments in ([], ["--method", "c2_natural_handles"]):
+            found = rows(self.fine(*interpolate, *arguments))
+            self.assertEqual([list(row.values())[:2] for row in found], [[str(k // 4), str(k % 4)] for k in range(12)])
+            self.assertEqual(list(found[0]), ["segment", "index", "x", "y"])
+            for row, ninth in zip(found, ninths, strict=True):
+                self.assertAlmostEqual(float(row["x"]), ninth / 9, 15)
+                self.assertAlmostEqual(float(row["y"]), -1, 15)
+        self.assertEqual(self.fine("curve", "interpolate", "--points", self.write("p.csv", "x\n0x1p0\n4\n")),
+                         "segment,index,x\n0,0,1\n0,1,2\n0,2,3\n0,3,4\n")
+        for content, *needles in [
+                ("x,y\n1,2\n", "p.csv: 1 point;", "2 or more"), ("x\n", "0 points"), ("", "p.csv:1: ", "empty"),
+                ("x,y\n1,2\n1,nan\n", "p.csv:3: ", "row 2, column y"), ("x,w\n1,2\n3,4\n", "p.csv:1: ", "x,w"),
+                ("x,y\n1,2\n3\n", "p.csv:3: ", "1 field"), ("x\n1\ninf\n", "p.csv:3: ", '"inf"'),
+                ("x\n1e308\n1.7e308\n-1.7e308\n1e308\n", "p.csv: ", "largest double")]:
+            with self.subTest(content=content):
+                self.write("p.csv", content)
+                self.refused(INPUT_OUTPUT, interpolate, *needles)
+        self.refused(INPUT_OUTPUT, ["curve", "interpolate", "--points", "absent.csv"], "absent.csv")
+        self.refused(USAGE, interpolate + ["--method", "c2_naturl"], 'did you mean "c2_natural"?')
+        self.refused(USAGE, ["curve", "interpolate"], "--points")
+
     def test_conversions_both_ways(self):
         for to_power in TO_POWER:
             self.write("q.csv", self.fine("curve", "convert", "--curve", "c.csv", "--method", to_power))

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "experiments/cli/commands.hpp"
+#include "experiments/cli/coordinate_columns.hpp"
 #include "experiments/cli/curve_file.hpp"
 #include "experiments/cli/diagnostics.hpp"
 #include "experiments/cli/worst_record.hpp"

@@ -9,6 +9,7 @@
 
 #include "core/arc_length/kernel.hpp"
 #include "core/derivative/kernel.hpp"
+#include "core/interpolate/kernel.hpp"
 #include "core/project/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -19,7 +20,7 @@ namespace {
 using Infos = std::span<const MethodInfo* const> (*)();
 
 /// One entry for each problem's roster.
-constexpr std::array<Infos, 3> rosters{derivative_infos, arc_length_infos, projection_infos};
+constexpr std::array<Infos, 4> rosters{derivative_infos, arc_length_infos, projection_infos, interpolation_infos};
 
 }  // namespace
 

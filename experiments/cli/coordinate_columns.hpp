@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The columns x, y, z of curve files and point files, and the numbers in them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/bundle/csv.hpp"
+
+namespace bezierbench::cli {
+
+/// The name of an axis: x, y, z.
+std::string axis_name(int axis);
+
+/// Where the file has x, y and z, as far as they go without a gap; the order of columns does not matter.
+std::vector<std::size_t> axis_columns(const bundle::CsvDocument& csv);
+
+/// Throws Failure(input_output) with the header of `csv` and what to write instead.
+[[noreturn]] void refuse_header(const bundle::CsvDocument& csv, const std::string& instead);
+
+/// The number in a field. Throws Failure(input_output) that names file, line, row and column unless it is finite.
+double number_at(const bundle::CsvDocument& csv, std::size_t row, std::size_t column);
+
+}  // namespace bezierbench::cli
