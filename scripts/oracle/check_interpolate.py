@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Judges `bezierbench curve interpolate` in rational arithmetic, on random and nasty points.
+
+Shares nothing with the program: the conditions of a C2 natural spline are written down for all control points at once,
+P0, P1, P2 and P3 of every segment unknown, and solved by Gaussian elimination with fractions.
+
+check_interpolate.py PROGRAM [--seed S]    exits 1 with the first mismatches
+"""
+import argparse
+import csv
+import math
+import random
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+
+# The largest error of a control point that is let pass, in u max|K|: sqrt(3) is proved, the other promises nothing.
+METHODS = {"c2_natural": 1.74, "c2_natural_handles": 12}
+RESIDUALS = 8  # of c2_natural, in u max|K|
+SMALLEST = Fraction(1, 2**1074)
+SHOWN = 12
+
+
+def eliminate(rows):
+    """The solution of the rows ({unknown: coefficient}, right-hand side) of a regular system."""
+    solved = []
+    rows = [(dict(left), right) for left, right in rows]
+    while rows:
+        left, right = rows.pop(0)
+        if not left:
+            raise ValueError("the system is singular")
+        pivot = min(left)
+        factor = left[pivot]
+        left, right = {j: a / factor for j, a in left.items()}, right / factor
+        solved.append((pivot, left, right))
+        for i, (other, value) in enumerate(rows):
+            if pivot not in other:
+                continue
+            by = other[pivot]
+            new = {j: other.get(j, 0) - by * left.get(j, 0) for j in {*other, *left}}
+            rows[i] = ({j: a for j, a in new.items() if a}, value - by * right)
+    values = {}
+    for pivot, left, right in reversed(solved):
+        values[pivot] = right - sum(a * values[j] for j, a in left.items() if j != pivot)
+    return [values[j] for j in range(len(values))]
+
+
+def conditions(n):
+    """The left-hand sides, by kind, over the unknowns 4i + j = P_j of segment i."""
+    one = Fraction(1)
+    for i in range(n):
+        yield "data", i, {4 * i: one}
+        yield "data", i + 1, {4 * i + 3: one}
+        if i:
+            yield "C1", None, {4 * i + 1: one, 4 * i: -one, 4 * i - 1: -one, 4 * i - 2: one}
+            yield "C2", None, {4 * i: one, 4 * i + 1: -2 * one, 4 * i + 2: one,
+                               4 * i - 3: -one, 4 * i - 2: 2 * one, 4 * i - 1: -one}
+    yield "natural", None, {0: one, 1: -2 * one, 2: one}
+    yield "natural", None, {4 * n - 3: one, 4 * n - 2: -2 * one, 4 * n - 1: one}
+
+
+def judge(points, found, method):
+    """What is wrong with the values of one axis, line by line."""
+    points, found = [Fraction(x) for x in points], [Fraction(x) for x in found]
+    size = max(map(abs, points))
+    unit = size / 2**53
+    rows = [(left, Fraction(0) if k is None else points[k]) for _, k, left in conditions(len(points) - 1)]
+    for at, (exact, value) in enumerate(zip(eliminate(rows), found, strict=True)):
+        limit = METHODS[method] * unit + SMALLEST if at % 4 in (1, 2) else 0
+        if abs(value - exact) > limit:
+            yield f"P{at % 4} of segment {at // 4} is {float(value)}, not {float(exact)}"
+    if method != "c2_natural":
+        return
+    for (kind, _, _), (left, right) in zip(conditions(len(points) - 1), rows):
+        residual = abs(sum(a * found[j] for j, a in left.items()) - right)
+        if residual > RESIDUALS * unit + 6 * SMALLEST:
+            yield f"a residual of {kind} is {float(residual / unit) if unit else math.inf} units"
+
+
+def uniform(draw, n, d):
+    return [[draw.uniform(-1, 1) for _ in range(d)] for _ in range(n + 1)]
+
+
+def integers(draw, n, d):
+    return [[float(draw.randint(-3, 3)) for _ in range(d)] for _ in range(n + 1)]
+
+
+def signs(draw, n, d):
+    size = draw.uniform(0.5, 1)
+    return [[draw.choice((-size, size)) for _ in range(d)] for _ in range(n + 1)]
+
+
+def graded(draw, n, d):
+    return [[draw.uniform(-1, 1) * 2.0 ** draw.randint(-60, 60) for _ in range(d)] for _ in range(n + 1)]
+
+
+def distant(draw, n, d):
+    return [[1e9 + draw.uniform(-1, 1) for _ in range(d)] for _ in range(n + 1)]
+
+
+def huge(draw, n, d):
+    return [[draw.uniform(-1, 1) * 1e308 for _ in range(d)] for _ in range(n + 1)]
+
+
+def tiny(draw, n, d):
+    return [[draw.randint(-9999, 9999) * 5e-324 for _ in range(d)] for _ in range(n + 1)]
+
+
+def repeated(draw, n, d):
+    points = uniform(draw, n, d)
+    for i in range(1, n + 1):
+        if draw.random() < 0.5:
+            points[i] = points[i - 1]
+    return points
+
+
+KINDS = (uniform, integers, signs, graded, distant, huge, tiny, repeated)
+
+
+def cases(seed):
+    """(name, points)."""
+    draw = random.Random(seed)
+    yield "the example of the seed document 003", [[0.0], [1.0], [0.0], [1.0]]
+    for kind in KINDS:
+        for n in (1, 2, 3, draw.randint(4, 9), draw.randint(10, 30)):
+            yield f"{kind.__name__} {n}", kind(draw, n, 1 + draw.randrange(3))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    mismatches, judged = [], 0
+    with tempfile.TemporaryDirectory() as place:
+        file = Path(place) / "p.csv"
+        for name, points in cases(arguments.seed):
+            axes = "xyz"[: len(points[0])]
+            file.write_text("\n".join([",".join(axes), *(",".join(x.hex() for x in p) for p in points), ""]), encoding="ascii")
+            for method in METHODS:
+                command = [arguments.program, "curve", "interpolate", "--points", str(file), "--method", method]
+                result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+                if result.returncode != 0:
+                    mismatches.append(f"{name}: exit {result.returncode}: {result.stderr.strip()[:300]}")
+                    continue
+                judged += 1
+                rows = list(csv.DictReader(result.stdout.splitlines()))
+                if [(row["segment"], row["index"]) for row in rows] != [
+                        (str(i), str(j)) for i in range(len(points) - 1) for j in range(4)]:
+                    mismatches.append(f"{name}: rows of other segments than asked for")
+                    continue
+                for axis, coordinates in zip(axes, zip(*points)):
+                    lines = judge(coordinates, [float(row[axis]) for row in rows], method)
+                    mismatches += [f"{method}, {name}, axis {axis}: {line}" for line in lines]
+    for line in mismatches[:SHOWN]:
+        print(line)
+    print(f"{judged} splines, {len(mismatches)} mismatches")
+    return 1 if mismatches or judged < 80 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
