@@ -8,6 +8,7 @@
 #include "experiments/sample/continuous.hpp"
 #include "experiments/sample/distant.hpp"
 #include "experiments/sample/dyadic.hpp"
+#include "experiments/sample/graded.hpp"
 #include "experiments/sample/integer.hpp"
 #include "experiments/sample/multiple_root.hpp"
 #include "experiments/sample/report.hpp"
@@ -24,6 +25,7 @@ using Generators = std::tuple<Continuous,      //
                               WeightsWild,     //
                               MultipleRoot,    //
                               ClusteredRoots,  //
-                              Distant>;
+                              Distant,         //
+                              Graded>;
 
 }  // namespace bezierbench::sample

@@ -12,6 +12,8 @@
 #include "core/interpolate/kernel.hpp"
 #include "core/project/kernel.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::studies {
@@ -44,6 +46,23 @@ std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Prob
                                              study.id, pattern, name(problem)));
   std::erase_if(infos, [&](const MethodInfo* info) { return std::ranges::none_of(study.methods, means(info)); });
   return infos;
+}
+
+void check_bezier_in_double(const suite::Study& study) {
+  if (study.curve != suite::CurveKind::bezier)
+    throw Failure(Exit::usage, fmt::format("study \"{}\": kind \"{}\" is for Bezier curves; write curve = \"bezier\"",
+                                           study.id, suite::name(study.kind)));
+  if (study.scalar != std::vector{suite::ScalarKind::float64})
+    throw Failure(Exit::usage, fmt::format("study \"{}\": kind \"{}\" is in double only; write scalar = [\"double\"]",
+                                           study.id, suite::name(study.kind)));
+}
+
+void check_independent_points(const suite::Study& study) {
+  for (const auto& generator : sample::generators())
+    if (generator.limits.exact_coefficients && std::ranges::count(study.generator, generator.id) > 0)
+      throw Failure(Exit::usage, fmt::format("study \"{}\": generator \"{}\" draws one polynomial for all axes, not "
+                                             "points; choose another, see `list generators`",
+                                             study.id, generator.id));
 }
 
 }  // namespace bezierbench::studies

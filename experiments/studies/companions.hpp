@@ -17,4 +17,11 @@ std::vector<const MethodInfo*> companion_infos();
 /// an entry that names none of this problem.
 std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Problem problem);
 
+/// Throws Failure(usage) unless the study is of Bezier curves in double, which is all that some problems are solved
+/// for.
+void check_bezier_in_double(const suite::Study& study);
+
+/// Throws Failure(usage) for a generator that draws one polynomial for all axes: no points of their own.
+void check_independent_points(const suite::Study& study);
+
 }  // namespace bezierbench::studies

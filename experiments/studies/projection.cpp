@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/projection.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/project/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/placement.hpp"
 #include "experiments/studies/cell_fields.hpp"
@@ -28,22 +25,6 @@ struct Part {
   sample::Sampler sampler;
   std::vector<const ProjectionKernel*> kernels;
 };
-
-void refuse_what_is_not_judged(const suite::Study& study) {
-  if (study.curve != suite::CurveKind::bezier)
-    throw Failure(
-        Exit::usage,
-        fmt::format("study \"{}\": points are projected onto Bezier curves; write curve = \"bezier\"", study.id));
-  if (study.scalar != std::vector{suite::ScalarKind::float64})
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": projection is in double only; write scalar = [\"double\"]", study.id));
-  for (const auto& generator : sample::generators())
-    if (generator.limits.exact_coefficients && std::ranges::count(study.generator, generator.id) > 0)
-      throw Failure(Exit::usage,
-                    fmt::format("study \"{}\": generator \"{}\" draws one polynomial for all axes and no point; "
-                                "choose another, see `list generators`",
-                                study.id, generator.id));
-}
 
 double largest_coordinate(const sample::PlacedPoint& problem) {
   double largest = 0;
@@ -70,7 +51,8 @@ class ProjectionJob final : public JobOf<ProjectionTallies> {
  public:
   ProjectionJob(const suite::Study& study, std::uint64_t seed)
       : study_(study), infos_(chosen_companions(study, Problem::projection)) {
-    refuse_what_is_not_judged(study_);
+    check_bezier_in_double(study_);
+    check_independent_points(study_);
     for (const auto& cell : sample::cells(study_))
       for (const auto& placement : sample::placements())
         parts_.push_back(

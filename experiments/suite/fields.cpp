@@ -60,6 +60,7 @@ constexpr std::array fields{field<&Study::id>("id", false),
                             field<&Study::budget>("budget", true),
                             field<&Study::modes>("modes", true),
                             field<&Study::order>("order", true),
+                            field<&Study::points>("points", true),
                             field<&Study::tolerance>("tolerance", true),
                             field<&Study::published>("published", false)};
 

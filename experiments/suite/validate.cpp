@@ -23,6 +23,7 @@ namespace {
 using Finding = std::optional<Problem>;
 
 constexpr std::int64_t most_replicates = 1000000;
+constexpr int most_points = 1000000;
 
 bool contains(std::span<const std::string> ids, std::string_view id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -98,6 +99,22 @@ Finding check_counts(const Study& study) {
     return Problem{"replicates", 0, "trials", "trials * replicates must be below 2^63; lower one of them"};
   }
   return std::nullopt;
+}
+
+/// The number of points stands for the degree where points are joined.
+Finding check_points(const Study& study) {
+  const bool joined = study.kind == Kind::interpolation;
+  if (study.points.empty() == joined) {
+    return Problem{"points", 0, "kind",
+                   joined ? "kind \"interpolation\" needs numbers of points; add points = [10, 100]"
+                          : "points belong to studies of kind \"interpolation\"; remove them"};
+  }
+  if (joined && !study.degree.empty()) {
+    return Problem{"degree", 0, "kind", "degree is that of the segments, 3, for kind \"interpolation\"; remove it"};
+  }
+  return each("points", study.points, [](int points) {
+    return points >= 2 && points <= most_points ? "" : fmt::format("points must be 2 to {}", most_points);
+  });
 }
 
 /// What only studies of some kinds have, and need.
@@ -304,6 +321,7 @@ std::optional<Problem> validate(const Study& study, const Vocabulary& known) {
   if (auto found = check_axes(study)) return found;
   if (auto found = check_counts(study)) return found;
   if (auto found = check_asked(study)) return found;
+  if (auto found = check_points(study)) return found;
   if (auto found = check_ids(study, known)) return found;
   return check_fit(study, known);
 }

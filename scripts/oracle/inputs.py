@@ -25,6 +25,7 @@ COLUMNS = ["study", "curve", "dimension", "degree", "coordinate_range", "t_min",
            "coefficients", "weights"]
 WEIGHTED = {"id": "weights", "kind": "accuracy", "curve": "rational", "degree": [3], "coordinate_range": [10],
             "generator": ["weights_mild", "weights_wild"]}
+GRADED = {"id": "graded", "kind": "accuracy", "degree": [3], "coordinate_range": [10], "generator": ["graded"]}
 TRIALS = 2
 MASK = (1 << 64) - 1
 
@@ -119,6 +120,11 @@ def integer(r, stream):
     return float(below(2 * m + 1, stream) - m)
 
 
+def graded(r, stream):
+    exponent = below(61, stream)
+    return affine(-r, r, stream) * 2.0**-exponent
+
+
 def report(r, stream):
     return r * (((next(stream) >> 49) % 20001 - 10000) / 10000.0)
 
@@ -178,7 +184,7 @@ def polynomial(curve, leading, roots):
 
 
 COORDINATES = {"continuous": continuous, "dyadic": continuous, "integer": integer, "report": report, "distant": distant,
-               "weights_mild": continuous, "weights_wild": continuous}
+               "graded": graded, "weights_mild": continuous, "weights_wild": continuous}
 POLYNOMIALS = {"multiple_root": multiple_root, "clustered_roots": clustered_roots}
 PARAMETERS = {"dyadic": dyadic_t, "report": report_t}  # the others: as continuous
 WEIGHTS = {"weights_mild": mild, "weights_wild": wild}
@@ -222,6 +228,7 @@ def studies():
             if study["kind"] in ("accuracy", "conversion", "derivative"):
                 yield suite["suite"].get("seed", 1), study
     yield 1, WEIGHTED
+    yield 1, GRADED
 
 
 def rows():

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Generator `graded`: coordinates of sixty binades beside each other, so that small ones are lost in sums with large
+// ones.
+#pragma once
+
+#include <cmath>
+
+#include "experiments/sample/continuous.hpp"
+
+namespace bezierbench::sample {
+
+/// Takes four words per coordinate, two for the exponent before the two that `continuous` takes.
+struct Graded {
+  static constexpr GeneratorInfo info{
+      .id = "graded", .coordinates = "2^-e c; e an integer, uniform in [0, 60]; c as continuous", .t = "as continuous"};
+
+  static double coordinate(Words& words, double range) {
+    constexpr std::uint64_t exponents = 61;
+    const auto exponent = static_cast<int>(words.next_below(exponents));
+    return std::ldexp(Continuous::coordinate(words, range), -exponent);  // rounded once more where it is subnormal
+  }
+  static double parameter(Words& words, suite::Interval t) { return Continuous::parameter(words, t); }
+};
+
+}  // namespace bezierbench::sample
