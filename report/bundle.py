@@ -40,6 +40,8 @@ REQUIRED = {
                        "mean_relative max_relative mean_evaluations non_converged broken_promises non_finite").split(),
     "projection.csv": _PROJECTION,
     "projection_unstable.csv": _PROJECTION,
+    "interpolation.csv": ("study method scalar dimension degree coordinate_range generator points trials status max_error_u max_data_u "
+                          "max_c0_u max_c1_u max_c2_u max_natural_u bound_u bound_violations non_finite").split(),
     "timing.csv": "study curve method degree mode median_ns low_ns high_ns checked".split(),
     "pareto.csv": ("study accuracy_study curve method scalar dimension degree mode ns ns_low ns_high observed_max_u bound_u "
                    "quality pareto").split(),
@@ -58,7 +60,7 @@ REQUIRED = {
 }
 
 # Columns that say what a row is about; a row of the files above without one of them is malformed.
-KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator order tolerance "
+KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator order points tolerance "
                  "trials baseline status statistic tier mode id search_id worst_id target placement".split())
 # The exceptions: a sentinel is timed over all degrees of a study.
 MAY_BE_EMPTY = frozenset({("timing.csv", "degree")})

@@ -115,6 +115,7 @@ FLIPS = {
     "roofline": _set("goal_met", "no", "roofline.csv", method="horner_bernstein_fma", target="AVX2", scalar="double"),
     "roofline_subnormal": _scale("median_ns", 10, "roofline.csv", study="roofline-middle"),
     "projection_isolate": _set("missed", 1, "projection.csv", method="quintic_isolate", placement="cusp"),
+    "interpolation_residuals": _set("max_c2_u", 9.5, "interpolation.csv", method="c2_natural", points=100),
     "projection_printed": _set("missed", 0, "projection_unstable.csv", method="quintic_seed_002"),
     "choosing": _set("pareto", "yes", "pareto.csv", method="direct"),
     "peers_accuracy": _scale("mean_error", 100, "unstable.csv", study="peers-bezier", degree=20),

@@ -265,10 +265,20 @@ def projection_unstable():
     return _projected("quintic_companion", 0, 1e9) + _projected("quintic_seed_002", 700, 4e15)
 
 
+def interpolation():
+    """The largest C2 residual by method and number of points."""
+    ends = {"c2_natural": (3, 4), "c2_natural_handles": (6, 16)}
+    return [dict(study="interpolation-points", curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1,
+                 t_min=0, t_max=1, generator="continuous", points=k, trials=100, status="ok", max_error_u=c2 / 4, max_data_u=0,
+                 max_c0_u=0, max_c1_u=1, max_c2_u=c2, max_natural_u=2, bound_u=7.1 if m == "c2_natural" else "",
+                 bound_violations=0 if m == "c2_natural" else "", non_finite=0)
+            for m, values in ends.items() for k, c2 in zip((10, 100), values)]
+
+
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
          "conversion.csv": conversion, "derivative.csv": derivative, "arc_length.csv": arc_length, "projection.csv": projection,
-         "projection_unstable.csv": projection_unstable, "search.csv": search, "worst.csv": worst, "methods.csv": methods,
-         "audit.csv": audit, "timing.csv": timing, "pareto.csv": pareto, "roofline.csv": roofline}
+         "projection_unstable.csv": projection_unstable, "interpolation.csv": interpolation, "search.csv": search, "worst.csv": worst,
+         "methods.csv": methods, "audit.csv": audit, "timing.csv": timing, "pareto.csv": pareto, "roofline.csv": roofline}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}
 
