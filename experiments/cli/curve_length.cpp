@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <memory>
 
-#include "core/arc_length/kernel.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve_commands.hpp"
 #include "experiments/cli/curve_methods.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/studies/methods.hpp"
 #include "reference/true_length.hpp"
 
 namespace bezierbench::cli {
@@ -48,7 +48,8 @@ Task task_of(const Options& options) {
 void measure(const Options& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const auto task = task_of(options);
-  const auto methods = chosen(arc_length_kernels(curve.dimension), options.methods, curve, ids_of(arc_length_infos()));
+  const auto kernels = studies::arc_length_methods(curve.dimension);
+  const auto methods = chosen(kernels, options.methods, curve, ids_in(kernels));
   if (methods.empty())
     throw Failure(Exit::usage,
                   fmt::format("{}: the file is in {} form, lengths are those of control points; see `curve convert`",

@@ -24,6 +24,14 @@ std::string why_not(const MethodInfo& info, const CurveFile& curve);
 /// Their ids, in their order.
 std::vector<std::string> ids_of(std::span<const MethodInfo* const> infos);
 
+/// Those of a table's entries, in its order. `Table` holds entries with an `info`.
+template <class Table>
+std::vector<std::string> ids_in(const Table& table) {
+  std::vector<std::string> ids;
+  for (const auto& entry : table) ids.emplace_back(entry.info->id);
+  return ids;
+}
+
 /// Throws the Failure(usage) that `id` is no method, or none of this build; `known` are those that it could have meant.
 [[noreturn]] void unknown_method(const std::string& id, const std::vector<std::string>& known);
 

@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <memory>
 
-#include "core/project/kernel.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve_commands.hpp"
 #include "experiments/cli/curve_methods.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/studies/methods.hpp"
 #include "reference/projection.hpp"
 
 namespace bezierbench::cli {
@@ -39,10 +39,8 @@ std::vector<double> point_option(const std::string& text, const CurveFile& curve
 void project(const Options& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const auto point = point_option(options.point, curve, options.curve.file);
-  std::vector<std::string> known;
-  for (const auto* info : projection_infos()) known.emplace_back(info->id);
-  const auto kernels = projection_kernels(curve.dimension);
-  const auto methods = chosen(kernels, options.methods, curve, known);
+  const auto kernels = studies::projection_methods(curve.dimension);
+  const auto methods = chosen(kernels, options.methods, curve, ids_in(kernels));
   if (methods.empty())
     throw Failure(Exit::usage, fmt::format("{}: no method projects onto it: {} {}", options.curve.file,
                                            kernels.front().info->id, why_not(*kernels.front().info, curve)));

@@ -17,7 +17,8 @@ def is_peer(method):
 class Peers(Case):
     def setUp(self):
         super().setUp()
-        self.peers = [r["id"] for r in rows(self.fine("list", "methods", "--format", "csv")) if is_peer(r["id"])]
+        self.peers = [r["id"] for r in rows(self.fine("list", "methods", "--format", "csv")) if is_peer(r["id"])
+                      and r["problem"] == "evaluation"]
 
     def table(self, path):
         path = self.folder / path
@@ -25,6 +26,7 @@ class Peers(Case):
 
     def test_the_suite_is_listed_in_every_build(self):
         self.assertIn("peers", [r["id"] for r in rows(self.fine("list", "suites", "--format", "csv"))])
+        self.assertIn("companion_peers", [r["id"] for r in rows(self.fine("list", "suites", "--format", "csv"))])
         self.assertIn("peers-speed", [r["id"] for r in rows(self.fine("list", "studies", "--format", "csv"))])
 
     def test_a_build_without_a_library_says_how_to_have_it(self):
@@ -67,6 +69,22 @@ class Peers(Case):
         self.assertEqual({r["checked"] for r in timed}, {"yes"})
         self.assertTrue(json.loads((self.folder / "b/machine.json").read_text())["peers"])
         self.fine("verify", "b")
+
+    def test_lengths_and_foot_points_of_libraries_like_our_own(self):
+        listed = {r["id"] for r in rows(self.fine("list", "methods", "--format", "csv"))}
+        if not {"peer_2geom_length", "peer_sisl_closest"} <= listed:
+            self.skipTest("this build has no 2geom, or no SISL")
+        self.fine("run", SUITE.parent / "companion_peers.toml", "--out", "b", "--trials", "20", "--no-timing", "--quiet")
+        lengths = {r["method"]: r for r in self.table("b/arc_length.csv") + self.table("b/arc_length_unstable.csv")}
+        self.assertEqual(set(lengths), {"gauss_legendre_adaptive", "peer_2geom_length"})
+        self.assertEqual({r["method"] for r in self.table("b/arc_length.csv")}, {"gauss_legendre_adaptive"})
+        self.assertEqual({r["method"] for r in self.table("b/projection_unstable.csv")},
+                         {"peer_2geom_nearest", "peer_sisl_closest"})
+        self.write("q.csv", "x,y\n0,0\n0.5,0\n1,1\n")  # (t, t^2)
+        found = rows(self.fine("curve", "project", "--curve", "q.csv", "--point", "0,1.25", "--method", "peer_2geom_nearest"))
+        self.assertLess(float(found[0]["error"]), 1e-9)
+        found = rows(self.fine("curve", "length", "--curve", "q.csv", "--method", "peer_2geom_length"))
+        self.assertLess(float(found[0]["error"]), 1e-6)
 
     def test_a_degree_that_a_library_refuses_is_said(self):
         if "peer_occt_bsplclib" not in self.peers:

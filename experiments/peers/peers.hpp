@@ -6,16 +6,26 @@
 #include <span>
 #include <string_view>
 
+#include "core/arc_length/kernel.hpp"
 #include "core/evaluate/kernel.hpp"
+#include "core/project/kernel.hpp"
 
 namespace bezierbench::peers {
 
-/// A method of another library in this build.
+template <class K>
+std::span<const K> none(int /*dimension*/) {
+  return {};
+}
+
+/// A method of another library in this build. It solves one problem: one of the tables has one kernel, or none for this
+/// dimension, the others are empty.
 struct Peer {
   std::string_view id;       ///< of the method
   std::string_view library;  ///< several peers may share one
   std::string_view library_version;
-  std::span<const Kernel<double>> (*kernels)(int dimension);  ///< one kernel, or none for this dimension
+  std::span<const Kernel<double>> (*kernels)(int dimension) = none<Kernel<double>>;  ///< evaluators
+  std::span<const ArcLengthKernel> (*arc_length_kernels)(int dimension) = none<ArcLengthKernel>;
+  std::span<const ProjectionKernel> (*projection_kernels)(int dimension) = none<ProjectionKernel>;
 };
 
 /// A peer that this program knows by name only.

@@ -58,7 +58,8 @@ TEST(Peers, AreThereOrSayHowToHaveThem) {
   for (const auto& peer : present()) {
     EXPECT_TRUE(ids.insert(peer.id).second) << peer.id;
     EXPECT_FALSE(peer.library_version.empty()) << peer.id;
-    EXPECT_EQ(peer.kernels(2).size(), 1U) << peer.id;
+    EXPECT_EQ(peer.kernels(2).size() + peer.arc_length_kernels(2).size() + peer.projection_kernels(2).size(), 1U)
+        << peer.id;
   }
   for (const auto& peer : absent()) {
     EXPECT_TRUE(ids.insert(peer.id).second) << peer.id;
@@ -110,11 +111,12 @@ TEST(Peers, EndAtTheirFirstAndLastControlPoints) {
 TEST(Peers, EvaluateAKnownCubic) {
   const std::vector<double> coefficients{0, 0, 1.0 / 3, 0, 2.0 / 3, 1, 1, 1};
   const auto curve = view<double>(Form::bernstein, 2, 3, coefficients);
-  for (const auto& peer : present()) {
-    const auto point = evaluate(peer.kernels(2).front(), curve, {0.25});
-    EXPECT_NEAR(point[0], 0.25, 8 * u) << peer.id;
-    EXPECT_NEAR(point[1], 0.15625, 8 * u) << peer.id;
-  }
+  for (const auto& peer : present())
+    for (const auto& kernel : peer.kernels(2)) {
+      const auto point = evaluate(kernel, curve, {0.25});
+      EXPECT_NEAR(point[0], 0.25, 8 * u) << peer.id;
+      EXPECT_NEAR(point[1], 0.15625, 8 * u) << peer.id;
+    }
 }
 
 TEST(Peers, TakeTheLargestDegreeThatTheyPromise) {
@@ -134,11 +136,44 @@ TEST(Peers, OfOneLibraryDoNotDisturbEachOther) {
   const auto high = inputs.coefficients(20, 2);
   const auto low = inputs.coefficients(3, 2);
   const auto cubic = view<double>(Form::bernstein, 2, 3, low);
-  for (const auto& peer : present()) {
-    const auto& kernel = peer.kernels(2).front();
-    (void)evaluate(kernel, view<double>(Form::bernstein, 2, 20, high), {0.3});
-    EXPECT_LE(error_in_u(kernel, cubic, 0.3, evaluate(kernel, cubic, {0.3})), allowed) << peer.id;
-  }
+  for (const auto& peer : present())
+    for (const auto& kernel : peer.kernels(2)) {
+      (void)evaluate(kernel, view<double>(Form::bernstein, 2, 20, high), {0.3});
+      EXPECT_LE(error_in_u(kernel, cubic, 0.3, evaluate(kernel, cubic, {0.3})), allowed) << peer.id;
+    }
+}
+
+/// (t, t^2), whose length to t is known, with parts, and (3 u^2, 3 u^3), u = 2t - 1, whose cusp GSL cannot integrate to
+/// every tolerance, which must not end the program.
+TEST(Peers, MeasureKnownLengths) {
+  const std::vector<double> parabola{0, 0, 0.5, 0, 1, 1};
+  const std::vector<double> cusp{3, -3, -1, 3, -1, -3, 3, 3};
+  const auto to = [](double t) { return t * std::sqrt(1 + 4 * t * t) / 2 + std::asinh(2 * t) / 4; };
+  const double of_cusp = 2 * (13 * std::sqrt(13) - 8) / 9;
+  for (const auto& peer : present())
+    for (const auto& kernel : peer.arc_length_kernels(2)) {
+      EXPECT_EQ(kernel.info->id, peer.id);
+      EXPECT_FALSE(kernel.info->bit_stable) << peer.id;
+      const auto whole = kernel.measure({Form::bernstein, 2, 2, parabola}, 0, 1, 1e-9);
+      EXPECT_NEAR(whole.length, to(1), 1e-8) << peer.id;
+      const auto part = kernel.measure({Form::bernstein, 2, 2, parabola}, 0.25, 0.75, 1e-9);
+      EXPECT_NEAR(part.length, to(0.75) - to(0.25), 1e-8) << peer.id;
+      EXPECT_NEAR(kernel.measure({Form::bernstein, 2, 3, cusp}, 0, 1, 1e-15).length, of_cusp, 1e-3) << peer.id;
+    }
+}
+
+/// (t, t^2) and (0, 5/4): the foot points are t = sqrt(3)/2 > 1/2 and, by symmetry, one outside [0, 1].
+TEST(Peers, ProjectOntoAParabola) {
+  const std::vector<double> parabola{0, 0, 0.5, 0, 1, 1};
+  const std::vector<double> point{0, 1.25};
+  for (const auto& peer : present())
+    for (const auto& kernel : peer.projection_kernels(2)) {
+      EXPECT_EQ(kernel.info->id, peer.id);
+      EXPECT_FALSE(kernel.info->bit_stable) << peer.id;
+      const auto foot = kernel.project({Form::bernstein, 2, 2, parabola}, point);
+      EXPECT_NEAR(foot.t, std::sqrt(3) / 2, 1e-5) << peer.id;
+      EXPECT_NEAR(foot.distance, 1, 1e-9) << peer.id;  // |(sqrt(3)/2, 3/4 - 5/4)|
+    }
 }
 
 /// A prepared curve that another thread may evaluate.

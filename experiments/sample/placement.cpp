@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/sample/placement.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -108,6 +109,13 @@ constexpr std::array all{Placement{"uniform", "as a control point", uniform},
                          Placement{"line", "as a control point; the curve is a line at constant speed", line}};
 
 }  // namespace
+
+double largest_coordinate(const PlacedPoint& problem) {
+  double largest = 0;
+  for (const auto* values : {&problem.points, &problem.point})
+    for (const double x : *values) largest = std::max(largest, std::abs(x));
+  return largest;
+}
 
 std::span<const Placement> placements() { return all; }
 

@@ -20,6 +20,9 @@ struct PlacedPoint {
   std::vector<double> point;
 };
 
+/// The largest |coordinate| of control points and point.
+double largest_coordinate(const PlacedPoint& problem);
+
 struct Placement {
   std::string_view id;
   std::string_view what;

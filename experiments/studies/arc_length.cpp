@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/arc_length/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
@@ -14,6 +13,7 @@
 #include "experiments/studies/cell_fields.hpp"
 #include "experiments/studies/companions.hpp"
 #include "experiments/studies/interruption.hpp"
+#include "experiments/studies/methods.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/true_length.hpp"
 
@@ -41,7 +41,7 @@ void check(const suite::Study& study) {
 Methods methods_of(const suite::Study& study, int dimension) {
   Methods methods;
   const auto chosen = chosen_companions(study, Problem::arc_length);
-  for (const auto& kernel : arc_length_kernels(dimension))
+  for (const auto& kernel : arc_length_methods(dimension))
     if (std::ranges::find(chosen, kernel.info) != chosen.end()) methods.push_back(&kernel);
   return methods;
 }
@@ -164,7 +164,6 @@ std::vector<std::string> statistics(const LengthErrors& errors, std::int64_t tri
 }
 
 void ArcLengthJob::write(Tables& tables) const {
-  auto& table = tables.table("arc_length.csv", arc_length_columns());
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     std::size_t k = 0;
     for (const double tolerance : study_.tolerance)
@@ -172,7 +171,9 @@ void ArcLengthJob::write(Tables& tables) const {
         auto row = cell_fields(study_, parts_[p].cell, method->info->id, suite::ScalarKind::float64);
         row.insert(row.end(), {number::decimal(tolerance), std::to_string(trials()), "ok"});
         for (auto& field : statistics(state(p).rows.at(k++), trials())) row.push_back(std::move(field));
-        table.add_row(std::move(row));
+        const bool stable = method->info->bit_stable;
+        tables.table(stable ? "arc_length.csv" : "arc_length_unstable.csv", arc_length_columns())
+            .add_row(std::move(row));
       }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Studies of kind `arc_length`: lengths of random curves between the ends of each interval of t, tolerance by
-// tolerance, against the true ones. A method that says that it kept its tolerance and did not fails the run.
+// tolerance, against the true ones. A method that says that it kept its tolerance and did not fails the run. Methods
+// that are not bit-stable have a file of their own, arc_length_unstable.csv.
 #pragma once
 
 #include <memory>

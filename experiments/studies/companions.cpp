@@ -13,6 +13,7 @@
 #include "core/project/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/methods.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
 
@@ -21,8 +22,9 @@ namespace {
 
 using Infos = std::span<const MethodInfo* const> (*)();
 
-/// One entry for each problem's roster.
-constexpr std::array<Infos, 4> rosters{derivative_infos, arc_length_infos, projection_infos, interpolation_infos};
+/// One entry for each problem's roster, and one for the methods of other libraries.
+constexpr std::array<Infos, 5> rosters{derivative_infos, arc_length_infos, projection_infos, interpolation_infos,
+                                       companion_peer_infos};
 
 }  // namespace
 
@@ -36,7 +38,10 @@ std::vector<const MethodInfo*> companion_infos() {
 std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Problem problem) {
   auto infos = companion_infos();
   std::erase_if(infos, [&](const MethodInfo* info) { return info->problem != problem; });
-  if (study.methods.empty()) return infos;
+  if (study.methods.empty()) {
+    std::erase_if(infos, [](const MethodInfo* info) { return suite::is_peer(info->id); });
+    return infos;
+  }
   const auto means = [](const MethodInfo* info) {
     return [info](const std::string& pattern) { return suite::means(pattern, info->id); };
   };

@@ -10,6 +10,7 @@
 
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
+#include "experiments/studies/companion_rivals.hpp"
 #include "experiments/studies/method_choice.hpp"
 #include "experiments/studies/methods.hpp"
 #include "experiments/studies/timed_check.hpp"
@@ -32,18 +33,10 @@ std::vector<const MethodInfo*> methods_of(const suite::Study& study, const sampl
   return methods;
 }
 
-template <class Scalar>
-HeatLaps race_of(const Heat& heat, const suite::Study& study, std::uint64_t seed, std::size_t sitting,
+/// All against each other and a sentinel; a rival whose results were wrong is not `checked`.
+HeatLaps race_of(const Heat& heat, const suite::Study& study, JudgedRivals contestants, std::size_t sitting,
                  const timing::RaceOptions& options) {
-  const auto inputs = timed_inputs<Scalar>(study, heat.cell, seed);
-  std::vector<timing::Rival> rivals;
-  std::vector<bool> right;
-  for (const auto* info : heat.methods) {
-    const auto& kernel = *find_method<Scalar>(info->id, info->form, heat.cell.dimension);
-    auto judged = judge(kernel, heat.mode, inputs);
-    right.push_back(judged.right);
-    rivals.push_back(timing::kernel_rival(kernel, heat.mode, inputs, std::move(judged.points)));
-  }
+  auto& [rivals, right] = contestants;
   rivals.push_back(timing::sentinel());
   const auto name = fmt::format("{}/{}/{}", study.id, heat.cell.degree, suite::name(heat.mode));
   auto laps = timing::with_stack_moved(sitting, [&] { return timing::race(name, rivals, options); });
@@ -56,10 +49,30 @@ HeatLaps race_of(const Heat& heat, const suite::Study& study, std::uint64_t seed
   return result;
 }
 
+template <class Scalar>
+HeatLaps race_of_evaluators(const Heat& heat, const suite::Study& study, std::uint64_t seed, std::size_t sitting,
+                            const timing::RaceOptions& options) {
+  const auto inputs = timed_inputs<Scalar>(study, heat.cell, seed);
+  JudgedRivals contestants;
+  for (const auto* info : heat.methods) {
+    const auto& kernel = *find_method<Scalar>(info->id, info->form, heat.cell.dimension);
+    auto judged = judge(kernel, heat.mode, inputs);
+    contestants.right.push_back(judged.right);
+    contestants.rivals.push_back(timing::kernel_rival(kernel, heat.mode, inputs, std::move(judged.points)));
+  }
+  return race_of(heat, study, std::move(contestants), sitting, options);
+}
+
 }  // namespace
 
 std::vector<Heat> heats_of(const suite::Study& study) {
   std::vector<Heat> heats;
+  if (const Problem problem = timed_problem(study); problem != Problem::evaluation) {
+    for (const auto& cell : sample::cells(study))
+      heats.push_back(
+          {cell, suite::ScalarKind::float64, suite::Mode::one_shot, timed_companions(study, problem, cell), problem});
+    return heats;
+  }
   for (const auto scalar : study.scalar)
     for (const auto& cell : sample::cells(study))
       for (const auto mode : study.modes)
@@ -81,8 +94,10 @@ void HeatLaps::merge(const HeatLaps& other) {
 
 HeatLaps run(const Heat& heat, const suite::Study& study, std::uint64_t seed, std::size_t sitting,
              const timing::RaceOptions& options) {
-  return heat.scalar == suite::ScalarKind::float32 ? race_of<float>(heat, study, seed, sitting, options)
-                                                   : race_of<double>(heat, study, seed, sitting, options);
+  if (heat.problem != Problem::evaluation)
+    return race_of(heat, study, companion_rivals(heat.methods, heat.problem, study, heat.cell, seed), sitting, options);
+  return heat.scalar == suite::ScalarKind::float32 ? race_of_evaluators<float>(heat, study, seed, sitting, options)
+                                                   : race_of_evaluators<double>(heat, study, seed, sitting, options);
 }
 
 double fastest_sentinel(const std::vector<HeatLap>& laps) {

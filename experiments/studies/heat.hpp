@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One cell of a timing study in one scalar type and mode: its methods race each other, with a sentinel beside them, in
-// several sittings.
+// several sittings. They all answer one question, evaluation or that of a companion problem.
 //
 // What rounds of one race share (where the stack and the data lie, how fast the processor happens to be) varies from
 // race to race, and the spread of rounds does not show it: two runs of the same program then differ by more than the
@@ -55,6 +55,7 @@ struct Heat {
   suite::ScalarKind scalar;
   suite::Mode mode;
   std::vector<const MethodInfo*> methods;  ///< those that support the degree
+  Problem problem = Problem::evaluation;   ///< what they solve
   std::vector<HeatLap> laps = {};          ///< what it gave, see HeatLaps; empty where none ran
 };
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/project/kernel.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/placement.hpp"
 #include "experiments/studies/cell_fields.hpp"
 #include "experiments/studies/companions.hpp"
 #include "experiments/studies/interruption.hpp"
+#include "experiments/studies/methods.hpp"
 #include "experiments/studies/projection_tally.hpp"
 #include "reference/projection.hpp"
 
@@ -25,13 +25,6 @@ struct Part {
   sample::Sampler sampler;
   std::vector<const ProjectionKernel*> kernels;
 };
-
-double largest_coordinate(const sample::PlacedPoint& problem) {
-  double largest = 0;
-  for (const auto* values : {&problem.points, &problem.point})
-    for (const double x : *values) largest = std::max(largest, std::abs(x));
-  return largest;
-}
 
 /// |t - t*| for the nearest t* of those whose distance is the least, to a relative 2^-40.
 double t_error(double t, const reference::ExactProjection& exact) {
@@ -83,7 +76,7 @@ class ProjectionJob final : public JobOf<ProjectionTallies> {
   [[nodiscard]] std::vector<const ProjectionKernel*> kernels_of(int dimension) const {
     std::vector<const ProjectionKernel*> kernels;
     for (const auto* info : infos_)
-      for (const auto& kernel : projection_kernels(dimension))
+      for (const auto& kernel : projection_methods(dimension))
         if (kernel.info == info) kernels.push_back(&kernel);
     return kernels;
   }
@@ -106,7 +99,7 @@ void ProjectionJob::judge(const ProjectionKernel& kernel, const sample::PlacedPo
     return;
   }
   const double error = reference::distance_error(reference::error_format, foot.distance, exact.foot().distance_squared);
-  const double largest = largest_coordinate(problem);
+  const double largest = sample::largest_coordinate(problem);
   tally.error.add(error);
   tally.error_unit.add(error == 0 ? 0 : metric::to_24_bits(error / largest * 0x1p+52));
   tally.t_error.add(t_error(foot.t, exact));

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "experiments/failure.hpp"
+#include "experiments/studies/companion_rivals.hpp"
 #include "experiments/studies/complexity_rows.hpp"
 #include "experiments/studies/heat.hpp"
 #include "experiments/studies/interruption.hpp"
@@ -44,7 +45,7 @@ class TimingJob final : public JobOf<HeatLaps> {
   }
   void write(Tables& tables) const override {
     write_timing_rows(study_, raced(), tables);
-    write_complexity_rows(study_, raced(), tables);
+    if (timed_problem(study_) == Problem::evaluation) write_complexity_rows(study_, raced(), tables);
   }
   [[nodiscard]] std::vector<Series> series() const override;
 

@@ -127,7 +127,8 @@ Finding check_asked(const Study& study) {
   }
   const bool tolerant =
       study.kind == Kind::arc_length || study.kind == Kind::inverse_arc_length || study.kind == Kind::fitting;
-  if (study.tolerance.empty() == tolerant) {
+  const bool may_be_tolerant = tolerant || study.kind == Kind::timing;  // of what promises one
+  if (study.tolerance.empty() ? tolerant : !may_be_tolerant) {
     return Problem{"tolerance", 0, "kind",
                    fmt::format("kind \"{}\" {}", name(study.kind),
                                tolerant ? "needs tolerances; add tolerance = [1e-6]" : "has no tolerance; remove it")};

@@ -3,10 +3,8 @@
 //
 // Computes: nested multiplication with running powers and binomials, axis by axis.
 // Fails: C(n,i) (n-i+1) overflows past degree 1020.
-#include <2geom/bezier.h>
-#include <2geom/d2.h>
-
 #include "experiments/peers/adapter.hpp"
+#include "experiments/peers/adapters/2geom_curve.hpp"
 #include "experiments/peers/peers.hpp"
 
 namespace bezierbench::peers {
@@ -26,12 +24,8 @@ struct TwoGeom {
   using Prepared = Geom::D2<Geom::Bezier>;
 
   static Prepared prepare(const Curve<Form::bernstein, double, 2>& curve) {
-    const auto axis = [&](int a) {
-      Geom::Bezier bezier(Geom::Bezier::Order(static_cast<unsigned>(curve.degree())));
-      for (int i = 0; i <= curve.degree(); ++i) bezier[static_cast<unsigned>(i)] = curve(a, i);
-      return bezier;
-    };
-    return {axis(0), axis(1)};
+    const auto count = 2 * static_cast<std::size_t>(curve.degree() + 1);
+    return two_geom_curve({Form::bernstein, 2, curve.degree(), std::span(curve.data(), count)});
   }
 
   static Point<double, 2> evaluate(const Prepared& curve, double t) {

@@ -2,14 +2,10 @@
 // SISL (SINTEF): s1227 on the curve as a B-spline with one span.
 //
 // Computes: the B-splines that are not zero at t, then their sum with the vertices.
-#include <sisl.h>
-
-#include <algorithm>
 #include <limits>
-#include <memory>
-#include <vector>
 
 #include "experiments/peers/adapter.hpp"
+#include "experiments/peers/adapters/sisl_curve.hpp"
 #include "experiments/peers/peers.hpp"
 
 namespace bezierbench::peers {
@@ -25,26 +21,15 @@ struct Sisl {
                                    .cost_exponent = 2,
                                    .citation = "SISL, s1227"};
 
-  struct Free {
-    void operator()(SISLCurve* curve) const { freeCurve(curve); }
-  };
   template <int Dimension>
   struct Prepared {
-    std::unique_ptr<SISLCurve, Free> curve;
+    SislCurve curve;
   };
 
   template <int Dimension>
   static Prepared<Dimension> prepare(const Curve<Form::bernstein, double, Dimension>& curve) {
-    constexpr int polynomial_b_spline = 1;
-    constexpr int copy = 1;
-    const int order = curve.degree() + 1;
-    std::vector<double> knots(2 * static_cast<std::size_t>(order), 0.0);
-    std::fill(knots.begin() + order, knots.end(), 1.0);
-    std::vector<double> vertices;
-    for (int i = 0; i < order; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) vertices.push_back(curve(axis, i));
-    return {std::unique_ptr<SISLCurve, Free>(
-        newCurve(order, order, knots.data(), vertices.data(), polynomial_b_spline, Dimension, copy))};
+    const auto count = static_cast<std::size_t>((curve.degree() + 1) * Dimension);
+    return {sisl_curve({Form::bernstein, Dimension, curve.degree(), std::span(curve.data(), count)})};
   }
 
   template <int Dimension>

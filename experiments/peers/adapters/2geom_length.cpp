@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// 2geom (Inkscape): the length of a D2<SBasis>.
+//
+// Computes: GSL's adaptive Gauss-Kronrod rule of 21 points (qag) on the speed, the root of an SBasis; its tolerance is
+// relative. GSL's estimate of the error is not handed on (version 1.2.2 leaves its argument alone), so nothing is
+// promised.
+#include <2geom/sbasis-geometric.h>
+#include <gsl/gsl_errno.h>
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+
+#include "experiments/peers/adapters/2geom_curve.hpp"
+#include "experiments/peers/peers.hpp"
+
+namespace bezierbench::peers {
+namespace {
+
+constexpr MethodInfo info{.id = "peer_2geom_length",
+                          .label = "2geom, length of an SBasis",
+                          .problem = Problem::arc_length,
+                          .form = Form::bernstein,
+                          .min_degree = 1,
+                          .max_degree = 100,
+                          .bit_stable = false,
+                          .flops = "that of the library",
+                          .citation = "2geom, length_integrating(D2<SBasis>)"};
+
+ArcLength measure(const CurveView<double>& curve, double from, double to, double tolerance) {
+  static std::once_flag once;
+  std::call_once(once, gsl_set_error_handler_off);  // or else it would end the program
+  auto bezier = two_geom_curve(curve);
+  if (from > 0 || to < 1) bezier = Geom::portion(bezier, from, to);
+  constexpr double least_tolerance = 50 * 0x1p-52;  // GSL refuses smaller ones, and the length would be 0
+  ArcLength result;
+  double untouched = 0;
+  Geom::length_integrating(bezier.toSBasis(), result.length, untouched, std::max(tolerance, least_tolerance));
+  return result;
+}
+
+}  // namespace
+
+std::span<const ArcLengthKernel> peer_2geom_length(int dimension) {
+  static constexpr std::array kernels{ArcLengthKernel{&info, 2, measure}};
+  return dimension == 2 ? std::span<const ArcLengthKernel>(kernels) : std::span<const ArcLengthKernel>();
+}
+
+}  // namespace bezierbench::peers

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// SISL (SINTEF): s1957, the closest point of a B-spline, here of one span.
+//
+// Computes: Newton's method from a first guess; its manual says that it is fast and works well in clear cut cases, and
+// does not guarantee the right solution.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "experiments/peers/adapters/sisl_curve.hpp"
+#include "experiments/peers/peers.hpp"
+
+namespace bezierbench::peers {
+namespace {
+
+constexpr MethodInfo info{.id = "peer_sisl_closest",
+                          .label = "SISL, closest point of a B-spline",
+                          .problem = Problem::projection,
+                          .form = Form::bernstein,
+                          .min_degree = 1,
+                          .max_degree = 100,
+                          .bit_stable = false,
+                          .flops = "that of the library",
+                          .citation = "SISL, s1957"};
+
+FootPoint project(const CurveView<double>& curve, std::span<const double> point) {
+  const auto b_spline = sisl_curve(curve);
+  std::vector<double> target(point.begin(), point.end());
+  double largest = 0;
+  for (const double x : curve.coefficients) largest = std::max(largest, std::abs(x));
+  const double resolution = 0x1p-40 * largest;
+  constexpr double unused = 0;
+  int status = 0;
+  double t = 0;
+  double distance = 0;
+  s1957(b_spline.get(), target.data(), curve.dimension, unused, resolution, &t, &distance, &status);
+  if (status < 0) t = distance = std::numeric_limits<double>::quiet_NaN();
+  return {.t = t, .distance = distance};
+}
+
+}  // namespace
+
+std::span<const ProjectionKernel> peer_sisl_closest(int dimension) {
+  static constexpr std::array kernels{ProjectionKernel{&info, 2, project}, ProjectionKernel{&info, 3, project}};
+  return dimension == 2 || dimension == 3 ? std::span(kernels).subspan(static_cast<std::size_t>(dimension) - 2, 1)
+                                          : std::span<const ProjectionKernel>();
+}
+
+}  // namespace bezierbench::peers
