@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Where the data turn sharply, and which way they go elsewhere. Both look at points two tolerances away, for nearer
+// ones say more about noise than about the shape: noise of half the tolerance turns two arms of two tolerances by less
+// than 2 asin(1/2) = 60 degrees.
+#pragma once
+
+#include <vector>
+
+#include "core/fit/fit_data.hpp"
+
+namespace bezierbench {
+
+/// v / |v|; zero for a vector without a direction.
+template <int Dimension>
+Point<double, Dimension> direction_of(const Point<double, Dimension>& v) {
+  const double norm = length<Dimension>(v);
+  if (!(norm > 0)) return Point<double, Dimension>::Zero();
+  Point<double, Dimension> scaled;
+  int exponent = 0;
+  std::frexp(norm, &exponent);  // so that tiny vectors keep their digits
+  for (int axis = 0; axis < Dimension; ++axis)
+    scaled[axis] = std::ldexp(v[axis], -exponent) / std::ldexp(norm, -exponent);
+  return scaled;
+}
+
+template <int Dimension>
+class Shape {
+ public:
+  Shape(const FitData<Dimension>& data, double tolerance) : data_(data), arm_(2 * tolerance) {}
+
+  /// For each point, whether the data have a corner there: the arms turn by more than 75.5 degrees (cosine 1/4; a
+  /// pentagon's corners turn by 72, a square's by 90), and nothing between their ends turns more. False for the first
+  /// and the last point of open data; the two are one in closed data.
+  [[nodiscard]] std::vector<bool> corners() const {
+    constexpr double sharp = 0.25;
+    const int first = data_.closed ? 0 : 1;
+    std::vector<Turn> turns(static_cast<std::size_t>(data_.count()));
+    for (int i = first; i < data_.last(); ++i) turns[static_cast<std::size_t>(i)] = turn_at(i);
+    std::vector<bool> result(turns.size());
+    for (int i = first; i < data_.last(); ++i) {
+      const Turn& turn = turns[static_cast<std::size_t>(i)];
+      bool corner = turn.cosine < sharp;
+      for (int k = 1 - turn.before; corner && k < turn.after; ++k)
+        corner = turns[static_cast<std::size_t>(around(i + k))].cosine >= turn.cosine;
+      result[static_cast<std::size_t>(i)] = corner;
+    }
+    if (data_.closed) result.back() = result.front();
+    return result;
+  }
+
+  /// From point `from` to the first point beyond an arm's length, else the last one before `to`, in steps of +1 or -1.
+  [[nodiscard]] Point<double, Dimension> chord(int from, int to) const {
+    const int step = to > from ? 1 : -1;
+    int i = from + step;
+    while (i != to && !beyond(from, i) && std::abs(i - from) < most_steps) i += step;
+    return data_.points.col(i) - data_.points.col(from);
+  }
+
+ private:
+  static constexpr int most_steps = 256;  ///< so that long data take no quadratic time
+
+  struct Turn {
+    double cosine = 1;
+    int before = 0;  ///< steps to the ends of the arms
+    int after = 0;
+  };
+
+  [[nodiscard]] bool beyond(int i, int k) const {
+    return length<Dimension>(data_.points.col(k) - data_.points.col(i)) > arm_;
+  }
+
+  /// The index of a point of closed data that is counted on past the ends.
+  [[nodiscard]] int around(int i) const {
+    if (!data_.closed) return i;
+    return (i + data_.last()) % data_.last();
+  }
+
+  /// Steps from i to a point beyond an arm's length; 0 where there is none.
+  [[nodiscard]] int steps_from(int i, int direction) const {
+    for (int k = 1; k <= std::min(most_steps, data_.last() - 1); ++k) {
+      const int other = i + direction * k;
+      if (!data_.closed && (other < 0 || other > data_.last())) return 0;
+      if (beyond(i, around(other))) return k;
+    }
+    return 0;
+  }
+
+  [[nodiscard]] Turn turn_at(int i) const {
+    const int before = steps_from(i, -1);
+    const int after = steps_from(i, 1);
+    if (before == 0 || after == 0) return {};
+    const auto in = direction_of<Dimension>(data_.points.col(i) - data_.points.col(around(i - before)));
+    const auto out = direction_of<Dimension>(data_.points.col(around(i + after)) - data_.points.col(i));
+    return {dot<Dimension>(in, out), before, after};
+  }
+
+  const FitData<Dimension>& data_;
+  double arm_;
+};
+
+}  // namespace bezierbench

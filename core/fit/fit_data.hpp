@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The data as fits are made from them: scaled by a power of two, and without repetitions.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/project/polygon.hpp"
+
+namespace bezierbench {
+
+template <int Dimension>
+struct FitData {
+  /// `coordinates` point by point, finite, at least one point.
+  explicit FitData(std::span<const double> coordinates) {
+    const auto count = coordinates.size() / Dimension;
+    const auto given = [&](std::size_t i) {
+      Point<double, Dimension> point;
+      for (int axis = 0; axis < Dimension; ++axis)
+        point[axis] = coordinates[i * Dimension + static_cast<std::size_t>(axis)];
+      return point;
+    };
+    double largest = 0;
+    for (const double x : coordinates) largest = std::max(largest, std::abs(x));
+    std::frexp(largest, &exponent);
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (kept.empty() || given(kept.back()) != given(i)) kept.push_back(i);
+      index.push_back(static_cast<int>(kept.size()) - 1);
+    }
+    original.resize(Dimension, static_cast<Eigen::Index>(kept.size()));
+    points.resize(Dimension, original.cols());
+    for (Eigen::Index k = 0; k < original.cols(); ++k) {
+      original.col(k) = given(kept[static_cast<std::size_t>(k)]);
+      for (int axis = 0; axis < Dimension; ++axis) points(axis, k) = std::ldexp(original(axis, k), -exponent);
+    }
+    closed = original.cols() > 2 && original.col(0) == original.col(original.cols() - 1);
+  }
+
+  [[nodiscard]] int count() const { return static_cast<int>(points.cols()); }
+  [[nodiscard]] int last() const { return count() - 1; }
+
+  /// What scaling and scaling back may move a coordinate by, in scaled units: subnormal numbers are rounded.
+  [[nodiscard]] double quantum() const { return std::ldexp(1.0, std::max(-1073, -1073 - exponent)); }
+
+  Polygon<Dimension> original;  ///< consecutive points are different
+  Polygon<Dimension> points;    ///< these over 2^exponent: at most 1 in magnitude
+  std::vector<int> index;       ///< of each given point among them
+  int exponent = 0;
+  bool closed = false;  ///< the last point is the first
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What a method for piecewise fitting is: data about itself, and two functions, from a section of the data to one cubic
+// segment near it, and from the two chords at a point to the direction in which the curve shall pass it. Where a
+// segment is too far from the data, piecewise.hpp splits the section.
+#pragma once
+
+#include <concepts>
+#include <vector>
+
+#include "core/fit/cubic.hpp"
+#include "core/method.hpp"
+
+namespace bezierbench {
+
+/// How a segment ends. The segment begins, or ends, in the data point itself.
+template <int Dimension>
+struct End {
+  Point<double, Dimension> direction;  ///< of unit length, into the section; from the data
+  bool bound;  ///< the segment must leave in that direction, for it is joined smoothly to another; else it is a guess
+};
+
+/// The data of one segment.
+template <int Dimension>
+struct Section {
+  Polygon<Dimension> points;  ///< three or more, coordinates up to 1 in magnitude, consecutive ones different
+  std::vector<double> t;      ///< of each point, by the lengths of the chords, from 0 to 1
+  double length;              ///< of the polyline
+  End<Dimension> start;
+  End<Dimension> end;
+  double tolerance;
+};
+
+/// What a method makes of a section.
+template <int Dimension>
+struct Piece {
+  Cubic<Dimension> cubic;  ///< from the first point to the last; finite
+  std::vector<double> t;   ///< of each point, where the segment is near it
+  int iterations = 0;      ///< how often handles were solved for
+};
+
+/// A piecewise cubic near the data.
+struct Fit {
+  std::vector<double> control_points;  ///< segment by segment, four points each, point by point
+  std::vector<int> segment;            ///< of each data point, that where it was compared with the curve
+  std::vector<double> t;               ///< of each data point, in that segment
+  double max_error = 0;   ///< no data point is farther from the curve, in coordinate units, rounding included
+  int iterations = 0;     ///< of all sections that were tried
+  bool converged = true;  ///< max_error is at most the tolerance; false only where control points overflow
+
+  [[nodiscard]] int segments(int dimension) const { return static_cast<int>(control_points.size()) / (4 * dimension); }
+};
+
+template <class M>
+concept FittingMethod = requires(const Section<2>& section, const Point<double, 2>& chord) {
+  requires M::info.problem == Problem::fitting;
+  { M::piece(section) } -> std::same_as<Piece<2>>;
+  { M::template tangent<2>(chord, chord) } -> std::same_as<Point<double, 2>>;
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Orthogonal distance fit: handles h and all parameters t_i at once by Levenberg and Marquardt. With r_i = C(t_i) -
+// P_i, c_i = C'(t_i) and J_i = dC(t_i)/dh, each t_i is eliminated from the normal equations by itself,
+//   sum J_i^T Q_i J_i dh = -sum J_i^T Q_i r_i,   Q_i = I - c_i c_i^T / |c_i|^2,   dt_i = -c_i.(r_i + J_i dh) / |c_i|^2,
+// so that a system of at most 2d equations remains. An end that is joined to nothing has its whole control point as
+// unknowns, a smooth joint the length of its handle, which must stay positive.
+//
+// Source: Golub and Pereyra 1973 (variable projection), with the Jacobian of Kaufman 1975 and, for curves, Borges and
+//   Pastva 2002, Total least squares fitting of Bezier and B-spline curves, section 3; damping: Marquardt 1963.
+// Cost: O(d^2 m) flops for m points and each of at most 64 steps.
+// Sure: samples of a cubic are a minimum of 0, to which steps converge quadratically from nearby.
+// Fails: from parameters by chord length it may end in another minimum, where a cubic has a loop or a cusp.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <limits>
+
+#include "core/fit/fitting.hpp"
+
+namespace bezierbench {
+
+struct GaussNewton {
+  static constexpr MethodInfo info{.id = "gauss_newton",
+                                   .label = "Orthogonal distances",
+                                   .problem = Problem::fitting,
+                                   .form = Form::bernstein,
+                                   .min_degree = 3,
+                                   .max_degree = 3,
+                                   .promise = "no data point is farther from the curve than the tolerance",
+                                   .flops = "O(d^2 m) per step",
+                                   .citation = "Golub and Pereyra 1973; Borges and Pastva 2002, section 3"};
+
+  template <int Dimension>
+  static Piece<Dimension> piece(const Section<Dimension>& section) {
+    constexpr int most_steps = 64;
+    constexpr double least_damping = 0x1p-40;
+    constexpr double most_damping = 0x1p+20;
+    Adjustment<Dimension> adjustment(section);
+    State<Dimension> now = adjustment.begin();
+    int steps = 0;
+    for (double damping = 0x1p-10; steps < most_steps && damping < most_damping; ++steps) {
+      const auto next = adjustment.step(now, damping);
+      if (!(next.cost < now.cost)) {
+        damping *= 16;
+        continue;
+      }
+      const bool settled = next.cost > now.cost * (1 - 0x1p-10);
+      now = next;
+      if (settled) break;
+      damping = std::max(damping / 16, least_damping);
+    }
+    return {adjustment.cubic(now.handles), std::move(now.t), steps};
+  }
+
+  /// That of the parabola through the three points whose parameters are as far apart as the points.
+  template <int Dimension>
+  static Point<double, Dimension> tangent(const Point<double, Dimension>& before,
+                                          const Point<double, Dimension>& after) {
+    const double h = length<Dimension>(before);
+    const double k = length<Dimension>(after);
+    return (k / h) * before + (h / k) * after;
+  }
+
+ private:
+  template <int Dimension>
+  using Handles = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * Dimension, 1>;
+
+  template <int Dimension>
+  struct State {
+    Handles<Dimension> handles;
+    std::vector<double> t;
+    double cost;
+  };
+
+  template <int Dimension>
+  class Adjustment {
+   public:
+    explicit Adjustment(const Section<Dimension>& section)
+        : section_(section),
+          of_start_(section.start.bound ? 1 : Dimension),
+          unknowns_(of_start_ + (section.end.bound ? 1 : Dimension)) {}
+
+    /// The handles that are best for parameters by chord length; a third as long as the polyline where these are not
+    /// allowed.
+    [[nodiscard]] State<Dimension> begin() const {
+      const double third = section_.length / 3;
+      Handles<Dimension> handles(unknowns_);
+      for (int k = 0; k < unknowns_; ++k) {
+        const bool start = k < of_start_;
+        const auto& end = start ? section_.start : section_.end;
+        handles[k] = end.bound ? third : third * end.direction[start ? k : k - of_start_];
+      }
+      State<Dimension> thirds{handles, section_.t, 0};
+      State<Dimension> best{handles + change(thirds, 0x1p-30, [](const auto&) { return Square::Identity(); }),
+                            section_.t, 0};
+      auto& state = allowed(best.handles) ? best : thirds;
+      settle(state);
+      return state;
+    }
+
+    [[nodiscard]] Cubic<Dimension> cubic(const Handles<Dimension>& handles) const {
+      const Point<double, Dimension> first = section_.points.col(0);
+      const Point<double, Dimension> last = section_.points.col(section_.points.cols() - 1);
+      return {first, first + handle(section_.start, handles, 0), last + handle(section_.end, handles, of_start_), last};
+    }
+
+    /// One damped step; its cost is infinite where a handle of a smooth joint would turn round.
+    [[nodiscard]] State<Dimension> step(const State<Dimension>& now, double damping) const {
+      const auto curve = cubic(now.handles);
+      const Handles<Dimension> moves = change(now, damping, projection);
+      State<Dimension> next{now.handles + moves, now.t, std::numeric_limits<double>::infinity()};
+      if (!allowed(next.handles)) return next;
+      for (std::size_t i = 1; i + 1 < next.t.size(); ++i) {
+        const auto at = offset_at<Dimension>(curve, point(i), now.t[i]);
+        const Point<double, Dimension> moved = at.offset + jacobian_at(now.t[i]) * moves;
+        const double dt = -dot<Dimension>(at.velocity, moved) / squared<Dimension>(at.velocity);
+        if (std::isfinite(dt)) next.t[i] = std::clamp(now.t[i] + dt, 0.0, 1.0);
+      }
+      settle(next);
+      return next;
+    }
+
+   private:
+    using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2 * Dimension, 2 * Dimension>;
+    using Jacobian = Eigen::Matrix<double, Dimension, Eigen::Dynamic, Dimension == 1 ? Eigen::RowMajor : 0, Dimension,
+                                   2 * Dimension>;
+    using Square = Eigen::Matrix<double, Dimension, Dimension>;
+
+    /// What solves the damped normal equations; `measured` gives the matrix that residuals are measured through.
+    template <class Measured>
+    [[nodiscard]] Handles<Dimension> change(const State<Dimension>& now, double damping, Measured measured) const {
+      const auto curve = cubic(now.handles);
+      System normal = System::Zero(unknowns_, unknowns_);
+      Handles<Dimension> gradient = Handles<Dimension>::Zero(unknowns_);
+      for (std::size_t i = 1; i + 1 < now.t.size(); ++i) {
+        const auto at = offset_at<Dimension>(curve, point(i), now.t[i]);
+        const auto jacobian = jacobian_at(now.t[i]);
+        const Square across = measured(at.velocity);
+        normal += jacobian.transpose() * across * jacobian;
+        gradient += jacobian.transpose() * (across * at.offset);
+      }
+      const double largest = normal.diagonal().maxCoeff();
+      for (int k = 0; k < unknowns_; ++k) normal(k, k) += damping * normal(k, k) + 0x1p-50 * largest;
+      return -normal.ldlt().solve(gradient);
+    }
+
+    [[nodiscard]] Point<double, Dimension> point(std::size_t i) const {
+      return section_.points.col(static_cast<Eigen::Index>(i));
+    }
+
+    [[nodiscard]] Point<double, Dimension> handle(const End<Dimension>& end, const Handles<Dimension>& handles,
+                                                  int from) const {
+      if (end.bound) return handles[from] * end.direction;
+      return handles.template segment<Dimension>(from);
+    }
+
+    [[nodiscard]] Jacobian jacobian_at(double t) const {
+      const auto basis = cubic_basis(t);
+      Jacobian jacobian = Jacobian::Zero(Dimension, unknowns_);
+      const auto fill = [&](const End<Dimension>& end, int from, double weight) {
+        for (int axis = 0; axis < Dimension; ++axis) {
+          if (end.bound)
+            jacobian(axis, from) = weight * end.direction[axis];
+          else
+            jacobian(axis, from + axis) = weight;
+        }
+      };
+      fill(section_.start, 0, basis[1]);
+      fill(section_.end, of_start_, basis[2]);
+      return jacobian;
+    }
+
+    /// I - c c^T / |c|^2; I where the curve stands still. On a line, where that would be 0, I: parameters stay as
+    /// they are.
+    static Square projection(const Point<double, Dimension>& c) {
+      Square across = Square::Identity();
+      const double square = squared<Dimension>(c);
+      if (Dimension > 1 && square > 0) across -= (c / square) * c.transpose();
+      return across;
+    }
+
+    [[nodiscard]] bool allowed(const Handles<Dimension>& handles) const {
+      constexpr double least = 0x1p-10;  // of the length
+      constexpr double most = 0x1p+10;
+      for (int k = 0; k < unknowns_; ++k)
+        if (!(std::abs(handles[k]) <= most * section_.length)) return false;
+      return (!section_.start.bound || handles[0] >= least * section_.length) &&
+             (!section_.end.bound || handles[of_start_] >= least * section_.length);
+    }
+
+    /// Moves the parameters of a state to foot points nearby, and sums the squared distances there.
+    void settle(State<Dimension>& state) const {
+      constexpr int most_steps = 3;
+      const auto curve = cubic(state.handles);
+      state.cost = 0;
+      for (std::size_t i = 1; i + 1 < state.t.size(); ++i) {
+        state.t[i] = approach<Dimension>(curve, point(i), state.t[i], most_steps);
+        state.cost += squared<Dimension>(offset_at<Dimension>(curve, point(i), state.t[i]).offset);
+      }
+    }
+
+    const Section<Dimension>& section_;
+    int of_start_;  ///< unknowns of the first handle, which come first
+    int unknowns_;
+  };
+};
+
+}  // namespace bezierbench

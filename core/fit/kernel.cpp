@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "core/fit/kernel.hpp"
+
+#include "core/fit/piecewise.hpp"
+#include "core/fit/roster.hpp"
+#include "core/kernel_tables.hpp"
+
+namespace bezierbench {
+namespace {
+
+struct Entry {
+  template <FittingMethod M, int Dimension>
+  static constexpr FittingKernel of() {
+    return {&M::info, Dimension, [](std::span<const double> points, double tolerance) {
+              return Piecewise<M, Dimension>(points, tolerance).fit();
+            }};
+  }
+};
+
+}  // namespace
+
+std::span<const FittingKernel> fitting_kernels(int dimension) {
+  return kernels_of<FittingKernel, Entry>(FittingMethods{}, dimension);
+}
+
+std::span<const MethodInfo* const> fitting_infos() { return infos_of(FittingMethods{}); }
+
+}  // namespace bezierbench

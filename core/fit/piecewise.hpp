@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// From one segment to a piecewise curve, the same for every method: the data are cut at corners; a section whose
+// segment is farther than the tolerance from any of its points is split at that point, where both parts get the same
+// tangent, and so on down to two points, which a segment passes without error.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "core/fit/corners.hpp"
+#include "core/fit/fitting.hpp"
+
+namespace bezierbench {
+
+template <FittingMethod M, int Dimension>
+class Piecewise {
+ public:
+  using Vector = Point<double, Dimension>;
+
+  /// As `fit` in kernel.hpp.
+  Piecewise(std::span<const double> coordinates, double tolerance)
+      : data_(coordinates), tolerance_(std::ldexp(tolerance, -data_.exponent)), shape_(data_, tolerance_) {}
+
+  [[nodiscard]] Fit fit() {
+    places_.resize(static_cast<std::size_t>(data_.count()));
+    if (data_.count() == 1) append(between_two({0, 0, {}, {}}), {0, 0, {}, {}}, 0);
+    for (auto open = sections(); !open.empty();) {
+      const Range range = open.back();
+      open.pop_back();
+      if (const auto split = try_section(range)) {
+        open.push_back(split->second);
+        open.push_back(split->first);
+      }
+    }
+    for (const int k : data_.index) {
+      fit_.segment.push_back(places_[static_cast<std::size_t>(k)].segment);
+      fit_.t.push_back(places_[static_cast<std::size_t>(k)].t);
+    }
+    fit_.max_error = std::ldexp(fit_.max_error, data_.exponent);
+    return std::move(fit_);
+  }
+
+ private:
+  struct Place {
+    int segment = 0;
+    double t = 0;
+  };
+
+  /// Points first to last, and the smooth joints at its ends, if any.
+  struct Range {
+    int first;
+    int last;
+    std::optional<Vector> start;  ///< unit tangents into the range
+    std::optional<Vector> end;
+  };
+
+  /// Between corners; the last comes first.
+  [[nodiscard]] std::vector<Range> sections() const {
+    std::vector<Range> all;
+    const auto corners = shape_.corners();
+    std::optional<Vector> joint;
+    if (data_.closed && !corners.front())
+      joint = tangent_between(shape_.chord(data_.last(), 0), shape_.chord(0, data_.last()));
+    int last = data_.last();
+    for (int i = data_.last() - 1; i >= 0; --i)
+      if (i == 0 || corners[static_cast<std::size_t>(i)]) {
+        all.push_back({i, last, i == 0 ? joint : std::nullopt, last == data_.last() ? opposite(joint) : std::nullopt});
+        last = i;
+      }
+    return all;
+  }
+
+  static std::optional<Vector> opposite(std::optional<Vector> v) {
+    if (v) *v = -*v;
+    return v;
+  }
+
+  /// The method's tangent for chords to the points before and after; none where they give no direction.
+  static std::optional<Vector> tangent_between(const Vector& to_before, const Vector& to_after) {
+    const Vector tangent = direction_of<Dimension>(M::template tangent<Dimension>(-to_before, to_after));
+    if (!(squared<Dimension>(tangent) > 0.5)) return std::nullopt;
+    return tangent;
+  }
+
+  /// Appends the segment of a range, or says how to split it.
+  std::optional<std::pair<Range, Range>> try_section(const Range& range) {
+    if (range.last - range.first == 1) {
+      append(between_two(range), range, 0);
+      places_[static_cast<std::size_t>(range.last)] = {fit_.segments(Dimension) - 1, 1};
+      return std::nullopt;
+    }
+    auto section = section_of(range);
+    auto piece = M::piece(section);
+    fit_.iterations += piece.iterations;
+    const auto [error, worst] = farthest(section, piece);
+    if (!(error <= tolerance_) || !stays_finite(piece.cubic)) return split(range, range.first + worst);
+    append(piece.cubic, range, error);
+    for (std::size_t i = 1; i < piece.t.size(); ++i)
+      places_[static_cast<std::size_t>(range.first) + i] = {fit_.segments(Dimension) - 1, piece.t[i]};
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::pair<Range, Range> split(const Range& range, int at) const {
+    const auto tangent = tangent_between(shape_.chord(at, range.first), shape_.chord(at, range.last));
+    return {Range{range.first, at, range.start, opposite(tangent)}, Range{at, range.last, tangent, range.end}};
+  }
+
+  [[nodiscard]] Section<Dimension> section_of(const Range& range) const {
+    Section<Dimension> section{data_.points.middleCols(range.first, range.last - range.first + 1),
+                               {0},
+                               0,
+                               end_of(range.start, range.first, range.last),
+                               end_of(range.end, range.last, range.first),
+                               tolerance_};
+    for (Eigen::Index i = 1; i < section.points.cols(); ++i) {
+      section.length += length<Dimension>(section.points.col(i) - section.points.col(i - 1));
+      section.t.push_back(section.length);
+    }
+    for (double& t : section.t) t /= section.length;
+    return section;
+  }
+
+  [[nodiscard]] End<Dimension> end_of(const std::optional<Vector>& joint, int from, int to) const {
+    return {joint ? *joint : direction_of<Dimension>(shape_.chord(from, to)), joint.has_value()};
+  }
+
+  /// The largest distance, at parameters that are moved to foot points first, and the point that has it, not an end.
+  std::pair<double, int> farthest(const Section<Dimension>& section, Piece<Dimension>& piece) const {
+    constexpr int most_steps = 8;
+    std::pair<double, int> result{0, static_cast<int>(piece.t.size() / 2)};
+    for (std::size_t i = 1; i + 1 < piece.t.size(); ++i) {
+      const Vector point = section.points.col(static_cast<Eigen::Index>(i));
+      piece.t[i] = approach<Dimension>(piece.cubic, point, piece.t[i], most_steps);
+      const double distance = distance_bound<Dimension>(piece.cubic, point, piece.t[i]) + 4 * data_.quantum();
+      if (distance > result.first) result = {distance, static_cast<int>(i)};
+    }
+    piece.t.front() = 0;
+    piece.t.back() = 1;
+    return result;
+  }
+
+  /// A segment with handles of a third of the chord: straight, but for smooth joints.
+  [[nodiscard]] Cubic<Dimension> between_two(const Range& range) const {
+    const Vector first = data_.points.col(range.first);
+    const Vector last = data_.points.col(range.last);
+    const double third = length<Dimension>(last - first) / 3;
+    const Vector start = range.start ? Vector(third * *range.start) : Vector((last - first) / 3);
+    const Vector end = range.end ? Vector(third * *range.end) : Vector((first - last) / 3);
+    return {first, first + start, last + end, last};
+  }
+
+  [[nodiscard]] bool stays_finite(const Cubic<Dimension>& cubic) const {
+    for (const auto& control : cubic)
+      for (int axis = 0; axis < Dimension; ++axis)
+        if (!std::isfinite(std::ldexp(control[axis], data_.exponent))) return false;
+    return true;
+  }
+
+  /// The ends of a segment are data points, to the last bit.
+  void append(const Cubic<Dimension>& cubic, const Range& range, double error) {
+    fit_.max_error = std::max(fit_.max_error, error);
+    fit_.converged = fit_.converged && stays_finite(cubic);
+    for (std::size_t j = 0; j < cubic.size(); ++j)
+      for (int axis = 0; axis < Dimension; ++axis)
+        fit_.control_points.push_back(j == 0   ? data_.original(axis, range.first)
+                                      : j == 3 ? data_.original(axis, range.last)
+                                               : std::ldexp(cubic[j][axis], data_.exponent));
+  }
+
+  FitData<Dimension> data_;
+  double tolerance_;
+  Shape<Dimension> shape_;
+  std::vector<Place> places_;  ///< of each point of data_
+  Fit fit_;
+};
+
+}  // namespace bezierbench

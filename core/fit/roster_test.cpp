@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// Properties of every fitting method, then what is known of each.
+#include "core/fit/roster.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/evaluate/evaluation_test.hpp"
+#include "core/fit/kernel.hpp"
+
+namespace bezierbench {
+namespace {
+
+using Data = std::vector<double>;
+
+/// Samples of a Bezier curve at equal steps of t.
+Data samples(const Data& control, int d, int count) {
+  const std::size_t n = control.size() / static_cast<std::size_t>(d) - 1;
+  Data data;
+  for (int k = 0; k < count; ++k) {
+    const double t = static_cast<double>(k) / (count - 1);
+    Data b = control;
+    for (std::size_t last = n; last > 0; --last)
+      for (std::size_t i = 0; i < last * static_cast<std::size_t>(d); ++i)
+        b[i] = (1 - t) * b[i] + t * b[i + static_cast<std::size_t>(d)];
+    data.insert(data.end(), b.begin(), b.begin() + d);
+  }
+  return data;
+}
+
+/// Data of several kinds: samples of curves, of closed ones, with noise, and steps forth and back with repetitions.
+Data any_data(Inputs& inputs, int kind, int d) {
+  const int degree = 2 + kind % 5;
+  auto control = inputs.coefficients(degree, d);
+  if (kind % 4 == 1) std::copy_n(control.begin(), d, control.end() - d);
+  auto data = samples(control, d, 5 + 7 * (kind % 6));
+  if (kind % 4 == 2)
+    for (double& x : data) x += 0x1p-8 * inputs.symmetric();
+  if (kind % 4 == 3) {
+    Data walk;
+    const std::size_t count = data.size() / static_cast<std::size_t>(d);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = i % 5 == 4 ? i - 2 : i % 7 == 3 ? i - 1 : i;
+      walk.insert(walk.end(), data.begin() + static_cast<std::ptrdiff_t>(k) * d,
+                  data.begin() + static_cast<std::ptrdiff_t>(k + 1) * d);
+    }
+    return walk;
+  }
+  return data;
+}
+
+long double coordinate(const Fit& fit, int d, int segment, int j, int axis) {
+  return fit.control_points[static_cast<std::size_t>((4 * segment + j) * d + axis)];
+}
+
+/// The distance of data point i to where it was compared with the curve.
+double distance_of(const Fit& fit, const Data& data, int d, std::size_t i) {
+  const long double t = fit.t[i];
+  const long double s = 1 - t;
+  long double square = 0;
+  for (int axis = 0; axis < d; ++axis) {
+    const auto b = [&](int j) { return coordinate(fit, d, fit.segment[i], j, axis); };
+    const long double offset =
+        s * s * s * b(0) + 3 * s * s * t * b(1) + 3 * s * t * t * b(2) + t * t * t * b(3) -
+        static_cast<long double>(data[i * static_cast<std::size_t>(d) + static_cast<std::size_t>(axis)]);
+    square += offset * offset;
+  }
+  return static_cast<double>(std::sqrt(square));
+}
+
+/// Between the directions in which segment a ends and segment b begins.
+double cosine_at_joint(const Fit& fit, int d, int a, int b) {
+  long double in = 0, out = 0, product = 0;
+  for (int axis = 0; axis < d; ++axis) {
+    const auto u = coordinate(fit, d, a, 3, axis) - coordinate(fit, d, a, 2, axis);
+    const auto v = coordinate(fit, d, b, 1, axis) - coordinate(fit, d, b, 0, axis);
+    in += u * u;
+    out += v * v;
+    product += u * v;
+  }
+  return static_cast<double>(product / std::sqrt(in * out));
+}
+
+TEST(Fitting, KeepsTheToleranceAndPassesTheEnds) {
+  Inputs inputs(1);
+  for (int trial = 0; trial < 240; ++trial)
+    for (const double tolerance : {0.0, 0x1p-300, 1e-15, 1e-9, 1e-3, 0.1, 10.0}) {
+      const int d = 1 + trial % 3;
+      const auto data = any_data(inputs, trial, d);
+      for (const auto& kernel : fitting_kernels(d)) {
+        const auto fit = kernel.fit(data, tolerance);
+        const auto where = testing::Message() << kernel.info->id << " trial " << trial << " tolerance " << tolerance;
+        ASSERT_TRUE(fit.converged) << where;
+        ASSERT_LE(fit.max_error, tolerance) << where;
+        ASSERT_EQ(fit.t.size() * static_cast<std::size_t>(d), data.size()) << where;
+        for (std::size_t i = 0; i < fit.t.size(); ++i)
+          ASSERT_LE(distance_of(fit, data, d, i), fit.max_error) << where << " point " << i;
+        const auto& b = fit.control_points;
+        EXPECT_TRUE(std::equal(data.begin(), data.begin() + d, b.begin())) << where;
+        EXPECT_TRUE(std::equal(data.end() - d, data.end(), b.end() - d)) << where;
+        for (int s = 1; s < fit.segments(d); ++s)
+          for (int axis = 0; axis < d; ++axis)
+            ASSERT_EQ(coordinate(fit, d, s - 1, 3, axis), coordinate(fit, d, s, 0, axis));
+      }
+    }
+}
+
+/// A power of two scales every operation exactly, also where squares would leave the range.
+TEST(Fitting, ScalesWithTheData) {
+  Inputs inputs(2);
+  for (int trial = 0; trial < 48; ++trial)
+    for (const double factor : {0x1p-900, 0x1p-30, 0x1p+33, 0x1p+1000}) {
+      const int d = 1 + trial % 3;
+      const auto data = any_data(inputs, trial, d);
+      auto scaled = data;
+      for (double& x : scaled) x *= factor;
+      for (const auto& kernel : fitting_kernels(d)) {
+        const auto one = kernel.fit(data, 0.01);
+        const auto other = kernel.fit(scaled, 0.01 * factor);
+        EXPECT_EQ(one.t, other.t) << kernel.info->id << " trial " << trial;
+        EXPECT_EQ(one.max_error * factor, other.max_error) << kernel.info->id << " trial " << trial;
+        auto expected = one.control_points;
+        for (double& x : expected) x *= factor;
+        EXPECT_EQ(expected, other.control_points) << kernel.info->id << " trial " << trial;
+      }
+    }
+}
+
+/// Data on a lattice that a shift keeps exact: only the rounding of handles tells.
+TEST(Fitting, MovesWithTheData) {
+  Inputs inputs(3);
+  for (int trial = 0; trial < 48; ++trial) {
+    const int d = 1 + trial % 3;
+    auto data = any_data(inputs, trial, d);
+    if (trial % 20 == 5) continue;  // a closed quadratic is a line forth and back, on which handles may slide
+    for (double& x : data) x = std::floor(x * 0x1p+20) * 0x1p-20;
+    auto moved = data;
+    constexpr double shift = 0x1p+10;
+    for (double& x : moved) x += shift;
+    for (const auto& kernel : fitting_kernels(d)) {
+      const auto one = kernel.fit(data, 0.01);
+      const auto other = kernel.fit(moved, 0.01);
+      ASSERT_EQ(one.segments(d), other.segments(d)) << kernel.info->id << " trial " << trial;
+      for (std::size_t k = 0; k < one.control_points.size(); ++k)
+        EXPECT_NEAR(one.control_points[k] + shift, other.control_points[k], 1e-6)
+            << kernel.info->id << " trial " << trial;
+    }
+  }
+}
+
+TEST(Fitting, RunsBackwards) {
+  Inputs inputs(4);
+  for (int trial = 0; trial < 48; ++trial) {
+    const int d = 1 + trial % 3;
+    const auto data = any_data(inputs, trial, d);
+    Data reversed;
+    for (std::size_t i = data.size(); i > 0; i -= static_cast<std::size_t>(d))
+      reversed.insert(reversed.end(), data.begin() + static_cast<std::ptrdiff_t>(i) - d,
+                      data.begin() + static_cast<std::ptrdiff_t>(i));
+    for (const auto& kernel : fitting_kernels(d)) {
+      const auto one = kernel.fit(data, 0.01);
+      const auto other = kernel.fit(reversed, 0.01);
+      ASSERT_EQ(one.segments(d), other.segments(d)) << kernel.info->id << " trial " << trial;
+      const int last = 4 * one.segments(d) - 1;
+      for (int j = 0; j <= last; ++j)
+        for (int axis = 0; axis < d; ++axis)
+          EXPECT_NEAR(coordinate(one, d, 0, j, axis), coordinate(other, d, 0, last - j, axis), 1e-6)
+              << kernel.info->id << " trial " << trial;
+    }
+  }
+}
+
+/// The sides of a square, twelve points each: its corners and nothing else are joints, at the start of closed data too.
+TEST(Fitting, KeepsCorners) {
+  Data square{0, 0};
+  const std::vector<std::array<double, 2>> ways{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  for (const auto& [x, y] : ways)
+    for (int k = 0; k < 12; ++k) {
+      square.push_back(square[square.size() - 2] + x);
+      square.push_back(square[square.size() - 2] + y);
+    }
+  for (const auto& kernel : fitting_kernels(2))
+    for (const double tolerance : {1e-6, 0.25, 1.0}) {
+      const auto fit = kernel.fit(square, tolerance);
+      ASSERT_EQ(fit.segments(2), 4) << kernel.info->id << " " << tolerance;
+      for (int s = 0; s < 4; ++s) EXPECT_NEAR(cosine_at_joint(fit, 2, s, (s + 1) % 4), 0, 1e-9) << kernel.info->id;
+    }
+}
+
+/// Noise of half the tolerance is no corner.
+TEST(Fitting, SeesNoCornersInNoise) {
+  Inputs inputs(5);
+  Data line;
+  for (int k = 0; k < 200; ++k) {
+    line.push_back(k * 0x1p-6 + 0x1p-9 * inputs.symmetric());
+    line.push_back(0x1p-7 * inputs.symmetric());
+  }
+  for (const auto& kernel : fitting_kernels(2)) {
+    const auto fit = kernel.fit(line, 0x1p-5);
+    for (int s = 1; s < fit.segments(2); ++s) EXPECT_GT(cosine_at_joint(fit, 2, s - 1, s), 1 - 1e-9) << kernel.info->id;
+  }
+}
+
+/// Smooth data have no other corners; where the data are closed, their joint is none either.
+TEST(Fitting, JoinsSmoothly) {
+  Data circle;  // by the rational parametrisation, counted all the way round
+  for (int k = 0; k <= 64; ++k) {
+    const double u = (k % 32 - 16) / 16.0;  // a half circle per 32 steps
+    const double sign = k % 64 < 32 ? 1 : -1;
+    circle.push_back(sign * 2 * u / (1 + u * u));
+    circle.push_back(-sign * (1 - u * u) / (1 + u * u));
+  }
+  for (const auto& kernel : fitting_kernels(2))
+    for (const double tolerance : {1e-2, 1e-4, 1e-7}) {
+      const auto fit = kernel.fit(circle, tolerance);
+      const int segments = fit.segments(2);
+      EXPECT_GT(segments, 1);
+      for (int s = 0; s < segments; ++s)
+        EXPECT_GT(cosine_at_joint(fit, 2, s, (s + 1) % segments), 1 - 1e-12)
+            << kernel.info->id << " joint " << s << " of " << segments;
+    }
+}
+
+TEST(Fitting, TwoPointsMakeAStraightSegmentAndOnePointASegmentOfOnePoint) {
+  for (const auto& kernel : fitting_kernels(2)) {
+    EXPECT_THAT(kernel.fit(Data{1, 2, 4, 8}, 0).control_points, testing::ElementsAre(1, 2, 2, 4, 3, 6, 4, 8));
+    EXPECT_THAT(kernel.fit(Data{1, 2, 1, 2, 4, 8, 4, 8}, 0).control_points,
+                testing::ElementsAre(1, 2, 2, 4, 3, 6, 4, 8));
+    EXPECT_THAT(kernel.fit(Data{1, 2, 1, 2}, 0).control_points, testing::ElementsAre(1, 2, 1, 2, 1, 2, 1, 2));
+    EXPECT_THAT(kernel.fit(Data{1, 2}, 0).t, testing::ElementsAre(0));
+  }
+}
+
+TEST(Fitting, ALineIsOneStraightSegment) {
+  Inputs inputs(6);
+  Data line;
+  double x = 0;
+  for (int k = 0; k < 50; ++k, x += std::floor(1 + 30 * inputs.unit())) line.insert(line.end(), {3 * x, -x, 2 * x});
+  for (const auto& kernel : fitting_kernels(3)) {
+    const auto fit = kernel.fit(line, 1e-9);
+    EXPECT_EQ(fit.segments(3), 1) << kernel.info->id;
+    EXPECT_GT(cosine_at_joint(fit, 3, 0, 0), 1 - 1e-12) << kernel.info->id;
+  }
+}
+
+/// Forth and back on a line: a corner where the data turn.
+TEST(Fitting, TurnsBackInACorner) {
+  Data data;
+  for (const double x : {0, 1, 2, 3, 4, 3, 2, 1}) data.insert(data.end(), {x, 2 * x});
+  for (const auto& kernel : fitting_kernels(2)) {
+    const auto fit = kernel.fit(data, 1e-9);
+    EXPECT_EQ(fit.segments(2), 2) << kernel.info->id;
+    EXPECT_EQ(coordinate(fit, 2, 0, 3, 0), 4) << kernel.info->id;
+  }
+}
+
+/// Handles that would leave the range are said to.
+TEST(Fitting, OverflowIsNotConvergence) {
+  const double most = std::numeric_limits<double>::max();
+  const Data data{-most, 0, most, 0.5 * most, -most, most, most, -most};
+  for (const auto& kernel : fitting_kernels(2)) {
+    const auto fit = kernel.fit(data, 0);
+    EXPECT_EQ(fit.converged, std::ranges::all_of(fit.control_points, [](double x) { return std::isfinite(x); }));
+  }
+}
+
+const Data gentle{0, 0, 1, 2, 3, 3, 4, 0};
+
+/// What users miss most: samples of a cubic give that cubic back.
+TEST(GaussNewton, ReproducesItsOwnSource) {
+  for (const double factor : {1e-9, 1.0, 1e10}) {
+    Data control = gentle;
+    for (double& x : control) x *= factor;
+    for (const int count : {8, 33, 500}) {
+      const auto fit = fitting_kernels(2)[1].fit(samples(control, 2, count), 1e-9 * factor);
+      ASSERT_EQ(fitting_kernels(2)[1].info->id, "gauss_newton");
+      ASSERT_EQ(fit.segments(2), 1) << count;
+      for (std::size_t k = 0; k < control.size(); ++k)
+        EXPECT_NEAR(fit.control_points[k], control[k], 1e-12 * factor) << count;
+      EXPECT_LT(fit.max_error, 1e-13 * factor);
+    }
+  }
+}
+
+TEST(Schneider, DoesNotReproduceItsOwnSource) {
+  const auto fit = fitting_kernels(2)[0].fit(samples(gentle, 2, 33), 1e-9);
+  ASSERT_EQ(fitting_kernels(2)[0].info->id, "schneider");
+  EXPECT_GT(fit.segments(2), 16);
+}
+
+}  // namespace
+}  // namespace bezierbench
