@@ -51,7 +51,7 @@ Data any_data(Inputs& inputs, int kind, int d) {
   return data;
 }
 
-long double coordinate(const Fit& fit, int d, int segment, int j, int axis) {
+double coordinate(const Fit& fit, int d, int segment, int j, int axis) {
   return fit.control_points[static_cast<std::size_t>((4 * segment + j) * d + axis)];
 }
 
@@ -74,8 +74,8 @@ double distance_of(const Fit& fit, const Data& data, int d, std::size_t i) {
 double cosine_at_joint(const Fit& fit, int d, int a, int b) {
   long double in = 0, out = 0, product = 0;
   for (int axis = 0; axis < d; ++axis) {
-    const auto u = coordinate(fit, d, a, 3, axis) - coordinate(fit, d, a, 2, axis);
-    const auto v = coordinate(fit, d, b, 1, axis) - coordinate(fit, d, b, 0, axis);
+    const long double u = coordinate(fit, d, a, 3, axis) - coordinate(fit, d, a, 2, axis);
+    const long double v = coordinate(fit, d, b, 1, axis) - coordinate(fit, d, b, 0, axis);
     in += u * u;
     out += v * v;
     product += u * v;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// How far data really are from a piecewise cubic: the largest, over the data points, of the least distance to any
+// segment, from exact foot points.
+#pragma once
+
+#include <span>
+
+#include "reference/rational.hpp"
+
+namespace bezierbench::reference {
+
+/// Where somebody says that a piecewise curve is near a point. Only how long the search takes depends on it.
+struct NearPlace {
+  int segment;  ///< from 0
+  double t;     ///< in [0, 1]
+};
+
+/// The square of that distance. `points` and `control_points` (four a segment) point by point, finite, in as many
+/// dimensions, at most 3; one place for each point. The root is right to 2^-126 times the length of a segment.
+Rational largest_squared_distance(int dimension, std::span<const double> points, std::span<const double> control_points,
+                                  std::span<const NearPlace> places);
+
+}  // namespace bezierbench::reference
