@@ -29,8 +29,9 @@ class Shape {
   Shape(const FitData<Dimension>& data, double tolerance) : data_(data), arm_(2 * tolerance) {}
 
   /// For each point, whether the data have a corner there: the arms turn by more than 75.5 degrees (cosine 1/4; a
-  /// pentagon's corners turn by 72, a square's by 90), and nothing between their ends turns more. False for the first
-  /// and the last point of open data; the two are one in closed data.
+  /// pentagon's corners turn by 72, a square's by 90), and nothing between their ends turns more. It
+  /// is where the way by the ends of the arms is longest: the arms themselves end in steps as coarse as the data. False
+  /// for the first and the last point of open data; the two are one in closed data.
   [[nodiscard]] std::vector<bool> corners() const {
     constexpr double sharp = 0.25;
     const int first = data_.closed ? 0 : 1;
@@ -42,7 +43,7 @@ class Shape {
       bool corner = turn.cosine < sharp;
       for (int k = 1 - turn.before; corner && k < turn.after; ++k)
         corner = turns[static_cast<std::size_t>(around(i + k))].cosine >= turn.cosine;
-      result[static_cast<std::size_t>(i)] = corner;
+      if (corner) result[static_cast<std::size_t>(tip(i, turn))] = true;
     }
     if (data_.closed) result.back() = result.front();
     return result;
@@ -92,6 +93,23 @@ class Shape {
     const auto in = direction_of<Dimension>(data_.points.col(i) - data_.points.col(around(i - before)));
     const auto out = direction_of<Dimension>(data_.points.col(around(i + after)) - data_.points.col(i));
     return {dot<Dimension>(in, out), before, after};
+  }
+
+  /// The point between the ends of the arms of i for which the sum of the distances to them is the largest.
+  [[nodiscard]] int tip(int i, const Turn& turn) const {
+    const auto before = data_.points.col(around(i - turn.before));
+    const auto after = data_.points.col(around(i + turn.after));
+    int best = i;
+    double largest = 0;
+    for (int k = 1 - turn.before; k < turn.after; ++k) {
+      const auto point = data_.points.col(around(i + k));
+      const double sum = length<Dimension>(point - before) + length<Dimension>(point - after);
+      if (sum > largest) {
+        largest = sum;
+        best = around(i + k);
+      }
+    }
+    return best;
   }
 
   const FitData<Dimension>& data_;

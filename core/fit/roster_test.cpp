@@ -256,6 +256,15 @@ TEST(Fitting, TurnsBackInACorner) {
   }
 }
 
+/// From 0 to 1/4 of the way, back beyond the start and to it again: three straight parts, whatever the steps and the
+/// arms that corners are seen by.
+TEST(Fitting, TurnsBackAtTheTips) {
+  auto data = samples({0, 0, 1, 2, -1, -2, 0, 0}, 2, 40);
+  for (const auto& kernel : fitting_kernels(2))
+    for (const double tolerance : {0.1, 0.03, 0.01, 1e-6})
+      EXPECT_EQ(kernel.fit(data, tolerance).segments(2), 3) << kernel.info->id << " " << tolerance;
+}
+
 /// Handles that would leave the range are said to.
 TEST(Fitting, OverflowIsNotConvergence) {
   const double most = std::numeric_limits<double>::max();

@@ -27,7 +27,7 @@ constexpr std::array columns{
     InputColumn{"t_min", true},      InputColumn{"t_max", true},   InputColumn{"generator", false},
     InputColumn{"trials", true},     InputColumn{"budget", true},  InputColumn{"baseline", false},
     InputColumn{"statistic", false}, InputColumn{"order", true},   InputColumn{"tolerance", true},
-    InputColumn{"placement", false}, InputColumn{"points", true},
+    InputColumn{"placement", false}, InputColumn{"data", false},   InputColumn{"points", true},
 };
 
 /// A conversion is the method of its table.

@@ -9,6 +9,7 @@
 
 #include "core/arc_length/kernel.hpp"
 #include "core/derivative/kernel.hpp"
+#include "core/fit/kernel.hpp"
 #include "core/interpolate/kernel.hpp"
 #include "core/project/kernel.hpp"
 #include "experiments/failure.hpp"
@@ -23,8 +24,8 @@ namespace {
 using Infos = std::span<const MethodInfo* const> (*)();
 
 /// One entry for each problem's roster, and one for the methods of other libraries.
-constexpr std::array<Infos, 5> rosters{derivative_infos, arc_length_infos, projection_infos, interpolation_infos,
-                                       companion_peer_infos};
+constexpr std::array<Infos, 6> rosters{derivative_infos,    arc_length_infos, projection_infos,
+                                       interpolation_infos, fitting_infos,    companion_peer_infos};
 
 }  // namespace
 

@@ -59,7 +59,7 @@ struct Study {
   std::int64_t budget = 0;                     ///< search only: inputs that the climb may try per cell and method
   std::vector<Mode> modes;                     ///< timing only
   std::vector<int> order;                      ///< derivative only: of the derivatives
-  std::vector<int> points;                     ///< interpolation only: how many are joined; axis in place of the degree
+  std::vector<int> points;                     ///< interpolation and fitting only: number of data points
   std::vector<double> tolerance;  ///< where a method promises one: relative for lengths, a distance for fits
   std::string published;          ///< file of printed values in reference/published; may be empty
 };

@@ -101,15 +101,17 @@ Finding check_counts(const Study& study) {
   return std::nullopt;
 }
 
-/// The number of points stands for the degree where points are joined.
+/// Of the kinds that start from data points. Where points are joined their number stands for the degree; points to be
+/// fitted are taken from curves of a degree.
 Finding check_points(const Study& study) {
-  const bool joined = study.kind == Kind::interpolation;
-  if (study.points.empty() == joined) {
+  const bool on_points = study.kind == Kind::interpolation || study.kind == Kind::fitting;
+  if (study.points.empty() == on_points) {
     return Problem{"points", 0, "kind",
-                   joined ? "kind \"interpolation\" needs numbers of points; add points = [10, 100]"
-                          : "points belong to studies of kind \"interpolation\"; remove them"};
+                   fmt::format("kind \"{}\" {}", name(study.kind),
+                               on_points ? "needs numbers of data points; add points = [10, 100]"
+                                         : "has no data points; remove points")};
   }
-  if (joined && !study.degree.empty()) {
+  if (study.kind == Kind::interpolation && !study.degree.empty()) {
     return Problem{"degree", 0, "kind", "degree is that of the segments, 3, for kind \"interpolation\"; remove it"};
   }
   return each("points", study.points, [](int points) {
@@ -297,8 +299,7 @@ Finding check_ids(const Study& study, const Vocabulary& known) {
 }
 
 Finding check_present(const Study& study) {
-  const bool on_points = study.kind == Kind::interpolation || study.kind == Kind::fitting;
-  if (study.degree.empty() && !on_points) {
+  if (study.degree.empty() && study.kind != Kind::interpolation) {
     return Problem{"degree", 0, {}, fmt::format("degree is missing; kind \"{}\" needs it", name(study.kind))};
   }
   const auto empty = [](std::string_view key) {

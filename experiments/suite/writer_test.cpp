@@ -81,10 +81,8 @@ class Random {
     made.trials = 1 + static_cast<std::int64_t>(bits_() >> 34U);
     made.replicates = 1 + static_cast<std::int64_t>(bits_() >> 45U);
     if (made.kind == Kind::search) made.budget = 1 + static_cast<std::int64_t>(bits_() >> 1U);
-    if (made.kind == Kind::interpolation) {
-      made.degree.clear();
-      made.points = some<int>({2, 3, 1000});
-    }
+    if (made.kind == Kind::interpolation) made.degree.clear();
+    if (made.kind == Kind::interpolation || made.kind == Kind::fitting) made.points = some<int>({2, 3, 1000});
     if (made.kind == Kind::derivative) made.order = some<int>({0, 1, 2, 20});
     if (made.kind == Kind::arc_length || made.kind == Kind::inverse_arc_length || made.kind == Kind::fitting)
       made.tolerance = some<double>({1e-3, 1e-12, 5e-324});

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Data that curves are fitted to. Each kind takes a drawn Bezier curve and as many drawn displacements as there are
+// data points, and makes the points of them; plain arithmetic without libm, so that no bit depends on the machine.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "experiments/sample/draw.hpp"
+
+namespace bezierbench::sample {
+
+/// What was drawn: point by point.
+struct DataSource {
+  int dimension = 0;
+  int degree = 1;  ///< at least 1
+  std::vector<double> control_points;
+  std::vector<double> displacements;  ///< one for each data point, two or more, drawn like control points
+};
+
+struct DataKind {
+  std::string_view id;
+  std::string_view what;
+  std::vector<double> (*make)(DataSource source);
+};
+
+/// All kinds.
+std::span<const DataKind> data_kinds();
+
+/// The data of trial number `trial`, point by point; `sampler` draws the cell of with_displacements.
+std::vector<double> data_points(const DataKind& kind, const Sampler& sampler, const Cell& cell, std::uint64_t trial);
+
+/// The cell whose curves have `points` control points more, which become displacements.
+Cell with_displacements(Cell cell, int points);
+
+}  // namespace bezierbench::sample

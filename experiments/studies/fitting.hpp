@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Studies of kind `fitting`: data of every kind that sample::data_kinds() knows, fitted to every tolerance, judged by
+// their exact distance from the fitted curve. Writes fitting.csv, and into fitting_example.csv the first data set of
+// each study, in the plane, with its fits.
+#pragma once
+
+#include <memory>
+
+#include "experiments/studies/job.hpp"
+
+namespace bezierbench::studies {
+
+std::unique_ptr<Job> fitting_job(const suite::Study& study, const JobContext& context);
+
+}  // namespace bezierbench::studies
