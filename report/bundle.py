@@ -17,7 +17,7 @@ SCHEMA_VERSION = 1
 TEXT = frozenset(
     "study accuracy_study table curve method conversion scalar generator baseline status statistic verdict note tier mode "
     "relative_to target goal_met quality checked pareto id problem form bound bit_stable flops citation worst_id search_id t "
-    "coefficients weights placement kind bundle against file column fact cpu compiler machine normalised_verdict".split())
+    "coefficients weights placement data kind bundle against file column fact cpu compiler machine normalised_verdict".split())
 
 _ACCURACY = ("study curve method scalar dimension degree coordinate_range t_min t_max generator trials baseline status "
              "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split()
@@ -42,6 +42,10 @@ REQUIRED = {
     "projection_unstable.csv": _PROJECTION,
     "interpolation.csv": ("study method scalar dimension degree coordinate_range generator points trials status max_error_u max_data_u "
                           "max_c0_u max_c1_u max_c2_u max_natural_u bound_u bound_violations non_finite").split(),
+    "fitting.csv": ("study curve method scalar dimension degree coordinate_range generator data points tolerance trials status "
+                    "mean_segments one_segment max_error max_error_over_tolerance max_iterations non_converged broken_promises "
+                    "understated non_finite").split(),
+    "fitting_example.csv": "study data tolerance method segment index x y".split(),
     "timing.csv": "study curve method degree mode median_ns low_ns high_ns checked".split(),
     "pareto.csv": ("study accuracy_study curve method scalar dimension degree mode ns ns_low ns_high observed_max_u bound_u "
                    "quality pareto").split(),
@@ -61,9 +65,9 @@ REQUIRED = {
 
 # Columns that say what a row is about; a row of the files above without one of them is malformed.
 KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator order points tolerance "
-                 "trials baseline status statistic tier mode id search_id worst_id target placement".split())
-# The exceptions: a sentinel is timed over all degrees of a study.
-MAY_BE_EMPTY = frozenset({("timing.csv", "degree")})
+                 "trials baseline status statistic tier mode id search_id worst_id target placement data".split())
+# The exceptions: a sentinel is timed over all degrees of a study; data that curves are fitted to are no method's.
+MAY_BE_EMPTY = frozenset({("timing.csv", "degree"), ("fitting_example.csv", "method")})
 # Tables in which it depends on the row which columns apply and whether they hold a number.
 MIXED = frozenset({"comparison.csv", "facts.csv"})
 

@@ -122,6 +122,8 @@ FLIPS = {
     "peers_cache": _scale("mean_error", 1e-6, "unstable.csv", study="peers-bezier", method="peer_occt_cached"),
     "arc_length_promise": _set("broken_promises", 1, "arc_length.csv", method="adaptive_simpson38", tolerance=1e-9),
     "arc_length_cost": _set("mean_evaluations", 20, "arc_length.csv", method="adaptive_simpson38", tolerance=1e-9),
+    "fitting_promise": _set("broken_promises", 1, "fitting.csv", method="schneider", data="noisy", tolerance=1e-6),
+    "fitting_source": _set("one_segment", 0, "fitting.csv", method="gauss_newton", data="samples", tolerance=1e-6),
     "derivative_as_printed": _set("mean_error", 1e-16, "derivative.csv", method="seed_000", order=2),
     "derivative_distant": _set("mean_error_u", 0.5, "derivative.csv", method="triangle_derivatives", degree=20, order=1),
     "derivative_bounds": _set("bound_violations", 1, "derivative.csv", method="triangle_derivatives", degree=4, order=2),

@@ -275,9 +275,29 @@ def interpolation():
             for m, values in ends.items() for k, c2 in zip((10, 100), values)]
 
 
+def fitting():
+    """Segments by method, kind of data and tolerance."""
+    return [dict(study="fitting-cubics", curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1, t_min=0,
+                 t_max=1, generator="continuous", data=data, points=40, tolerance=e, trials=100, status="ok", mean_segments=n,
+                 max_segments=3 * n, one_segment=100 if n == 1 else 0, mean_error=e / 3, p50_error=e / 3, max_error=e / 2,
+                 max_error_over_tolerance=0.5, mean_claimed=e / 3, max_claimed=e / 2, mean_iterations=9, max_iterations=20,
+                 non_converged=0, broken_promises=0, understated=0, non_finite=0)
+            for data in ("samples", "noisy") for e, counts in ((1e-2, (2, 1)), (1e-6, (20, 1)))
+            for m, n in zip(("schneider", "gauss_newton"), counts)]
+
+
+def fitting_example():
+    """Three points and a straight segment near them."""
+    data = [("", "", i, i, i % 2 / 100) for i in range(3)]
+    curves = [(m, 0, i, 2 * i / 3, 0) for m in ("schneider", "gauss_newton") for i in range(4)]
+    return [dict(study="fitting-cubics", data=kind, tolerance=1e-2, method=m, segment=s, index=i, x=x, y=y)
+            for kind in ("samples", "noisy") for m, s, i, x, y in data + curves]
+
+
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
          "conversion.csv": conversion, "derivative.csv": derivative, "arc_length.csv": arc_length, "projection.csv": projection,
-         "projection_unstable.csv": projection_unstable, "interpolation.csv": interpolation, "search.csv": search, "worst.csv": worst,
+         "projection_unstable.csv": projection_unstable, "interpolation.csv": interpolation, "fitting.csv": fitting,
+         "fitting_example.csv": fitting_example, "search.csv": search, "worst.csv": worst,
          "methods.csv": methods, "audit.csv": audit, "timing.csv": timing, "pareto.csv": pareto, "roofline.csv": roofline}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}

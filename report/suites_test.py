@@ -8,7 +8,7 @@ from pathlib import Path
 
 from . import fixture
 from .bundle import Bundle, BundleError, Missing
-from .chapters import (arc_length, conditioning, conversion, derivative, interpolation, ladder, peers, projection, rational, regimes,
+from .chapters import (arc_length, conditioning, conversion, derivative, fitting, interpolation, ladder, peers, projection, rational, regimes,
                        worst)
 from .chapters.roster import build_all
 from .error_tables import swept
@@ -17,7 +17,7 @@ from .search_tables import search_tables
 
 CHAPTERS = {"ladder": ladder, "regimes": regimes, "conditioning": conditioning, "conversion": conversion, "worst": worst,
             "rational": rational, "peers": peers, "derivative": derivative, "arc_length": arc_length, "projection": projection,
-            "interpolation": interpolation}
+            "interpolation": interpolation, "fitting": fitting}
 
 
 def _only(*suites):

@@ -43,7 +43,7 @@ class Shape {
       bool corner = turn.cosine < sharp;
       for (int k = 1 - turn.before; corner && k < turn.after; ++k)
         corner = turns[static_cast<std::size_t>(around(i + k))].cosine >= turn.cosine;
-      if (corner) result[static_cast<std::size_t>(tip(i, turn))] = true;
+      if (corner) mark_tips(i, turn, result);
     }
     if (data_.closed) result.back() = result.front();
     return result;
@@ -95,21 +95,18 @@ class Shape {
     return {dot<Dimension>(in, out), before, after};
   }
 
-  /// The point between the ends of the arms of i for which the sum of the distances to them is the largest.
-  [[nodiscard]] int tip(int i, const Turn& turn) const {
+  /// Marks the points between the ends of the arms of i for which the sum of the distances to them is the largest.
+  void mark_tips(int i, const Turn& turn, std::vector<bool>& corner) const {
     const auto before = data_.points.col(around(i - turn.before));
     const auto after = data_.points.col(around(i + turn.after));
-    int best = i;
-    double largest = 0;
-    for (int k = 1 - turn.before; k < turn.after; ++k) {
+    const auto way_by = [&](int k) {
       const auto point = data_.points.col(around(i + k));
-      const double sum = length<Dimension>(point - before) + length<Dimension>(point - after);
-      if (sum > largest) {
-        largest = sum;
-        best = around(i + k);
-      }
-    }
-    return best;
+      return length<Dimension>(point - before) + length<Dimension>(point - after);
+    };
+    double longest = 0;
+    for (int k = 1 - turn.before; k < turn.after; ++k) longest = std::max(longest, way_by(k));
+    for (int k = 1 - turn.before; k < turn.after; ++k)
+      if (way_by(k) == longest) corner[static_cast<std::size_t>(around(i + k))] = true;
   }
 
   const FitData<Dimension>& data_;

@@ -38,6 +38,17 @@ struct Piece {
   int iterations = 0;      ///< how often handles were solved for
 };
 
+/// The largest distance of a point to the segment at its parameter, but for rounding.
+template <int Dimension>
+double largest_error(const Section<Dimension>& section, const Piece<Dimension>& piece) {
+  double largest = 0;
+  for (std::size_t i = 0; i < piece.t.size(); ++i) {
+    const Point<double, Dimension> point = section.points.col(static_cast<Eigen::Index>(i));
+    largest = std::max(largest, length<Dimension>(offset_at<Dimension>(piece.cubic, point, piece.t[i]).offset));
+  }
+  return largest;
+}
+
 /// A piecewise cubic near the data.
 struct Fit {
   std::vector<double> control_points;  ///< segment by segment, four points each, point by point

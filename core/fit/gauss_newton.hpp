@@ -7,9 +7,11 @@
 //
 // Source: Golub and Pereyra 1973 (variable projection), with the Jacobian of Kaufman 1975 and, for curves, Borges and
 //   Pastva 2002, Total least squares fitting of Bezier and B-spline curves, section 3; damping: Marquardt 1963.
-// Cost: O(d^2 m) flops for m points and each of at most 64 steps.
+// Cost: O(d^2 m) flops for m points and each of at most 3 times 64 steps.
 // Sure: samples of a cubic are a minimum of 0, to which steps converge quadratically from nearby.
-// Fails: from parameters by chord length it may end in another minimum, where a cubic has a loop or a cusp.
+//   Started from parameters by chord length; where the tolerance is not kept then, by their square roots (Lee 1989),
+//   and by equal steps.
+// Fails: it may end in another minimum, where a cubic has a loop or is near a cusp.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -32,24 +34,21 @@ struct GaussNewton {
 
   template <int Dimension>
   static Piece<Dimension> piece(const Section<Dimension>& section) {
-    constexpr int most_steps = 64;
-    constexpr double least_damping = 0x1p-40;
-    constexpr double most_damping = 0x1p+20;
-    Adjustment<Dimension> adjustment(section);
-    State<Dimension> now = adjustment.begin();
-    int steps = 0;
-    for (double damping = 0x1p-10; steps < most_steps && damping < most_damping; ++steps) {
-      const auto next = adjustment.step(now, damping);
-      if (!(next.cost < now.cost)) {
-        damping *= 16;
-        continue;
+    Piece<Dimension> best;
+    double least = std::numeric_limits<double>::infinity();
+    int iterations = 0;
+    for (const auto start : {as_given, centripetal, uniform}) {
+      auto found = adjusted(section, start(section.t));
+      iterations += found.iterations;
+      const double error = largest_error(section, found);
+      if (error < least) {
+        least = error;
+        best = std::move(found);
       }
-      const bool settled = next.cost > now.cost * (1 - 0x1p-10);
-      now = next;
-      if (settled) break;
-      damping = std::max(damping / 16, least_damping);
+      if (least <= section.tolerance) break;
     }
-    return {adjustment.cubic(now.handles), std::move(now.t), steps};
+    best.iterations = iterations;
+    return best;
   }
 
   /// That of the parabola through the three points whose parameters are as far apart as the points.
@@ -62,6 +61,47 @@ struct GaussNewton {
   }
 
  private:
+  using Parameters = std::vector<double>;
+
+  static Parameters as_given(const Parameters& t) { return t; }
+
+  /// Steps as the square roots of those given (Lee 1989).
+  static Parameters centripetal(const Parameters& t) {
+    Parameters result{0};
+    for (std::size_t i = 1; i < t.size(); ++i) result.push_back(result.back() + std::sqrt(t[i] - t[i - 1]));
+    for (double& value : result) value /= result.back();
+    return result;
+  }
+
+  static Parameters uniform(const Parameters& t) {
+    Parameters result;
+    for (std::size_t i = 0; i < t.size(); ++i)
+      result.push_back(static_cast<double>(i) / static_cast<double>(t.size() - 1));
+    return result;
+  }
+
+  template <int Dimension>
+  static Piece<Dimension> adjusted(const Section<Dimension>& section, Parameters start) {
+    constexpr int most_steps = 64;
+    constexpr double least_damping = 0x1p-40;
+    constexpr double most_damping = 0x1p+20;
+    Adjustment<Dimension> adjustment(section);
+    State<Dimension> now = adjustment.begin(std::move(start));
+    int steps = 0;
+    for (double damping = 0x1p-10; steps < most_steps && damping < most_damping; ++steps) {
+      const auto next = adjustment.step(now, damping);
+      if (!(next.cost < now.cost)) {
+        damping *= 16;
+        continue;
+      }
+      const bool settled = damping < 0x1p-20 && next.cost > now.cost * (1 - 0x1p-10);
+      now = next;
+      if (settled) break;
+      damping = std::max(damping / 16, least_damping);
+    }
+    return {adjustment.cubic(now.handles), std::move(now.t), steps};
+  }
+
   template <int Dimension>
   using Handles = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * Dimension, 1>;
 
@@ -80,9 +120,8 @@ struct GaussNewton {
           of_start_(section.start.bound ? 1 : Dimension),
           unknowns_(of_start_ + (section.end.bound ? 1 : Dimension)) {}
 
-    /// The handles that are best for parameters by chord length; a third as long as the polyline where these are not
-    /// allowed.
-    [[nodiscard]] State<Dimension> begin() const {
+    /// The handles that are best for these parameters; a third as long as the polyline where those are not allowed.
+    [[nodiscard]] State<Dimension> begin(Parameters t) const {
       const double third = section_.length / 3;
       Handles<Dimension> handles(unknowns_);
       for (int k = 0; k < unknowns_; ++k) {
@@ -90,9 +129,9 @@ struct GaussNewton {
         const auto& end = start ? section_.start : section_.end;
         handles[k] = end.bound ? third : third * end.direction[start ? k : k - of_start_];
       }
-      State<Dimension> thirds{handles, section_.t, 0};
-      State<Dimension> best{handles + change(thirds, 0x1p-30, [](const auto&) { return Square::Identity(); }),
-                            section_.t, 0};
+      State<Dimension> thirds{handles, std::move(t), 0};
+      State<Dimension> best{handles + change(thirds, 0x1p-30, [](const auto&) { return Square::Identity(); }), thirds.t,
+                            0};
       auto& state = allowed(best.handles) ? best : thirds;
       settle(state);
       return state;

@@ -116,7 +116,8 @@ class Piecewise {
       section.length += length<Dimension>(section.points.col(i) - section.points.col(i - 1));
       section.t.push_back(section.length);
     }
-    for (double& t : section.t) t /= section.length;
+    if (section.length > 0)  // else scaling has made the points one
+      for (double& t : section.t) t /= section.length;
     return section;
   }
 

@@ -256,6 +256,18 @@ TEST(Fitting, TurnsBackInACorner) {
   }
 }
 
+/// Points that differ, until they are scaled.
+TEST(Fitting, PointsThatScalingMakesOne) {
+  const Data data{1e308, 0, 1e308, 5e-324, 1e308, 1e-323, 1e308, 0};
+  for (const auto& kernel : fitting_kernels(2))
+    for (const double tolerance : {0.0, 1.0, 1e300}) {
+      const auto fit = kernel.fit(data, tolerance);
+      EXPECT_TRUE(fit.converged);
+      EXPECT_LE(fit.max_error, tolerance);
+      for (const double t : fit.t) EXPECT_TRUE(t >= 0 && t <= 1) << kernel.info->id;
+    }
+}
+
 /// From 0 to 1/4 of the way, back beyond the start and to it again: three straight parts, whatever the steps and the
 /// arms that corners are seen by.
 TEST(Fitting, TurnsBackAtTheTips) {

@@ -79,18 +79,6 @@ struct Schneider {
     return {first, first + alpha1 * section.start.direction, last + alpha2 * section.end.direction, last};
   }
 
-  /// At the parameters as they are.
-  template <int Dimension>
-  static double largest_error(const Section<Dimension>& section, const Piece<Dimension>& piece) {
-    double largest = 0;
-    for (std::size_t i = 0; i < piece.t.size(); ++i)
-      largest = std::max(
-          largest,
-          length<Dimension>(
-              offset_at<Dimension>(piece.cubic, section.points.col(static_cast<Eigen::Index>(i)), piece.t[i]).offset));
-    return largest;
-  }
-
   template <int Dimension>
   static void reparametrise(const Section<Dimension>& section, Piece<Dimension>& piece) {
     for (std::size_t i = 0; i < piece.t.size(); ++i) {

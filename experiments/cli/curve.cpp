@@ -18,6 +18,7 @@ void add_curve(CLI::App& app, Exit& /*exit*/) {
   add_curve_length(*curve);
   add_curve_project(*curve);
   add_curve_interpolate(*curve);
+  add_curve_fit(*curve);
 }
 
 }  // namespace bezierbench::cli

@@ -25,5 +25,6 @@ void add_curve_derivative(CLI::App& curve);
 void add_curve_length(CLI::App& curve);
 void add_curve_project(CLI::App& curve);
 void add_curve_interpolate(CLI::App& curve);
+void add_curve_fit(CLI::App& curve);
 
 }  // namespace bezierbench::cli

@@ -224,6 +224,36 @@ class Curves(Case):
         self.refused(USAGE, interpolate + ["--method", "c2_naturl"], 'did you mean "c2_natural"?')
         self.refused(USAGE, ["curve", "interpolate"], "--points")
 
+    def fitted(self, segments, *arguments):
+        """The standard output of a fit that says that it has so many segments."""
+        result = self.run_program(*arguments)
+        self.assertEqual(result.returncode, 0, result)
+        self.assertRegex(result.stderr.decode(), rf"^bezierbench: {segments} segments?, maximum error [0-9.e-]+\n$")
+        return result.stdout.decode()
+
+    def test_fitting(self):
+        """Samples of the parabola (2t, 4t(1-t)), whose cubic is (0,0) (2/3,4/3) (4/3,4/3) (2,0)."""
+        fit = ["curve", "fit", "--points", "p.csv"]
+        self.write("p.csv", "y,x\n0,0\n0.75,0.5\n1,1\n1,1\n0.75,1.5\n0,2\n")
+        for arguments in ([], ["--method", "gauss_newton"]):
+            found = rows(self.fitted(1, *fit, "--tolerance", "1e-9", *arguments))
+            self.assertEqual(list(found[0]), ["segment", "index", "x", "y"])
+            for row, x, y in zip(found, (0, 2, 4, 6), (0, 4, 4, 0), strict=True):
+                self.assertAlmostEqual(float(row["x"]), x / 3, 9)
+                self.assertAlmostEqual(float(row["y"]), y / 3, 9)
+        for tolerance, segments in (("0.5", 1), ("0", 4)):
+            found = self.fitted(segments, *fit, "--tolerance", tolerance, "--method", "schneider")
+            self.assertEqual(len(rows(found)), 4 * segments)
+        self.write("p.csv", "x\n0x1p0\n4\n")
+        self.assertEqual(self.fitted(1, *fit, "--tolerance", "0"), "segment,index,x\n0,0,1\n0,1,2\n0,2,3\n0,3,4\n")
+        for tolerance in ("-1", "nan", "inf", "", "x"):
+            with self.subTest(tolerance=tolerance):
+                self.refused(USAGE, fit + [f"--tolerance={tolerance}"], "--tolerance")
+        self.refused(USAGE, fit, "--tolerance")
+        self.refused(USAGE, fit + ["--tolerance", "1", "--method", "schneidr"], 'did you mean "schneider"?')
+        self.write("p.csv", "x,y\n1,2\n")
+        self.refused(INPUT_OUTPUT, fit + ["--tolerance", "1"], "p.csv: 1 point;", "2 or more")
+
     def test_conversions_both_ways(self):
         for to_power in TO_POWER:
             self.write("q.csv", self.fine("curve", "convert", "--curve", "c.csv", "--method", to_power))

@@ -14,7 +14,6 @@
 #include "experiments/studies/companions.hpp"
 #include "experiments/studies/fitting_tally.hpp"
 #include "experiments/studies/interruption.hpp"
-#include "experiments/suite/names.hpp"
 #include "reference/fit_distance.hpp"
 
 namespace bezierbench::studies {
@@ -25,20 +24,15 @@ constexpr std::int64_t block_trials = 50;
 using Methods = std::vector<const FittingKernel*>;
 
 void check(const suite::Study& study) {
-  const auto refuse = [&](const std::string& what) {
-    throw Failure(Exit::usage, fmt::format("study \"{}\": {}", study.id, what));
-  };
-  if (study.curve != suite::CurveKind::bezier) refuse("data are taken from Bezier curves; write curve = \"bezier\"");
-  if (study.scalar != std::vector{suite::ScalarKind::float64})
-    refuse("fits are computed in double only; leave scalar out");
+  check_bezier_in_double(study);
+  check_independent_points(study);
   if (std::ranges::any_of(study.degree, [](int degree) { return degree < 1; }))
-    refuse("data are taken from curves of degree 1 or more; remove the degree 0");
-  for (const auto& generator : sample::generators())
-    if (generator.limits.exact_coefficients && std::ranges::count(study.generator, generator.id) > 0)
-      refuse(
-          fmt::format("generator \"{}\" draws one polynomial for all axes and no displacements; choose another, see "
-                      "`list generators`",
-                      generator.id));
+    throw Failure(
+        Exit::usage,
+        fmt::format("study \"{}\": data are taken from curves of degree 1 or more; remove the degree 0", study.id));
+  if (study.t_interval != std::vector{suite::Interval{}})
+    throw Failure(Exit::usage,
+                  fmt::format("study \"{}\": data are taken from whole curves; leave t_interval out", study.id));
 }
 
 Methods methods_of(const suite::Study& study, int dimension) {
