@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where the data turn sharply, and which way they go elsewhere. Both look at points two tolerances away, for nearer
 // ones say more about noise than about the shape: noise of half the tolerance turns two arms of two tolerances by less
-// than 2 asin(1/2) = 60 degrees.
+// than 2 asin(1/2) = 60 degrees. A corner is sharp to arms of a quarter of that, too: else it is a bend, which the data
+// resolve.
 #pragma once
 
 #include <vector>
@@ -33,10 +34,9 @@ class Shape {
   /// is where the way by the ends of the arms is longest: the arms themselves end in steps as coarse as the data. False
   /// for the first and the last point of open data; the two are one in closed data.
   [[nodiscard]] std::vector<bool> corners() const {
-    constexpr double sharp = 0.25;
     const int first = data_.closed ? 0 : 1;
     std::vector<Turn> turns(static_cast<std::size_t>(data_.count()));
-    for (int i = first; i < data_.last(); ++i) turns[static_cast<std::size_t>(i)] = turn_at(i);
+    for (int i = first; i < data_.last(); ++i) turns[static_cast<std::size_t>(i)] = turn_at(i, arm_);
     std::vector<bool> result(turns.size());
     for (int i = first; i < data_.last(); ++i) {
       const Turn& turn = turns[static_cast<std::size_t>(i)];
@@ -53,11 +53,12 @@ class Shape {
   [[nodiscard]] Point<double, Dimension> chord(int from, int to) const {
     const int step = to > from ? 1 : -1;
     int i = from + step;
-    while (i != to && !beyond(from, i) && std::abs(i - from) < most_steps) i += step;
+    while (i != to && !beyond(from, i, arm_) && std::abs(i - from) < most_steps) i += step;
     return data_.points.col(i) - data_.points.col(from);
   }
 
  private:
+  static constexpr double sharp = 0.25;   ///< cosine
   static constexpr int most_steps = 256;  ///< so that long data take no quadratic time
 
   struct Turn {
@@ -66,8 +67,8 @@ class Shape {
     int after = 0;
   };
 
-  [[nodiscard]] bool beyond(int i, int k) const {
-    return length<Dimension>(data_.points.col(k) - data_.points.col(i)) > arm_;
+  [[nodiscard]] bool beyond(int i, int k, double arm) const {
+    return length<Dimension>(data_.points.col(k) - data_.points.col(i)) > arm;
   }
 
   /// The index of a point of closed data that is counted on past the ends.
@@ -76,26 +77,27 @@ class Shape {
     return (i + data_.last()) % data_.last();
   }
 
-  /// Steps from i to a point beyond an arm's length; 0 where there is none.
-  [[nodiscard]] int steps_from(int i, int direction) const {
+  /// Steps from i to a point beyond this arm; 0 where there is none.
+  [[nodiscard]] int steps_from(int i, int direction, double arm) const {
     for (int k = 1; k <= std::min(most_steps, data_.last() - 1); ++k) {
       const int other = i + direction * k;
       if (!data_.closed && (other < 0 || other > data_.last())) return 0;
-      if (beyond(i, around(other))) return k;
+      if (beyond(i, around(other), arm)) return k;
     }
     return 0;
   }
 
-  [[nodiscard]] Turn turn_at(int i) const {
-    const int before = steps_from(i, -1);
-    const int after = steps_from(i, 1);
+  [[nodiscard]] Turn turn_at(int i, double arm) const {
+    const int before = steps_from(i, -1, arm);
+    const int after = steps_from(i, 1, arm);
     if (before == 0 || after == 0) return {};
     const auto in = direction_of<Dimension>(data_.points.col(i) - data_.points.col(around(i - before)));
     const auto out = direction_of<Dimension>(data_.points.col(around(i + after)) - data_.points.col(i));
     return {dot<Dimension>(in, out), before, after};
   }
 
-  /// Marks the points between the ends of the arms of i for which the sum of the distances to them is the largest.
+  /// Marks the points between the ends of the arms of i for which the sum of the distances to them is the largest,
+  /// as far as they are sharp to short arms.
   void mark_tips(int i, const Turn& turn, std::vector<bool>& corner) const {
     const auto before = data_.points.col(around(i - turn.before));
     const auto after = data_.points.col(around(i + turn.after));
@@ -106,7 +108,8 @@ class Shape {
     double longest = 0;
     for (int k = 1 - turn.before; k < turn.after; ++k) longest = std::max(longest, way_by(k));
     for (int k = 1 - turn.before; k < turn.after; ++k)
-      if (way_by(k) == longest) corner[static_cast<std::size_t>(around(i + k))] = true;
+      if (way_by(k) == longest && turn_at(around(i + k), arm_ / 4).cosine < sharp)
+        corner[static_cast<std::size_t>(around(i + k))] = true;
   }
 
   const FitData<Dimension>& data_;
