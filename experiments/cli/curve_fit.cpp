@@ -17,7 +17,7 @@
 namespace bezierbench::cli {
 namespace {
 
-/// It needs fewer segments than Schneider's and gives back the curve that data were taken from.
+/// On most data it needs fewer segments than Schneider's fit, and it gives back the cubic that data were taken from.
 constexpr std::string_view default_method = "gauss_newton";
 
 struct Options {

@@ -21,7 +21,8 @@ def blocks(bundle, findings):
                "exact; a promise is broken where it exceeds the tolerance. Segments are the mean over trials in the cell that needs "
                "most. Data: `samples` of a Bézier curve at equal steps of t, `uneven` at random ones, `noisy` with noise of 2^-10 R, "
                "along the control `polyline`, of a `closed` curve, and `drawn` as by a bad pen, with repetitions and steps backwards. "
-               "Corners of the data are kept, and a tight bend is one to a loose tolerance, so that a curve can have more segments than it needs.")
+               "Corners of the data are kept, and a tight bend is one to a loose tolerance, so that a curve can have more segments "
+               "than it needs.")
 
 
 def _table(study, rows):

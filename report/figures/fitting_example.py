@@ -37,7 +37,8 @@ def draw(bundle):
     canvas.legend(handles=[*handles, Line2D([], [], color=INK, linestyle="none", marker=".", label="data")], loc="lower center",
                   ncol=len(methods) + 1, fontsize=9)
     return finish(canvas, ID, f"Data of cubics and their fits, tolerance {scientific(rows[0]['tolerance'])}; circles are joints; below, "
-                  "the numbers of segments", "数据与分段拟合", "Segments by kind of data and method. " + "; ".join(texts) + ".", bottom=0.35)
+                  "the numbers of segments", "数据与分段拟合", "Segments by kind of data and method. " + "; ".join(texts) + ".",
+                  bottom=0.35)
 
 
 def _draw_fit(ax, rows, i):
@@ -48,5 +49,6 @@ def _draw_fit(ax, rows, i):
     codes = [Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4] * (len(points) // 4)
     ax.add_patch(PathPatch(Path(points, codes), fill=False, edgecolor=COLOURS[i], linewidth=2.6 - 1.2 * i, zorder=1 + i))
     joints = points[0::4] + points[-1:]
-    ax.plot(*zip(*joints), linestyle="none", marker="o", markersize=7 - 2.5 * i, markerfacecolor="none", markeredgecolor=COLOURS[i], zorder=4)
+    ax.plot(*zip(*joints), linestyle="none", marker="o", markersize=7 - 2.5 * i, markerfacecolor="none",
+            markeredgecolor=COLOURS[i], zorder=4)
     return len(points) // 4
