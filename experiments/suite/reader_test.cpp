@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"degree = [3]\nscalar = [\"single\"]", "8:11", "float, double"},
         Refusal{"degree = [3]\ncurve = \"beziér\"", "8:9", "did you mean \"bezier\"?"},
         Refusal{"degree = [3]\nmodes = [\"batch\"]", "8:10", "kind \"timing\""},
-        Refusal{"degree = [3]\npoints = [10]", "8:11", "kind \"interpolation\""},
+        Refusal{"degree = [3]\npoints = [10]", "8:11", "has no data points"},
         Refusal{"degree = [3]\n[[study]]\nid = \"b\"\nkind = \"interpolation\"", "10:8", "points = [10, 100]"},
         Refusal{"degree = [3]\n[[study]]\nid = \"b\"\nkind = \"interpolation\"\npoints = [3, 1]", "11:14", "2 to"},
         Refusal{"degree = [3]\n[[study]]\nid = \"b\"\nkind = \"interpolation\"\npoints = [3]\ndegree = [3]", "12:11",
