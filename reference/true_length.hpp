@@ -7,14 +7,12 @@
 // length of the panels next to it falls like the square of their width. What all panels left open is summed and stated.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <string>
 
 #include "core/curve.hpp"
+#include "reference/length_panels.hpp"
 
 namespace bezierbench::reference {
-
-using LongReal = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<70>>;
 
 class TrueLength {
  public:
