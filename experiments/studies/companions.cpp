@@ -7,6 +7,7 @@
 #include <array>
 #include <span>
 
+#include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "core/derivative/kernel.hpp"
 #include "core/project/kernel.hpp"
@@ -19,7 +20,7 @@ namespace {
 using Infos = std::span<const MethodInfo* const> (*)();
 
 /// One entry for each problem's roster.
-constexpr std::array<Infos, 3> rosters{derivative_infos, arc_length_infos, projection_infos};
+constexpr std::array<Infos, 4> rosters{derivative_infos, arc_length_infos, inverse_arc_length_infos, projection_infos};
 
 }  // namespace
 
