@@ -39,10 +39,9 @@ void refuse_what_is_not_judged(const suite::Study& study) {
                   fmt::format("study \"{}\": projection is in double only; write scalar = [\"double\"]", study.id));
   for (const auto& generator : sample::generators())
     if (generator.limits.exact_coefficients && std::ranges::count(study.generator, generator.id) > 0)
-      throw Failure(Exit::usage,
-                    fmt::format("study \"{}\": generator \"{}\" draws one polynomial for all axes and no point; "
-                                "choose another, see `list generators`",
-                                study.id, generator.id));
+      throw Failure(Exit::usage, fmt::format("study \"{}\": generator \"{}\" draws a curve as a whole and no point; "
+                                             "choose another, see `list generators`",
+                                             study.id, generator.id));
 }
 
 double largest_coordinate(const sample::PlacedPoint& problem) {
