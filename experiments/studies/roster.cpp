@@ -10,6 +10,7 @@
 #include "experiments/studies/arc_length.hpp"
 #include "experiments/studies/conversion.hpp"
 #include "experiments/studies/derivative.hpp"
+#include "experiments/studies/inverse_arc_length.hpp"
 #include "experiments/studies/projection.hpp"
 #include "experiments/studies/roofline.hpp"
 #include "experiments/studies/search.hpp"
@@ -31,6 +32,7 @@ constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      
                            StudyKind{suite::Kind::roofline, roofline_job},
                            StudyKind{suite::Kind::derivative, derivative_job},  //
                            StudyKind{suite::Kind::arc_length, arc_length_job},  //
+                           StudyKind{suite::Kind::inverse_arc_length, inverse_arc_length_job},
                            StudyKind{suite::Kind::projection, projection_job}};
 
 }  // namespace
