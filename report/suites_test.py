@@ -8,7 +8,7 @@ from pathlib import Path
 
 from . import fixture
 from .bundle import Bundle, BundleError, Missing
-from .chapters import (arc_length, conditioning, conversion, derivative, ladder, peers, projection, rational, regimes,
+from .chapters import (arc_length, conditioning, conversion, derivative, inverse_arc_length, ladder, peers, projection, rational, regimes,
                        worst)
 from .chapters.roster import build_all
 from .error_tables import swept
@@ -16,7 +16,8 @@ from .findings.roster import find_all
 from .search_tables import search_tables
 
 CHAPTERS = {"ladder": ladder, "regimes": regimes, "conditioning": conditioning, "conversion": conversion, "worst": worst,
-            "rational": rational, "peers": peers, "derivative": derivative, "arc_length": arc_length, "projection": projection}
+            "rational": rational, "peers": peers, "derivative": derivative, "arc_length": arc_length,
+            "inverse_arc_length": inverse_arc_length, "projection": projection}
 
 
 def _only(*suites):
