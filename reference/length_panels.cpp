@@ -89,6 +89,17 @@ LongReal LongHodograph::chord() const {
   return sqrt(square) / (degree() + 1);
 }
 
+bool LongHodograph::points_forward() const {
+  std::vector<LongReal> mean(dimension, 0);
+  for (std::size_t k = 0; k < vectors.size(); ++k) mean[k % dimension] += vectors[k];
+  for (std::size_t i = 0; i < vectors.size(); i += dimension) {
+    LongReal along = 0;
+    for (std::size_t axis = 0; axis < dimension; ++axis) along += vectors[i + axis] * mean[axis];
+    if (along < 0) return false;
+  }
+  return true;
+}
+
 LongReal LongHodograph::fine_sum() const {
   static const auto rule = gauss_rule(fine_points);
   return sum(*this, rule);
@@ -113,10 +124,13 @@ void LengthPanels::add(LongHodograph h, const LongReal& begin, const LongReal& w
   static const auto coarse_rule = gauss_rule(coarse_points);
   const LongReal slack = width * (h.polygon() - h.chord());
   const LongReal fine = width * h.fine_sum();
-  const LongReal difference = slack <= negligible_ ? slack : abs(fine - width * sum(h, coarse_rule));
-  if (difference <= negligible_ || depth == depth_limit) {
+  const bool flat = slack <= negligible_;
+  const LongReal difference = flat ? slack : abs(fine - width * sum(h, coarse_rule));
+  // A turn nearer to an end than every node of both rules is seen by neither: they agree, and are wrong.
+  const bool certain = flat || (difference <= negligible_ && h.points_forward());
+  if (certain || depth == depth_limit) {
     length_ += fine;
-    uncertainty_ += abs(difference);
+    uncertainty_ += certain ? difference : slack;
     panels_.push_back({begin, width, std::move(h), fine});
     return;
   }

@@ -28,6 +28,9 @@ struct LongHodograph {
   [[nodiscard]] LongReal polygon() const;
   [[nodiscard]] LongReal chord() const;
 
+  /// True where no vector points away from their mean: then the speed is nowhere 0 inside, and the curve does not turn.
+  [[nodiscard]] bool points_forward() const;
+
   /// The integral of the speed over [0, 1] by the Gauss-Legendre rule with 44 points.
   [[nodiscard]] LongReal fine_sum() const;
 };
