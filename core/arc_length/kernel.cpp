@@ -17,13 +17,16 @@ template <ArcLengthMethod M, int Dimension>
 ArcLength measure(const CurveView<double>& view, double from, double to, double tolerance) {
   auto curve = instantiate::load<Form::bernstein, Dimension>(view);
   int exponent = normalise(curve);  // or else differences may overflow
-  auto h = hodograph(curve, 1);
+  const auto whole = hodograph(curve, 1);
+  auto h = whole;
   restrict_to(h, from, to);
+  const double rounding = std::ldexp(rounding_of_part(whole, h, from, to), exponent);
   exponent += normalise(h);
   if (is_zero(h) || from == to) return {.length = 0, .error_estimate = 0, .evaluations = 0, .converged = true};
   ArcLength result = M::measure(h, tolerance);
   result.length = std::ldexp(result.length * (to - from), exponent);
-  result.error_estimate = std::ldexp(result.error_estimate * (to - from), exponent);
+  result.error_estimate = std::ldexp(result.error_estimate * (to - from), exponent) + rounding;
+  result.converged = result.converged && result.error_estimate <= tolerance * result.length;
   return result;
 }
 

@@ -23,19 +23,13 @@ class PartLength {
       : hodograph_(hodograph),
         whole_(GaussLegendreAdaptive::measure(hodograph, std::max(tolerance, finest_tolerance) / 8)),
         share_(std::max(tolerance, finest_tolerance) / 8 * whole_.length),
-        evaluations_(whole_.evaluations) {
-    constexpr double u = 0x1p-53;
-    for (int i = 0; i <= hodograph.degree(); ++i)
-      for (int axis = 0; axis < Dimension; ++axis)
-        rounding_ = std::max(rounding_, Dimension * u * std::abs(hodograph(axis, i)));
-  }
+        evaluations_(whole_.evaluations) {}
 
   [[nodiscard]] const ArcLength& whole() const { return whole_; }
 
   /// Of the part between a and b, negative where b < a, and its error: for the quadrature at most an eighth of the
-  /// tolerance times |b - a|, unless it says so. Besides, cutting the curve rounds its parameter, which moves the end
-  /// of the part by u, and its control vectors, the mean of |h| over the part by 6 (m + 1) u of their largest. Only
-  /// parts that begin at 0 may leave [0, 1].
+  /// tolerance times |b - a|, unless it says so, and what cutting the curve rounds. Only parts that begin at 0 may
+  /// leave [0, 1].
   ArcLength operator()(double a, double b) {
     if (b < a && a > 0) {
       auto backwards = (*this)(b, a);
@@ -50,8 +44,7 @@ class PartLength {
         GaussLegendreAdaptive::measure_within(part, std::max(share_, finest_tolerance / 8 * polygon_length(part)));
     evaluations_ += result.evaluations;
     result.length *= width;
-    const double roundings = rounding_ * (1 + 6 * (part.degree() + 1) * std::abs(width));
-    result.error_estimate = result.error_estimate * std::abs(width) + roundings;
+    result.error_estimate = result.error_estimate * std::abs(width) + rounding_of_part(hodograph_, part, a, b);
     return result;
   }
 
@@ -61,7 +54,6 @@ class PartLength {
   Curve<Form::bernstein, double, Dimension> hodograph_;
   ArcLength whole_;
   double share_;
-  double rounding_ = 0;
   std::int64_t evaluations_;
 };
 
