@@ -21,13 +21,13 @@ struct InputColumn {
 };
 
 constexpr std::array columns{
-    InputColumn{"study", false},     InputColumn{"table", false},  InputColumn{"curve", false},
-    InputColumn{"method", false},    InputColumn{"scalar", false}, InputColumn{"dimension", true},
-    InputColumn{"degree", true},     InputColumn{"mode", false},   InputColumn{"coordinate_range", true},
-    InputColumn{"t_min", true},      InputColumn{"t_max", true},   InputColumn{"generator", false},
-    InputColumn{"trials", true},     InputColumn{"budget", true},  InputColumn{"baseline", false},
-    InputColumn{"statistic", false}, InputColumn{"order", true},   InputColumn{"tolerance", true},
-    InputColumn{"placement", false},
+    InputColumn{"study", false},     InputColumn{"table", false},   InputColumn{"curve", false},
+    InputColumn{"method", false},    InputColumn{"scalar", false},  InputColumn{"dimension", true},
+    InputColumn{"degree", true},     InputColumn{"mode", false},    InputColumn{"coordinate_range", true},
+    InputColumn{"t_min", true},      InputColumn{"t_max", true},    InputColumn{"generator", false},
+    InputColumn{"trials", true},     InputColumn{"budget", true},   InputColumn{"baseline", false},
+    InputColumn{"statistic", false}, InputColumn{"order", true},    InputColumn{"tolerance", true},
+    InputColumn{"placement", false}, InputColumn{"spacing", false}, InputColumn{"index", true},
 };
 
 /// A conversion is the method of its table.

@@ -2,7 +2,7 @@
 """Points at equal steps of t and at equal steps of the length."""
 
 from ..bundle import Missing
-from ..wording import general
+from ..wording import span
 from .canvas import COLOURS, FAINT, finish, panels, styled
 
 ID = "spacing"
@@ -29,6 +29,6 @@ def draw(bundle):
             ax.set_aspect("equal", adjustable="datalim")
             ax.set_title(f"{STUDIES[study][0].upper()}{STUDIES[study][1:]}, {words}", loc="left")
             if gaps:
-                texts.append(f"{STUDIES[study]}, {words}: gaps of {general(min(gaps))} to {general(max(gaps))} of the mean")
+                texts.append(f"{STUDIES[study]}, {words}: gaps of {span(min(gaps), max(gaps), lambda gap: f'{gap:.2f}')} of the mean")
     return finish(canvas, ID, "Points at equal steps of t, left, and at equal steps of the length, right",
                   "等参数步长（左）与等弧长（右）取点", "; ".join(texts) + ".", bottom=0.1)

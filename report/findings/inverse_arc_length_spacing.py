@@ -25,6 +25,6 @@ def find(bundle):
         id="inverse_arc_length_spacing", about="suite", suite=SUITE, claim="", holds=holds,
         headline="Points at equal steps of t are not evenly spaced, points at equal steps of the length are." if holds else
         "Points are not spaced as expected: even at equal steps of the length, and only there.",
-        detail=(f"On {len(studies)} drawn curves, 20 steps of t cover {general(least['gap'])} to {general(most['gap'])} times the "
+        detail=(f"On {len(studies)} drawn curves, equal steps of t cover {general(least['gap'])} to {general(most['gap'])} times the "
                 "mean step of the length.",),
         rows=(least, most, *uneven))
