@@ -20,6 +20,6 @@ function(bezierbench_folder name)
     set_target_properties(${name}_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
     target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>) # they run for seconds and compile for minutes
     target_compile_definitions(${name}_test PRIVATE BEZIERBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+    gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${BEZIERBENCH_TEST_SECONDS})
   endif()
 endfunction()

@@ -2,19 +2,18 @@
 // The true arc length of a Bezier curve, to at least 30 digits.
 //
 // The speed is integrated in 70 digits by Gauss-Legendre rules of 30 and of 44 points, panel by panel: a panel is taken
-// where both rules agree, or where its control polygon, never shorter than the arc, exceeds its chord, never longer, by
-// next to nothing; else it is halved. At a cusp, whose place need not be known, the second rule ends the halving: the
-// length of the panels next to it falls like the square of their width. What all panels left open is summed and stated.
+// where both rules agree and no control vector of the hodograph points backwards, or where its control polygon, never
+// shorter than the arc, exceeds its chord, never longer, by next to nothing; else it is halved. At a cusp, whose place
+// need not be known, the second rule ends the halving: the length of the panels next to it falls like the square of
+// their width. What all panels left open is summed and stated.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <string>
 
 #include "core/curve.hpp"
+#include "reference/length_panels.hpp"
 
 namespace bezierbench::reference {
-
-using LongReal = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<70>>;
 
 class TrueLength {
  public:

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
@@ -32,6 +33,23 @@ TEST(TrueLength, IsTheKnownOneToThirtyTwoDigits) {
   // its part from u = -1/2 to 3/4
   const auto from_cusp = [](const LongReal& u) { return (pow(4 + 9 * u * u, LongReal(1.5)) - 8) / 9; };
   expect_digits(length_of({3, -3, -1, 3, -1, -3, 3, 3}, 2, 0.25, 0.875), from_cusp(0.5) + from_cusp(0.75));
+}
+
+/// Turns and cusps next to the end of a panel, where no node of a quadrature rule sees them: (u^2) on a line and
+/// 3 (u^2, u^3) in the plane, u = t - k, with exact control points.
+TEST(TrueLength, SeesATurnThatNoNodeSees) {
+  const auto from_cusp = [](const LongReal& u) { return (pow(4 + 9 * u * u, LongReal(1.5)) - 8) / 9; };
+  for (int level = 1; level < 10; ++level)
+    for (const double beside : {1 + 0x1p-11, 1 - 0x1p-12}) {
+      const double k = std::ldexp(beside, -level);
+      const double w = 1 - k;
+      expect_digits(length_of({k * k, k * k - k, w * w}, 1), LongReal(k) * k + LongReal(w) * w);
+      if (level > 3) continue;  // beyond, the control points are rounded
+      const auto cusp = length_of({3 * k * k, -3 * k * k * k, 3 * k * k - 2 * k, 3 * k * k * w, 3 * k * k - 4 * k + 1,
+                                   -3 * k * w * w, 3 * w * w, 3 * w * w * w},
+                                  2);
+      expect_digits(cusp, from_cusp(k) + from_cusp(w));
+    }
 }
 
 TEST(TrueLength, OfAPointIsZero) {

@@ -17,7 +17,8 @@ SCHEMA_VERSION = 1
 TEXT = frozenset(
     "study accuracy_study table curve method conversion scalar generator baseline status statistic verdict note tier mode "
     "relative_to target goal_met quality checked pareto id problem form bound bit_stable flops citation worst_id search_id t "
-    "coefficients weights placement data kind bundle against file column fact cpu compiler machine normalised_verdict".split())
+    "coefficients weights placement spacing data kind bundle against file column fact cpu compiler machine "
+    "normalised_verdict".split())
 
 _ACCURACY = ("study curve method scalar dimension degree coordinate_range t_min t_max generator trials baseline status "
              "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split()
@@ -38,6 +39,10 @@ REQUIRED = {
                        "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split(),
     "arc_length.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator tolerance trials status "
                        "mean_relative max_relative mean_evaluations non_converged broken_promises non_finite").split(),
+    "inverse_arc_length.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator tolerance trials "
+                               "status mean_relative max_relative max_t_error mean_iterations max_iterations mean_evaluations "
+                               "non_converged broken_promises outside non_finite").split(),
+    "spacing.csv": "study dimension degree coordinate_range generator trial spacing index t x y share gap".split(),
     "projection.csv": _PROJECTION,
     "projection_unstable.csv": _PROJECTION,
     "interpolation.csv": ("study method scalar dimension degree coordinate_range generator points trials status max_error_u max_data_u "
@@ -65,7 +70,7 @@ REQUIRED = {
 
 # Columns that say what a row is about; a row of the files above without one of them is malformed.
 KEYS = frozenset("study accuracy_study pareto table curve method conversion scalar dimension degree generator order points tolerance "
-                 "trials baseline status statistic tier mode id search_id worst_id target placement data".split())
+                 "trials baseline status statistic tier mode id search_id worst_id target placement spacing data".split())
 # The exceptions: a sentinel is timed over all degrees of a study; data that curves are fitted to are no method's.
 MAY_BE_EMPTY = frozenset({("timing.csv", "degree"), ("fitting_example.csv", "method")})
 # Tables in which it depends on the row which columns apply and whether they hold a number.

@@ -3,6 +3,7 @@
 
 import csv
 import json
+import math
 from pathlib import Path
 
 from .bundle import REQUIRED
@@ -154,6 +155,28 @@ def conversion():
                    for (curve, m), ends in errors.items() for n, e in zip(DEGREES, ends)]
 
 
+def inverse_arc_length():
+    def row(method, tolerance, failed):
+        return dict(study="inverse_arc_length-tolerance", curve="bezier", method=method, scalar="double", dimension=2, degree=3,
+                    coordinate_range=1, t_min=0, t_max=1, generator="continuous", tolerance=tolerance, trials=100, status="ok",
+                    mean_relative=tolerance / 9, max_relative=tolerance * (0.5 if not failed else 1e3), max_t_error=tolerance * 2,
+                    mean_iterations=5.5, max_iterations=9, mean_evaluations=200, non_converged=failed, broken_promises=0,
+                    outside=failed, non_finite=0)
+    return [row(m, tolerance, 7 if m == "seed_000_newton" else 0) for m in ("bracketed_newton", "halley", "seed_000_newton")
+            for tolerance in (1e-3, 1e-9)]
+
+
+def spacing():
+    """A half circle, near enough, run through ever faster."""
+    def row(spacing, index, angle, gap=""):
+        return dict(study="inverse_arc_length-tolerance", dimension=2, degree=3, coordinate_range=1, generator="continuous", trial=0,
+                    spacing=spacing, index=index, t=index / 4, x=math.cos(angle), y=math.sin(angle), z="", share=angle / math.pi,
+                    gap=gap)
+    return ([row("outline", k, k / 4 * math.pi) for k in range(5)]
+            + [row("parameter", k, (k / 4) ** 2 * math.pi, (2 * k - 1) / 4 if k else "") for k in range(5)]
+            + [row("arc_length", k, k / 4 * math.pi, 1.0 if k else "") for k in range(5)])
+
+
 def derivative():
     """Mean errors in u p~ by study and method, for orders 1 and 2."""
     ends = {("derivative-order", "differences_de_casteljau"): (0.5, 0.5), ("derivative-order", "seed_000"): (0.5, 1e15),
@@ -295,10 +318,11 @@ def fitting_example():
 
 
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
-         "conversion.csv": conversion, "derivative.csv": derivative, "arc_length.csv": arc_length, "projection.csv": projection,
+         "conversion.csv": conversion, "derivative.csv": derivative, "arc_length.csv": arc_length,
+         "inverse_arc_length.csv": inverse_arc_length, "spacing.csv": spacing, "projection.csv": projection,
          "projection_unstable.csv": projection_unstable, "interpolation.csv": interpolation, "fitting.csv": fitting,
-         "fitting_example.csv": fitting_example, "search.csv": search, "worst.csv": worst,
-         "methods.csv": methods, "audit.csv": audit, "timing.csv": timing, "pareto.csv": pareto, "roofline.csv": roofline}
+         "fitting_example.csv": fitting_example, "search.csv": search, "worst.csv": worst, "methods.csv": methods,
+         "audit.csv": audit, "timing.csv": timing, "pareto.csv": pareto, "roofline.csv": roofline}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}
 

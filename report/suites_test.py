@@ -8,16 +8,16 @@ from pathlib import Path
 
 from . import fixture
 from .bundle import Bundle, BundleError, Missing
-from .chapters import (arc_length, conditioning, conversion, derivative, fitting, interpolation, ladder, peers, projection, rational, regimes,
-                       worst)
+from .chapters import (arc_length, conditioning, conversion, derivative, fitting, interpolation, inverse_arc_length, ladder, peers,
+                       projection, rational, regimes, worst)
 from .chapters.roster import build_all
 from .error_tables import swept
 from .findings.roster import find_all
 from .search_tables import search_tables
 
 CHAPTERS = {"ladder": ladder, "regimes": regimes, "conditioning": conditioning, "conversion": conversion, "worst": worst,
-            "rational": rational, "peers": peers, "derivative": derivative, "arc_length": arc_length, "projection": projection,
-            "interpolation": interpolation, "fitting": fitting}
+            "rational": rational, "peers": peers, "derivative": derivative, "arc_length": arc_length,
+            "inverse_arc_length": inverse_arc_length, "projection": projection, "interpolation": interpolation, "fitting": fitting}
 
 
 def _only(*suites):

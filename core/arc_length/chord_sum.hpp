@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/arc_length/arc_length.hpp"
-#include "core/basis/error_bound.hpp"
+#include "core/arc_length/points.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
 
 namespace bezierbench {
@@ -42,7 +42,7 @@ struct ChordSum {
     for (int k = 0; k <= chords; ++k)
       points.push_back(HornerBernstein::evaluate(prepared, static_cast<double>(k) / chords));
     const double bend = largest_bend(hodograph);
-    const double rounding = point_error(curve);
+    const double rounding = rounding_of_chord(curve);
     for (int doubling = 0;; ++doubling) {
       auto result = sum_of_chords(points, bend);
       const double roundings = chords * rounding;
@@ -57,19 +57,6 @@ struct ChordSum {
   }
 
  private:
-  /// The curve with this hodograph that begins at the origin.
-  template <int Dimension>
-  static Curve<Form::bernstein, double, Dimension> curve_of(
-      const Curve<Form::bernstein, double, Dimension>& hodograph) {
-    const int n = hodograph.degree() + 1;
-    Curve<Form::bernstein, double, Dimension> curve(n);
-    for (int axis = 0; axis < Dimension; ++axis) {
-      curve(axis, 0) = 0;
-      for (int i = 0; i < n; ++i) curve(axis, i + 1) = curve(axis, i) + hodograph(axis, i) / n;
-    }
-    return curve;
-  }
-
   template <class Prepared, int Dimension>
   static std::vector<Point<double, Dimension>> with_middles(const Prepared& prepared,
                                                             const std::vector<Point<double, Dimension>>& points) {
@@ -112,16 +99,6 @@ struct ChordSum {
       largest = std::max(largest, hodograph.degree() * std::sqrt(square));
     }
     return largest;
-  }
-
-  /// What roundings can change one chord by: two points, each with the roundings of its evaluation.
-  template <int Dimension>
-  static double point_error(const Curve<Form::bernstein, double, Dimension>& curve) {
-    constexpr double u = 0x1p-53;
-    double largest = 0;
-    for (int i = 0; i <= curve.degree(); ++i)
-      for (int axis = 0; axis < Dimension; ++axis) largest = std::max(largest, std::abs(curve(axis, i)));
-    return 2 * Dimension * u * gamma_over_u(4 * curve.degree() + 8, u) * largest;
   }
 };
 

@@ -38,12 +38,22 @@ struct GaussLegendreAdaptive {
 
   template <int Dimension>
   static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {
+    // The tolerance made absolute by a first length, of which half is taken, for that length may be too large.
+    ArcLength first;
+    const double first_length = integral<24>(hodograph, first);
+    auto result = measure_within(hodograph, tolerance * first_length / 2);
+    result.evaluations += first.evaluations;
+    result.converged = result.error_estimate <= tolerance * result.length;
+    return result;
+  }
+
+  /// The same for an absolute tolerance of the integral over [0, 1]; `converged` where the estimate is at most that.
+  template <int Dimension>
+  static ArcLength measure_within(const Curve<Form::bernstein, double, Dimension>& hodograph, double absolute) {
     ArcLength result;
     result.error_estimate = rounding_of_length(hodograph, 6 * hodograph.degree() + 3 * depth_limit + 32);
-    // The tolerance made absolute by a first length, of which half is taken, for that length may be too large.
-    const double first_length = integral<24>(hodograph, result);
-    add_panel(Panel<Dimension>{hodograph, 1, tolerance * first_length / 2, 0}, result);
-    result.converged = result.error_estimate <= tolerance * result.length;
+    add_panel(Panel<Dimension>{hodograph, 1, absolute, 0}, result);
+    result.converged = result.error_estimate <= absolute;
     return result;
   }
 

@@ -9,6 +9,7 @@
 
 #include "core/arc_length/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
+#include "reference/true_length.hpp"
 
 namespace bezierbench {
 namespace {
@@ -112,6 +113,24 @@ TEST(ArcLength, KeepsItsToleranceWhereverACuspIs) {
               << kernel.info->id << " " << curve.name << " trial " << trial << " tolerance " << tolerance;
         }
   }
+}
+
+/// Parts next to a cusp, where what cutting the curve rounds is much against the length.
+TEST(ArcLength, KeepsItsToleranceNextToACusp) {
+  const CurveView<double> curve{Form::bernstein, 2, 3, cusp};
+  for (int width = 1; width < 50; width += 4)
+    for (const double beside : {0.0, 0.3, 1.0}) {
+      const double from = 0.5 - std::ldexp(beside, -width);
+      const double to = 0.5 + std::ldexp(1.0, -width);
+      const reference::TrueLength truth(curve, from, to);
+      const auto length = truth.value().convert_to<double>();
+      for (const auto& kernel : arc_length_kernels(2))
+        for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
+          const auto result = kernel.measure(curve, from, to, tolerance);
+          EXPECT_TRUE(!result.converged || truth.error_of(result.length) <= tolerance * length)
+              << kernel.info->id << " " << from << " " << to << " tolerance " << tolerance;
+        }
+    }
 }
 
 TEST(ArcLength, AdaptiveMethodsConvergeWhereTheyCan) {

@@ -23,6 +23,7 @@ void add_curve_eval(CLI::App& curve);
 void add_curve_convert(CLI::App& curve);
 void add_curve_derivative(CLI::App& curve);
 void add_curve_length(CLI::App& curve);
+void add_curve_at_length(CLI::App& curve);
 void add_curve_project(CLI::App& curve);
 void add_curve_interpolate(CLI::App& curve);
 void add_curve_fit(CLI::App& curve);

@@ -121,6 +121,33 @@ class Curves(Case):
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, length + arguments, *needles)
 
+    def test_at_length(self):
+        columns = ["method", "t", "iterations", "converged", "exact_t", "error", "error_estimate", "length_error"]
+        self.write("half.csv", "x\n0\n2\n-1\n")  # 4t - 5t^2 turns at 2/5: 4/5 up, 9/5 down; a length of 1 at 3/5
+        at_length = ["curve", "at-length", "--curve", "half.csv"]
+        for question in (["--length", "1"], ["--length", "1", "--tolerance", "1e-12"]):
+            found = rows(self.fine(*at_length, *question))
+            self.assertEqual(list(found[0]), columns)
+            self.assertEqual({row["exact_t"] for row in found}, {"0.6"})
+            for row in found:
+                self.assertLess(abs(abs(float(row["t"]) - 0.6) - float(row["error"])), 2e-16)
+                if row["converged"] == "yes":
+                    self.assertLessEqual(float(row["length_error"]), float(row["error_estimate"]))
+            self.assertEqual([row["converged"] for row in found if row["method"] in ("bracketed_newton", "halley")], ["yes"] * 2)
+        beyond = rows(self.fine(*at_length, "--fraction", "1", "--tolerance", "1e-18", "--method", "halley"))
+        self.assertEqual((beyond[0]["exact_t"], beyond[0]["converged"]), ("1", "no"))
+        self.write("point.csv", "x,y\n1,2\n1,2\n")
+        point = rows(self.fine("curve", "at-length", "--curve", "point.csv", "--length", "0"))
+        self.assertEqual({(row["t"], row["converged"], row["error"]) for row in point}, {("0", "yes", "0")})
+        for arguments, *needles in [
+                (["--length", "2.7"], "--length 2.7", "2.6", "half.csv"), (["--length=-0.1"], "--length -0.1"),
+                (["--fraction", "1.5"], "--fraction 1.5"), (["--length", "nan"], "--length"), ([], "--length"),
+                (["--length", "1", "--fraction", "0.5"], "--fraction"), (["--length", "1", "--tolerance", "0"], "--tolerance"),
+                (["--length", "1", "--form", "power"], "power form", "curve convert"),
+                (["--length", "1", "--method", "newton"], "--method newton")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, at_length + arguments, *needles)
+
     def test_every_listed_method_evaluates(self):
         for form in ("bernstein", "power"):
             found = rows(self.fine("curve", "eval", "--curve", "c.csv", "--form", form, "--t", "0.25"))

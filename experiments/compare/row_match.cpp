@@ -28,6 +28,7 @@ constexpr std::array columns{
     InputColumn{"trials", true},     InputColumn{"budget", true},  InputColumn{"baseline", false},
     InputColumn{"statistic", false}, InputColumn{"order", true},   InputColumn{"tolerance", true},
     InputColumn{"placement", false}, InputColumn{"data", false},   InputColumn{"points", true},
+    InputColumn{"spacing", false},   InputColumn{"segment", true}, InputColumn{"index", true},
 };
 
 /// A conversion is the method of its table.

@@ -40,6 +40,15 @@ void fill(Words& words, const Cell& cell, Trial& out) {
   }
 }
 
+template <CurveGenerator G>
+void fill(Words& words, const Cell& cell, Trial& out) {
+  static_assert(!G::info.limits.weights && G::info.limits.exact_coefficients);
+  out.t = G::parameter(words, cell.t_interval);
+  out.weights.clear();
+  G::curve(words, cell.dimension, out.coefficients);
+  for (double& coordinate : out.coefficients) coordinate *= cell.coordinate_range;
+}
+
 using Fill = void (*)(Words&, const Cell&, Trial&);
 
 constexpr auto infos = []<class... Gs>(const std::tuple<Gs...>*) {

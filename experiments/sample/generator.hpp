@@ -49,7 +49,14 @@ concept PolynomialGenerator = ParameterGenerator<G> &&
   { G::polynomial(words, curve, coefficients) } -> std::same_as<void>;
 };
 
+/// Draws the coordinates of a whole curve in Bernstein form, point by point, for R = 1. They are exact, and so is R
+/// times them for the R that the limits allow.
 template <class G>
-concept Generator = CoordinateGenerator<G> || PolynomialGenerator<G>;
+concept CurveGenerator = ParameterGenerator<G> && requires(Words& words, int dimension, std::span<double> coordinates) {
+  { G::curve(words, dimension, coordinates) } -> std::same_as<void>;
+};
+
+template <class G>
+concept Generator = CoordinateGenerator<G> || PolynomialGenerator<G> || CurveGenerator<G>;
 
 }  // namespace bezierbench::sample

@@ -6,6 +6,7 @@
 
 #include "experiments/sample/clustered_roots.hpp"
 #include "experiments/sample/continuous.hpp"
+#include "experiments/sample/cusp.hpp"
 #include "experiments/sample/distant.hpp"
 #include "experiments/sample/dyadic.hpp"
 #include "experiments/sample/graded.hpp"
@@ -25,6 +26,7 @@ using Generators = std::tuple<Continuous,      //
                               WeightsWild,     //
                               MultipleRoot,    //
                               ClusteredRoots,  //
+                              Cusp,            //
                               Distant,         //
                               Graded>;
 

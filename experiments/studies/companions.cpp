@@ -7,6 +7,7 @@
 #include <array>
 #include <span>
 
+#include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "core/derivative/kernel.hpp"
 #include "core/fit/kernel.hpp"
@@ -24,8 +25,9 @@ namespace {
 using Infos = std::span<const MethodInfo* const> (*)();
 
 /// One entry for each problem's roster, and one for the methods of other libraries.
-constexpr std::array<Infos, 6> rosters{derivative_infos,    arc_length_infos, projection_infos,
-                                       interpolation_infos, fitting_infos,    companion_peer_infos};
+constexpr std::array<Infos, 7> rosters{derivative_infos,    arc_length_infos,    inverse_arc_length_infos,
+                                       projection_infos,    interpolation_infos, fitting_infos,
+                                       companion_peer_infos};
 
 }  // namespace
 
@@ -66,7 +68,7 @@ void check_bezier_in_double(const suite::Study& study) {
 void check_independent_points(const suite::Study& study) {
   for (const auto& generator : sample::generators())
     if (generator.limits.exact_coefficients && std::ranges::count(study.generator, generator.id) > 0)
-      throw Failure(Exit::usage, fmt::format("study \"{}\": generator \"{}\" draws one polynomial for all axes, not "
+      throw Failure(Exit::usage, fmt::format("study \"{}\": generator \"{}\" draws a curve as a whole, not "
                                              "points; choose another, see `list generators`",
                                              study.id, generator.id));
 }

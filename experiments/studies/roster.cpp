@@ -12,6 +12,7 @@
 #include "experiments/studies/derivative.hpp"
 #include "experiments/studies/fitting.hpp"
 #include "experiments/studies/interpolation.hpp"
+#include "experiments/studies/inverse_arc_length.hpp"
 #include "experiments/studies/projection.hpp"
 #include "experiments/studies/roofline.hpp"
 #include "experiments/studies/search.hpp"
@@ -31,8 +32,9 @@ constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      
                            StudyKind{suite::Kind::conversion, conversion_job},  //
                            StudyKind{suite::Kind::timing, timing_job},          //
                            StudyKind{suite::Kind::roofline, roofline_job},
-                           StudyKind{suite::Kind::derivative, derivative_job},        //
-                           StudyKind{suite::Kind::arc_length, arc_length_job},        //
+                           StudyKind{suite::Kind::derivative, derivative_job},  //
+                           StudyKind{suite::Kind::arc_length, arc_length_job},  //
+                           StudyKind{suite::Kind::inverse_arc_length, inverse_arc_length_job},
                            StudyKind{suite::Kind::projection, projection_job},        //
                            StudyKind{suite::Kind::interpolation, interpolation_job},  //
                            StudyKind{suite::Kind::fitting, fitting_job}};

@@ -7,7 +7,8 @@ from ..bundle import Missing
 from ..document import Chapter
 
 NAMES = """found scorecard tables figures truth ladder regimes conditioning conversion worst rational derivative arc_length
-           projection interpolation fitting timing choosing roofline peers comparison audit method_list how_measured provenance""".split()
+           inverse_arc_length projection interpolation fitting timing choosing roofline peers comparison audit method_list
+           how_measured provenance""".split()
 ROSTER = tuple(import_module(f".{name}", __package__) for name in NAMES)
 
 

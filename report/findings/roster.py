@@ -11,8 +11,8 @@ NAMES = """cells_inside bounds_hold yardstick_ranking common_rounding forward_su
            regimes_float regimes_dimension conditioning conversion_norm conversion_parts conversion_growth worst_bounds worst_gain
            rational_weights projection_isolate projection_printed choosing roofline roofline_subnormal peers_accuracy peers_cache
            derivative_as_printed derivative_distant derivative_bounds arc_length_promise arc_length_cost
-           fitting_promise fitting_source
-           interpolation_residuals""".split()
+           inverse_arc_length_brackets inverse_arc_length_unguarded inverse_arc_length_spacing
+           fitting_promise fitting_source interpolation_residuals""".split()
 ROSTER = tuple(import_module(f".{name}", __package__) for name in NAMES)
 
 

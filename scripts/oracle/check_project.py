@@ -17,6 +17,8 @@ import tempfile
 from fractions import Fraction
 from pathlib import Path
 
+from drawn_curves import constant, graded, integers, mirrored, straight, uniform, write_curve
+
 COLUMNS = "method,t,distance,candidates,exact_t,exact_distance,error".split(",")
 GRID = 128
 ALWAYS = {"quintic_isolate", "quintic_companion", "subdivide_hull", "scan_bisect", "scan_refine"}
@@ -38,33 +40,6 @@ def slope(points, target, t):
     """(C - P).C' / n."""
     difference = [[b - a for a, b in zip(p, q)] for p, q in zip(points, points[1:])]
     return sum((a - b) * v for a, b, v in zip(point_at(points, t), target, point_at(difference, t)))
-
-
-def uniform(draw, n, d):
-    return [[draw.uniform(-1, 1) for _ in range(d)] for _ in range(n + 1)]
-
-
-def integers(draw, n, d):
-    return [[float(draw.randint(-3, 3)) for _ in range(d)] for _ in range(n + 1)]
-
-
-def graded(draw, n, d):
-    return [[draw.uniform(-1, 1) * 2.0 ** draw.randint(-40, 40) for _ in range(d)] for _ in range(n + 1)]
-
-
-def straight(draw, n, d):
-    step = [float(draw.randint(-3, 3)) for _ in range(d)]
-    return [[i * s for s in step] for i in range(n + 1)]
-
-
-def constant(draw, n, d):
-    return uniform(draw, 0, d) * (n + 1)
-
-
-def mirrored(draw, n, d):
-    half = uniform(draw, n // 2, d)
-    whole = half + [[-p[0], *p[1:]] for p in reversed(half)]
-    return whole[: n + 1] if n % 2 else whole[: n // 2] + [[0.0, *half[-1][1:]]] + whole[n // 2 + 2:]
 
 
 KINDS = (uniform, integers, graded, straight, constant, mirrored)
@@ -132,8 +107,7 @@ def main():
     with tempfile.TemporaryDirectory() as place:
         file = Path(place) / "c.csv"
         for name, points, target in cases(arguments.seed):
-            head = ",".join("xyz"[: len(target)])
-            file.write_text("\n".join([head, *(",".join(x.hex() for x in p) for p in points), ""]), encoding="ascii")
+            write_curve(file, points)
             command = [arguments.program, "curve", "project", "--curve", str(file),
                        "--point=" + ",".join(x.hex() for x in target)]
             result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)

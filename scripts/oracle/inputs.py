@@ -19,7 +19,7 @@ from fractions import Fraction
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SUITES = [ROOT / f"experiments/suites/{name}.toml" for name in ("report", "conditioning", "derivative")]
+SUITES = [ROOT / f"experiments/suites/{name}.toml" for name in ("report", "conditioning", "derivative", "inverse_arc_length")]
 DRAWS = ROOT / "experiments/sample/first_draws.csv"
 COLUMNS = ["study", "curve", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator", "trial", "t",
            "coefficients", "weights"]
@@ -159,6 +159,23 @@ def clustered_roots(n, stream):
     return Fraction(multiple, 1 << (multiple - 1).bit_length()), [Fraction(1, 2) + Fraction(k, 2**m) for k in offsets]
 
 
+def cusp(n, dimension, stream):
+    """Points, in units of R, of a curve that stops at c = r / (1 + r); b_0 follows from the others."""
+    r, near = Fraction(1 + below(8, stream), 4), below(2, stream)
+    offset = Fraction(near, 2 ** (5 + below(46, stream)))
+    step = 4 ** (n - 1)
+    largest = 15 * 2**22 // (step * (2 * 3 ** (n - 1) - 1))
+    points = [[Fraction(step * (below(2 * largest + 1, stream) - largest), 2**26) for _ in range(dimension)]
+              for _ in range(n)]
+    first = [points[0][axis] + sum(math.comb(n - 1, j) * r**j * (points[j][axis] - points[j - 1][axis])
+                                   for j in range(1, n)) for axis in range(dimension)]
+    slope = [sum(math.comb(n - 1, j) * r**j * (q[axis] - p[axis]) for j, (p, q) in
+                 enumerate(zip([first, *points], points))) for axis in range(dimension)]
+    if any(slope):
+        raise SystemExit("inputs.py: a cusp is none; mend cusp")
+    return [[x + offset for x in first], *points]
+
+
 def power_coefficients(leading, roots):
     """Of leading * prod (t - root), ascending."""
     coefficients = [leading]
@@ -203,6 +220,11 @@ def draw(seed, study, cell, trial):
         leading, roots = POLYNOMIALS[generator](cell["degree"], stream)
         axis = polynomial(cell["curve"], leading * Fraction(cell["coordinate_range"]), roots)
         return t, [c for c in axis for _ in range(cell["dimension"])], []
+    if generator == "cusp":
+        exact = [Fraction(cell["coordinate_range"]) * x for p in cusp(cell["degree"], cell["dimension"], stream) for x in p]
+        if any(Fraction(float(x)) != x for x in exact):
+            raise SystemExit("inputs.py: a cusp is not exact in doubles; lower the degree of its generator")
+        return t, [float(x) for x in exact], []
     coefficients = [COORDINATES[generator](cell["coordinate_range"], stream)
                     for _ in points for _ in range(cell["dimension"])]
     return t, coefficients, [WEIGHTS[generator](stream) for _ in points] if generator in WEIGHTS else []
@@ -225,7 +247,7 @@ def studies():
     for path in SUITES:
         suite = tomllib.loads(path.read_text(encoding="utf-8"))
         for study in suite["study"]:
-            if study["kind"] in ("accuracy", "conversion", "derivative"):
+            if study["kind"] in ("accuracy", "conversion", "derivative", "inverse_arc_length"):
                 yield suite["suite"].get("seed", 1), study
     yield 1, WEIGHTED
     yield 1, GRADED

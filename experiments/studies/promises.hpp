@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What blocks of trials gave for every tolerance and method in one cell of a study of arc lengths.
+// What is counted of methods that are asked for a tolerance and keep it, break it or refuse it.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "experiments/metric/tally.hpp"
-
 namespace bezierbench::studies {
 
-struct LengthErrors {
-  metric::Tally error;     ///< in coordinate units
-  metric::Tally relative;  ///< to the true length
+struct Promises {
   std::uint64_t non_finite = 0;
   std::uint64_t non_converged = 0;
   std::uint64_t broken = 0;  ///< said to be within the tolerance, and is not
@@ -22,15 +18,26 @@ struct LengthErrors {
   std::uint64_t evaluations = 0;                                           ///< of all trials
   std::uint64_t most_evaluations = 0;                                      ///< of one
 
-  template <class Bytes, class Self>
-  static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.error, self.relative, self.non_finite, self.non_converged, self.broken, self.first_broken,
-          self.evaluations, self.most_evaluations);
+  void add(bool converged, std::int64_t evaluated) {
+    const auto count = static_cast<std::uint64_t>(evaluated);
+    evaluations += count;
+    most_evaluations = std::max(most_evaluations, count);
+    non_converged += converged ? 0 : 1;
   }
 
-  void merge(const LengthErrors& other) {
-    error.merge(other.error);
-    relative.merge(other.relative);
+  /// `error` and `allowed` are absolute, the error rounded to 24 bits.
+  void judge(bool converged, double error, double allowed, std::uint64_t trial) {
+    if (!converged || error <= allowed * (1 + 0x1p-20)) return;
+    ++broken;
+    first_broken = std::min(first_broken, trial);
+  }
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.non_finite, self.non_converged, self.broken, self.first_broken, self.evaluations, self.most_evaluations);
+  }
+
+  void merge(const Promises& other) {
     non_finite += other.non_finite;
     non_converged += other.non_converged;
     broken += other.broken;
@@ -40,15 +47,18 @@ struct LengthErrors {
   }
 };
 
-struct ArcLengthTally {
-  std::vector<LengthErrors> rows;  ///< tolerance by tolerance, methods as the study chose them
+/// What blocks of trials gave in one cell: a Row for each tolerance and, within it, each method as the study chose
+/// them.
+template <class Row>
+struct PromiseRows {
+  std::vector<Row> rows;
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
     bytes(self.rows);
   }
 
-  void merge(const ArcLengthTally& other) {
+  void merge(const PromiseRows& other) {
     if (other.rows.size() != rows.size()) throw std::invalid_argument("tallies of different cells");
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].merge(other.rows[k]);
   }

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The search that every safeguarded method shares: steps inside an interval whose ends lie on both sides of the target.
+//
+// A step that leaves the interval is replaced by the interval's middle; so is the step after one that did not halve the
+// distance |s(t) - S|. So an interval is halved or a distance is, at least every other time. Of the length up to t only
+// the part from the nearer end of the interval is integrated. The search ends where the distance with its error is
+// within the tolerance, where the distance is within its own error, so that another step would be a guess, where no
+// double lies inside the interval, or at the limit.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/arc_length/inverse/inverse_arc_length.hpp"
+#include "core/arc_length/inverse/part_length.hpp"
+
+namespace bezierbench {
+
+template <int Dimension>
+class BracketedSearch {
+ public:
+  static constexpr int iteration_limit = 200;
+
+  BracketedSearch(const Curve<Form::bernstein, double, Dimension>& hodograph, double target, double tolerance)
+      : part_(hodograph, tolerance), target_(target) {
+    const auto& whole = part_.whole();
+    high_ = {1, whole.length, whole.error_estimate};
+    allowed_ = tolerance * (whole.length - whole.error_estimate);
+  }
+
+  /// `step(t, distance)` is where a method goes from a t with the signed distance s(t) - S; any double, NaN included.
+  template <class Step>
+  InverseArcLength run(Step&& step) {
+    if (target_ <= 0) return finish(low_);
+    if (target_ >= high_.length) return finish(high_);
+    double t = target_ / high_.length;
+    double before = high_.length;
+    Place best = target_ < high_.length / 2 ? low_ : high_;
+    while (iterations_ < iteration_limit) {
+      if (!inside(t)) t = low_.t + (high_.t - low_.t) / 2;
+      if (!inside(t)) break;  // no double is left
+      ++iterations_;
+      const Place here = place(t);
+      const double distance = here.length - target_;
+      if (reached(here) < reached(best)) best = here;
+      if (reached(here) <= allowed_ || std::abs(distance) <= here.uncertainty) return finish(best);
+      (distance < 0 ? low_ : high_) = here;
+      t = std::abs(distance) <= before / 2 ? step(t, distance) : low_.t + (high_.t - low_.t) / 2;
+      before = std::abs(distance);
+    }
+    return finish(best);
+  }
+
+ private:
+  struct Place {
+    double t = 0;
+    double length = 0;  ///< up to t
+    double uncertainty = 0;
+  };
+
+  [[nodiscard]] bool inside(double t) const { return t > low_.t && t < high_.t; }
+  [[nodiscard]] double reached(const Place& place) const {
+    return std::abs(place.length - target_) + place.uncertainty;
+  }
+
+  Place place(double t) {
+    const Place& end = t - low_.t <= high_.t - t ? low_ : high_;
+    const auto part = part_(end.t, t);
+    return {t, end.length + part.length, end.uncertainty + part.error_estimate};
+  }
+
+  InverseArcLength finish(const Place& place) {
+    return {place.t, reached(place), iterations_, part_.evaluations(), reached(place) <= allowed_};
+  }
+
+  PartLength<Dimension> part_;
+  double target_;
+  double allowed_;
+  Place low_;
+  Place high_;
+  std::int64_t iterations_ = 0;
+};
+
+}  // namespace bezierbench

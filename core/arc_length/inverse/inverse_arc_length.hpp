@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What a method for inverse arc length is: data about itself and one function from a length to a parameter.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+#include "core/curve.hpp"
+#include "core/method.hpp"
+
+namespace bezierbench {
+
+/// A parameter, and what its method says of it.
+struct InverseArcLength {
+  double t = std::numeric_limits<double>::quiet_NaN();
+  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< of the length up to t, absolute
+  std::int64_t iterations = 0;                                       ///< parameters, or sets of them, that were tried
+  std::int64_t evaluations = 0;  ///< of the speed and its derivative or, for chords, of the curve
+  bool converged = false;        ///< the estimate is at most tolerance times the length of the whole curve: the promise
+};
+
+/// With s(t) the integral of |h| over [0, t], h the hodograph of a curve: t in [0, 1] with s(t) = `target`, where
+/// |s(t) - target| <= tolerance s(1). A method is handed a hodograph that is not 0 and is scaled as in ArcLengthMethod,
+/// and a finite `target`; one below 0 or above s(1), as a rounded s(1) may be, has its nearest end as the answer. What
+/// is promised is a length, for where the curve stops t hangs on it without bound.
+template <class M>
+concept InverseArcLengthMethod = requires(const Curve<Form::bernstein, double, 2>& hodograph, double target,
+                                          double tolerance) {
+  requires M::info.problem == Problem::inverse_arc_length;
+  { M::solve(hodograph, target, tolerance) } -> std::same_as<InverseArcLength>;
+};
+
+}  // namespace bezierbench

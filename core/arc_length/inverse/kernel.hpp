@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The methods for inverse arc length behind function pointers.
+#pragma once
+
+#include <span>
+
+#include "core/arc_length/inverse/inverse_arc_length.hpp"
+
+namespace bezierbench {
+
+/// One method, for Bezier curves with this many axes.
+struct InverseArcLengthKernel {
+  const MethodInfo* info;
+  int dimension;
+  /// The parameter at which the length of `curve` from its beginning is `target`, to `tolerance` > 0 times the length
+  /// of the curve. Sizes are scaled by a power of two first, so that coordinates of any size have the same results. For
+  /// a curve that is one point it is 0, converged where `target` is 0.
+  InverseArcLength (*solve)(const CurveView<double>& curve, double target, double tolerance);
+};
+
+/// All methods, in roster order. Dimension is 1, 2 or 3.
+std::span<const InverseArcLengthKernel> inverse_arc_length_kernels(int dimension);
+
+/// What they say of themselves, in roster order.
+std::span<const MethodInfo* const> inverse_arc_length_infos();
+
+}  // namespace bezierbench

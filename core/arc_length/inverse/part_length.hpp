@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Lengths of parts of one curve, each with its error, as precise as a search for a length needs them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/arc_length/gauss_legendre_adaptive.hpp"
+#include "core/arc_length/part.hpp"
+
+namespace bezierbench {
+
+/// Below this relative tolerance rounding decides, and more speeds change nothing.
+inline constexpr double finest_tolerance = 0x1p-46;
+
+/// Measures by adaptive Gauss-Legendre rules; counts the speeds.
+template <int Dimension>
+class PartLength {
+ public:
+  /// `tolerance` is relative to the length of the whole curve; one that rounding does not permit is not pursued.
+  PartLength(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance)
+      : hodograph_(hodograph),
+        whole_(GaussLegendreAdaptive::measure(hodograph, std::max(tolerance, finest_tolerance) / 8)),
+        share_(std::max(tolerance, finest_tolerance) / 8 * whole_.length),
+        evaluations_(whole_.evaluations) {}
+
+  [[nodiscard]] const ArcLength& whole() const { return whole_; }
+
+  /// Of the part between a and b, negative where b < a, and its error: for the quadrature at most an eighth of the
+  /// tolerance times |b - a|, unless it says so, and what cutting the curve rounds. Only parts that begin at 0 may
+  /// leave [0, 1].
+  ArcLength operator()(double a, double b) {
+    if (b < a && a > 0) {
+      auto backwards = (*this)(b, a);
+      backwards.length = -backwards.length;
+      return backwards;
+    }
+    const double width = b - a;
+    if (width == 0) return {.length = 0, .error_estimate = 0};
+    auto part = hodograph_;
+    restrict_to(part, a, b);
+    auto result =
+        GaussLegendreAdaptive::measure_within(part, std::max(share_, finest_tolerance / 8 * polygon_length(part)));
+    evaluations_ += result.evaluations;
+    result.length *= width;
+    result.error_estimate = result.error_estimate * std::abs(width) + rounding_of_part(hodograph_, part, a, b);
+    return result;
+  }
+
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+
+ private:
+  Curve<Form::bernstein, double, Dimension> hodograph_;
+  ArcLength whole_;
+  double share_;
+  std::int64_t evaluations_;
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Parameters at lengths that are known, and the promise: a tolerance is kept, or the result says that it is not.
+#include "core/arc_length/inverse/roster.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/arc_length/inverse/kernel.hpp"
+#include "core/arc_length/kernel.hpp"
+#include "core/evaluate/evaluation_test.hpp"
+#include "reference/length_along.hpp"
+
+namespace bezierbench {
+namespace {
+
+using Points = std::vector<double>;
+using reference::LengthAlong;
+using reference::LongReal;
+
+CurveView<double> view(const Points& points, int dimension = 2) {
+  return {Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};
+}
+
+const InverseArcLengthKernel& kernel_of(const MethodInfo& info, int dimension = 2) {
+  for (const auto& kernel : inverse_arc_length_kernels(dimension))
+    if (kernel.info->id == info.id) return kernel;
+  throw std::out_of_range("no such method");
+}
+
+/// |s(t) - target| over the length of the curve; of a t beyond an end that of the end.
+double length_error(const LengthAlong& truth, double t, double target) {
+  const LongReal error = abs(truth.length_to(LongReal(t)) - target) / truth.whole();
+  return error.convert_to<double>();
+}
+
+const Points cusp{3, -3, -1, 3, -1, -3, 3, 3};  // 3 (u^2, u^3), u = 2t - 1
+const Points sharp{0, 0, 1, 1, 0.1, 1, 1, 0};
+
+struct Case {
+  std::string name;
+  int dimension;
+  Points points;
+};
+
+std::vector<Case> nasty() {
+  return {{"line", 2, {1, 2, 4, 6}},
+          {"there and back", 1, {0, 1, 0}},
+          {"there and farther back", 2, {0, 0, 2, 4, -1, -2}},
+          {"parabola", 2, {0, 0, 0.5, 0, 1, 1}},
+          {"cusp in the middle", 2, cusp},
+          {"cusp at the beginning", 2, {0, 0, 0, 0, 1, 0, 3, 3}},
+          {"cusp at the end", 2, {3, 3, 1, 0, 0, 0, 0, 0}},
+          {"sharp", 2, sharp},
+          {"rests at the beginning, of order 9", 1, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}},
+          {"rests inside", 1, {-1, 1, -1, 1, -1, 1, -1, 1}},
+          {"closed", 2, {0, 0, 3, 3, -3, 3, 0, 0}},
+          {"in space", 3, {0, 0, 0, 1, 2, -1, 5, 0, 0, 1, 1, 9}}};
+}
+
+TEST(InverseArcLength, KeepsItsToleranceOrSaysSo) {
+  for (const auto& curve : nasty())
+    for (const int exponent : {0, -30, 33, -900, 900}) {
+      Points points = curve.points;
+      for (double& value : points) value = std::ldexp(value, exponent);
+      const LengthAlong truth(view(points, curve.dimension));
+      for (const double share : {0.0, 1e-9, 0.1, 0.3, 0.5, 0.77, 1 - 1e-9, 1.0})
+        for (const double tolerance : {1e-2, 1e-4, 1e-9, 1e-12, 1e-15}) {
+          const double target = LongReal(share * truth.whole()).convert_to<double>();
+          for (const auto& kernel : inverse_arc_length_kernels(curve.dimension)) {
+            const auto result = kernel.solve(view(points, curve.dimension), target, tolerance);
+            const auto what = std::string(kernel.info->id) + ", " + curve.name + ", share " + std::to_string(share) +
+                              ", tolerance " + std::to_string(std::log10(tolerance)) + ", 2^" +
+                              std::to_string(exponent);
+            if (result.converged) {
+              EXPECT_LE(length_error(truth, result.t, target), tolerance * (1 + 1e-9)) << what;
+              EXPECT_TRUE(result.t >= 0 && result.t <= 1) << what;
+              EXPECT_LE(result.error_estimate, tolerance * truth.whole()) << what;
+            }
+            const bool guarded = kernel.info->id == BracketedNewton::info.id || kernel.info->id == Halley::info.id;
+            EXPECT_TRUE(result.converged || !guarded || tolerance < 1e-12) << what;
+          }
+        }
+    }
+}
+
+/// Random curves of degrees 1 to 12, small whole numbers, collinear ones and curves far away; the length is taken from
+/// the other side of the roster. The true lengths of fewer are in the study.
+TEST(InverseArcLength, BracketsConvergeOnTenThousandCurves) {
+  Inputs inputs(11);
+  std::int64_t most = 0;
+  for (int trial = 0; trial < 12000; ++trial) {
+    const int d = 1 + trial % 3;
+    auto points = inputs.coefficients(1 + trial % 12, d);
+    const int kind = trial / 12 % 4;
+    for (double& value : points) {
+      if (kind == 1) value = std::floor(value * 3);
+      if (kind == 2) value += 0x1p+10;
+    }
+    if (kind == 3)  // collinear
+      for (std::size_t i = 0; i < points.size(); ++i) points[i] = points[i - i % static_cast<std::size_t>(d)];
+    const auto curve = view(points, d);
+    const auto& measure = arc_length_kernels(d)[2];
+    ASSERT_EQ(measure.info->id, GaussLegendreAdaptive::info.id);
+    const double whole = measure.measure(curve, 0, 1, 1e-13).length;
+    const double target = whole * inputs.unit();
+    for (const auto* info : {&BracketedNewton::info, &Halley::info})
+      for (const double tolerance : {1e-3, 1e-9}) {
+        const auto result = kernel_of(*info, d).solve(curve, target, tolerance);
+        EXPECT_TRUE(result.converged) << info->id << " " << trial;
+        EXPECT_NEAR(measure.measure(curve, 0, result.t, 1e-13).length, target, (tolerance + 1e-12) * whole) << trial;
+        most = std::max(most, result.iterations);
+      }
+  }
+  EXPECT_LE(most, 30);
+}
+
+TEST(InverseArcLength, EndsWhereRoundingPermitsNoMore) {
+  Points large = sharp;
+  for (double& value : large) value *= 5e7;  // a length near 1e8: 1e-9 of a unit is 1e-17 of it
+  const LengthAlong truth(view(large));
+  for (const auto& kernel : inverse_arc_length_kernels(2)) {
+    const auto result = kernel.solve(view(large), 0.3e8, 1e-17);
+    EXPECT_FALSE(result.converged) << kernel.info->id;
+    EXPECT_LE(result.evaluations, 60000) << kernel.info->id;
+    EXPECT_GE(result.error_estimate, std::abs(length_error(truth, result.t, 0.3e8)) * 1e8 / 2) << kernel.info->id;
+    if (kernel.info->id == BracketedNewton::info.id || kernel.info->id == Halley::info.id) {
+      EXPECT_LE(length_error(truth, result.t, 0.3e8), 1e-14) << kernel.info->id;
+      EXPECT_LE(result.iterations, 20) << kernel.info->id;
+    }
+  }
+}
+
+TEST(InverseArcLength, OfAPointIsItsBeginning) {
+  const Points point{0.1, 0.2, 0.1, 0.2, 0.1, 0.2};
+  for (const auto& kernel : inverse_arc_length_kernels(2)) {
+    const auto result = kernel.solve(view(point), 0, 1e-9);
+    EXPECT_TRUE(result.converged && result.t == 0 && result.iterations == 0) << kernel.info->id;
+    EXPECT_FALSE(kernel.solve(view(point), 1, 1e-9).converged) << kernel.info->id;
+  }
+}
+
+TEST(InverseArcLength, ALengthBeyondTheCurveIsNotReached) {
+  for (const auto& kernel : inverse_arc_length_kernels(2))
+    for (const double target : {-1.0, 1e3, 1e300}) {
+      const auto result = kernel.solve(view(cusp), target, 1e-9);
+      EXPECT_FALSE(result.converged) << kernel.info->id << " " << target;
+      if (kernel.info->id != Seed000Newton::info.id) {
+        EXPECT_EQ(result.t, target < 0 ? 0 : 1) << kernel.info->id;
+      }
+    }
+}
+
+TEST(InverseArcLength, SizeChangesNothing) {
+  for (const auto& kernel : inverse_arc_length_kernels(2)) {
+    const auto plain = kernel.solve(view(sharp), 0.4, 1e-8);
+    for (const int exponent : {-960, 960}) {
+      Points points = sharp;
+      for (double& value : points) value = std::ldexp(value, exponent);
+      const auto scaled = kernel.solve(view(points), std::ldexp(0.4, exponent), 1e-8);
+      EXPECT_EQ(scaled.t, plain.t) << kernel.info->id;
+      EXPECT_EQ(scaled.iterations, plain.iterations) << kernel.info->id;
+    }
+  }
+}
+
+/// One curve's lengths and derivatives, for the formulas of the source document.
+struct Formula {
+  Points points;
+  double target;
+  [[nodiscard]] double distance(double t) const {
+    return arc_length_kernels(2)[2].measure(view(points), 0, t, 1e-13).length - target;
+  }
+  [[nodiscard]] Point<double, 2> derivative(int order, double t) const {
+    Curve<Form::bernstein, double, 2> curve(static_cast<int>(points.size()) / 2 - 1);
+    for (std::size_t i = 0; i < points.size(); ++i) curve(static_cast<int>(i % 2), static_cast<int>(i / 2)) = points[i];
+    return HornerBernstein::evaluate(HornerBernstein::prepare(hodograph(curve, order)), t);
+  }
+};
+
+/// Eq. (19) and (20) as printed: g'' lacks the factor 2 of |C'|^2, so near the root a step is twice Newton's, and t
+/// jumps from one side to the other for ever.
+TEST(SourceDocument, PrintedFormulaNeverConverges) {
+  const Formula formula{{0, 0, 0.5, 0, 1, 1}, 0.7};
+  double t = 0.7 / 1.4789428575445974;  // s / L, L = sqrt(5)/2 + asinh(2)/4
+  double nearest = 1;
+  for (int k = 0; k < 40; ++k) {
+    const double d = formula.distance(t);
+    nearest = std::min(nearest, std::abs(d));
+    const double speed = formula.derivative(1, t).norm();
+    t -= 2 * d * speed / (2 * d * formula.derivative(2, t).norm() + speed * speed);
+  }
+  EXPECT_GT(nearest, 1e-3);
+  const auto code = kernel_of(Seed000Newton::info).solve(view(formula.points), formula.target, 1e-9);
+  EXPECT_TRUE(code.converged);  // the code divides both by 2
+}
+
+/// Newton's method for the minimum of d^2 with the right second derivative 2 |C'|^2 + 2 d (C'.C'')/|C'|: from t = 0.3
+/// of this curve it leaves [0, 1].
+TEST(SourceDocument, RightSecondDerivativeJumpsAwayToo) {
+  const double whole = arc_length_kernels(2)[2].measure(view(sharp), 0, 1, 1e-13).length;
+  const Formula formula{sharp, 0.3 * whole};
+  const double d = formula.distance(0.3);
+  const auto v = formula.derivative(1, 0.3);
+  const double speed = v.norm();
+  const double slope = 2 * d * speed;
+  const double bend = 2 * speed * speed + 2 * d * v.dot(formula.derivative(2, 0.3)) / speed;
+  const double next = 0.3 - slope / bend;
+  const auto found = kernel_of(BracketedNewton::info).solve(view(sharp), formula.target, 1e-12);
+  ASSERT_TRUE(found.converged);
+  EXPECT_NEAR(std::abs(next - found.t), 3.0, 0.1);
+}
+
+/// A mean value theorem of vectors, |C(b) - C(a)| = |C'(xi)| (b - a), does not exist: of a closed curve that never
+/// stops the left side is 0, the right side nowhere. A polygon of chords is at most the length, never more.
+TEST(SourceDocument, NoMeanValueOfVectors) {
+  const Formula closed{{0, 0, 3, 3, -3, 3, 0, 0}, 0};
+  double slowest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= 1000; ++k) slowest = std::min(slowest, closed.derivative(1, k / 1000.0).norm());
+  EXPECT_GT(slowest, 1);
+  for (const int chords : {1, 2, 3, 10, 100}) {
+    double sum = 0;
+    for (int k = 0; k < chords; ++k)
+      sum += (closed.derivative(0, (k + 1.0) / chords) - closed.derivative(0, 1.0 * k / chords)).norm();
+    EXPECT_LT(sum, LengthAlong(view(closed.points)).whole()) << chords;
+    EXPECT_EQ(sum == 0, chords == 1);
+  }
+}
+
+/// Equal chords are not equal arcs: (1/2) a bit of a parabola's length lies elsewhere, by what the header says.
+TEST(ChordEqualising, IsBiasedBySecondOrder) {
+  const Points parabola{0, 0, 0.5, 0, 1, 1};
+  const LengthAlong truth(view(parabola));
+  const double half = LongReal(truth.whole() / 2).convert_to<double>();
+  const auto& kernel = kernel_of(ChordEqualising::info);
+  double before = 0;
+  for (const double tolerance : {1e-3, 1e-3 / 4, 1e-3 / 16}) {
+    const auto result = kernel.solve(view(parabola), half, tolerance);
+    ASSERT_TRUE(result.converged);
+    const double error = length_error(truth, result.t, half);
+    EXPECT_GT(error, 0);
+    EXPECT_NEAR(before / error, 4, before == 0 ? 4 : 1);
+    before = error;
+  }
+}
+
+}  // namespace
+}  // namespace bezierbench

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The part of a curve in Bernstein form over an interval of its parameter.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/curve.hpp"
+
+namespace bezierbench {
+
+/// The control points of h over [from, to] by de Casteljau's algorithm, twice: cut at `to`, then at from / to. Exact
+/// but for rounding; beyond [0, 1] it continues the polynomial, and roundings grow. `to` is not 0 unless `from` is.
+template <int Dimension>
+void restrict_to(Curve<Form::bernstein, double, Dimension>& h, double from, double to) {
+  const int m = h.degree();
+  const auto cut = [&](double t, bool keep_left) {
+    auto kept = h;
+    for (int level = 0; level <= m; ++level) {
+      for (int axis = 0; axis < Dimension; ++axis) {
+        const int i = keep_left ? level : m - level;
+        kept(axis, i) = h(axis, keep_left ? 0 : i);
+      }
+      for (int i = 0; i < m - level; ++i)
+        for (int axis = 0; axis < Dimension; ++axis) h(axis, i) = (1 - t) * h(axis, i) + t * h(axis, i + 1);
+    }
+    h = kept;
+  };
+  if (to != 1) cut(to, true);
+  if (from != 0) cut(from / to, false);
+}
+
+/// By how much the length of `part`, which restrict_to made of h, may be off for its roundings: each control vector, of
+/// which the length is the mean times the width, by 6 (m + 1) u of the largest of h; and the beginning, where the speed
+/// is that of the first vector, by u from the quotient from / to. Nothing for the whole. Next to a cusp that is much
+/// more than what roundings do to a curve with the control vectors of the part.
+template <int Dimension>
+double rounding_of_part(const Curve<Form::bernstein, double, Dimension>& h,
+                        const Curve<Form::bernstein, double, Dimension>& part, double from, double to) {
+  if (from == 0 && to == 1) return 0;
+  constexpr double u = 0x1p-53;
+  double largest = 0;
+  double first = 0;
+  for (int axis = 0; axis < Dimension; ++axis) {
+    first += std::abs(part(axis, 0));
+    for (int i = 0; i <= h.degree(); ++i) largest = std::max(largest, std::abs(h(axis, i)));
+  }
+  return u * (6 * (h.degree() + 1) * Dimension * largest * std::abs(to - from) + (from > 0 ? 2 * first : 0));
+}
+
+}  // namespace bezierbench

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// `curve at-length`: the parameter at a length from the beginning of a curve by any method, against the true one.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "core/arc_length/inverse/kernel.hpp"
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/curve_commands.hpp"
+#include "experiments/cli/curve_methods.hpp"
+#include "experiments/number/number.hpp"
+#include "reference/length_along.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+using reference::LongReal;
+
+struct Options {
+  CurveOptions curve;
+  std::string length;
+  std::string fraction;
+  std::string tolerance = "1e-9";
+  std::vector<std::string> methods;
+};
+
+double tolerance_of(const Options& options) {
+  const double tolerance = finite_option("--tolerance", options.tolerance);
+  if (tolerance <= 0)
+    throw Failure(Exit::usage, fmt::format("--tolerance {}: must be above 0; it is relative to the length of the curve",
+                                           options.tolerance));
+  return tolerance;
+}
+
+/// The length that is meant, exactly; one that is a rounded length of the whole curve is that of the whole curve.
+LongReal target_of(const Options& options, const LongReal& whole) {
+  if (!options.fraction.empty()) {
+    const double fraction = finite_option("--fraction", options.fraction);
+    if (fraction < 0 || fraction > 1)
+      throw Failure(Exit::usage, fmt::format("--fraction {}: must be within 0 and 1", options.fraction));
+    return fraction * whole;
+  }
+  const double length = finite_option("--length", options.length);
+  if (length < 0 || LongReal(length) > whole * (1 + LongReal(0x1p-52)))
+    throw Failure(Exit::usage,
+                  fmt::format("--length {}: must be within 0 and {}, the length of the curve in {}", options.length,
+                              whole.str(17, std::ios_base::fmtflags{}), options.curve.file));
+  return length;
+}
+
+void find(const Options& options) {
+  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+  const double tolerance = tolerance_of(options);
+  const auto methods =
+      chosen(inverse_arc_length_kernels(curve.dimension), options.methods, curve, ids_of(inverse_arc_length_infos()));
+  if (methods.empty())
+    throw Failure(Exit::usage,
+                  fmt::format("{}: the file is in {} form, lengths are those of control points; see `curve convert`",
+                              options.curve.file, name(curve.form)));
+  const reference::LengthAlong truth(curve.view());
+  const LongReal target = target_of(options, truth.whole());
+  const LongReal exact = truth.parameter_at(target);
+  bundle::CsvTable table(
+      {"method", "t", "iterations", "converged", "exact_t", "error", "error_estimate", "length_error"});
+  for (const auto* method : methods) {
+    const auto result = method->solve(curve.view(), target.convert_to<double>(), tolerance);
+    const bool finite = std::isfinite(result.t);
+    const auto field = [finite](const auto& error) {
+      return finite ? number::decimal(error().template convert_to<double>()) : std::string("inf");
+    };
+    table.add_row({std::string(method->info->id), number::decimal(result.t), std::to_string(result.iterations),
+                   result.converged ? "yes" : "no", number::decimal(exact.convert_to<double>()),
+                   field([&] { return LongReal(abs(LongReal(result.t) - exact)); }),
+                   number::decimal(result.error_estimate),
+                   field([&] { return LongReal(abs(truth.length_to(LongReal(result.t)) - target)); })});
+  }
+  fmt::print("{}", table.text());
+}
+
+}  // namespace
+
+void add_curve_at_length(CLI::App& curve) {
+  auto options = std::make_shared<Options>();
+  auto* command = curve.add_subcommand("at-length", "the parameter at a length from the beginning of a curve");
+  options->curve.add_to(*command);
+  auto* target = command->add_option_group("target", "where");
+  target->add_option("--length", options->length, "length from the beginning, in coordinate units");
+  target->add_option("--fraction", options->fraction, "of the length of the curve, from 0 to 1");
+  target->require_option(1);
+  command->add_option("--tolerance", options->tolerance, "relative to the length of the curve; default: 1e-9");
+  command->add_option("--method", options->methods, "method id; may be repeated; default: all");
+  command->callback([options] { find(*options); });
+}
+
+}  // namespace bezierbench::cli

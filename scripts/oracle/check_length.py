@@ -1,0 +1,265 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Judges `bezierbench curve length` and `curve at-length` in decimal arithmetic, on random and nasty curves.
+
+Shares nothing with the program: lengths are integrals by the tanh-sinh rule (Takahasi and Mori 1974) in 45 digits, over
+pieces that end where |C'|^2 is extreme, so next to its roots; two step sizes must agree.
+At exact_t +- one ulp the length must lie on both sides of the target. A promised tolerance must be kept.
+
+check_length.py PROGRAM [--seed S]    exits 1 with the first mismatches
+"""
+import argparse
+import csv
+import math
+import random
+import subprocess
+import sys
+import tempfile
+from decimal import Decimal, getcontext
+from fractions import Fraction
+from pathlib import Path
+
+from drawn_curves import collinear, constant, cusp, integers, straight, uniform, write_curve
+
+LENGTH = "method,length,error_estimate,evaluations,converged,exact,error".split(",")
+AT_LENGTH = "method,t,iterations,converged,exact_t,error,error_estimate,length_error".split(",")
+SURE = {"bracketed_newton", "halley"}  # of the methods, those that must converge
+TOLERANCE = "1e-9"
+SHOWN = 12
+
+getcontext().prec = 45
+AGREE = Decimal("1e-25")  # of two step sizes, relative to the curve
+
+
+def tanh_sinh_rule(per_unit):
+    """(distance of the node from the nearer end of [0, 1], weight) for u = 0, h, 2h, ... with h = 1 / per_unit."""
+    half_pi = Decimal("3.14159265358979323846264338327950288419716939937510582") / 2
+    rule = []
+    for k in range(5 * per_unit + 1):
+        u = Decimal(k) / per_unit
+        grown, shrunk = u.exp(), (-u).exp()
+        angle = half_pi * (grown - shrunk)  # pi sinh u; x = 1 / (1 + exp(-+angle))
+        small = 1 / (1 + angle.exp())
+        weight = half_pi * (grown + shrunk) * small * (1 - small) / per_unit
+        rule.append((small, weight))
+    return rule
+
+
+RULE = tanh_sinh_rule(64)
+
+
+def polynomial(points):
+    """|C'|^2 as power coefficients, exactly, ascending; Fractions."""
+    n = len(points) - 1
+    total = [Fraction(0)] * (2 * max(n, 1) - 1)
+    for axis in range(len(points[0])):
+        b = [Fraction(p[axis]) for p in points]
+        q = [math.comb(n, j) * sum((-1) ** (j - i) * math.comb(j, i) * b[i] for i in range(j + 1)) for j in range(n + 1)]
+        slope = [j * c for j, c in enumerate(q)][1:]
+        for i, x in enumerate(slope):
+            for j, y in enumerate(slope):
+                total[i + j] += x * y
+    return total
+
+
+def horner(coefficients, z):
+    value = 0
+    for c in reversed(coefficients):
+        value = value * z + c
+    return value
+
+
+def derivative(coefficients):
+    return [j * c for j, c in enumerate(coefficients)][1:]
+
+
+def roots_of(coefficients):
+    """All complex roots, in double precision, by the iteration of Weierstrass, Durand and Kerner."""
+    largest = max(map(abs, coefficients), default=0) or 1
+    scaled = [float(c / largest) for c in coefficients]
+    while scaled and abs(scaled[-1]) < 1e-14:
+        scaled.pop()
+    roots = [(0.4 + 0.9j) ** k for k in range(len(scaled) - 1)]
+    for _ in range(400):
+        for i, z in enumerate(roots):
+            value = horner(scaled, z) / scaled[-1]
+            for j, other in enumerate(roots):
+                if j != i:
+                    value /= z - other if z != other else 1e-8
+            roots[i] = z - value
+    return roots
+
+
+def cuts(square):
+    """Where pieces end: 0, 1, below complex roots of |C'|^2, and where it is extreme: next to its real axis these are its
+    minima. Those in decimal, for a cusp is a double root of |C'|^2, and a simple one of its derivative."""
+    slope = [decimal(c) for c in derivative(square)]
+    bend = derivative(slope)
+    found = {Decimal(0), Decimal(1)}
+    found |= {Decimal(root.real) for root in roots_of(square) if 0 < root.real < 1 and abs(root.imag) > 1e-4}
+    for root in roots_of(derivative(square)):
+        if not (math.isfinite(root.real) and 0 < root.real < 1):
+            continue
+        t = Decimal(root.real)
+        for _ in range(6 if abs(root.imag) < 1e-4 else 0):
+            change = horner(bend, t)
+            t -= horner(slope, t) / change if change else 0
+        found.add(t if abs(t - Decimal(root.real)) < Decimal("1e-3") and 0 < t < 1 else Decimal(root.real))
+    return sorted(found)
+
+
+class Curve:
+    """Lengths of one curve, in units of a power of two."""
+
+    def __init__(self, points):
+        size = max((abs(x) for p in points for x in p), default=0) or 1.0
+        self.unit = Fraction(2) ** math.frexp(size)[1]
+        scaled = [[Fraction(x) / self.unit for x in p] for p in points]
+        n = len(points) - 1
+        self.hodograph = [[decimal(n * (b - a)) for a, b in zip(p, q)] for p, q in zip(scaled, scaled[1:])]
+        square = polynomial(scaled)
+        self.still = not any(square)
+        self.cuts = [] if self.still else cuts(square)
+        self.whole = self.length(Decimal(0), Decimal(1))
+
+    def speed(self, t):
+        row = self.hodograph
+        while len(row) > 1:
+            row = [[a + t * (b - a) for a, b in zip(p, q)] for p, q in zip(row, row[1:])]
+        return sum((x * x for x in row[0]), Decimal(0)).sqrt()
+
+    def length(self, low, high):
+        """Of the part between two parameters of [0, 1]."""
+        if self.still or high <= low:
+            return Decimal(0)
+        ends = [low, *(c for c in self.cuts if low < c < high), high]
+        return sum((self.piece(a, b) for a, b in zip(ends, ends[1:])), Decimal(0))
+
+    def piece(self, low, high):
+        width = high - low
+        fine, coarse = Decimal(0), Decimal(0)
+        for k, (near, weight) in enumerate(RULE):
+            both = self.speed(low + width * near) + (self.speed(high - width * near) if k else 0)
+            fine += weight * both
+            coarse += 2 * weight * both if k % 2 == 0 else 0
+        if abs(fine - coarse) * width > AGREE * max(map(abs, (x for v in self.hodograph for x in v))):
+            raise ArithmeticError(f"the oracle's own steps differ by {fine - coarse:.1e}")
+        return width * fine
+
+
+def decimal(x):
+    return Decimal(x.numerator) / Decimal(x.denominator)
+
+
+def run(program, *arguments):
+    result = subprocess.run([program, "curve", *arguments], capture_output=True, text=True, timeout=120, check=False)
+    if result.returncode != 0:
+        raise ValueError(f"exit {result.returncode}: {result.stderr.strip()[:300]}")
+    return list(csv.DictReader(result.stdout.splitlines()))
+
+
+def close(value, expected, unit, digits):
+    return abs(value - expected) <= unit * Decimal(10) ** -digits
+
+
+def judge_length(rows, curve):
+    if list(rows[0]) != LENGTH or len(rows) < 4:
+        yield f"columns or methods: {rows[:1]}"
+        return
+    unit = decimal(curve.unit)
+    for row in rows:
+        exact, length = Decimal(row["exact"]) / unit, Decimal(float(row["length"])) / unit
+        if not close(exact, curve.whole, curve.whole, 24):
+            yield f"{row['method']}: exact {exact}, but {curve.whole} in units of {float(curve.unit)}"
+        error = abs(length - curve.whole)
+        if not close(Decimal(row["error"]) / unit, error, error + curve.whole * Decimal("1e-9"), 15):
+            yield f"{row['method']}: error {row['error']}, not {error * unit}"
+        if row["converged"] == "yes" and error > Decimal(TOLERANCE) * curve.whole:
+            yield f"{row['method']}: promised {TOLERANCE}, but is {error / curve.whole:.2e} off"
+
+
+def judge_at_length(rows, curve, target):
+    """`target` in units of the curve."""
+    if list(rows[0]) != AT_LENGTH or not SURE <= {row["method"] for row in rows}:
+        yield f"columns or methods: {rows[:1]}"
+        return
+    exact = float(rows[0]["exact_t"])
+    here = curve.length(Decimal(0), Decimal(exact))
+    below, above = (Decimal(min(max(math.nextafter(exact, end), 0), 1)) for end in (-1.0, 2.0))
+    slack = curve.whole * Decimal("1e-24")
+    low = here - curve.length(below, Decimal(exact)) - slack
+    high = here + curve.length(Decimal(exact), above) + slack
+    if not low <= target <= high:
+        yield f"exact_t {exact}: lengths about it {low} to {high}, target {target}"
+    for row in rows:
+        t = Decimal(float(row["t"]))
+        if abs(abs(t - Decimal(exact)) - Decimal(row["error"])) > abs(above - below):
+            yield f"{row['method']}: error {row['error']} of t = {row['t']}, but exact_t is {exact}"
+        on_curve = min(max(t, Decimal(0)), Decimal(1))
+        reached = here + curve.length(Decimal(exact), on_curve) - curve.length(on_curve, Decimal(exact))
+        error = abs(reached - target)
+        if not close(Decimal(row["length_error"]) / decimal(curve.unit), error, error + curve.whole * Decimal("1e-9"), 14):
+            yield f"{row['method']}: length_error {row['length_error']}, not {error * decimal(curve.unit)}"
+        if row["converged"] == "yes" and error > Decimal(TOLERANCE) * curve.whole:
+            yield f"{row['method']}: promised {TOLERANCE}, but is {error / curve.whole:.2e} off"
+        if row["method"] in SURE and row["converged"] != "yes":
+            yield f"{row['method']} did not converge"
+
+
+def mixed(draw, n, d):
+    """Coordinates of unlike sizes, as unlike as this quadrature can follow."""
+    return [[draw.uniform(-1, 1) * 2.0 ** draw.randint(-8, 8) for _ in range(d)] for _ in range(n + 1)]
+
+
+KINDS = (uniform, integers, mixed, straight, constant, collinear, cusp)
+
+
+def cases(seed):
+    """(name, control points)."""
+    draw = random.Random(seed)
+    yield "sharp", [[0.0, 0.0], [1.0, 1.0], [0.1, 1.0], [1.0, 0.0]]
+    yield "closed", [[0.0, 0.0], [3.0, 3.0], [-3.0, 3.0], [0.0, 0.0]]
+    for kind in KINDS:
+        for n in (1, 3, draw.choice((2, 4, 5))):
+            points = kind(draw, n, 1 + draw.randrange(3))
+            yield f"{kind.__name__} {n}", points
+    yield "tiny", [[x * 2.0**-900 for x in p] for p in uniform(draw, 3, 2)]
+    yield "huge", [[x * 2.0**900 for x in p] for p in uniform(draw, 3, 2)]
+
+
+def judge(program, file, points, draw):
+    """Mismatches of the questions about one curve, and their number."""
+    write_curve(file, points)
+    curve = Curve(points)
+    lines = list(judge_length(run(program, "length", "--curve", str(file), "--tolerance", TOLERANCE), curve))
+    share = draw.choice((0.0, 1.0, draw.random(), draw.random(), draw.random()))
+    asked = ["at-length", "--curve", str(file), "--tolerance", TOLERANCE]
+    lines += judge_at_length(run(program, *asked, f"--fraction={share!r}"), curve, Decimal(share) * curve.whole)
+    length = float(Decimal(0.37) * curve.whole * decimal(curve.unit))
+    lines += judge_at_length(run(program, *asked, f"--length={length!r}"), curve, Decimal(length) / decimal(curve.unit))
+    return lines
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    draw = random.Random(-arguments.seed)
+    mismatches, judged = [], 0
+    with tempfile.TemporaryDirectory() as place:
+        for name, points in cases(arguments.seed):
+            try:
+                lines = judge(arguments.program, Path(place) / "c.csv", points, draw)
+                judged += 1
+            except (ArithmeticError, ValueError) as error:
+                lines = [str(error)]
+            mismatches += [f"{name} {points}: {line}" for line in lines]
+    for line in mismatches[:SHOWN]:
+        print(line)
+    print(f"{judged} curves, {len(mismatches)} mismatches")
+    return 1 if mismatches or judged < 20 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
