@@ -21,7 +21,7 @@ std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Prob
 /// for.
 void check_bezier_in_double(const suite::Study& study);
 
-/// Throws Failure(usage) for a generator that draws one polynomial for all axes: no points of their own.
+/// Throws Failure(usage) for a generator that draws a curve as a whole: no points of their own.
 void check_independent_points(const suite::Study& study);
 
 }  // namespace bezierbench::studies
