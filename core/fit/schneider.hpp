@@ -4,9 +4,8 @@
 // each t_i takes one Newton step towards the foot point of P_i, and so on.
 //
 // Source: Schneider 1990, An algorithm for automatically fitting digitized curves, Graphics Gems, 612-626: parameters
-// by
-//   chord length, the system of its section "Fitting the curve", t_i - f/f' of "Reparameterization", centre tangent at
-//   a split. As published, steps are only taken where the largest error is below twice the tolerance (four times, if
+//   by chord length, the system of its section "Fitting the curve", t_i - f/f' of "Reparameterization", centre tangent
+//   at a split. As published, steps are only taken where the largest error is below twice the tolerance (four times, if
 //   squared); here in coordinate units, so that the scale of the data does not matter. Alphas that are not positive are
 //   replaced by a third of the length, after Wu and Barsky.
 // Cost: O(m) flops for m points and each of at most 20 steps.

@@ -36,11 +36,10 @@ std::vector<const MethodInfo*> methods_of(const suite::Study& study, const sampl
 /// All against each other and a sentinel; a rival whose results were wrong is not `checked`.
 HeatLaps race_of(const Heat& heat, const suite::Study& study, JudgedRivals contestants, std::size_t sitting,
                  const timing::RaceOptions& options) {
-  auto& [rivals, right] = contestants;
-  rivals.push_back(timing::sentinel());
+  contestants.rivals.push_back(timing::sentinel());
   const auto name = fmt::format("{}/{}/{}", study.id, heat.cell.degree, suite::name(heat.mode));
-  auto laps = timing::with_stack_moved(sitting, [&] { return timing::race(name, rivals, options); });
-  for (std::size_t m = 0; m < right.size(); ++m) laps[m].checked = laps[m].checked && right[m];
+  auto laps = timing::with_stack_moved(sitting, [&] { return timing::race(name, contestants.rivals, options); });
+  for (std::size_t m = 0; m < contestants.right.size(); ++m) laps[m].checked = laps[m].checked && contestants.right[m];
   HeatLaps result;
   for (auto& lap : laps) {
     const double median = metric::median_interval(lap.ns_per_point, metric::timing_confidence).median;
