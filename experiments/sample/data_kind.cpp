@@ -72,12 +72,13 @@ Data polyline(DataSource source) {
   return data;
 }
 
-/// A curve that ends where it begins, from degree 3 on with the same derivative.
+/// A curve that ends where it begins, from degree 4 on with the same derivative: a cubic that did would run forth and
+/// back on a line, for b_2 - b_0 = -(b_1 - b_0).
 Data closed(DataSource source) {
   const auto d = dimension_of(source);
   auto& b = source.control_points;
   std::copy_n(b.begin(), d, b.end() - source.dimension);
-  if (source.degree >= 3)
+  if (source.degree >= 4)
     for (std::size_t axis = 0; axis < d; ++axis) b[b.size() - 2 * d + axis] = 2 * b[axis] - b[d + axis];
   auto data = samples(source);
   std::copy_n(data.begin(), d, data.end() - source.dimension);
@@ -100,7 +101,7 @@ constexpr std::array all{DataKind{"samples", "a curve at equal steps of t", samp
                          DataKind{"uneven", "a curve at random parameters in order", uneven},
                          DataKind{"noisy", "samples, moved by up to 2^-10 R", noisy},
                          DataKind{"polyline", "equal steps along the control polygon", polyline},
-                         DataKind{"closed", "samples of a smoothly closed curve", closed},
+                         DataKind{"closed", "samples of a closed curve, smoothly closed from degree 4 on", closed},
                          DataKind{"drawn", "noisy samples with repetitions and steps backwards", drawn}};
 
 }  // namespace

@@ -44,10 +44,15 @@ TEST(DataKinds, PolylineKeepsItsVertices) {
 }
 
 TEST(DataKinds, ClosedCurvesCloseSmoothly) {
-  const auto data = made("closed", {1, 3, {1, 2, 5, 9}, std::vector<double>(1001, 0.0)});
+  const auto data = made("closed", {1, 4, {1, 2, 5, 9, 4}, std::vector<double>(1001, 0.0)});
   EXPECT_EQ(data.front(), data.back());
   EXPECT_NEAR(data[1] - data[0], data[1000] - data[999], 1e-4);
   EXPECT_GT(data[1] - data[0], 1e-3);
+}
+
+TEST(DataKinds, AClosedCubicIsALoop) {
+  const auto data = made("closed", {2, 3, {0, 0, 6, 0, 0, 6, 9, 9}, std::vector<double>(10, 0.0)});
+  EXPECT_THAT(data, testing::ElementsAre(0, 0, 2.53125, 0.84375, 2.25, 2.25, 0.84375, 2.53125, 0, 0));
 }
 
 TEST(DataKinds, DrawnDataRepeatThemselves) {
