@@ -48,20 +48,30 @@ inline constexpr std::array<GaussNode, 12> gauss_legendre<24>{{{0.99518721999702
                                                                {0.19111886747361631, 0.1258374563468283},
                                                                {0.06405689286260563, 0.12793819534675216}}};
 
-/// Calls f(t, weight) for every node of the rule on [0, 1]; the weights sum to 1.
-template <int Points, class Function>
-void for_each_gauss_node(Function&& f) {
-  for (const auto& [x, weight] : gauss_legendre<Points>) {
-    f((1 - x) / 2, weight / 2);
-    f((1 + x) / 2, weight / 2);
-  }
-}
+/// A rule on [0, 1], in the order in which its terms are summed; the weights sum to 1.
+template <int Points>
+struct UnitRule {
+  std::array<double, Points> t;
+  std::array<double, Points> weight;
+};
+
+template <int Points>
+inline constexpr UnitRule<Points> unit_rule = [] {
+  UnitRule<Points> rule{};
+  std::size_t k = 0;
+  for (const auto& [x, weight] : gauss_legendre<Points>)
+    for (const double signed_x : {-x, x}) {
+      rule.t[k] = (1 + signed_x) / 2;
+      rule.weight[k++] = weight / 2;
+    }
+  return rule;
+}();
 
 /// The integral of f over [0, 1].
 template <int Points, class Function>
 double gauss_integral(Function&& f) {
   double sum = 0;
-  for_each_gauss_node<Points>([&](double t, double weight) { sum += weight * f(t); });
+  for (std::size_t k = 0; k < Points; ++k) sum += unit_rule<Points>.weight[k] * f(unit_rule<Points>.t[k]);
   return sum;
 }
 

@@ -15,11 +15,15 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include "core/arc_length/arc_length.hpp"
 #include "core/arc_length/gauss_legendre.hpp"
 #include "core/arc_length/speed.hpp"
+#include "core/arc_length/squared_speeds.hpp"
 
 namespace bezierbench {
 
@@ -38,11 +42,10 @@ struct GaussLegendreAdaptive {
 
   template <int Dimension>
   static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {
+    Search<Dimension> search;
     // The tolerance made absolute by a first length, of which half is taken, for that length may be too large.
-    ArcLength first;
-    const double first_length = integral<24>(hodograph, first);
-    auto result = measure_within(hodograph, tolerance * first_length / 2);
-    result.evaluations += first.evaluations;
+    const double first_length = search.template integral<24>(hodograph);
+    auto result = within(hodograph, tolerance * first_length / 2, search);
     result.converged = result.error_estimate <= tolerance * result.length;
     return result;
   }
@@ -50,43 +53,23 @@ struct GaussLegendreAdaptive {
   /// The same for an absolute tolerance of the integral over [0, 1]; `converged` where the estimate is at most that.
   template <int Dimension>
   static ArcLength measure_within(const Curve<Form::bernstein, double, Dimension>& hodograph, double absolute) {
-    ArcLength result;
-    result.error_estimate = rounding_of_length(hodograph, 6 * hodograph.degree() + 3 * depth_limit + 32);
-    add_panel(Panel<Dimension>{hodograph, 1, absolute, 0}, result);
-    result.converged = result.error_estimate <= absolute;
-    return result;
+    Search<Dimension> search;
+    return within(hodograph, absolute, search);
   }
 
  private:
   template <int Dimension>
-  struct Panel {
-    Curve<Form::bernstein, double, Dimension> hodograph;
-    double width;  ///< of the parameter
-    double share;  ///< of the absolute tolerance
-    int depth;
-  };
-  struct Local {
-    double speed;  ///< |h|
-    double slope;  ///< |h'|
-  };
+  struct Search;
 
-  /// Level m-1 of de Casteljau's triangle holds two points: h lies between them, h' is m times their difference.
   template <int Dimension>
-  static Local at(Curve<Form::bernstein, double, Dimension> h, double t) {
-    const int m = h.degree();
-    const double s = 1 - t;
-    for (int level = 1; level < m; ++level)
-      for (int i = 0; i <= m - level; ++i)
-        for (int axis = 0; axis < Dimension; ++axis) h(axis, i) = s * h(axis, i) + t * h(axis, i + 1);
-    double square = 0;
-    double slope_square = 0;
-    for (int axis = 0; axis < Dimension; ++axis) {
-      const double value = m == 0 ? h(axis, 0) : s * h(axis, 0) + t * h(axis, 1);
-      const double slope = m == 0 ? 0 : m * (h(axis, 1) - h(axis, 0));
-      square += value * value;
-      slope_square += slope * slope;
-    }
-    return {std::sqrt(square), std::sqrt(slope_square)};
+  static ArcLength within(const Curve<Form::bernstein, double, Dimension>& hodograph, double absolute,
+                          Search<Dimension>& search) {
+    ArcLength& result = search.result;
+    result.error_estimate = rounding_of_length(hodograph, 6 * hodograph.degree() + 3 * depth_limit + 32);
+    auto whole = hodograph;
+    search.add_panel(whole, 1, absolute, 0);
+    result.converged = result.error_estimate <= absolute;
+    return result;
   }
 
   /// The length of the chord, |mean of the control vectors|.
@@ -101,57 +84,73 @@ struct GaussLegendreAdaptive {
     return std::sqrt(square) / (h.degree() + 1);
   }
 
-  template <int Points, int Dimension>
-  static double integral(const Curve<Form::bernstein, double, Dimension>& h, ArcLength& result) {
-    result.evaluations += Points;
-    return gauss_integral<Points>([&](double t) { return at(h, t).speed; });
-  }
-
+  /// Leaves the right half of a curve in h and returns the left one.
   template <int Dimension>
-  static void add_panel(const Panel<Dimension>& panel, ArcLength& result) {
-    const auto& h = panel.hodograph;
-    double eight = 0;
-    double ratio = 0;  // integral of |h'|^2 / |h|^2 over [0, 1], which is 2 e
-    for_each_gauss_node<8>([&](double t, double weight) {
-      const Local local = at(h, t);
-      eight += weight * local.speed;
-      if (local.slope != 0) ratio += weight * (local.slope / local.speed) * (local.slope / local.speed);
-    });
-    result.evaluations += 8;
-    const double slack = panel.width * std::max(polygon_length(h) - chord(h), 0.0);
-    const double e = ratio / 2;
-    const double cube = e * e * e;
-    const double error_8 = safety * std::min(2.5e-6 * cube, 3e-2) * slack;
-    const double error_16 = safety * std::min(1.5e-11 * cube * cube, 9e-3) * slack;
-    const double error_24 = safety * std::min(3.5e-16 * cube * cube * cube, 3.5e-3) * slack;
-    const auto take = [&](double length, double error) {
-      result.length += panel.width * length;
-      result.error_estimate += error;
-    };
-    if (error_8 <= panel.share) return take(eight, error_8);
-    if (error_16 <= panel.share) return take(integral<16>(h, result), error_16);
-    if (error_24 <= panel.share) return take(integral<24>(h, result), error_24);
-    if (panel.depth == depth_limit) return take(eight, slack);
-    for (const bool left : {true, false})
-      add_panel(Panel<Dimension>{half(h, left), panel.width / 2, panel.share / 2, panel.depth + 1}, result);
-  }
-
-  /// The left or right half of a curve.
-  template <int Dimension>
-  static Curve<Form::bernstein, double, Dimension> half(Curve<Form::bernstein, double, Dimension> h, bool left) {
+  static Curve<Form::bernstein, double, Dimension> cut_left_half(Curve<Form::bernstein, double, Dimension>& h) {
     const int m = h.degree();
-    auto result = h;
+    Curve<Form::bernstein, double, Dimension> left(m);
     for (int level = 0; level <= m; ++level) {
-      for (int axis = 0; axis < Dimension; ++axis)
-        if (left)
-          result(axis, level) = h(axis, 0);
-        else
-          result(axis, m - level) = h(axis, m - level);
+      for (int axis = 0; axis < Dimension; ++axis) left(axis, level) = h(axis, 0);
       for (int i = 0; i < m - level; ++i)
         for (int axis = 0; axis < Dimension; ++axis) h(axis, i) = (h(axis, i) + h(axis, i + 1)) / 2;
     }
-    return result;
+    return left;
   }
+
+  /// One measurement: what its panels add up to, and where their speeds are worked out.
+  template <int Dimension>
+  struct Search {
+    static constexpr std::size_t count = SquaredSpeeds<Dimension>::count;
+    SquaredSpeeds<Dimension> squared_speeds;
+    ArcLength result{.length = 0, .error_estimate = 0};
+
+    /// The length of a panel by a rule that is good enough.
+    template <int Points>
+    double integral(const Curve<Form::bernstein, double, Dimension>& h) {
+      constexpr const auto& rule = unit_rule<Points>;
+      static_assert(Points % count == 0);
+      double sum = 0;
+      for (std::size_t first = 0; first < Points; first += count) {
+        const auto squares = squared_speeds(h, std::span(rule.t).subspan(first).template first<count>());
+        for (std::size_t k = 0; k < count; ++k) sum += rule.weight[first + k] * std::sqrt(squares.speed[k]);
+      }
+      result.evaluations += Points;
+      return sum;
+    }
+
+    /// A panel of this width of the parameter, with its share of the absolute tolerance; spoils its hodograph h.
+    void add_panel(Curve<Form::bernstein, double, Dimension>& h, double width, double share, int depth) {
+      constexpr const auto& rule = unit_rule<8>;
+      const auto squares = squared_speeds(h, rule.t);
+      result.evaluations += count;
+      std::array<double, count> ratios;
+      for (std::size_t k = 0; k < count; ++k)
+        ratios[k] = squares.slope[k] / (squares.slope[k] == 0 ? 1 : squares.speed[k]);
+      double eight = 0;
+      double ratio = 0;  // integral of |h'|^2 / |h|^2 over [0, 1], which is 2 e
+      for (std::size_t k = 0; k < count; ++k) {
+        eight += rule.weight[k] * std::sqrt(squares.speed[k]);
+        ratio += rule.weight[k] * ratios[k];
+      }
+      const double slack = width * std::max(polygon_length(h) - chord(h), 0.0);
+      const double e = ratio / 2;
+      const double cube = e * e * e;
+      const double error_8 = safety * std::min(2.5e-6 * cube, 3e-2) * slack;
+      const double error_16 = safety * std::min(1.5e-11 * cube * cube, 9e-3) * slack;
+      const double error_24 = safety * std::min(3.5e-16 * cube * cube * cube, 3.5e-3) * slack;
+      const auto take = [&](double length, double error) {
+        result.length += width * length;
+        result.error_estimate += error;
+      };
+      if (error_8 <= share) return take(eight, error_8);
+      if (error_16 <= share) return take(integral<16>(h), error_16);
+      if (error_24 <= share) return take(integral<24>(h), error_24);
+      if (depth == depth_limit) return take(eight, slack);
+      auto left = cut_left_half(h);
+      add_panel(left, width / 2, share / 2, depth + 1);
+      add_panel(h, width / 2, share / 2, depth + 1);
+    }
+  };
 };
 
 }  // namespace bezierbench

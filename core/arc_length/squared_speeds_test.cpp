@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Eight speeds at once are those of one at a time, bit for bit.
+#include "core/arc_length/squared_speeds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/derivative/hodograph.hpp"
+#include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/evaluation_test.hpp"
+#include "core/evaluate/kernel_of.hpp"
+
+namespace bezierbench {
+namespace {
+
+template <int Dimension>
+double squared_norm_at(const Curve<Form::bernstein, double, Dimension>& curve, double t) {
+  const auto point = DeCasteljau::evaluate(DeCasteljau::prepare(curve), t);
+  double sum = 0;
+  for (int axis = 0; axis < Dimension; ++axis) sum += point[axis] * point[axis];
+  return sum;
+}
+
+template <int Dimension>
+void expect_those_of_de_casteljau() {
+  const auto squared_speeds = std::make_unique<SquaredSpeeds<Dimension>>();  // for all: leftovers must not matter
+  Inputs inputs(11);
+  for (const int degree : {20, 0, 1, 2, 3, 5, 10, max_degree, 4, 0}) {
+    const auto points = inputs.coefficients(degree, Dimension);
+    const auto h =
+        instantiate::load<Form::bernstein, Dimension>(CurveView<double>{Form::bernstein, Dimension, degree, points});
+    std::array<double, 8> parameters{0, 1, 0.5};
+    for (std::size_t k = 3; k < parameters.size(); ++k) parameters[k] = inputs.unit();
+    const auto squares = (*squared_speeds)(h, parameters);
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      EXPECT_EQ(squares.speed[k], squared_norm_at(h, parameters[k])) << degree << " " << parameters[k];
+      // On each axis both slopes are at most 2m and have at most 3m + 3 roundings.
+      const double bound = 16.0 * Dimension * degree * degree * (3 * degree + 4) * 0x1p-53;
+      EXPECT_NEAR(squares.slope[k], squared_norm_at(hodograph(h, 1), parameters[k]), bound)
+          << degree << " " << parameters[k];
+    }
+  }
+}
+
+TEST(SquaredSpeeds, AreThoseOfDeCasteljau) {
+  expect_those_of_de_casteljau<1>();
+  expect_those_of_de_casteljau<2>();
+  expect_those_of_de_casteljau<3>();
+}
+
+}  // namespace
+}  // namespace bezierbench
