@@ -10,20 +10,46 @@
 
 namespace bezierbench {
 
-/// Compares the distances at these parameters of [0, 1] and at both ends of the curve; of equally near ones the
-/// smallest parameter counts, and a parameter that occurs twice counts once.
-template <int Dimension>
-FootPoint nearest(const OffsetCurve<Dimension>& curve, std::vector<double> candidates) {
+struct NearestCandidate {
+  double t;
+  double scaled_distance;  ///< as OffsetCurve has it
+  int candidates;          ///< how many there were
+};
+
+/// Compares the distances at these parameters of [0, 1], a vector of them, and at both ends of the curve; of equally
+/// near ones the smallest parameter counts, and a parameter that occurs twice counts once.
+template <int Dimension, int Degree, class Candidates>
+NearestCandidate nearest_candidate(const OffsetCurve<Dimension, Degree>& curve, Candidates candidates) {
   candidates.insert(candidates.end(), {0.0, 1.0});
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  FootPoint foot{0, std::numeric_limits<double>::infinity(), static_cast<int>(candidates.size()), true};
+  NearestCandidate best{0, std::numeric_limits<double>::infinity(), static_cast<int>(candidates.size())};
   for (const double t : candidates)
-    if (const double distance = curve.distance(t); distance < foot.distance) {
-      foot.t = t;
-      foot.distance = distance;
+    if (const double distance = curve.scaled_distance(t); distance < best.scaled_distance) {
+      best.t = t;
+      best.scaled_distance = distance;
     }
-  return foot;
+  return best;
+}
+
+/// t in [0, 1] and its distance, or those of the double beside it that is nearer by more than rounding: Newton's last
+/// step may end one off, and next to the curve an ulp of t is several of the distance.
+template <int Dimension, int Degree>
+NearestCandidate nearest_neighbour(const OffsetCurve<Dimension, Degree>& curve, const NearestCandidate& candidate) {
+  auto best = candidate;
+  for (const double other : {std::nextafter(candidate.t, 0.0), std::nextafter(candidate.t, 1.0)})
+    if (const double distance = curve.scaled_distance(other); distance < best.scaled_distance * (1 - 0x1p-50)) {
+      best.t = other;
+      best.scaled_distance = distance;
+    }
+  return best;
+}
+
+/// The same as a foot point.
+template <int Dimension>
+FootPoint nearest(const OffsetCurve<Dimension>& curve, std::vector<double> candidates) {
+  const auto best = nearest_candidate(curve, std::move(candidates));
+  return {best.t, curve.unscaled(best.scaled_distance), best.candidates, true};
 }
 
 }  // namespace bezierbench

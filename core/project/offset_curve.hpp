@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The curve as the point sees it, C - P, and what minimising its length asks for.
 //
-// With m a power of two at or above all coordinates, b_i and P are divided by m, exactly, and b_i - P = high + low is
-// an error-free sum. C - P is evaluated by de Casteljau in two parts (core/evaluate/compensated_triangle.hpp), so that
-// it is right to one rounding of itself and c_2 u^2 of the coordinates, also next to the curve, where C and P agree in
-// all digits.
+// With m a power of two at or above all coordinates, and at least 2^-1000, b_i and P are divided by m, exactly, and b_i
+// - P = high + low is an error-free sum. C - P is evaluated by de Casteljau in two parts
+// (core/evaluate/compensated_triangle.hpp), so that it is right to one rounding of itself and c_2 u^2 of the
+// coordinates, also next to the curve, where C and P agree in all digits.
 #pragma once
 
 #include "core/evaluate/compensated_triangle.hpp"
@@ -12,52 +12,64 @@
 
 namespace bezierbench {
 
-template <int Dimension>
+/// Of a degree known when compiled, or of any.
+template <int Dimension, int Degree = dynamic>
 class OffsetCurve {
  public:
   using Vector = Point<double, Dimension>;
+  using Points = Polygon<Dimension, count_of(Degree, 1)>;
+  using Differences = Polygon<Dimension, Degree>;
 
   OffsetCurve(const Curve<Form::bernstein, double, Dimension>& curve, const Vector& point) {
-    const int n = curve.degree();
+    const int n = Degree == dynamic ? curve.degree() : Degree;
     double largest = 0;
     for (int axis = 0; axis < Dimension; ++axis) {
       largest = std::max(largest, std::abs(point[axis]));
       for (int i = 0; i <= n; ++i) largest = std::max(largest, std::abs(curve(axis, i)));
     }
     std::frexp(largest, &exponent_);
-    Polygon<Dimension> scaled(Dimension, n + 1);
+    exponent_ = std::max(exponent_, least_exponent);
+    const double scale = std::ldexp(1.0, -exponent_);
+    Points scaled;
+    scaled.resize(Dimension, n + 1);
     high_.resize(Dimension, n + 1);
     low_.resize(Dimension, n + 1);
     for (int i = 0; i <= n; ++i)
       for (int axis = 0; axis < Dimension; ++axis) {
-        scaled(axis, i) = std::ldexp(curve(axis, i), -exponent_);
-        const auto difference = two_sum(scaled(axis, i), -std::ldexp(point[axis], -exponent_));
+        scaled(axis, i) = curve(axis, i) * scale;
+        const auto difference = two_sum(scaled(axis, i), -(point[axis] * scale));
         high_(axis, i) = difference.value;
         low_(axis, i) = difference.error;
       }
     first_ = differences<Dimension>(scaled);
     second_ = differences<Dimension>(first_);
+    const double largest_second = largest_coordinate<Dimension>(second_);
+    largest_bend_ =
+        Dimension * (n - 1) * largest_second *
+        (3 * n * largest_coordinate<Dimension>(first_) + 2 * (n - 2) * largest_coordinate<Dimension>(high_));
   }
 
-  [[nodiscard]] int degree() const { return degree_of<Dimension>(high_); }
+  [[nodiscard]] int degree() const { return Degree == dynamic ? degree_of<Dimension>(high_) : Degree; }
   /// b_i - P over m, each rounded once.
-  [[nodiscard]] const Polygon<Dimension>& offsets() const { return high_; }
+  [[nodiscard]] const Points& offsets() const { return high_; }
   /// b_(i+1) - b_i over m, each rounded once.
-  [[nodiscard]] const Polygon<Dimension>& differences_of_points() const { return first_; }
+  [[nodiscard]] const Differences& differences_of_points() const { return first_; }
 
-  /// (C(t) - P) / m.
-  [[nodiscard]] Vector at(double t) const {
+  /// (C(t) - P) / m. Flattened, for GCC would call each step of the triangle, its operands in memory.
+  [[nodiscard, gnu::flatten]] Vector at(double t) const {
+    if (t == 0) return high_.col(0);  // to the last bit what follows
+    if (t == 1) return high_.col(degree());
     const auto s = two_sum(1.0, -t);
     auto high = high_;
     auto low = low_;
-    for (int last = degree(); last > 0; --last)
-      for (int i = 0; i < last; ++i)
-        for (int axis = 0; axis < Dimension; ++axis) {
-          const auto parts =
-              compensated_step<2, double>({high(axis, i), low(axis, i)}, {high(axis, i + 1), low(axis, i + 1)}, s, t);
-          high(axis, i) = parts[0];
-          low(axis, i) = parts[1];
-        }
+    each_of_triangle<Degree>(degree(), [&](int i) {
+      for (int axis = 0; axis < Dimension; ++axis) {
+        const auto parts =
+            compensated_step<2, double>({high(axis, i), low(axis, i)}, {high(axis, i + 1), low(axis, i + 1)}, s, t);
+        high(axis, i) = parts[0];
+        low(axis, i) = parts[1];
+      }
+    });
     Vector sum;
     for (int axis = 0; axis < Dimension; ++axis) sum[axis] = high(axis, 0) + low(axis, 0);
     return sum;
@@ -65,7 +77,9 @@ class OffsetCurve {
 
   /// |C(t) - P| / m, and in coordinate units.
   [[nodiscard]] double scaled_distance(double t) const { return length<Dimension>(at(t)); }
-  [[nodiscard]] double distance(double t) const { return std::ldexp(scaled_distance(t), exponent_); }
+  [[nodiscard]] double distance(double t) const { return unscaled(scaled_distance(t)); }
+  /// m times a length.
+  [[nodiscard]] double unscaled(double length) const { return std::ldexp(length, exponent_); }
 
   /// f = (C - P).C' and its derivative |C'|^2 + (C - P).C'', both over n m^2; and |C'|^2 over the same.
   struct Slope {
@@ -81,12 +95,18 @@ class OffsetCurve {
     return {dot<Dimension>(offset, velocity), speed_squared + bend, speed_squared};
   }
 
+  /// A bound of |f''| = |3 C'.C'' + (C - P).C'''| on [0, 1], over the same.
+  [[nodiscard]] double largest_bend() const { return largest_bend_; }
+
  private:
-  Polygon<Dimension> high_;
-  Polygon<Dimension> low_;
-  Polygon<Dimension> first_;
-  Polygon<Dimension> second_;
+  static constexpr int least_exponent = -1000;  // so that 1/m is a double
+
+  Points high_;
+  Points low_;
+  Differences first_;
+  Polygon<Dimension, count_of(Degree, -1)> second_;
   int exponent_ = 0;  ///< m = 2^exponent
+  double largest_bend_ = 0;
 };
 
 }  // namespace bezierbench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control polygons as the projectors cut and evaluate them: one column a point, as many as there are.
+// Control polygons as the projectors cut and evaluate them: one column a point.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,15 +8,20 @@
 #include <utility>
 
 #include "core/curve.hpp"
+#include "core/project/written_out.hpp"
 
 namespace bezierbench {
 
-/// Not of bounded size, unlike a Curve: the projectors keep many, of low degree.
-template <int Dimension>
-using Polygon = Eigen::Matrix<double, Dimension, Eigen::Dynamic, Dimension == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
+/// `Points` columns, or any number of them. Not of bounded size, unlike a Curve: the projectors keep many, of low
+/// degree.
+template <int Dimension, int Points = dynamic>
+using Polygon = Eigen::Matrix<double, Dimension, Points, Dimension == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
 
-template <int Dimension>
-int degree_of(const Polygon<Dimension>& b) {
+/// `points + more`, where either may be unknown until run time.
+constexpr int count_of(int points, int more) { return points == dynamic ? dynamic : points + more; }
+
+template <int Dimension, int Points>
+int degree_of(const Polygon<Dimension, Points>& b) {
   return static_cast<int>(b.cols()) - 1;
 }
 
@@ -28,11 +33,12 @@ double dot(const Point<double, Dimension>& a, const Point<double, Dimension>& b)
   return sum;
 }
 
-/// |v|, scaled by a power of two before it is squared.
+/// |v|, scaled by a power of two before it is squared, where squares would leave the range.
 template <int Dimension>
 double length(const Point<double, Dimension>& v) {
   double largest = 0;
   for (int axis = 0; axis < Dimension; ++axis) largest = std::max(largest, std::abs(v[axis]));
+  if (largest >= 0x1p-480 && largest <= 0x1p+510) return std::sqrt(dot<Dimension>(v, v));  // to the last bit the same
   if (largest == 0 || !std::isfinite(largest)) return largest;
   int exponent = 0;
   std::frexp(largest, &exponent);
@@ -42,8 +48,8 @@ double length(const Point<double, Dimension>& v) {
 }
 
 /// The largest magnitude of a coordinate.
-template <int Dimension>
-double largest_coordinate(const Polygon<Dimension>& b) {
+template <int Dimension, int Points>
+double largest_coordinate(const Polygon<Dimension, Points>& b) {
   double largest = 0;
   for (int i = 0; i <= degree_of<Dimension>(b); ++i)
     for (int axis = 0; axis < Dimension; ++axis) largest = std::max(largest, std::abs(b(axis, i)));
@@ -51,20 +57,21 @@ double largest_coordinate(const Polygon<Dimension>& b) {
 }
 
 /// The point at t by de Casteljau; the zero vector for no points.
-template <int Dimension>
-Point<double, Dimension> point_at(Polygon<Dimension> b, double t) {
+template <int Dimension, int Points>
+Point<double, Dimension> point_at(Polygon<Dimension, Points> b, double t) {
   if (b.cols() == 0) return Point<double, Dimension>::Zero();
   const double s = 1 - t;
-  for (int last = degree_of<Dimension>(b); last > 0; --last)
-    for (int i = 0; i < last; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = s * b(axis, i) + t * b(axis, i + 1);
+  each_of_triangle<count_of(Points, -1)>(degree_of<Dimension>(b), [&](int i) {
+    for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = s * b(axis, i) + t * b(axis, i + 1);
+  });
   return b.col(0);
 }
 
 /// b_(i+1) - b_i.
-template <int Dimension>
-Polygon<Dimension> differences(const Polygon<Dimension>& b) {
-  Polygon<Dimension> result(Dimension, std::max<Eigen::Index>(b.cols() - 1, 0));
+template <int Dimension, int Points>
+Polygon<Dimension, count_of(Points, -1)> differences(const Polygon<Dimension, Points>& b) {
+  Polygon<Dimension, count_of(Points, -1)> result;
+  result.resize(Dimension, std::max<Eigen::Index>(b.cols() - 1, 0));
   for (Eigen::Index i = 0; i < result.cols(); ++i)
     for (int axis = 0; axis < Dimension; ++axis) result(axis, i) = b(axis, i + 1) - b(axis, i);
   return result;
@@ -72,15 +79,17 @@ Polygon<Dimension> differences(const Polygon<Dimension>& b) {
 
 /// The polygons over [0, 1/2] and [1/2, 1]. Each coordinate has passed at most `degree` roundings of at most
 /// u largest_coordinate(b).
-template <int Dimension>
-std::pair<Polygon<Dimension>, Polygon<Dimension>> halves(Polygon<Dimension> b) {
+template <int Dimension, int Points>
+std::pair<Polygon<Dimension, Points>, Polygon<Dimension, Points>> halves(Polygon<Dimension, Points> b) {
   const int n = degree_of<Dimension>(b);
-  Polygon<Dimension> left(Dimension, n + 1);
-  for (int k = 0; k <= n; ++k) {
-    left.col(k) = b.col(0);
-    for (int i = 0; i < n - k; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = (b(axis, i) + b(axis, i + 1)) / 2;
-  }
+  Polygon<Dimension, Points> left;
+  left.resize(Dimension, n + 1);
+  left.col(0) = b.col(0);
+  int level = 0;
+  each_of_triangle<count_of(Points, -1)>(n, [&](int i) {
+    for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = (b(axis, i) + b(axis, i + 1)) / 2;
+    if (i == 0) left.col(++level) = b.col(0);
+  });
   return {std::move(left), std::move(b)};  // what was not overwritten on level k is the last point of that level
 }
 

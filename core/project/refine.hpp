@@ -7,30 +7,44 @@
 
 namespace bezierbench {
 
-/// A root of (C - P).C' between a < b, where its signs differ: Newton steps, bisection where a step leaves the bracket
-/// or the steps do not halve. Ends when t does not move any more.
-template <int Dimension>
-double root_in_bracket(const OffsetCurve<Dimension>& curve, double a, double b, bool rising) {
+/// A root as it is known so far, by Newton steps of which the last one was `step`, or by other means.
+struct RootEstimate {
+  double t;
+  double step;  ///< the next one should be half as long or less
+};
+
+/// A root of (C - P).C' between a < b, where its signs differ, from an estimate between them: Newton steps, bisection
+/// where a step leaves the bracket or the steps do not halve. Ends where a and b are neighbours, or after a step s that
+/// leaves an error of no more than u t: one of 2 s^2 |f''| / |f'| (Kantorovich's theorem; Ortega and Rheinboldt,
+/// Iterative Solution of Nonlinear Equations in Several Variables, 1970, 12.6.2).
+template <int Dimension, int Degree>
+double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, double b, bool rising,
+                       const RootEstimate& estimate) {
   constexpr int most_steps = 200;  // each second one halves a bracket that has at most 2^53 doubles a binade
-  double t = a + (b - a) / 2;
-  double step = b - a;
+  auto [t, last_step] = estimate;
   for (int k = 0; k < most_steps; ++k) {
     const auto f = curve.slope(t);
     if (f.value == 0) break;
     ((f.value < 0) == rising ? a : b) = t;
     double next = t - f.value / f.derivative;
-    if (!(next > a && next < b && 2 * std::abs(next - t) <= std::abs(step))) next = a + (b - a) / 2;
-    step = next - t;
-    if (next == t || next == a || next == b) break;
+    double step = next - t;
+    const bool inside = next >= a && next <= b;
+    if (inside && 2 * step * step * curve.largest_bend() <= 0x1p-53 * next * std::abs(f.derivative)) return next;
+    if (!inside || 2 * std::abs(step) > std::abs(last_step)) {
+      next = a + (b - a) / 2;
+      step = next - t;
+    }
+    if (next == a || next == b) break;
     t = next;
+    last_step = step;
   }
   return t;
 }
 
 /// A parameter in [0, 1] at least as near as t: Newton steps where the distance curves upwards, else those of Gauss and
 /// Newton, each halved until it brings the curve nearer. Ends when none does.
-template <int Dimension>
-double descend(const OffsetCurve<Dimension>& curve, double t) {
+template <int Dimension, int Degree>
+double descend(const OffsetCurve<Dimension, Degree>& curve, double t) {
   constexpr int most_steps = 100;
   constexpr int most_halvings = 8;
   double distance = curve.scaled_distance(t);
@@ -51,16 +65,6 @@ double descend(const OffsetCurve<Dimension>& curve, double t) {
     if (t == before) return t;
   }
   return t;
-}
-
-/// t in [0, 1], or the double beside it that is nearer by more than rounding: Newton's last step may end one off, and
-/// next to the curve an ulp of t is several of the distance.
-template <int Dimension>
-double nearest_neighbour(const OffsetCurve<Dimension>& curve, double t) {
-  double best = t;
-  for (const double other : {std::nextafter(t, 0.0), std::nextafter(t, 1.0)})
-    if (curve.scaled_distance(other) < curve.scaled_distance(best) * (1 - 0x1p-50)) best = other;
-  return best;
 }
 
 }  // namespace bezierbench

@@ -165,6 +165,27 @@ TEST(Projection, ScalesWithTheCurve) {
     }
 }
 
+/// Down to subnormal coordinates, here of few enough digits to be scaled exactly.
+TEST(Projection, OfTheTiniestCurves) {
+  Inputs inputs(5);
+  for (int trial = 0; trial < 50; ++trial) {
+    auto points = inputs.coefficients(3, 2);
+    auto point = inputs.coefficients(0, 2);
+    for (auto* values : {&points, &point})
+      for (double& value : *values) value = std::floor(value * 64);
+    auto tiny = points;
+    auto tiny_point = point;
+    for (auto* values : {&tiny, &tiny_point})
+      for (double& value : *values) value *= 0x1p-1074;
+    for (const auto& kernel : projection_kernels(2)) {
+      const auto one = kernel.project({Form::bernstein, 2, 3, points}, point);
+      const auto other = kernel.project({Form::bernstein, 2, 3, tiny}, tiny_point);
+      EXPECT_EQ(one.t, other.t) << kernel.info->id;
+      EXPECT_EQ(std::ldexp(one.distance, -1074), other.distance) << kernel.info->id;
+    }
+  }
+}
+
 /// What one method finds no other may beat by more than rounding.
 TEST(Projection, NoMethodFindsANearerPointThanIsolation) {
   Inputs inputs(4);

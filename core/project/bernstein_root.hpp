@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// A first estimate of the one root of a polynomial in Bernstein form: the zero of its control polygon, then Newton
+// steps until they are short enough for those on the curve itself to end at once.
+//
+// Source: Moerken and Reimers, Math. Comp. 76 (2007) 845-865 (zeros of the control polygon as estimates).
+// Cost: 3 flops for each of the n(n+1)/2 points of de Casteljau's triangle per step; most often three or four steps.
+#pragma once
+
+#include "core/project/polygon.hpp"
+#include "core/project/refine.hpp"
+
+namespace bezierbench {
+
+/// Value and derivative over n = degree.
+struct BernsteinSlope {
+  double value;
+  double derivative;
+};
+
+/// By de Casteljau, the derivative from the last level but one. Degree 1 or more.
+template <int Points>
+BernsteinSlope bernstein_slope(Polygon<1, Points> f, double t) {
+  const double s = 1 - t;
+  each_of_triangle<count_of(Points, -1), 2>(degree_of<1>(f), [&](int i) { f[i] = s * f[i] + t * f[i + 1]; });
+  return {s * f[0] + t * f[1], f[1] - f[0]};
+}
+
+/// Where the control polygon of f first crosses zero; its first and last coefficient have different signs.
+template <int Points>
+double zero_of_control_polygon(const Polygon<1, Points>& f) {
+  int k = 0;
+  while ((f[k + 1] < 0) == (f[0] < 0)) ++k;
+  return (k + f[k] / (f[k] - f[k + 1])) / degree_of<1>(f);
+}
+
+/// The root of f in (0, 1), whose first and last coefficient have different signs. Not sure to be any good: f may be
+/// rounding errors next to the root.
+template <int Points>
+RootEstimate estimate_root(const Polygon<1, Points>& f) {
+  constexpr int most_steps = 16;
+  constexpr double short_step = 0x1p-18;
+  RootEstimate root{zero_of_control_polygon(f), 1};
+  for (int k = 0; k < most_steps && std::abs(root.step) > short_step; ++k) {
+    const auto [value, derivative] = bernstein_slope(f, root.t);
+    const double next = root.t - value / (degree_of<1>(f) * derivative);
+    if (!(next > 0 && next < 1)) return {root.t, 1};
+    root = {next, next - root.t};
+  }
+  return root;
+}
+
+}  // namespace bezierbench

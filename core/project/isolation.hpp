@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// How quintic_isolate looks for the roots of f = (C - P).C' / n: it judges the curve by the signs of f's coefficients
+// and halves it until each piece has one root or none.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory_resource>
+#include <vector>
+
+#include "core/project/bernstein_root.hpp"
+#include "core/project/halved_polygon.hpp"
+#include "core/project/nearest.hpp"
+#include "core/project/polygon_product.hpp"
+#include "core/project/refine.hpp"
+
+namespace bezierbench {
+
+/// One search, for one curve, of a degree known when compiled or of any, and one point.
+template <int Dimension, int Degree = dynamic>
+class Isolation {
+ public:
+  Isolation(const Curve<Form::bernstein, double, Dimension>& curve, const Point<double, Dimension>& point)
+      : offset_(curve, point), product_(offset_.degree()) {
+    candidates_.reserve(room_.size() / sizeof(double));
+  }
+  Isolation(const Isolation&) = delete;
+  Isolation& operator=(const Isolation&) = delete;
+
+  FootPoint foot() {
+    isolate({HalvedPolygon(offset_.offsets()), HalvedPolygon(offset_.differences_of_points())});
+    const auto best = nearest_neighbour(offset_, nearest_candidate(offset_, std::move(candidates_)));
+    return {best.t, offset_.unscaled(best.scaled_distance), best.candidates, judged_ < most_pieces};
+  }
+
+ private:
+  static constexpr int most_pieces = 20'000;
+  static constexpr double smallest_width = 0x1p-60;
+
+  /// Part of the curve, over m as in OffsetCurve.
+  struct Piece {
+    HalvedPolygon<Dimension, count_of(Degree, 1)> offset;  ///< of C - P
+    HalvedPolygon<Dimension, Degree> difference;           ///< of C' / n, whatever the width
+    double from = 0;
+    double width = 1;
+
+    [[nodiscard]] double middle() const { return from + width / 2; }
+  };
+
+  /// Adds a candidate for each root in the piece.
+  void isolate(const Piece& piece) {
+    if (judged_ == most_pieces) {
+      candidates_.push_back(descend(offset_, piece.middle()));
+      return;
+    }
+    ++judged_;
+    const auto f = product_(piece.offset, piece.difference);
+    const int most = f.most_variations();
+    if (most == 0) return;
+    if (f.is_unknown() || piece.width < smallest_width)
+      candidates_.push_back(descend(offset_, piece.middle()));
+    else if (most == 1)
+      candidates_.push_back(root_of(piece, f));
+    else
+      isolate_halves(piece);
+  }
+
+  void isolate_halves(const Piece& piece) {
+    const auto [left, right] = halves(piece.offset);
+    const auto [left_difference, right_difference] = halves(piece.difference);
+    isolate({left, left_difference, piece.from, piece.width / 2});
+    isolate({right, right_difference, piece.middle(), piece.width / 2});
+  }
+
+  /// The one root in a piece that has at most one. Where the signs at its ends agree the root, if there is any, lies at
+  /// an end, as near as rounding tells.
+  double root_of(const Piece& piece, const UncertainPolynomial<count_of(Degree, Degree)>& f) const {
+    const double a = piece.from;
+    const double b = a + piece.width;
+    if (f.sign(0) != 0 && f.sign(f.degree()) != 0) {
+      const auto estimate = estimate_root(f.coefficients);
+      return root_in_bracket(offset_, a, b, f.sign(0) < 0, {a + piece.width * estimate.t, piece.width * estimate.step});
+    }
+    const double at_a = offset_.slope(a).value;
+    const double at_b = offset_.slope(b).value;
+    if (at_a == 0) return a;
+    if (at_b == 0) return b;
+    if ((at_a < 0) != (at_b < 0)) return root_in_bracket(offset_, a, b, at_a < 0, {piece.middle(), piece.width});
+    return descend(offset_, std::abs(at_a) < std::abs(at_b) ? a : b);
+  }
+
+  OffsetCurve<Dimension, Degree> offset_;
+  PolygonProduct<Degree> product_;
+  std::array<std::byte, 64 * sizeof(double)> room_;  // no allocation for a curve of low degree
+  std::pmr::monotonic_buffer_resource memory_{room_.data(), room_.size()};
+  std::pmr::vector<double> candidates_{&memory_};
+  int judged_ = 0;
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// f = (C - P).C' / n in Bernstein form, degree 2n-1, and which signs of its coefficients are certain:
+//   f_k = sum_(i+j=k) C(n,i) C(n-1,j) / C(2n-1,k) (b_i - P).(b_(j+1) - b_j).
+//
+// Source: Farouki and Rajan, CAGD 5 (1988) 1-26 (products in Bernstein form).
+#pragma once
+
+#include "core/basis/binomial.hpp"
+#include "core/project/halved_polygon.hpp"
+
+namespace bezierbench {
+
+/// A polynomial in Bernstein form whose coefficients are known up to an error.
+template <int Count = dynamic>
+struct UncertainPolynomial {
+  Polygon<1, Count> coefficients;
+  double error;  ///< no coefficient is off by more
+
+  [[nodiscard]] int degree() const { return degree_of<1>(coefficients); }
+  /// Of coefficient k; 0 where the error may have decided.
+  [[nodiscard]] int sign(int k) const { return coefficients[k] > error ? 1 : coefficients[k] < -error ? -1 : 0; }
+  /// True if no sign is certain.
+  [[nodiscard]] bool is_unknown() const { return largest_coordinate<1>(coefficients) <= error; }
+
+  /// The most sign variations that any choice for the uncertain signs has.
+  [[nodiscard]] int most_variations() const {
+    const int none = -degree() - 2;
+    int after_plus = -1;  // so that the first sign is no variation
+    int after_minus = -1;
+    for (int k = 0; k <= degree(); ++k) {
+      const int plus = sign(k) < 0 ? none : std::max(after_plus, after_minus + 1);
+      const int minus = sign(k) > 0 ? none : std::max(after_minus, after_plus + 1);
+      after_plus = plus;
+      after_minus = minus;
+    }
+    return std::max(after_plus, after_minus);
+  }
+};
+
+/// Multiplies polygons of degree n and n - 1, for one n.
+template <int Degree = dynamic>
+class PolygonProduct {
+ public:
+  explicit PolygonProduct(int n)
+      : of_curve_(binomials<double, Degree>(n)),
+        of_difference_(binomials<double, count_of(Degree, -1)>(n - 1)),
+        of_product_(binomials<double, count_of(Degree, Degree - 1)>(2 * n - 1)) {}
+
+  template <int Dimension>
+  [[nodiscard]] UncertainPolynomial<count_of(Degree, Degree)> operator()(
+      const HalvedPolygon<Dimension, count_of(Degree, 1)>& offset,
+      const HalvedPolygon<Dimension, Degree>& difference) const {
+    const int n = degree_of<Dimension>(offset.b);
+    UncertainPolynomial<count_of(Degree, Degree)> f;
+    f.coefficients.setZero(1, 2 * n);
+    each<count_of(Degree, 1)>(n + 1, [&](int i) {
+      each<Degree>(n, [&](int j) {
+        f.coefficients[i + j] +=
+            of_curve_[i] * of_difference_[j] * dot<Dimension>(offset.b.col(i), difference.b.col(j));
+      });
+    });
+    each<count_of(Degree, Degree)>(2 * n, [&](int k) { f.coefficients[k] /= of_product_[k]; });
+    f.error = error_of(offset, difference);
+    return f;
+  }
+
+ private:
+  /// The errors of the polygons, carried through the products; then at most d + 1 roundings in a product of vectors,
+  /// 2n + 4 in weighing and summing, and 3n in binomials that are not exact.
+  template <int Dimension>
+  static double error_of(const HalvedPolygon<Dimension, count_of(Degree, 1)>& offset,
+                         const HalvedPolygon<Dimension, Degree>& difference) {
+    const double largest_offset = offset.largest + offset.error;
+    const double largest_difference = difference.largest + difference.error;
+    const double roundings = 0x1p-53 * (5.0 * static_cast<double>(offset.b.cols()) + Dimension + 5);
+    const double carried = offset.error * largest_difference + difference.error * largest_offset;
+    return Dimension * (1 + 0x1p-20) * (carried + roundings * largest_offset * largest_difference);
+  }
+
+  PerCoefficient<double, Degree> of_curve_;
+  PerCoefficient<double, count_of(Degree, -1)> of_difference_;
+  PerCoefficient<double, count_of(Degree, Degree - 1)> of_product_;
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Loops that are written out one by one where their length is known when compiled: GCC unrolls nested ones too late to
+// keep small polygons in registers.
+#pragma once
+
+#include <utility>
+
+#include "core/curve.hpp"
+
+namespace bezierbench {
+
+/// step(i) for i = 0, ..., count - 1. Count is that number or `dynamic`.
+template <int Count, class Step>
+void each(int count, const Step& step) {
+  if constexpr (Count == dynamic)
+    for (int i = 0; i < count; ++i) step(i);
+  else
+    [&]<int... I>(std::integer_sequence<int, I...> /*all*/) { (step(I), ...); }
+  (std::make_integer_sequence<int, Count>());
+}
+
+/// The levels of de Casteljau's triangle that have at least `least` points: step(i) for i = 0, ..., count - 1, where
+/// count goes down from the degree to `Least`. Degree is that number or `dynamic`.
+template <int Degree, int Least = 1, class Step>
+void each_of_triangle(int degree, const Step& step) {
+  if constexpr (Degree == dynamic)
+    for (int count = degree; count >= Least; --count) each<dynamic>(count, step);
+  else if constexpr (Degree >= Least) {
+    each<Degree>(Degree, step);
+    each_of_triangle<Degree - 1, Least>(Degree - 1, step);
+  }
+}
+
+}  // namespace bezierbench
