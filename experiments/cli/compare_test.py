@@ -12,6 +12,7 @@ from program_case import FINDING, FINE, INPUT_OUTPUT, PROGRAM, ROOT, STUDY, USAG
 CONTRACT = "kind,study,method,scalar,dimension,degree,mode,a,b,ratio,ratio_low,ratio_high,verdict".split(",")
 BASELINE = ROOT / "results/baseline"
 TIMES = ("median_ns", "low_ns", "high_ns")
+UNITS = ("sentinel_units", "sentinel_units_low", "sentinel_units_high")
 
 
 def verdict(low, high):
@@ -42,11 +43,19 @@ class Compare(Case):
             writer.writerows(table)
         return table
 
-    def scale_times(self, factor, only=lambda row: True):
+    def scale_times(self, factor, only=None):
+        """As if the machine were slower or, in units of its sentinel too, some methods only."""
         def change(row):
-            if only(row):
-                row.update({column: repr(float(row[column]) * factor) for column in TIMES})
+            if only is None or only(row):
+                row.update({column: repr(float(row[column]) * factor) for column in (TIMES if only is None else TIMES + UNITS)})
         self.edit("timing.csv", change)
+
+    def still_times(self, bundle):
+        """As if nothing had varied, so that what the committed times were taken beside decides nothing."""
+        def change(row):
+            for median, *limits in (TIMES, UNITS):
+                row.update({limit: row[median] for limit in limits})
+        self.edit("timing.csv", change, bundle)
 
     def table(self, *arguments, code=FINE):
         result = self.run_program("compare", *arguments, "--format", "csv")
@@ -104,6 +113,8 @@ class Compare(Case):
                          [(victim["max_error"], other, "max_error")])
 
     def test_slower_and_faster(self):
+        self.still_times("a")
+        self.still_times("b")
         self.scale_times(1.25, lambda row: row["method"] == "de_casteljau")
         self.scale_times(0.8, lambda row: row["method"] == "power_sum")
         self.assertEqual(self.run_program("compare", "a", "b").returncode, FINE)

@@ -175,7 +175,7 @@ class Faults(ResumeCase):
         self.prepare()
         shutil.rmtree(self.folder / "start")
         shutil.copytree(self.folder / "whole", self.folder / "start")
-        self.assertEqual(self.calls(self.command()), [])
+        self.assertEqual(self.calls(self.command()), [("open", "b")])  # to list what is in it
         self.write("start/blocks/whole.000001.blocks", "x")
         self.write("start/.bezierbench-1-1.tmp", "x")
         calls = self.calls(self.command())
