@@ -6,6 +6,7 @@
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/data_kind.hpp"
+#include "experiments/studies/job_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -22,32 +23,15 @@ suite::Study small_study() {
   return study;
 }
 
-std::string text_of(const Job& job, const std::string& file = "fitting.csv") {
-  Tables tables;
-  job.write(tables);
-  return tables.all().at(file).text();
-}
-
 double field(const bundle::CsvDocument& csv, std::size_t row, const char* column) {
   return number::parse_number(csv.at(row, column)).value();
 }
 
 TEST(FittingStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
-  const auto plain = fitting_job(small_study(), {1});
-  run_all(*plain);
-  const auto backwards = fitting_job(small_study(), {1});
-  for (std::size_t block = backwards->blocks(); block-- > 0;) {
-    number::ByteWriter writer;
-    backwards->run_block(block)->save(writer);
-    number::ByteReader reader(writer.bytes());
-    backwards->add(backwards->part_of(block), backwards->read_result(reader));
-    reader.finish();
-  }
-  EXPECT_EQ(text_of(*plain), text_of(*backwards));
-  EXPECT_TRUE(plain->violations().empty());
-  const auto csv = bundle::parse_csv(text_of(*plain), "fitting.csv");
+  const auto files = expect_order_changes_nothing(fitting_job, small_study());
+  const auto csv = bundle::parse_csv(files.at("fitting.csv"), "fitting.csv");
   ASSERT_EQ(csv.row_count(), 2 * sample::data_kinds().size() * 2 * 2);
-  EXPECT_EQ(plain->extent().rows, csv.row_count());
+  EXPECT_EQ(fitting_job(small_study(), {1})->extent().rows, csv.row_count());
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     for (const char* column : {"broken_promises", "understated", "non_converged", "non_finite"})
       EXPECT_EQ(csv.at(row, column), "0") << row << " " << column;
@@ -65,7 +49,7 @@ TEST(FittingStudy, SaysWhatGivesItsSourceBack) {
   study.tolerance = {1e-9};
   const auto job = fitting_job(study, {1});
   run_all(*job);
-  const auto csv = bundle::parse_csv(text_of(*job), "fitting.csv");
+  const auto csv = bundle::parse_csv(text_of(*job).at("fitting.csv"), "fitting.csv");
   ASSERT_EQ(csv.at(0, "data"), "samples");
   ASSERT_EQ(csv.at(0, "method"), "schneider");
   EXPECT_EQ(csv.at(0, "one_segment"), "0");
@@ -79,7 +63,7 @@ TEST(FittingStudy, ShowsAnExample) {
   study.trials = 1;
   const auto job = fitting_job(study, {1});
   run_all(*job);
-  const auto csv = bundle::parse_csv(text_of(*job, "fitting_example.csv"), "fitting_example.csv");
+  const auto csv = bundle::parse_csv(text_of(*job).at("fitting_example.csv"), "fitting_example.csv");
   std::size_t row = 0;
   for (const auto& kind : sample::data_kinds()) {
     const std::size_t data = row;

@@ -4,17 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/studies/job.hpp"
+#include "experiments/studies/job_test.hpp"
 
 namespace bezierbench::studies {
-
-using MakeJob = std::unique_ptr<Job> (*)(const suite::Study& study, const JobContext& context);
 
 inline suite::Study small_length_study(suite::Kind kind, std::vector<std::string> generators) {
   suite::Study study;
@@ -27,31 +24,6 @@ inline suite::Study small_length_study(suite::Kind kind, std::vector<std::string
   study.tolerance = {1e-3, 1e-9};
   study.trials = 20;  // two blocks, the last one short
   return study;
-}
-
-inline std::map<std::string, std::string> text_of(const Job& job) {
-  Tables tables;
-  job.write(tables);
-  std::map<std::string, std::string> texts;
-  for (const auto& [file, table] : tables.all()) texts[file] = table.text();
-  return texts;
-}
-
-/// Does all blocks forwards, then backwards and through their bytes; returns the files.
-inline std::map<std::string, std::string> expect_order_changes_nothing(MakeJob make, const suite::Study& study) {
-  const auto plain = make(study, {1});
-  run_all(*plain);
-  const auto backwards = make(study, {1});
-  for (std::size_t block = backwards->blocks(); block-- > 0;) {
-    number::ByteWriter writer;
-    backwards->run_block(block)->save(writer);
-    number::ByteReader reader(writer.bytes());
-    backwards->add(backwards->part_of(block), backwards->read_result(reader));
-    reader.finish();
-  }
-  EXPECT_EQ(text_of(*plain), text_of(*backwards));
-  EXPECT_TRUE(plain->violations().empty());
-  return text_of(*plain);
 }
 
 /// No broken promise, and where all converged the largest error is within the tolerance.
