@@ -11,7 +11,8 @@
 //   promise in 800,000 on random curves of degree 2 to 4 was broken, by a factor of 2.2.
 // Cost: per panel 8 speeds with derivatives, and 16 or 24 more where more points are taken.
 // Estimate: the sum of the foretold errors, of P - C, which is proved, where the depth ends, and of the roundings.
-// Fails: the constants are not proved. Tested for degrees up to 20.
+// Fails: the constants are not proved. Tested for degrees up to 20. suites/arc_length.toml with --trials 460 breaks one
+//   promise: degree 10, random, tolerance 1e-12, trial 371, by a factor of 3.6.
 #pragma once
 
 #include <algorithm>
