@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// |h(t)|^2 and |h'(t)|^2 of a hodograph at eight parameters at once, by de Casteljau's algorithm.
+// |h(t)|^2 of a hodograph at eight parameters at once, by de Casteljau's algorithm.
 //
-// Cost: 3d m(m+1)/2 + 5d flops each, m the degree of h, and one subtraction.
+// Cost: 3d m(m+1)/2 + 2d flops each, m the degree of h, and one subtraction.
 //
 // The eight triangles lie side by side, so that each step is the same for eight numbers in a row: compilers make wide
 // instructions of that, at any degree. One triangle at a time has loops too short for it where the degree is low.
@@ -21,13 +21,8 @@ class SquaredSpeeds {
  public:
   static constexpr std::size_t count = 8;
   using Eight = std::array<double, count>;
-  struct Squares {
-    Eight speed;  ///< |h|^2
-    Eight slope;  ///< |h'|^2
-  };
 
-  /// Level m-1 of a triangle holds two points: h lies between them, h' is m times their difference.
-  Squares operator()(const Curve<Form::bernstein, double, Dimension>& h, std::span<const double, count> parameters) {
+  Eight operator()(const Curve<Form::bernstein, double, Dimension>& h, std::span<const double, count> parameters) {
     const int m = h.degree();
     Eight s;
     Eight t;
@@ -36,18 +31,10 @@ class SquaredSpeeds {
       s[k] = 1 - t[k];
     }
     for (std::size_t j = 0; j < coordinates(m + 1); ++j) coordinates_[j].fill(h.data()[j]);
-    for (int level = 1; level < m; ++level) step(m - level + 1, s, t);
-    Squares squares{{}, {}};
-    if (m > 0) {
-      for (std::size_t axis = 0; axis < Dimension; ++axis)
-        for (std::size_t k = 0; k < count; ++k) {
-          const double slope = m * (coordinates_[Dimension + axis][k] - coordinates_[axis][k]);
-          squares.slope[k] += slope * slope;
-        }
-      step(1, s, t);
-    }
+    for (int points = m; points > 0; --points) step(points, s, t);
+    Eight squares{};
     for (std::size_t axis = 0; axis < Dimension; ++axis)
-      for (std::size_t k = 0; k < count; ++k) squares.speed[k] += coordinates_[axis][k] * coordinates_[axis][k];
+      for (std::size_t k = 0; k < count; ++k) squares[k] += coordinates_[axis][k] * coordinates_[axis][k];
     return squares;
   }
 

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// A curve in Bernstein form over [0, 1] as a series of Chebyshev polynomials of z = 2t - 1, cut at a limited degree,
+// with a bound for what was cut.
+//
+// Source: de Casteljau's algorithm with polynomials in place of points: a step takes (A + B)/2 + z (B - A)/2, and
+//   z T_k = (T_(k+1) + T_(k-1))/2. Derived here.
+// Cost: m(m+1)/2 steps of 6d min(r, limit) flops, r the level.
+// Error: a step rounds each coefficient by at most 3u of those that it is made of. The coefficients of a polynomial of
+//   degree r and size 1 have squares that sum to at most 2, so sizes that sum to at most sqrt(2(r+1)): after all levels
+//   the sum is off by at most 2 sqrt(2) u (m+1)^(3/2) times the largest control point, which counts as cut.
+//
+// The series of a level lie side by side, so that each step is the same for four numbers in a row.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/curve.hpp"
+
+namespace bezierbench {
+
+/// sum_k a_k T_k(z), k = 0 .. degree.
+template <int Dimension>
+class ChebyshevSeries {
+ public:
+  static constexpr std::size_t degree_limit = 16;
+
+  /// For curves of this degree.
+  explicit ChebyshevSeries(int curve_degree)
+      : curve_degree_(static_cast<std::size_t>(curve_degree)),
+        stride_((curve_degree_ + 1) * Dimension + Dimension + chunk),
+        rows_(stride_ * (std::min(curve_degree_, degree_limit) + 1), 0.0) {
+    constexpr double u = 0x1p-53;
+    rounding_ = curve_degree == 0 ? 0 : 3 * u * (curve_degree + 1) * std::sqrt(curve_degree + 1.0);
+  }
+
+  [[nodiscard]] std::size_t degree() const { return degree_; }
+  /// |a_k|
+  [[nodiscard]] double size(std::size_t k) const { return sizes_[k]; }
+  /// The curve and the series are never farther apart than this on [-1, 1].
+  [[nodiscard]] double cut() const { return cut_; }
+
+  /// What rounding alone may cut, for control points of this size.
+  [[nodiscard]] double rounding(double largest) const { return rounding_ * largest; }
+
+  /// Makes it the series of h, whose control points have at most the size `largest`.
+  void expand(const Curve<Form::bernstein, double, Dimension>& h, double largest) {
+    std::copy_n(h.data(), (curve_degree_ + 1) * Dimension, rows_.begin());
+    cut_ = rounding(largest);
+    for (std::size_t level = 1; level <= curve_degree_; ++level) {
+      const std::size_t width = (curve_degree_ - level + 1) * Dimension;
+      double cut = 0;
+      for (std::size_t first = 0; first < width; first += chunk)
+        cut = std::max(cut, step(first, std::min(chunk, width - first), level - 1));
+      cut_ += cut;
+    }
+    degree_ = std::min(curve_degree_, degree_limit);
+    for (std::size_t k = 0; k <= degree_; ++k) {
+      double square = 0;
+      for (std::size_t axis = 0; axis < Dimension; ++axis)
+        square += rows_[k * stride_ + axis] * rows_[k * stride_ + axis];
+      sizes_[k] = std::sqrt(square);
+    }
+  }
+
+  /// Leaves out the last terms, as many as change the series by at most `allowed` together with what was cut before.
+  void shorten(double allowed) {
+    while (degree_ > 0 && cut_ + sizes_[degree_] <= allowed) cut_ += sizes_[degree_--];
+  }
+
+ private:
+  static constexpr std::size_t chunk = 4;
+  using Chunk = Eigen::Array<double, chunk, 1>;
+
+  static Chunk read(const double* from) { return Eigen::Map<const Chunk>(from); }
+
+  /// Puts (A + B)/2 + z (B - A)/2 in place of A, both of degree at most `from`, in some columns, of which `used` count;
+  /// returns the size of the term that is cut.
+  double step(std::size_t first, std::size_t used, std::size_t from) {
+    const std::size_t degree = std::min(from, degree_limit);
+    double* row = &rows_[first];
+    Chunk a = read(row);
+    Chunk b = read(row + Dimension);
+    Chunk here = (b - a) / 4;
+    Chunk before = Chunk::Zero();  // of T_(k-1), twice that of T_0
+    for (std::size_t k = 0; k <= degree; ++k) {
+      const Chunk sum = a + b;
+      Chunk after = Chunk::Zero();
+      if (k < degree) {
+        a = read(row + stride_);
+        b = read(row + stride_ + Dimension);
+        after = (b - a) / 4;
+      }
+      Eigen::Map<Chunk> result(row);
+      result = sum / 2 + (before + after);
+      before = k == 0 ? Chunk(2 * here) : here;
+      here = after;
+      row += stride_;
+    }
+    if (degree < degree_limit) {
+      Eigen::Map<Chunk> result(row);
+      result = before;
+      return 0;
+    }
+    return before.head(static_cast<Eigen::Index>(used)).abs().maxCoeff() * std::sqrt(1.0 * Dimension);
+  }
+
+  std::size_t curve_degree_;
+  std::size_t stride_;
+  std::vector<double> rows_;  ///< row k: a_k of each series of a level
+  std::array<double, degree_limit + 1> sizes_;
+  std::size_t degree_ = 0;
+  double rounding_;
+  double cut_ = 0;
+};
+
+}  // namespace bezierbench

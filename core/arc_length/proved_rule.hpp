@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The Gauss-Legendre rule with the fewest points of which the Chebyshev series of h proves that it misses no more than
+// is allowed of the mean speed |h| on [-1, 1].
+//
+// Theory: let f be analytic inside the ellipse with foci -1 and 1 whose half-axes sum to rho, and |f| <= M there. A
+// rule
+//   of N points then misses at most 32/15 M rho^(-2N) / (1 - rho^-2) of the mean of f (Trefethen, Approximation Theory
+//   and Approximation Practice, theorem 19.3). There |T_k| <= A_k = (rho^k + rho^-k)/2. Derived here: with h = sum a_k
+//   T_k let sum_(k>0) |a_k| A_k < |a_0|. Then |h| = sqrt(h.h) is analytic, for h.h has no root: at one the real and the
+//   imaginary part of h are at right angles and equally long; in their plane h is a complex number that is 0, or the
+//   conjugate of one, so that the part of a_0 in that plane is at most the sum of those of the a_k T_k; so is the part
+//   at right angles to it, where h has none; and both together give |a_0| <= sum |a_k| A_k, by Minkowski's inequality.
+//   And |h| <= 2 |a_0|. What was cut from the series changes the mean of |h| and, the weights being positive, the rule
+//   by at most that.
+// Cost: one ellipse per rule, just large enough for what is allowed.
+// Error: a few u of the bound, which its constants are rounded up for.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/arc_length/chebyshev_series.hpp"
+#include "core/basis/integer_power.hpp"
+
+namespace bezierbench {
+
+/// A rule of 8, 16 or 24 points; none: 0 points.
+struct ProvedRule {
+  int points = 0;
+  double missed = 0;  ///< at most, of the mean speed
+};
+
+namespace detail {
+
+inline constexpr std::size_t gauss_rules = 3;
+inline constexpr std::size_t ellipse_count = 64;
+
+/// Ellipses with rho = 2^(1/16), 2^(2/16) ... 16.
+struct Ellipses {
+  std::array<double, ellipse_count> half_axis;                        ///< (rho + 1/rho)/2 = A_1
+  std::array<std::array<double, ellipse_count>, gauss_rules> missed;  ///< by each rule, where M is 1
+};
+
+inline constexpr Ellipses ellipses = [] {
+  Ellipses table{};
+  double rho = 1;
+  for (std::size_t i = 0; i < ellipse_count; ++i) {
+    rho *= 1.0442737824274138;
+    table.half_axis[i] = (rho + 1 / rho) / 2;
+    const double by_eight_points = integer_power(1 / rho, 16);
+    double missed = 32.0 / 15 * (1 + 0x1p-20) / (1 - 1 / (rho * rho));
+    for (auto& of_rule : table.missed) of_rule[i] = missed *= by_eight_points;
+  }
+  return table;
+}();
+
+/// The smallest ellipse with which the rule of 8 `eights` points misses at most 2^-exponent M: rho^(-16 eights) <=
+/// 2^-(exponent + 3), for what stands before that in the theorem is at most 8 from rho = 1.2 on.
+constexpr std::size_t ellipse_for(int exponent, int eights) {
+  return static_cast<std::size_t>(std::max((exponent + 2) / eights, 0));
+}
+
+}  // namespace detail
+
+template <int Dimension>
+ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double allowed) {
+  using detail::ellipses;
+  using Lanes = Eigen::Array<double, 4, 1>;
+  const double allowed_of_rule = allowed - 2 * h.cut();
+  const double limit = h.size(0) * (1 - 0x1p-20);
+  const double largest = 2 * h.size(0);
+  if (!(allowed_of_rule > 0 && limit > 0)) return {};
+  if (h.degree() == 0) return {8, 2 * h.cut()};  // a constant, of which a rule misses nothing
+  int exponent = 0;
+  std::frexp(largest / allowed_of_rule, &exponent);
+  const auto last = detail::ellipse_count - 1;
+  const std::array<std::size_t, detail::gauss_rules> ellipse{std::min(detail::ellipse_for(exponent, 1), last),
+                                                             std::min(detail::ellipse_for(exponent, 2), last),
+                                                             std::min(detail::ellipse_for(exponent, 3), last)};
+  const Lanes half_axis(ellipses.half_axis[ellipse[0]], ellipses.half_axis[ellipse[1]], ellipses.half_axis[ellipse[2]],
+                        1);
+  const Lanes twice = 2 * half_axis;
+  Lanes before = Lanes::Ones();
+  Lanes here = half_axis;
+  Lanes sum = Lanes::Zero();
+  for (std::size_t k = 1; k <= h.degree(); ++k) {
+    sum += h.size(k) * here;
+    const Lanes after = twice * here - before;  // A_(k+1) = T_(k+1)(A_1)
+    before = here;
+    here = after;
+  }
+  for (std::size_t r = 0; r < detail::gauss_rules; ++r) {
+    const double missed = largest * ellipses.missed[r][ellipse[r]];
+    if (sum[static_cast<Eigen::Index>(r)] <= limit && missed <= allowed_of_rule)
+      return {8 * static_cast<int>(r + 1), missed + 2 * h.cut()};
+  }
+  return {};
+}
+
+}  // namespace bezierbench
