@@ -7,7 +7,8 @@
 //
 // Source: Golub and Pereyra 1973 (variable projection), with the Jacobian of Kaufman 1975 and, for curves, Borges and
 //   Pastva 2002, Total least squares fitting of Bezier and B-spline curves, section 3; damping: Marquardt 1963.
-// Cost: O(d^2 m) flops for m points and each of at most 3 times 64 steps.
+// Cost: O(d^2 m) flops for m points and each of at most 3 times 64 steps. Of more than 513 points so many are fitted
+//   first; all of them, from there on, where that keeps the tolerance.
 // Sure: samples of a cubic are a minimum of 0, to which steps converge quadratically from nearby.
 //   Started from parameters by chord length; where the tolerance is not kept then, by their square roots (Lee 1989),
 //   and by equal steps.
@@ -34,6 +35,33 @@ struct GaussNewton {
 
   template <int Dimension>
   static Piece<Dimension> piece(const Section<Dimension>& section) {
+    if (section.points.cols() <= most_points) return best_of_starts(section);
+    const auto some = thinned(section);
+    const auto coarse = best_of_starts(some);
+    Piece<Dimension> guess{coarse.cubic, parameters_between(some.t, coarse.t, section.t), coarse.iterations};
+    if (largest_error(some, coarse) > section.tolerance) return guess;
+    auto fine = adjusted(section, std::move(guess.t));
+    fine.iterations += coarse.iterations;
+    return fine;
+  }
+
+  /// That of the parabola through the three points whose parameters are as far apart as the points.
+  template <int Dimension>
+  static Point<double, Dimension> tangent(const Point<double, Dimension>& before,
+                                          const Point<double, Dimension>& after) {
+    const double h = length<Dimension>(before);
+    const double k = length<Dimension>(after);
+    return (k / h) * before + (h / k) * after;
+  }
+
+ private:
+  using Parameters = std::vector<double>;
+
+  static constexpr Eigen::Index most_points = 513;  ///< that are fitted without a look at some of them
+
+  /// The best of what the three choices of parameters lead to.
+  template <int Dimension>
+  static Piece<Dimension> best_of_starts(const Section<Dimension>& section) {
     Piece<Dimension> best;
     double least = std::numeric_limits<double>::infinity();
     int iterations = 0;
@@ -51,17 +79,31 @@ struct GaussNewton {
     return best;
   }
 
-  /// That of the parabola through the three points whose parameters are as far apart as the points.
+  /// As many points as are fitted at once, at even steps, with the ends.
   template <int Dimension>
-  static Point<double, Dimension> tangent(const Point<double, Dimension>& before,
-                                          const Point<double, Dimension>& after) {
-    const double h = length<Dimension>(before);
-    const double k = length<Dimension>(after);
-    return (k / h) * before + (h / k) * after;
+  static Section<Dimension> thinned(const Section<Dimension>& section) {
+    Section<Dimension> some{
+        Polygon<Dimension>(Dimension, most_points), {}, section.length, section.start, section.end, section.tolerance};
+    for (Eigen::Index k = 0; k < most_points; ++k) {
+      const Eigen::Index i = k * (section.points.cols() - 1) / (most_points - 1);
+      some.points.col(k) = section.points.col(i);
+      some.t.push_back(section.t[static_cast<std::size_t>(i)]);
+    }
+    return some;
   }
 
- private:
-  using Parameters = std::vector<double>;
+  /// What belongs to each of `all` where `value` belongs to `at`, which rises and has the same ends; linearly between.
+  static Parameters parameters_between(const Parameters& at, const Parameters& value, const Parameters& all) {
+    Parameters result;
+    std::size_t k = 0;
+    for (const double x : all) {
+      while (k + 2 < at.size() && at[k + 1] < x) ++k;
+      const double width = at[k + 1] - at[k];
+      const double share = width > 0 ? (x - at[k]) / width : 0;
+      result.push_back(value[k] + share * (value[k + 1] - value[k]));
+    }
+    return result;
+  }
 
   static Parameters as_given(const Parameters& t) { return t; }
 

@@ -294,7 +294,7 @@ TEST(GaussNewton, ReproducesItsOwnSource) {
   for (const double factor : {1e-9, 1.0, 1e10}) {
     Data control = gentle;
     for (double& x : control) x *= factor;
-    for (const int count : {8, 33, 500}) {
+    for (const int count : {8, 33, 500, 514, 5000}) {
       const auto fit = fitting_kernels(2)[1].fit(samples(control, 2, count), 1e-9 * factor);
       ASSERT_EQ(fitting_kernels(2)[1].info->id, "gauss_newton");
       ASSERT_EQ(fit.segments(2), 1) << count;
@@ -302,6 +302,19 @@ TEST(GaussNewton, ReproducesItsOwnSource) {
         EXPECT_NEAR(fit.control_points[k], control[k], 1e-12 * factor) << count;
       EXPECT_LT(fit.max_error, 1e-13 * factor);
     }
+  }
+}
+
+/// Of many points only some are looked at first, but none is left out.
+TEST(GaussNewton, SeesEveryOneOfManyPoints) {
+  for (const std::size_t count : {513U, 514U, 5000U}) {
+    auto data = samples(gentle, 2, static_cast<int>(count));
+    data[2 * (count / 3) + 1] += 1e-3;
+    const auto fit = fitting_kernels(2)[1].fit(data, 1e-4);
+    ASSERT_EQ(fitting_kernels(2)[1].info->id, "gauss_newton");
+    EXPECT_GT(fit.segments(2), 1) << count;
+    EXPECT_EQ(fit.t.size(), count);
+    EXPECT_LE(fit.max_error, 1e-4) << count;
   }
 }
 
