@@ -11,8 +11,8 @@ import time
 import unittest
 
 from program_case import (BERNSTEIN, CONVERSION, FINDING, FINE, HEAD, INPUT_OUTPUT, INTERRUPTED, METHOD_COLUMNS,
-                          POWER, PROGRAM, REPORT_SUITE, STUDY, TIMING, TO_BERNSTEIN, TO_POWER, USAGE, Case, lines_of,
-                          rows)
+                          PATIENCE, POWER, PROGRAM, REPORT_SUITE, STUDY, TIMING, TO_BERNSTEIN, TO_POWER, USAGE, Case,
+                          lines_of, rows)
 
 
 class CommandLine(Case):
@@ -290,12 +290,12 @@ class Interruption(Case):
         with subprocess.Popen([PROGRAM, "run", suite, "--out", name], cwd=self.folder, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE) as process:
             try:
-                deadline = time.monotonic() + 20
+                deadline = time.monotonic() + PATIENCE
                 while not (self.folder / name / "bundle.json").exists() and time.monotonic() < deadline:
                     time.sleep(0.01)
                 time.sleep(0.1)
                 process.send_signal(which)
-                out, err = process.communicate(timeout=20)
+                out, err = process.communicate(timeout=PATIENCE)
             finally:
                 process.kill()
         result = subprocess.CompletedProcess([], process.returncode, out, err)

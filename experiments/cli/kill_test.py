@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from program_case import CONVERSION, FINE, PROGRAM
+from program_case import CONVERSION, FINE, PATIENCE, PROGRAM
 from resume_test import ACCURACY, SEARCH, ResumeCase
 
 SHARDS = 3
@@ -51,7 +51,7 @@ class Kills(ResumeCase):
                 process.wait(max(0, start + moment - time.monotonic()))
             except subprocess.TimeoutExpired:
                 process.kill()
-        ends = [(process.communicate(timeout=60)[1], process.returncode) for process in running]
+        ends = [(process.communicate(timeout=PATIENCE)[1], process.returncode) for process in running]
         codes = [code for _, code in ends]
         for end in ends:
             self.assertIn(end, [(b"", FINE), (b"", -signal.SIGKILL)])

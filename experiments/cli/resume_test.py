@@ -11,7 +11,7 @@ import subprocess
 import time
 import unittest
 
-from program_case import CONVERSION, FINE, INPUT_OUTPUT, INTERRUPTED, PROGRAM, STUDY, TIMING, USAGE, Case, rows
+from program_case import CONVERSION, FINE, INPUT_OUTPUT, INTERRUPTED, PATIENCE, PROGRAM, STUDY, TIMING, USAGE, Case, rows
 
 NOISY = ("machine.json", "SHA256SUMS")  # the load of the machine is in the former
 # Several blocks per replicate, several replicates per cell, cells in two scalar types, and every kind of study.
@@ -55,7 +55,7 @@ class ResumeCase(Case):
                 out, err = process.communicate(timeout=seconds)
             except subprocess.TimeoutExpired:
                 process.send_signal(which)
-                out, err = process.communicate(timeout=60)
+                out, err = process.communicate(timeout=PATIENCE)
         return subprocess.CompletedProcess(arguments, process.returncode, out, err)
 
     def start_and_stop(self, name, *arguments, which=signal.SIGKILL):
@@ -72,11 +72,11 @@ class ResumeCase(Case):
 
     def stop_when(self, true, which, *arguments):
         with subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, stderr=subprocess.PIPE) as process:
-            deadline = time.monotonic() + 60
+            deadline = time.monotonic() + PATIENCE
             while not true() and process.poll() is None and time.monotonic() < deadline:
                 time.sleep(0.002)
             process.send_signal(which)
-            process.communicate(timeout=60)
+            process.communicate(timeout=PATIENCE)
         return process.returncode
 
 
@@ -172,7 +172,7 @@ class Resume(ResumeCase):
         with subprocess.Popen([PROGRAM, "run", suite, "--quiet", "--out", "b"], cwd=self.folder,
                               stderr=subprocess.PIPE) as process:
             try:
-                deadline = time.monotonic() + 60
+                deadline = time.monotonic() + PATIENCE
                 while not self.block_files("b") and time.monotonic() < deadline:
                     time.sleep(0.01)
                 for arguments in ([], ["--shard", "1/2"]):

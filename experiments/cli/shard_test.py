@@ -12,7 +12,7 @@ import subprocess
 import time
 import unittest
 
-from program_case import CONVERSION, FINDING, FINE, INPUT_OUTPUT, PROGRAM, TIMING, USAGE, rows
+from program_case import CONVERSION, FINDING, FINE, INPUT_OUTPUT, PATIENCE, PROGRAM, TIMING, USAGE, rows
 from resume_test import ACCURACY, SEARCH, ResumeCase
 
 # What launchers set, and nothing of it may leak from where the tests run.
@@ -59,7 +59,7 @@ class OneFolder(ShardCase):
                 command = [PROGRAM, "run", self.everything, "--quiet", "--jobs", "1", "--out", f"b{count}", "--shard"]
                 shards = [subprocess.Popen([*command, f"{number}/{count}"], cwd=self.folder, stderr=subprocess.PIPE)
                           for number in range(1, count + 1)]
-                self.assertEqual([(shard.communicate(timeout=120)[1], shard.returncode) for shard in shards],
+                self.assertEqual([(shard.communicate(timeout=PATIENCE)[1], shard.returncode) for shard in shards],
                                  [(b"", FINE)] * count)
                 self.assert_complete(f"b{count}")
                 self.assertEqual(self.results(f"b{count}"), expected)
@@ -103,7 +103,7 @@ class OneFolder(ShardCase):
         run = ["run", suite, "--quiet", "--jobs", "1", "--out", "b"]
         with subprocess.Popen([PROGRAM, *run, "--shard", "1/2"], cwd=self.folder, stderr=subprocess.PIPE) as process:
             try:
-                deadline = time.monotonic() + 60
+                deadline = time.monotonic() + PATIENCE
                 while not self.block_files("b") and time.monotonic() < deadline:
                     time.sleep(0.01)
                 self.refused(INPUT_OUTPUT, [*run, "--shard", "1/2"], "b: the same shard 1/2 is at work", alone=False)
@@ -198,7 +198,7 @@ class TimesOfShards(ShardCase):
 
 class Launchers(ShardCase):
     def launched(self, *command, **options):
-        result = subprocess.run([*map(str, command)], cwd=self.folder, env=PLAIN, check=False, timeout=120,
+        result = subprocess.run([*map(str, command)], cwd=self.folder, env=PLAIN, check=False, timeout=PATIENCE,
                                 capture_output=True, **options)
         self.assertEqual(result.returncode, FINE, result)
 
