@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "experiments/cli/command.hpp"
 
 namespace bezierbench::cli {
