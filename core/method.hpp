@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/basis/error_bound.hpp"
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 
 namespace bezierbench {
 

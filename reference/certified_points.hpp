@@ -24,7 +24,7 @@
 #include <span>
 #include <vector>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "reference/exact_point.hpp"
 
 namespace bezierbench::reference {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "reference/exact_point.hpp"
 
 namespace bezierbench::reference {

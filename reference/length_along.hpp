@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "reference/length_panels.hpp"
 
 namespace bezierbench::reference {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 
 namespace bezierbench::reference {
 

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "reference/exact_point.hpp"
 
 namespace bezierbench::reference {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "reference/rational.hpp"
 
 namespace bezierbench::reference {

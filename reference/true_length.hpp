@@ -10,7 +10,7 @@
 
 #include <string>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "reference/length_panels.hpp"
 
 namespace bezierbench::reference {

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "reference/certified_points.hpp"
 #include "reference/exact_curve.hpp"
 

@@ -13,12 +13,12 @@ from pathlib import Path
 # The longest folder that contains a file decides.
 TABLE = {
     "core": ([], ["Eigen", "Highway"]),
-    "reference": (["core/curve.hpp", "core/error_free.hpp"], ["Boost.Multiprecision", "GMP/MPFR", "Highway"]),
+    "reference": (["core/curve_view.hpp", "core/error_free.hpp"], ["Boost.Multiprecision", "GMP/MPFR", "Highway"]),
     "experiments": ([], []),
     "experiments/number": ([], []),
-    "experiments/suite": (["core/curve.hpp", "core/method.hpp"], ["toml++"]),
-    "experiments/sample": (["experiments/suite", "core/curve.hpp"], ["Random123"]),
-    "experiments/metric": (["reference", "core/curve.hpp", "core/basis"], ["Boost.Math"]),
+    "experiments/suite": (["core/curve_view.hpp", "core/method.hpp"], ["toml++"]),
+    "experiments/sample": (["experiments/suite", "core/curve_view.hpp"], ["Random123"]),
+    "experiments/metric": (["reference", "core/curve_view.hpp", "core/basis"], ["Boost.Math"]),
     "experiments/timing": (
         ["core", "experiments/suite", "experiments/sample", "experiments/metric"],
         ["Google Benchmark"],

@@ -3,21 +3,12 @@
 #pragma once
 
 #include <concepts>
-#include <cstdint>
-#include <limits>
 
+#include "core/arc_length/result.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench {
-
-/// A length, and what its method says of it.
-struct ArcLength {
-  double length = 0;
-  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< absolute; NaN: the method has none
-  std::int64_t evaluations = 0;                                      ///< of the speed or, for chords, of the curve
-  bool converged = false;  ///< the estimate is at most tolerance times the length: the promise
-};
 
 /// The length of a curve is the integral of |h(t)| over [0, 1], h its first hodograph, which a method is handed scaled
 /// such that the largest of its control vectors has a size between 1/2 and 2 sqrt(3) (ArcLengthKernel does that).

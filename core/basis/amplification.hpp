@@ -26,7 +26,7 @@
 #include "core/basis/error_bound.hpp"
 #include "core/basis/integer_power.hpp"
 #include "core/basis/scaled.hpp"
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 
 namespace bezierbench {
 

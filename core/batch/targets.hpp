@@ -15,4 +15,18 @@ struct Tables {
   static const TargetTable<Scalar> neon;
 };
 
+// Specialised there, so there is no definition to instantiate elsewhere.
+template <>
+const TargetTable<float> Tables<float>::avx512;
+template <>
+const TargetTable<double> Tables<double>::avx512;
+template <>
+const TargetTable<float> Tables<float>::avx2;
+template <>
+const TargetTable<double> Tables<double>::avx2;
+template <>
+const TargetTable<float> Tables<float>::neon;
+template <>
+const TargetTable<double> Tables<double>::neon;
+
 }  // namespace bezierbench::batch

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/basis/derivative_bound.hpp"
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench {

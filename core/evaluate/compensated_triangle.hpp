@@ -33,8 +33,8 @@ namespace bezierbench {
 template <int K>
 constexpr double compensated_remainder(int n, double u) {
   const double gamma_3 = gamma_over_u(3, u);
-  std::array<double, K> size{1};  // V_F / (u^F p~)
-  double dropped = 0;             // sum of L_K / (u^K p~)
+  double size[K]{1};   // V_F / (u^F p~)
+  double dropped = 0;  // sum of L_K / (u^K p~)
   for (int m = 1; m <= n; ++m) {
     double local = gamma_3 * size[0];  // L_(F+1) / (u^(F+1) p~)
     size[0] *= 1 + gamma_3 * u;
@@ -48,8 +48,8 @@ constexpr double compensated_remainder(int n, double u) {
   }
   double power = 1;  // u^K
   double sizes = 0;
-  for (int part = 0; part < K; ++part) {
-    sizes += size[part] * power;
+  for (const double each : size) {
+    sizes += each * power;
     power *= u;
   }
   double adding = K > 2 ? sizes : 0;

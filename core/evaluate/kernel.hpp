@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench {

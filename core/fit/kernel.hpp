@@ -4,7 +4,8 @@
 
 #include <span>
 
-#include "core/fit/fitting.hpp"
+#include "core/fit/result.hpp"
+#include "core/method.hpp"
 
 namespace bezierbench {
 

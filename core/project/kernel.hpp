@@ -4,9 +4,9 @@
 
 #include <span>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "core/method.hpp"
-#include "core/project/projection.hpp"
+#include "core/project/result.hpp"
 
 namespace bezierbench {
 

@@ -7,16 +7,9 @@
 
 #include "core/curve.hpp"
 #include "core/method.hpp"
+#include "core/project/result.hpp"
 
 namespace bezierbench {
-
-/// Where a method says the curve is nearest to the point.
-struct FootPoint {
-  double t = 0;
-  double distance = 0;    ///< |C(t) - P|, in coordinate units
-  int candidates = 0;     ///< parameters or pieces whose distances were compared
-  bool converged = true;  ///< false where the method gave up before it reached what it aims at
-};
 
 template <class M>
 concept ProjectionMethod = requires(const Curve<Form::bernstein, double, 2>& curve, const Point<double, 2>& point) {

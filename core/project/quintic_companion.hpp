@@ -12,12 +12,11 @@
 #pragma once
 
 #include "core/basis/binomial.hpp"
-#include "core/project/companion_roots.hpp"
-#include "core/project/nearest.hpp"
+#include "core/project/companion_projection.hpp"
 
 namespace bezierbench {
 
-struct QuinticCompanion {
+struct QuinticCompanion : CompanionProjection<QuinticCompanion> {
   static constexpr MethodInfo info{.id = "quintic_companion",
                                    .label = "Companion matrix",
                                    .problem = Problem::projection,
@@ -28,13 +27,6 @@ struct QuinticCompanion {
                                    .flops = "about 10 (2n-1)^3",
                                    .cost_exponent = 3,
                                    .citation = "Edelman and Murakami 1995"};
-
-  template <int Dimension>
-  static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,
-                           const Point<double, Dimension>& point) {
-    const OffsetCurve<Dimension> offset(curve, point);
-    return nearest(offset, companion_roots(coefficients(offset)));
-  }
 
   /// f_0 .. f_(2n-1), over the square of the power of two that OffsetCurve divides by.
   template <int Dimension>

@@ -9,12 +9,11 @@
 //   5/2; (0,0) (1,0) (2,1) (3,3), whose D is 0, and P = (1,1) have k2 = 0, the printed one is 3.
 #pragma once
 
-#include "core/project/companion_roots.hpp"
-#include "core/project/nearest.hpp"
+#include "core/project/companion_projection.hpp"
 
 namespace bezierbench {
 
-struct QuinticSeed002 {
+struct QuinticSeed002 : CompanionProjection<QuinticSeed002> {
   static constexpr MethodInfo info{.id = "quintic_seed_002",
                                    .label = "Quintic as printed",
                                    .problem = Problem::projection,
@@ -25,13 +24,6 @@ struct QuinticSeed002 {
                                    .flops = "about 10 5^3",
                                    .cost_exponent = 0,
                                    .citation = "seed document 002"};
-
-  template <int Dimension>
-  static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,
-                           const Point<double, Dimension>& point) {
-    const OffsetCurve<Dimension> offset(curve, point);
-    return nearest(offset, companion_roots(coefficients(offset)));
-  }
 
   /// k0 .. k5 as printed, over the square of the power of two that OffsetCurve divides by.
   template <int Dimension>

@@ -175,23 +175,22 @@ std::vector<std::string> words_of_forms() {
 
 }  // namespace
 
-void add_choose(CLI::App& app, Exit& exit) {
+void add_choose(Command program, Exit& exit) {
   auto wish = std::make_shared<Wish>();
-  auto* command = app.add_subcommand("choose", "the methods of a bundle that are right enough, fastest first");
-  command->add_option("bundle", wish->bundle, "folder of the bundle")->required();
-  command->add_option("--degree", wish->degree, "degree of the curves")->required();
-  command->add_option("--tolerance", wish->tolerance_text, "largest error that is accepted")->required();
-  command->add_option("--unit", wish->unit, "of the tolerance: u (units of u p~) or coordinate")
-      ->check(CLI::IsMember({"u", "coordinate"}));
-  command->add_option("--form", wish->form, "in which the curves are given")->check(CLI::IsMember(words_of_forms()));
-  command->add_option("--mode", wish->mode, "of the times")->check(CLI::IsMember(suite::all_words<suite::Mode>()));
-  command->add_option("--scalar", wish->scalar, "type that the methods compute in")
-      ->check(CLI::IsMember(suite::all_words<suite::ScalarKind>()));
-  command->add_option("--dimension", wish->dimension, "axes of the curves");
-  command->add_option("--study", wish->study, "whose times to take, where several have some");
-  command->add_option("--accuracy-study", wish->accuracy_study, "whose errors to take, where several have some");
-  command->add_option("--format", wish->format, "text or csv")->check(CLI::IsMember({"text", "csv"}));
-  command->callback([wish, &exit] { exit = choose(*wish); });
+  auto command = program.command("choose", "the methods of a bundle that are right enough, fastest first");
+  command.option("bundle", wish->bundle, "folder of the bundle").required();
+  command.option("--degree", wish->degree, "degree of the curves").required();
+  command.option("--tolerance", wish->tolerance_text, "largest error that is accepted").required();
+  command.option("--unit", wish->unit, "of the tolerance: u (units of u p~) or coordinate").one_of({"u", "coordinate"});
+  command.option("--form", wish->form, "in which the curves are given").one_of(words_of_forms());
+  command.option("--mode", wish->mode, "of the times").one_of(suite::all_words<suite::Mode>());
+  command.option("--scalar", wish->scalar, "type that the methods compute in")
+      .one_of(suite::all_words<suite::ScalarKind>());
+  command.option("--dimension", wish->dimension, "axes of the curves");
+  command.option("--study", wish->study, "whose times to take, where several have some");
+  command.option("--accuracy-study", wish->accuracy_study, "whose errors to take, where several have some");
+  command.option("--format", wish->format, "text or csv").one_of({"text", "csv"});
+  command.action([wish, &exit] { exit = choose(*wish); });
 }
 
 }  // namespace bezierbench::cli

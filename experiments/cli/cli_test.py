@@ -153,10 +153,20 @@ class Suites(Case):
         self.bundle("b/suite.toml", name="again")  # the resolved suites are a suite file
         self.assertEqual(self.manifest("b"), self.manifest("again"))
 
-    def test_curves_that_a_kind_does_not_take(self):
-        """They are refused at once, not after hours."""
-        changes = {"curve": '"rational"', "kind": '"conversion"', "methods": None}
-        self.refused(USAGE, ["run", self.suite(**changes), "--out", "b"], 'study "a"')
+    def test_what_the_plan_refuses(self):
+        """At once, not after hours, with the line at which the study begins."""
+        for study, changes, needle in [
+                (CONVERSION, {"curve": '"rational"', "methods": None}, "polynomial"),
+                (TIMING, {"methods": '["gauss_legendre_24"]', "modes": '["one_shot"]'}, "tolerance"),
+                (TIMING, {"methods": '["direct"]', "baseline": '"de_casteljau"'}, "de_casteljau"),
+                (STUDY, {"id": '"d"', "kind": '"derivative"', "order": "[1]", "curve": '"rational"'}, "derivatives"),
+                (TIMING, {"kind": '"arc_length"', "tolerance": "[1e-6]", "t_interval": "[[0, 2]]"}, "t_interval")]:
+            asked = {**study, **changes}
+            lines = lines_of({**STUDY, "degree": "[2]"}, asked)
+            place = f"s.toml:{len(lines) - lines[::-1].index('[[study]]')}:1"
+            with self.subTest(asked=asked):
+                self.write("s.toml", "\n".join(lines) + "\n")
+                self.refused(USAGE, ["run", "s.toml", "--out", "b"], f"bezierbench: {place}: study {asked['id']}: ", needle)
 
     def test_file_that_cannot_be_read(self):
         for name in ("absent.toml", ".", "absent/s.toml"):
@@ -445,10 +455,6 @@ class Bundles(Case):
         counters = json.loads((self.folder / "b/machine.json").read_text())["counters"]
         self.assertEqual(counters.startswith("unavailable: "), timed[0]["cycles"] == "")
         self.assertEqual(self.fine("verify", "b"), "b: fine\n")
-
-    def test_timing_against_a_method_that_does_not_race(self):
-        self.refused(USAGE, ["run", self.suite(TIMING, methods='["direct"]', baseline='"de_casteljau"'), "--out", "b"],
-                     'study "t"', "de_casteljau")
 
     def test_report_scorecard(self):
         self.bundle(REPORT_SUITE, "--only", "2.3.1-bezier", "--trials", "20", "--set", "replicates=20")

@@ -107,15 +107,14 @@ Exit run_compare(const Options& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, Exit& exit) {
+void add_compare(Command program, Exit& exit) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("compare", "machines, accuracy and times of bundles, against the first");
-  command->add_option("bundles", options->bundles, "folders that run wrote; two or more")->required();
-  command->add_option("--format", options->format, "text or csv")->check(CLI::IsMember({"text", "csv"}));
-  command->add_option("--fail-on", options->fail_on, "slower: exit 1 where a method is")
-      ->check(CLI::IsMember({"slower"}));
-  command->add_option("--out", options->out, "folder for the tables that scripts/report --comparison renders");
-  command->callback([options, &exit] { exit = run_compare(*options); });
+  auto command = program.command("compare", "machines, accuracy and times of bundles, against the first");
+  command.option("bundles", options->bundles, "folders that run wrote; two or more").required();
+  command.option("--format", options->format, "text or csv").one_of({"text", "csv"});
+  command.option("--fail-on", options->fail_on, "slower: exit 1 where a method is").one_of({"slower"});
+  command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders");
+  command.action([options, &exit] { exit = run_compare(*options); });
 }
 
 }  // namespace bezierbench::cli

@@ -81,17 +81,16 @@ void find(const Options& options) {
 
 }  // namespace
 
-void add_curve_at_length(CLI::App& curve) {
+void add_curve_at_length(Command curve) {
   auto options = std::make_shared<Options>();
-  auto* command = curve.add_subcommand("at-length", "the parameter at a length from the beginning of a curve");
-  options->curve.add_to(*command);
-  auto* target = command->add_option_group("target", "where");
-  target->add_option("--length", options->length, "length from the beginning, in coordinate units");
-  target->add_option("--fraction", options->fraction, "of the length of the curve, from 0 to 1");
-  target->require_option(1);
-  command->add_option("--tolerance", options->tolerance, "relative to the length of the curve; default: 1e-9");
-  command->add_option("--method", options->methods, "method id; may be repeated; default: all");
-  command->callback([options] { find(*options); });
+  auto command = curve.command("at-length", "the parameter at a length from the beginning of a curve");
+  options->curve.add_to(command);
+  auto target = command.alternatives("target", "where");
+  target.option("--length", options->length, "length from the beginning, in coordinate units");
+  target.option("--fraction", options->fraction, "of the length of the curve, from 0 to 1");
+  command.option("--tolerance", options->tolerance, "relative to the length of the curve; default: 1e-9");
+  command.option("--method", options->methods, "method id; may be repeated; default: all");
+  command.action([options] { find(*options); });
 }
 
 }  // namespace bezierbench::cli

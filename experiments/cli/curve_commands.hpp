@@ -2,11 +2,10 @@
 // The subcommands of `curve`: each adds itself and remembers what to do when it is chosen.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
-#include "core/curve.hpp"
-#include "experiments/failure.hpp"
+#include "core/curve_view.hpp"
+#include "experiments/cli/command.hpp"
 
 namespace bezierbench::cli {
 
@@ -16,16 +15,16 @@ struct CurveOptions {
   std::string form = "bernstein";
 
   [[nodiscard]] Form form_value() const { return form == "bernstein" ? Form::bernstein : Form::power; }
-  void add_to(CLI::App& command);
+  void add_to(Command command);
 };
 
-void add_curve_eval(CLI::App& curve);
-void add_curve_convert(CLI::App& curve);
-void add_curve_derivative(CLI::App& curve);
-void add_curve_length(CLI::App& curve);
-void add_curve_at_length(CLI::App& curve);
-void add_curve_project(CLI::App& curve);
-void add_curve_interpolate(CLI::App& curve);
-void add_curve_fit(CLI::App& curve);
+void add_curve_eval(Command curve);
+void add_curve_convert(Command curve);
+void add_curve_derivative(Command curve);
+void add_curve_length(Command curve);
+void add_curve_at_length(Command curve);
+void add_curve_project(Command curve);
+void add_curve_interpolate(Command curve);
+void add_curve_fit(Command curve);
 
 }  // namespace bezierbench::cli

@@ -30,12 +30,12 @@ void convert(const Options& options) {
 
 }  // namespace
 
-void add_curve_convert(CLI::App& curve) {
+void add_curve_convert(Command curve) {
   auto options = std::make_shared<Options>();
-  auto* command = curve.add_subcommand("convert", "coefficients in the other form");
-  options->curve.add_to(*command);
-  command->add_option("--method", options->methods, "conversion id")->required()->expected(1);
-  command->callback([options] { convert(*options); });
+  auto command = curve.command("convert", "coefficients in the other form");
+  options->curve.add_to(command);
+  command.option("--method", options->methods, "conversion id").required().once();
+  command.action([options] { convert(*options); });
 }
 
 }  // namespace bezierbench::cli

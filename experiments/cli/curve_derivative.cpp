@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <limits>
 #include <memory>
 
 #include "core/derivative/kernel.hpp"
@@ -83,16 +82,14 @@ void differentiate(const Options& options) {
 
 }  // namespace
 
-void add_curve_derivative(CLI::App& curve) {
+void add_curve_derivative(Command curve) {
   auto options = std::make_shared<Options>();
-  auto* command = curve.add_subcommand("derivative", "a derivative of a curve");
-  options->curve.add_to(*command);
-  command->add_option("--t", options->t, "parameter; may be repeated")->required();
-  command->add_option("--order", options->order, "0 is the point itself")
-      ->required()
-      ->check(CLI::Range(0, std::numeric_limits<int>::max()));
-  command->add_option("--method", options->methods, "method id; may be repeated; default: all that apply");
-  command->callback([options] { differentiate(*options); });
+  auto command = curve.command("derivative", "a derivative of a curve");
+  options->curve.add_to(command);
+  command.option("--t", options->t, "parameter; may be repeated").required();
+  command.option("--order", options->order, "0 is the point itself").required().within(0);
+  command.option("--method", options->methods, "method id; may be repeated; default: all that apply");
+  command.action([options] { differentiate(*options); });
 }
 
 }  // namespace bezierbench::cli

@@ -77,13 +77,13 @@ void evaluate(const Options& options) {
 
 }  // namespace
 
-void add_curve_eval(CLI::App& curve) {
+void add_curve_eval(Command curve) {
   auto options = std::make_shared<Options>();
-  auto* command = curve.add_subcommand("eval", "points of a curve");
-  options->curve.add_to(*command);
-  command->add_option("--t", options->t, "parameter; may be repeated")->required();
-  command->add_option("--method", options->methods, "method id; may be repeated; default: all that apply");
-  command->callback([options] { evaluate(*options); });
+  auto command = curve.command("eval", "points of a curve");
+  options->curve.add_to(command);
+  command.option("--t", options->t, "parameter; may be repeated").required();
+  command.option("--method", options->methods, "method id; may be repeated; default: all that apply");
+  command.action([options] { evaluate(*options); });
 }
 
 }  // namespace bezierbench::cli

@@ -54,14 +54,14 @@ void fit(const Options& options) {
 
 }  // namespace
 
-void add_curve_fit(CLI::App& curve) {
+void add_curve_fit(Command curve) {
   auto options = std::make_shared<Options>();
-  auto* command = curve.add_subcommand("fit", "a piecewise cubic near points");
-  command->add_option("--points", options->points, "point file (CSV)")->required();
-  command->add_option("--tolerance", options->tolerance, "largest distance of a point from the curve, in its units")
-      ->required();
-  command->add_option("--method", options->method, fmt::format("method id; default {}", default_method));
-  command->callback([options] { fit(*options); });
+  auto command = curve.command("fit", "a piecewise cubic near points");
+  command.option("--points", options->points, "point file (CSV)").required();
+  command.option("--tolerance", options->tolerance, "largest distance of a point from the curve, in its units")
+      .required();
+  command.option("--method", options->method, fmt::format("method id; default {}", default_method));
+  command.action([options] { fit(*options); });
 }
 
 }  // namespace bezierbench::cli

@@ -43,13 +43,13 @@ void interpolate(const Options& options) {
 
 }  // namespace
 
-void add_curve_interpolate(CLI::App& curve) {
+void add_curve_interpolate(Command curve) {
   auto options = std::make_shared<Options>();
-  auto* command = curve.add_subcommand("interpolate", "the C2 natural cubic spline through points");
-  command->add_option("--points", options->points, "point file (CSV)")->required();
-  command->add_option("--method", options->method,
-                      fmt::format("method id; default {}", interpolation_kernels().front().info->id));
-  command->callback([options] { interpolate(*options); });
+  auto command = curve.command("interpolate", "the C2 natural cubic spline through points");
+  command.option("--points", options->points, "point file (CSV)").required();
+  command.option("--method", options->method,
+                 fmt::format("method id; default {}", interpolation_kernels().front().info->id));
+  command.action([options] { interpolate(*options); });
 }
 
 }  // namespace bezierbench::cli

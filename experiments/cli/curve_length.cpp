@@ -68,15 +68,15 @@ void measure(const Options& options) {
 
 }  // namespace
 
-void add_curve_length(CLI::App& curve) {
+void add_curve_length(Command curve) {
   auto options = std::make_shared<Options>();
-  auto* command = curve.add_subcommand("length", "the arc length of a curve or of a part of it");
-  options->curve.add_to(*command);
-  command->add_option("--from", options->from, "parameter of the beginning; default: 0");
-  command->add_option("--to", options->to, "parameter of the end; default: 1");
-  command->add_option("--tolerance", options->tolerance, "relative to the length; default: 1e-9");
-  command->add_option("--method", options->methods, "method id; may be repeated; default: all");
-  command->callback([options] { measure(*options); });
+  auto command = curve.command("length", "the arc length of a curve or of a part of it");
+  options->curve.add_to(command);
+  command.option("--from", options->from, "parameter of the beginning; default: 0");
+  command.option("--to", options->to, "parameter of the end; default: 1");
+  command.option("--tolerance", options->tolerance, "relative to the length; default: 1e-9");
+  command.option("--method", options->methods, "method id; may be repeated; default: all");
+  command.action([options] { measure(*options); });
 }
 
 }  // namespace bezierbench::cli

@@ -62,13 +62,13 @@ void project(const Options& options) {
 
 }  // namespace
 
-void add_curve_project(CLI::App& curve) {
+void add_curve_project(Command curve) {
   auto options = std::make_shared<Options>();
-  auto* command = curve.add_subcommand("project", "the point of a curve that is nearest to a point");
-  options->curve.add_to(*command);
-  command->add_option("--point", options->point, "coordinates, separated by commas: X,Y or X,Y,Z")->required();
-  command->add_option("--method", options->methods, "method id; may be repeated; default: all that apply");
-  command->callback([options] { project(*options); });
+  auto command = curve.command("project", "the point of a curve that is nearest to a point");
+  options->curve.add_to(command);
+  command.option("--point", options->point, "coordinates, separated by commas: X,Y or X,Y,Z").required();
+  command.option("--method", options->methods, "method id; may be repeated; default: all that apply");
+  command.action([options] { project(*options); });
 }
 
 }  // namespace bezierbench::cli

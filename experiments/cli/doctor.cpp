@@ -17,8 +17,8 @@ void print(std::string_view aspect, std::string_view state, std::string_view tex
 
 }  // namespace
 
-void add_doctor(CLI::App& app, Exit& exit) {
-  app.add_subcommand("doctor", "is this machine fit to measure on?")->callback([&exit] {
+void add_doctor(Command program, Exit& exit) {
+  program.command("doctor", "is this machine fit to measure on?").action([&exit] {
     const auto faults = floating_point_faults();
     for (const auto& fault : faults) print("floating point", "unfit", fault);
     if (faults.empty()) print("floating point", "fine", "IEEE 754 double, to nearest, no contraction, subnormals kept");

@@ -45,9 +45,11 @@ std::string generators_csv() {
   return table.text();
 }
 
-void add_topic(CLI::App& list, const std::string& topic, const std::string& help, std::string (*csv)(),
+void add_topic(Command list, const std::string& topic, const std::string& help, std::string (*csv)(),
                const std::shared_ptr<std::string>& format) {
-  list.add_subcommand(topic, help)->fallthrough()->callback([csv, format] {
+  auto command = list.command(topic, help);
+  command.takes_options_of_its_parent();
+  command.action([csv, format] {
     const auto text = csv();
     fmt::print("{}", *format == "csv" ? text : aligned_csv(text));
   });
@@ -55,15 +57,15 @@ void add_topic(CLI::App& list, const std::string& topic, const std::string& help
 
 }  // namespace
 
-void add_list(CLI::App& app, Exit& /*exit*/) {
+void add_list(Command program, Exit& /*exit*/) {
   auto format = std::make_shared<std::string>("text");
-  auto* list = app.add_subcommand("list", "what there is to run");
-  list->add_option("--format", *format, "text or csv")->check(CLI::IsMember({"text", "csv"}));
-  list->require_subcommand(1);
-  add_topic(*list, "methods", "evaluators, converted paths and conversions", methods_csv, format);
-  add_topic(*list, "suites", "the suites that come with the program", suites_csv, format);
-  add_topic(*list, "studies", "their studies", studies_csv, format);
-  add_topic(*list, "generators", "how random inputs are drawn", generators_csv, format);
+  auto list = program.command("list", "what there is to run");
+  list.option("--format", *format, "text or csv").one_of({"text", "csv"});
+  list.needs_command();
+  add_topic(list, "methods", "evaluators, converted paths and conversions", methods_csv, format);
+  add_topic(list, "suites", "the suites that come with the program", suites_csv, format);
+  add_topic(list, "studies", "their studies", studies_csv, format);
+  add_topic(list, "generators", "how random inputs are drawn", generators_csv, format);
 }
 
 }  // namespace bezierbench::cli

@@ -35,12 +35,12 @@ Exit merge(const Options& options) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, Exit& exit) {
+void add_merge(Command program, Exit& exit) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("merge", "join the shards of a run");
-  command->add_option("bundles", options->bundles, "folders that run --shard wrote")->required();
-  command->add_option("--out", options->out, "folder of the whole bundle")->required();
-  command->callback([options, &exit] { exit = merge(*options); });
+  auto command = program.command("merge", "join the shards of a run");
+  command.option("bundles", options->bundles, "folders that run --shard wrote").required();
+  command.option("--out", options->out, "folder of the whole bundle").required();
+  command.action([options, &exit] { exit = merge(*options); });
 }
 
 }  // namespace bezierbench::cli

@@ -90,16 +90,16 @@ Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell
 
 }  // namespace
 
-void add_replay(CLI::App& app, Exit& exit) {
+void add_replay(Command program, Exit& exit) {
   struct Options {
     std::string bundle;
     std::string id;
   };
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("replay", "recompute one recorded worst case, step by step");
-  command->add_option("bundle", options->bundle, "folder of the bundle")->required();
-  command->add_option("id", options->id, "worst_id of worst.csv or search_id of search.csv")->required();
-  command->callback([options, &exit] {
+  auto command = program.command("replay", "recompute one recorded worst case, step by step");
+  command.option("bundle", options->bundle, "folder of the bundle").required();
+  command.option("id", options->id, "worst_id of worst.csv or search_id of search.csv").required();
+  command.action([options, &exit] {
     const WorstRecord record = find_worst_record(options->bundle, options->id);
     const auto cell = record.cell();
     exit = record.scalar() == suite::ScalarKind::float32 ? replay<float>(options->id, record, cell)

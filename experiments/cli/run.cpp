@@ -27,8 +27,8 @@ struct Options {
   std::vector<std::string> suites;
   std::string out;
   int jobs = 0;
-  std::string seed;
-  std::string trials;
+  std::optional<std::string> seed;
+  std::optional<std::string> trials;
   std::string reference = "certified";
   std::optional<std::string> shard;
   std::optional<double> checkpoint;
@@ -73,30 +73,29 @@ std::int64_t whole_number(std::string_view option, const std::string& text) {
 
 }  // namespace
 
-void add_run(CLI::App& app, Exit& exit) {
+void add_run(Command program, Exit& exit) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("run", "run suites into a bundle");
-  command->add_option("suites", options->suites, "suite files (TOML)")->required();
-  command->add_option("--out", options->out, "folder of the bundle")->required();
-  command->add_option("--jobs", options->jobs, "threads; default: all cores")->check(CLI::Range(1, 4096));
-  auto* seed = command->add_option("--seed", options->seed, "another seed than the suite's");
-  auto* trials = command->add_option("--trials", options->trials, "trials per cell and replicate");
-  command->add_option("--set", options->overrides.set, "axis=v1,v2 for every study; intervals as 0:0.2");
-  command->add_option("--only", options->overrides.only, "only studies whose id matches this glob");
-  command->add_option("--reference", options->reference, "how the truth is computed")
-      ->check(CLI::IsMember({"certified", "exact"}));
-  command->add_option("--shard", options->shard, "i/N: do one part of N; auto: ask Open MPI, PMI or Slurm which");
+  auto command = program.command("run", "run suites into a bundle");
+  command.option("suites", options->suites, "suite files (TOML)").required();
+  command.option("--out", options->out, "folder of the bundle").required();
+  command.option("--jobs", options->jobs, "threads; default: all cores").within(1, 4096);
+  command.option("--seed", options->seed, "another seed than the suite's");
+  command.option("--trials", options->trials, "trials per cell and replicate");
+  command.option("--set", options->overrides.set, "axis=v1,v2 for every study; intervals as 0:0.2");
+  command.option("--only", options->overrides.only, "only studies whose id matches this glob");
+  command.option("--reference", options->reference, "how the truth is computed").one_of({"certified", "exact"});
+  command.option("--shard", options->shard, "i/N: do one part of N; auto: ask Open MPI, PMI or Slurm which");
   command
-      ->add_option("--checkpoint", options->checkpoint,
-                   "seconds between two files of finished blocks; default: by cost, 2 at most")
-      ->check(CLI::Range(0.0, 86400.0));
-  command->add_flag("--dry-run", options->dry_run, "say what would be done");
-  command->add_flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
-  command->add_flag("--host-name", options->host_name, "let machine.json say the host's name");
-  command->add_flag("--quiet", options->quiet, "no progress");
-  command->callback([options, seed, trials, &exit] {
-    if (seed->count() > 0) options->overrides.seed = static_cast<std::uint64_t>(whole_number("--seed", options->seed));
-    if (trials->count() > 0) options->overrides.trials = whole_number("--trials", options->trials);
+      .option("--checkpoint", options->checkpoint,
+              "seconds between two files of finished blocks; default: by cost, 2 at most")
+      .within(0.0, 86400.0);
+  command.flag("--dry-run", options->dry_run, "say what would be done");
+  command.flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
+  command.flag("--host-name", options->host_name, "let machine.json say the host's name");
+  command.flag("--quiet", options->quiet, "no progress");
+  command.action([options, &exit] {
+    if (options->seed) options->overrides.seed = static_cast<std::uint64_t>(whole_number("--seed", *options->seed));
+    if (options->trials) options->overrides.trials = whole_number("--trials", *options->trials);
     exit = run(*options);
   });
 }

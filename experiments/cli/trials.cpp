@@ -144,14 +144,14 @@ void print_trials(const Chosen& from, const std::string& method) {
 
 }  // namespace
 
-void add_trials(CLI::App& app, Exit& exit) {
+void add_trials(Command program, Exit& exit) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("trials", "every trial of one cell of a bundle, as CSV");
-  command->add_option("bundle", options->bundle, "folder of the bundle")->required();
-  command->add_option("--study", options->overrides.only, "its study, of kind accuracy")->required();
-  command->add_option("--method", options->method, "its method")->required();
-  command->add_option("--set", options->overrides.set, "axis=value, where the study has several; intervals as 0:0.2");
-  command->callback([options, &exit] {
+  auto command = program.command("trials", "every trial of one cell of a bundle, as CSV");
+  command.option("bundle", options->bundle, "folder of the bundle").required();
+  command.option("--study", options->overrides.only, "its study, of kind accuracy").required();
+  command.option("--method", options->method, "its method").required();
+  command.option("--set", options->overrides.set, "axis=value, where the study has several; intervals as 0:0.2");
+  command.action([options, &exit] {
     const Chosen from = chosen(*options);
     if (from.cell.scalar == suite::ScalarKind::float32)
       print_trials<float>(from, options->method);

@@ -10,11 +10,11 @@
 
 namespace bezierbench::cli {
 
-void add_verify(CLI::App& app, Exit& exit) {
+void add_verify(Command program, Exit& exit) {
   auto path = std::make_shared<std::string>();
-  auto* command = app.add_subcommand("verify", "check a bundle: checksums, schema, digest");
-  command->add_option("bundle", *path, "folder of the bundle")->required();
-  command->callback([path, &exit] {
+  auto command = program.command("verify", "check a bundle: checksums, schema, digest");
+  command.option("bundle", *path, "folder of the bundle").required();
+  command.action([path, &exit] {
     const auto findings = bundle::verify(*path);
     for (const auto& finding : findings) say(finding);
     if (findings.empty()) fmt::print("{}: fine\n", *path);

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"

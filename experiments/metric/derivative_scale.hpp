@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/basis/derivative_bound.hpp"
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 

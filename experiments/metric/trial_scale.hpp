@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/basis/error_bound.hpp"
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::metric {

@@ -42,10 +42,16 @@ constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      
 }  // namespace
 
 std::unique_ptr<Job> make_job(const suite::Study& study, const JobContext& context) {
-  for (const auto& [kind, make] : kinds)
-    if (kind == study.kind) return make(study, context);
-  throw Failure(Exit::usage, fmt::format("study \"{}\": kind \"{}\" is not available yet; leave the study out (--only)",
-                                         study.id, suite::name(study.kind)));
+  try {
+    for (const auto& [kind, make] : kinds)
+      if (kind == study.kind) return make(study, context);
+    throw Failure(Exit::usage,
+                  fmt::format("study \"{}\": kind \"{}\" is not available yet; leave the study out (--only)", study.id,
+                              suite::name(study.kind)));
+  } catch (const Failure& failure) {
+    if (study.place.empty()) throw;
+    throw Failure(failure.exit(), fmt::format("{}: {}", study.place, failure.what()));
+  }
 }
 
 }  // namespace bezierbench::studies

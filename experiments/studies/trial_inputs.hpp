@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "experiments/sample/draw.hpp"
 
 namespace bezierbench::studies {

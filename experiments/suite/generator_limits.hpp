@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 
 namespace bezierbench::suite {
 

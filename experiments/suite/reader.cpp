@@ -113,6 +113,7 @@ class Reader {
     check_keys(table, keys);
     if (!table.contains("kind")) fail(table, "kind is missing; see `bezierbench list studies`");
     Study out;
+    out.place = fmt::format("{}:{}:{}", file_, table.source().begin.line, table.source().begin.column);
     for (const Field& field : study_fields()) {
       if (const toml::node* node = table.get(field.key)) field.read(file_, field.key, *node, out);
     }

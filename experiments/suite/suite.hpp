@@ -41,6 +41,7 @@ struct Interval {
 
 /// One [[study]] table. Axes are swept in the cross product.
 struct Study {
+  std::string place;  ///< where it is written, FILE:LINE:COLUMN, for messages; empty where it was not read
   std::string id;
   std::string title;
   Kind kind = Kind::accuracy;

@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"

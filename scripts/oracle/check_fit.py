@@ -8,21 +8,17 @@ error that the program claims. Segments must join each other, in data points, fr
 
 check_fit.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
-import argparse
-import csv
 import random
 import re
-import subprocess
 import sys
-import tempfile
 from fractions import Fraction
-from pathlib import Path
+
+import judging
 
 METHODS = ("schneider", "gauss_newton")
 TOLERANCES = (0.0, 1e-13, 1e-6, 1e-2, 0.3)  # times the largest coordinate
 GRID = 64
 STARTS = 3  # from the best points of the grid
-SHOWN = 12
 
 
 def basis(t):
@@ -142,36 +138,21 @@ def cases(seed):
             yield f"{kind.__name__} {n}", points, tolerance * max(abs(x) for p in points for x in p)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    mismatches, judged = [], 0
-    with tempfile.TemporaryDirectory() as place:
-        file = Path(place) / "p.csv"
-        for name, points, tolerance in cases(arguments.seed):
-            axes = "xyz"[: len(points[0])]
-            file.write_text("\n".join([",".join(axes), *(",".join(x.hex() for x in p) for p in points), ""]), encoding="ascii")
-            for method in METHODS:
-                command = [arguments.program, "curve", "fit", "--points", str(file), "--tolerance", tolerance.hex(),
-                           "--method", method]
-                result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-                summary = re.fullmatch(r"bezierbench: (\d+) segments?, maximum error (\S+)\n", result.stderr)
-                if result.returncode != 0 or not summary:
-                    mismatches.append(f"{name}: exit {result.returncode}: {result.stderr.strip()[:300]}")
-                    continue
-                judged += 1
-                rows = list(csv.DictReader(result.stdout.splitlines()))
-                lines = list(judge(points, Fraction(tolerance), rows, Fraction(float(summary[2]))))
-                if len(rows) != 4 * int(summary[1]):
-                    lines.append("the number of segments is another than on standard error")
-                mismatches += [f"{method}, {name}, tolerance {tolerance}: {line}" for line in lines]
-    for line in mismatches[:SHOWN]:
-        print(line)
-    print(f"{judged} fits, {len(mismatches)} mismatches")
-    return 1 if mismatches or judged < len(KINDS) * len(TOLERANCES) else 0
+def judge_fit(program, points, tolerance, method):
+    rows, said = program.ask("fit", "--points", points, "--tolerance", tolerance.hex(), "--method", method)
+    summary = re.fullmatch(r"bezierbench: (\d+) segments?, maximum error (\S+)\n", said)
+    if not summary:
+        raise ValueError(f"no summary on standard error: {said.strip()[:300]}")
+    yield from judge(points, Fraction(tolerance), rows, Fraction(float(summary[2])))
+    if len(rows) != 4 * int(summary[1]):
+        yield "the number of segments is another than on standard error"
+
+
+def questions(program, seed):
+    for name, points, tolerance in cases(seed):
+        for method in METHODS:
+            yield f"{method}, {name}, tolerance {tolerance}", judge_fit(program, points, tolerance, method)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(judging.main(__doc__, "fits", len(KINDS) * len(TOLERANCES), questions))

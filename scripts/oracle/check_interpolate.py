@@ -7,21 +7,17 @@ P0, P1, P2 and P3 of every segment unknown, and solved by Gaussian elimination w
 
 check_interpolate.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
-import argparse
-import csv
 import math
 import random
-import subprocess
 import sys
-import tempfile
 from fractions import Fraction
-from pathlib import Path
+
+import judging
 
 # The largest error of a control point that is let pass, in u max|K|: sqrt(3) is proved, the other promises nothing.
 METHODS = {"c2_natural": 1.74, "c2_natural_handles": 12}
 RESIDUALS = 8  # of c2_natural, in u max|K|
 SMALLEST = Fraction(1, 2**1074)
-SHOWN = 12
 
 
 def eliminate(rows):
@@ -129,37 +125,21 @@ def cases(seed):
             yield f"{kind.__name__} {n}", kind(draw, n, 1 + draw.randrange(3))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    mismatches, judged = [], 0
-    with tempfile.TemporaryDirectory() as place:
-        file = Path(place) / "p.csv"
-        for name, points in cases(arguments.seed):
-            axes = "xyz"[: len(points[0])]
-            file.write_text("\n".join([",".join(axes), *(",".join(x.hex() for x in p) for p in points), ""]), encoding="ascii")
-            for method in METHODS:
-                command = [arguments.program, "curve", "interpolate", "--points", str(file), "--method", method]
-                result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-                if result.returncode != 0:
-                    mismatches.append(f"{name}: exit {result.returncode}: {result.stderr.strip()[:300]}")
-                    continue
-                judged += 1
-                rows = list(csv.DictReader(result.stdout.splitlines()))
-                if [(row["segment"], row["index"]) for row in rows] != [
-                        (str(i), str(j)) for i in range(len(points) - 1) for j in range(4)]:
-                    mismatches.append(f"{name}: rows of other segments than asked for")
-                    continue
-                for axis, coordinates in zip(axes, zip(*points)):
-                    lines = judge(coordinates, [float(row[axis]) for row in rows], method)
-                    mismatches += [f"{method}, {name}, axis {axis}: {line}" for line in lines]
-    for line in mismatches[:SHOWN]:
-        print(line)
-    print(f"{judged} splines, {len(mismatches)} mismatches")
-    return 1 if mismatches or judged < 80 else 0
+def judge_spline(program, points, method):
+    rows, _ = program.ask("interpolate", "--points", points, "--method", method)
+    if [(row["segment"], row["index"]) for row in rows] != [(str(i), str(j)) for i in range(len(points) - 1) for j in range(4)]:
+        yield "rows of other segments than asked for"
+        return
+    for axis, coordinates in zip("xyz", zip(*points)):
+        for line in judge(coordinates, [float(row[axis]) for row in rows], method):
+            yield f"axis {axis}: {line}"
+
+
+def questions(program, seed):
+    for name, points in cases(seed):
+        for method in METHODS:
+            yield f"{method}, {name}", judge_spline(program, points, method)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(judging.main(__doc__, "splines", 80, questions))

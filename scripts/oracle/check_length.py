@@ -8,24 +8,19 @@ At exact_t +- one ulp the length must lie on both sides of the target. A promise
 
 check_length.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
-import argparse
-import csv
 import math
 import random
-import subprocess
 import sys
-import tempfile
 from decimal import Decimal, getcontext
 from fractions import Fraction
-from pathlib import Path
 
-from drawn_curves import collinear, constant, cusp, integers, straight, uniform, write_curve
+import judging
+from drawn_curves import collinear, constant, cusp, integers, straight, uniform
 
 LENGTH = "method,length,error_estimate,evaluations,converged,exact,error".split(",")
 AT_LENGTH = "method,t,iterations,converged,exact_t,error,error_estimate,length_error".split(",")
 SURE = {"bracketed_newton", "halley"}  # of the methods, those that must converge
 TOLERANCE = "1e-9"
-SHOWN = 12
 
 getcontext().prec = 45
 AGREE = Decimal("1e-25")  # of two step sizes, relative to the curve
@@ -151,13 +146,6 @@ def decimal(x):
     return Decimal(x.numerator) / Decimal(x.denominator)
 
 
-def run(program, *arguments):
-    result = subprocess.run([program, "curve", *arguments], capture_output=True, text=True, timeout=120, check=False)
-    if result.returncode != 0:
-        raise ValueError(f"exit {result.returncode}: {result.stderr.strip()[:300]}")
-    return list(csv.DictReader(result.stdout.splitlines()))
-
-
 def close(value, expected, unit, digits):
     return abs(value - expected) <= unit * Decimal(10) ** -digits
 
@@ -227,39 +215,24 @@ def cases(seed):
     yield "huge", [[x * 2.0**900 for x in p] for p in uniform(draw, 3, 2)]
 
 
-def judge(program, file, points, draw):
-    """Mismatches of the questions about one curve, and their number."""
-    write_curve(file, points)
+def judge(program, points, draw):
+    """Mismatches of the questions about one curve."""
+    def rows(command, *options):
+        return program.ask(command, "--curve", points, "--tolerance", TOLERANCE, *options)[0]
+
     curve = Curve(points)
-    lines = list(judge_length(run(program, "length", "--curve", str(file), "--tolerance", TOLERANCE), curve))
+    yield from judge_length(rows("length"), curve)
     share = draw.choice((0.0, 1.0, draw.random(), draw.random(), draw.random()))
-    asked = ["at-length", "--curve", str(file), "--tolerance", TOLERANCE]
-    lines += judge_at_length(run(program, *asked, f"--fraction={share!r}"), curve, Decimal(share) * curve.whole)
+    yield from judge_at_length(rows("at-length", f"--fraction={share!r}"), curve, Decimal(share) * curve.whole)
     length = float(Decimal(0.37) * curve.whole * decimal(curve.unit))
-    lines += judge_at_length(run(program, *asked, f"--length={length!r}"), curve, Decimal(length) / decimal(curve.unit))
-    return lines
+    yield from judge_at_length(rows("at-length", f"--length={length!r}"), curve, Decimal(length) / decimal(curve.unit))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    draw = random.Random(-arguments.seed)
-    mismatches, judged = [], 0
-    with tempfile.TemporaryDirectory() as place:
-        for name, points in cases(arguments.seed):
-            try:
-                lines = judge(arguments.program, Path(place) / "c.csv", points, draw)
-                judged += 1
-            except (ArithmeticError, ValueError) as error:
-                lines = [str(error)]
-            mismatches += [f"{name} {points}: {line}" for line in lines]
-    for line in mismatches[:SHOWN]:
-        print(line)
-    print(f"{judged} curves, {len(mismatches)} mismatches")
-    return 1 if mismatches or judged < 20 else 0
+def questions(program, seed):
+    draw = random.Random(-seed)
+    for name, points in cases(seed):
+        yield f"{name} {points}", judge(program, points, draw)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(judging.main(__doc__, "curves", 20, questions))

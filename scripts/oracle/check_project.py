@@ -7,22 +7,17 @@ change its sign there (or vanish, or push outwards at an end), and no point of a
 
 check_project.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
-import argparse
-import csv
 import math
 import random
-import subprocess
 import sys
-import tempfile
 from fractions import Fraction
-from pathlib import Path
 
-from drawn_curves import constant, graded, integers, mirrored, straight, uniform, write_curve
+import judging
+from drawn_curves import constant, graded, integers, mirrored, straight, uniform
 
 COLUMNS = "method,t,distance,candidates,exact_t,exact_distance,error".split(",")
 GRID = 128
 ALWAYS = {"quintic_isolate", "quintic_companion", "subdivide_hull", "scan_bisect", "scan_refine"}
-SHOWN = 12
 
 
 def point_at(points, t):
@@ -65,8 +60,9 @@ def cases(seed):
                 yield f"{kind.__name__} {n}, point {name}", points, target(draw, points)
 
 
-def judge(rows, points, target):
+def judge(program, points, target):
     """What is wrong with the program's rows, line by line."""
+    rows, _ = program.ask("project", "--curve", points, "--point=" + ",".join(x.hex() for x in target))
     exact_points, exact_target = [list(map(Fraction, p)) for p in points], list(map(Fraction, target))
     size = max(abs(x) for p in [*points, target] for x in p) or 1.0
     methods = {row["method"] for row in rows}
@@ -98,30 +94,10 @@ def judge(rows, points, target):
             yield f"quintic_isolate is {float(row['error']) / size * 2**52} units off"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    mismatches, judged = [], 0
-    with tempfile.TemporaryDirectory() as place:
-        file = Path(place) / "c.csv"
-        for name, points, target in cases(arguments.seed):
-            write_curve(file, points)
-            command = [arguments.program, "curve", "project", "--curve", str(file),
-                       "--point=" + ",".join(x.hex() for x in target)]
-            result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-            if result.returncode != 0:
-                mismatches.append(f"{name}: exit {result.returncode}: {result.stderr.strip()[:300]}")
-                continue
-            judged += 1
-            lines = judge(list(csv.DictReader(result.stdout.splitlines())), points, target)
-            mismatches += [f"{name} {points} {target}: {line}" for line in lines]
-    for line in mismatches[:SHOWN]:
-        print(line)
-    print(f"{judged} projections, {len(mismatches)} mismatches")
-    return 1 if mismatches or judged < 100 else 0
+def questions(program, seed):
+    for name, points, target in cases(seed):
+        yield f"{name} {points} {target}", judge(program, points, target)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(judging.main(__doc__, "projections", 100, questions))

@@ -3,22 +3,12 @@
 #pragma once
 
 #include <concepts>
-#include <cstdint>
-#include <limits>
 
+#include "core/arc_length/inverse/result.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench {
-
-/// A parameter, and what its method says of it.
-struct InverseArcLength {
-  double t = std::numeric_limits<double>::quiet_NaN();
-  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< of the length up to t, absolute
-  std::int64_t iterations = 0;                                       ///< parameters, or sets of them, that were tried
-  std::int64_t evaluations = 0;  ///< of the speed and its derivative or, for chords, of the curve
-  bool converged = false;        ///< the estimate is at most tolerance times the length of the whole curve: the promise
-};
 
 /// With s(t) the integral of |h| over [0, t], h the hodograph of a curve: t in [0, 1] with s(t) = `target`, where
 /// |s(t) - target| <= tolerance s(1). A method is handed a hodograph that is not 0 and is scaled as in ArcLengthMethod,

@@ -4,7 +4,9 @@
 
 #include <span>
 
-#include "core/arc_length/inverse/inverse_arc_length.hpp"
+#include "core/arc_length/inverse/result.hpp"
+#include "core/curve_view.hpp"
+#include "core/method.hpp"
 
 namespace bezierbench {
 

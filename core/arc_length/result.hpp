@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What a method for arc length says.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace bezierbench {
+
+/// A length, and what its method says of it.
+struct ArcLength {
+  double length = 0;
+  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< absolute; NaN: the method has none
+  std::int64_t evaluations = 0;                                      ///< of the speed or, for chords, of the curve
+  bool converged = false;  ///< the estimate is at most tolerance times the length: the promise
+};
+
+}  // namespace bezierbench

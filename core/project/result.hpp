@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// What a method for point projection says.
+#pragma once
+
+namespace bezierbench {
+
+/// Where a method says the curve is nearest to the point.
+struct FootPoint {
+  double t = 0;
+  double distance = 0;    ///< |C(t) - P|, in coordinate units
+  int candidates = 0;     ///< parameters or pieces whose distances were compared
+  bool converged = true;  ///< false where the method gave up before it reached what it aims at
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,172 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""The CSV tables of bundles against the schema that says what is in them, and the schema against the tables.
+
+table_schema_test.py PROGRAM    of a run of PROGRAM with every kind of study, of the committed bundles, and of bundles
+                                of every earlier schema version
+"""
+import copy
+import csv
+import functools
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from decimal import Decimal
+from pathlib import Path
+
+import jsonschema
+
+ROOT = Path(__file__).resolve().parent.parent
+SCHEMA = json.loads((ROOT / "experiments/bundle/schema/tables.schema.json").read_text(encoding="utf-8"))
+COMMITTED = sorted(path.parent for path in ROOT.glob("results/*/bundle.json"))
+EARLIER = sorted(path.parent for path in ROOT.glob("experiments/bundle/fixtures/*/bundle.json"))
+PROGRAM = Path(sys.argv.pop(1)).resolve()
+
+INTEGER = re.compile(r"-?(0|[1-9][0-9]*)")
+DECIMAL = re.compile(r"-?[0-9]+(\.[0-9]+)?(e[+-][0-9]+)?")
+
+# Degrees that a method does not have, weights, both scalar types and printed cells: every table, and fields that are
+# empty elsewhere.
+REPORT = 'coordinate_range = [1e6]\ngenerator = ["report"]\npublished = "report_tables.csv"'
+STUDIES = {
+    "2.3.1-bezier": ("accuracy", "bezier", 'degree = [4, 300]\nscalar = ["double", "float"]\nbaseline = ["exact", "direct"]\n'
+                     'methods = ["direct", "direct_pow", "differences:horner"]\ntrials = 9\ndecomposed_trials = 9\n' + REPORT),
+    "weights": ("accuracy", "rational", 'degree = [3]\nmethods = ["direct"]\ntrials = 9'),
+    "2.2": ("conversion", "bezier", 'degree = [3, 300]\nmethods = ["factorial+forward_substitution"]\ntrials = 9'),
+    "worst": ("search", "rational", 'degree = [3]\nmethods = ["direct"]\ntrials = 5\nbudget = 5'),
+    "derivative": ("derivative", "bezier", "degree = [3]\norder = [1]\ntrials = 5"),
+    "length": ("arc_length", "bezier", "degree = [3]\ntolerance = [1e-3]\ntrials = 2"),
+    "at-length": ("inverse_arc_length", "bezier", "degree = [3]\ntolerance = [1e-3]\ntrials = 2"),
+    "projection": ("projection", "bezier", "degree = [3, 4]\ntrials = 2"),
+    "spline": ("interpolation", "bezier", "points = [3]\ntrials = 2"),
+    "fit": ("fitting", "bezier", "degree = [3]\npoints = [5]\ntolerance = [1e-2]\ntrials = 2"),
+    "2.4-bezier": ("timing", "bezier", 'degree = [2, 3, 4]\nmethods = ["direct", "de_casteljau"]\nmodes = ["one_shot"]\n' + REPORT),
+    "roofline": ("roofline", "bezier", 'degree = [3]\nmethods = ["horner_bernstein_fma"]'),
+}
+
+
+def suite():
+    studies = (f'[[study]]\nid = "{name}"\nkind = "{kind}"\ncurve = "{curve}"\n{rest}\n' for name, (kind, curve, rest) in STUDIES.items())
+    return 'schema_version = 1\n[suite]\nid = "s"\ntitle = "A little of everything"\n' + "".join(studies)
+
+
+def resolved(schema):
+    """The schema that a $ref names, with what is said beside it."""
+    while "$ref" in schema:
+        *path, last = schema["$ref"].removeprefix("#/").split("/")
+        place = functools.reduce(dict.__getitem__, path, SCHEMA)
+        schema = {**place[last], **{key: value for key, value in schema.items() if key != "$ref"}}
+    return schema
+
+
+def columns(file):
+    return resolved(SCHEMA["properties"][file])["items"]["properties"]
+
+
+@functools.cache
+def judge(file, column):
+    return jsonschema.Draft202012Validator({**columns(file)[column], "$defs": SCHEMA["$defs"]})
+
+
+def readings(text):
+    """What a field may stand for. A number with more digits than it needs is text, which no column of numbers admits."""
+    if not text:
+        yield None
+    if INTEGER.fullmatch(text):
+        yield int(text)
+    if DECIMAL.fullmatch(text) and Decimal(text) == Decimal(repr(float(text))):
+        yield float(text)
+    yield text
+
+
+@functools.cache
+def typed(file, column, text):
+    """The first reading that the column admits; the text where it admits none, or is unknown."""
+    if file not in SCHEMA["properties"] or column not in columns(file):
+        return text
+    return next((value for value in readings(text) if judge(file, column).is_valid(value)), text)
+
+
+class Table:
+    def __init__(self, path):
+        with open(path, newline="", encoding="utf-8") as text:
+            self.header, *self.rows = csv.reader(text, strict=True)
+        self.file = path.name
+
+    def typed_rows(self):
+        return [{column: typed(self.file, column, text) for column, text in zip(self.header, row, strict=True)} for row in self.rows]
+
+
+def tables(bundle):
+    return {path.name: Table(path) for path in sorted(bundle.glob("*.csv"))}
+
+
+def typed_tables(bundle):
+    return {file: table.typed_rows() for file, table in tables(bundle).items()}
+
+
+class TableSchema(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="bezierbench-tables-")
+        cls.addClassCleanup(folder.cleanup)
+        place = Path(folder.name)
+        (place / "s.toml").write_text(suite(), encoding="utf-8")
+        subprocess.run([PROGRAM, "run", "s.toml", "--quiet", "--out", "bundle"], cwd=place, check=True)
+        cls.fresh = place / "bundle"
+        jsonschema.Draft202012Validator.check_schema(SCHEMA)
+        cls.whole = jsonschema.Draft202012Validator(SCHEMA)
+
+    def test_the_run_has_every_kind_of_study_and_every_table(self):
+        listed = subprocess.run([PROGRAM, "list", "studies", "--format", "csv"], capture_output=True, text=True, check=True)
+        kinds = {study["kind"] for study in csv.DictReader(listed.stdout.splitlines())}
+        self.assertEqual(kinds, {kind for kind, _, _ in STUDIES.values()})
+        self.assertEqual(set(tables(self.fresh)), set(SCHEMA["properties"]))
+
+    def test_bundles_follow_it(self):
+        self.assertTrue(COMMITTED and EARLIER)
+        for bundle in [self.fresh, *COMMITTED, *EARLIER]:
+            for error in self.whole.iter_errors(typed_tables(bundle)):
+                with self.subTest(bundle=bundle, place=error.json_path):
+                    self.fail(error.message)
+
+    def test_columns_are_in_its_order(self):
+        for bundle in [self.fresh, *COMMITTED, *EARLIER]:
+            for file, table in tables(bundle).items():
+                with self.subTest(bundle=bundle, file=file):
+                    present = [name for name in columns(file) if bundle not in EARLIER or name in table.header]
+                    self.assertEqual(table.header, present)
+
+    def test_every_column_is_explained(self):
+        for file, table in SCHEMA["properties"].items():
+            self.assertTrue(table["description"], file)
+            for name, column in columns(file).items():
+                self.assertTrue(resolved(column).get("description"), f"{file} {name}")
+
+    def test_it_asks_for_every_column_and_knows_no_other(self):
+        good = {file: rows[:1] for file, rows in typed_tables(self.fresh).items()}
+        self.assertFalse(self.whole.is_valid({**good, "other.csv": []}))
+        for file, [row] in good.items():
+            required = resolved(SCHEMA["properties"][file])["items"]["required"]
+            self.assertEqual(required, [name for name in row if name in required])
+            for name in row:
+                with self.subTest(file=file, column=name):
+                    less = copy.deepcopy(good)
+                    del less[file][0][name]
+                    self.assertEqual(self.whole.is_valid(less), name not in required)
+            self.assertFalse(self.whole.is_valid({**good, file: [{**row, "new_column": 1}]}), file)
+
+    def test_it_refuses_other_fields(self):
+        for file in SCHEMA["properties"]:
+            for name, column in columns(file).items():
+                with self.subTest(file=file, column=name):
+                    free = resolved(column).get("anyOf") == resolved({"$ref": "#/$defs/optional_text"})["anyOf"]
+                    wrong = [text for text in ("", "?!", "1e+02") if not judge(file, name).is_valid(typed(file, name, text))]
+                    self.assertEqual(bool(wrong), not free)
+
+
+if __name__ == "__main__":
+    unittest.main()
