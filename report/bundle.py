@@ -8,6 +8,7 @@ import csv
 import json
 import math
 import re
+import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -52,6 +53,7 @@ REQUIRED = {
                     "understated non_finite").split(),
     "fitting_example.csv": "study data tolerance method segment index x y".split(),
     "timing.csv": "study curve method degree mode median_ns low_ns high_ns checked".split(),
+    "complexity.csv": "study curve method mode first_degree last_degree exponent exponent_low exponent_high claimed verdict".split(),
     "pareto.csv": ("study accuracy_study curve method scalar dimension degree mode ns ns_low ns_high observed_max_u bound_u "
                    "quality pareto").split(),
     "roofline.csv": ("study curve method scalar dimension degree target median_ns peak_gflops mixed_peak_gflops share_of_peak "
@@ -276,6 +278,7 @@ class Bundle(Folder):
                               "on the bundle")
         self.machine = self._json("machine.json")
         self.suite = self._text("suite.toml")
+        self.titles = self._titles()
         self.tables = {p.name: self._csv(p) for p in sorted(self.path.glob("*.csv"))}
         self.comparison = Comparison(comparison) if comparison else None
 
@@ -308,9 +311,22 @@ class Bundle(Folder):
         return any((row["study"] or "").startswith(f"{suite}-") for table in self.tables.values() if "study" in table.columns
                    for row in table.rows)
 
+    def title(self, study):
+        """What the suite calls that study; its id where the bundle does not say."""
+        return self.titles.get(study, study)
+
     def accuracy(self, **key):
         """The accuracy row, in double and in the plane, that fits."""
         return self.judged().one(scalar="double", dimension=2, **key)
+
+    def _titles(self):
+        """Of one suite or of several, as the program resolves them."""
+        try:
+            resolved = tomllib.loads(self.suite or "")
+        except tomllib.TOMLDecodeError as error:
+            raise BundleError(f"{self.path / 'suite.toml'}: {error}; {self.advice()}") from None
+        suites = resolved.get("suites", [resolved])
+        return {study["id"]: study["title"] for suite in suites for study in suite.get("study", []) if study.get("title")}
 
     def _text(self, name):
         return self._read(name)

@@ -3,7 +3,7 @@
 
 from ..document import Text
 from ..wording import general, scientific
-from .suite_parts import figure, of_suite
+from .suite_parts import figure, of_suite, with_times
 from .tolerance_tables import tolerance_tables
 
 TITLE = "Arc lengths"
@@ -13,6 +13,7 @@ LINES = (("mean relative error", "mean_relative", scientific), ("largest relativ
          ("promises broken", "broken_promises", general))
 
 
+@with_times("arc_length")
 def blocks(bundle, findings):
     """Findings, the figure, then a table for each kind of curves."""
     table = bundle["arc_length.csv"].starting(PREFIX)
