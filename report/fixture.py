@@ -242,8 +242,8 @@ def audit():
 # problem: its study, ns by method (per point where there are data points; the first is what ratios are relative to), what is asked
 COMPANIONS = {
     "derivative": ("companion_speed-derivative", {"differences_de_casteljau": 40, "seed_000": 30}, [dict(order=1), dict(order=2)]),
-    "arc_length": ("companion_peers-length_speed", {"peer_2geom_length": 9000, "gauss_legendre_adaptive": 900},
-                   [dict(tolerance=1e-10)]),
+    "arc_length": ("companion_peers-length_speed", {"peer_2geom_length": 9000, "peer_occt_length": 20000, "gauss_legendre_adaptive": 900},
+                   [dict(tolerance=e) for e in (1e-3, 1e-10)]),
     "inverse_arc_length": ("companion_speed-at_length", {"bracketed_newton": 1700, "halley": 1500}, [dict(tolerance=1e-6)]),
     "projection": ("companion_peers-projection_speed",
                    {"peer_2geom_nearest": 5000, "peer_sisl_closest": 4000, "quintic_isolate": 400}, [{}]),
