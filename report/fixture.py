@@ -228,7 +228,7 @@ def worst():
 
 def methods():
     ids = {"direct": "evaluation", "de_casteljau": "evaluation", "factorial:power_sum": "evaluation", "factorial": "conversion",
-           **{m: problem for problem, study in COMPANIONS.items() for m in study[1]}}
+           **{m: problem for problem, _, methods, _ in COMPANIONS for m in methods}}
     return [dict(id=i, problem=problem, form="bernstein", min_degree=0, max_degree=170, bound="gamma_3n p~", bit_stable="yes",
                  flops="n", citation="none") for i, problem in ids.items()]
 
@@ -239,19 +239,23 @@ def audit():
                  max_error_ulp=1.25)]
 
 
-# problem: its study, ns by method (per point where there are data points; the first is what ratios are relative to), what is asked
-COMPANIONS = {
-    "derivative": ("companion_speed-derivative", {"differences_de_casteljau": 40, "seed_000": 30}, [dict(order=1), dict(order=2)]),
-    "arc_length": ("companion_peers-length_speed", {"peer_2geom_length": 9000, "peer_occt_length": 20000, "gauss_legendre_adaptive": 900},
-                   [dict(tolerance=e) for e in (1e-3, 1e-10)]),
-    "inverse_arc_length": ("companion_speed-at_length", {"bracketed_newton": 1700, "halley": 1500}, [dict(tolerance=1e-6)]),
-    "projection": ("companion_peers-projection_speed",
-                   {"peer_2geom_nearest": 5000, "peer_sisl_closest": 4000, "quintic_isolate": 400}, [{}]),
-    "interpolation": ("companion_speed-interpolation", {"c2_natural": 60, "c2_natural_handles": 40},
-                      [dict(points=k) for k in (10, 100, 1000)]),
-    "fitting": ("companion_speed-fitting", {"schneider": 500, "gauss_newton": 2500},
-                [dict(points=40, tolerance=e, data=data) for data in ("samples", "noisy") for e in (1e-2, 1e-6)]),
-}
+# problem, study, ns by method (per point where there are data points; the first is what ratios are relative to), what is asked
+_TO = [dict(tolerance=e) for e in (1e-3, 1e-10)]
+COMPANIONS = [
+    ("derivative", "companion_speed-derivative", {"differences_horner": 40, "triangle_derivatives": 80, "seed_000": 60},
+     [dict(order=1, degree=5), dict(order=2, degree=5)]),
+    ("arc_length", "companion_speed-length", {"gauss_legendre_adaptive": 900, "adaptive_simpson38": 5000}, _TO),
+    ("arc_length", "companion_peers-length_speed",
+     {"peer_2geom_length": 9000, "peer_occt_length": 20000, "gauss_legendre_adaptive": 900}, _TO),
+    ("inverse_arc_length", "companion_speed-at_length", {"halley": 1500, "bracketed_newton": 1700}, _TO),
+    ("projection", "companion_speed-projection", {"quintic_isolate": 400, "scan_refine": 8000}, [{}]),
+    ("projection", "companion_peers-projection_speed",
+     {"peer_2geom_nearest": 5000, "peer_sisl_closest": 4000, "quintic_isolate": 400}, [{}]),
+    ("interpolation", "companion_speed-interpolation", {"c2_natural": 60, "c2_natural_handles": 40},
+     [dict(points=k) for k in (10, 100, 1000)]),
+    ("fitting", "companion_speed-fitting", {"schneider": 500, "gauss_newton": 2500},
+     [dict(points=40, tolerance=e, data=data) for data in ("samples", "noisy") for e in (1e-2, 1e-6)]),
+]
 
 
 def timing():
@@ -263,16 +267,17 @@ def timing():
                     coordinate_range=1, t_min=0, t_max=1, generator="continuous",
                     **{"order": "", "tolerance": "", "points": "", "data": "", **asked})
     companions = []
-    for study, methods, all_asked in COMPANIONS.values():
+    for _, study, methods, all_asked in COMPANIONS:
         first = next(iter(methods))
-        companions += [row(m, 3, ns * asked.get("points", 1), study=study, mode="one_shot", relative_to=first, ratio=ns / methods[first],
-                           **asked) for asked in all_asked for m, ns in methods.items()]
+        companions += [row(m, asked.get("degree", 3), ns * asked.get("points", 1), study=study, mode="one_shot", relative_to=first,
+                           ratio=ns / methods[first] * (1.2 if m != first else 1),
+                           **{c: v for c, v in asked.items() if c != "degree"}) for asked in all_asked for m, ns in methods.items()]
     return [row("direct", n, n * 1.5) for n in DEGREES] + [row("sentinel", "", 1.5)] + [
         row(m, n, n * 8.0, study="peers-speed") for m in ("de_casteljau", *PEERS) for n in DEGREES] + companions
 
 
 def complexity():
-    study, methods, asked = COMPANIONS["interpolation"]
+    study, methods, asked = next(rest for problem, *rest in COMPANIONS if problem == "interpolation")
     return [dict(study=study, curve="bezier", method=m, scalar="double", dimension=2, mode="one_shot", first_degree=3, last_degree=3,
                  exponent=1, exponent_low=0.9, exponent_high=1.1, claimed=1, verdict="within", coordinate_range=1, t_min=0, t_max=1,
                  generator="continuous", first_points=asked[0]["points"], last_points=asked[-1]["points"]) for m in methods]

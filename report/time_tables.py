@@ -74,10 +74,10 @@ def reading_times(bundle, problem):
     rows = times(bundle, problem)
     wrong = list(dict.fromkeys(r["method"] for r in rows if r["checked"] != "yes"))
     return Text(
-        ("" if problem == EVALUATION else
-         f"A time is that of one {UNITS[problem][0]} from the control points or the data on, all that a method prepares included. ") +
-        "The interval in brackets, `low_ns` to `high_ns` of the file, covers how far the median varies from one race to another of the "
-        "same methods, spread over the run. Every timed output was checked against one that was judged first: right where "
+        ("" if problem == EVALUATION else f"A time is that of one {UNITS[problem][0]} from the control points or the data on, all that "
+         "a method prepares included. ")
+        + "The interval in brackets, `low_ns` to `high_ns` of the file, covers how far the median varies from one race to another of "
+        "the same methods, spread over the run. Every timed output was checked against one that was judged first: right where "
         f"{UNITS[problem][3]}" + (f"; **✗ marks times of {listing(f'`{m}`' for m in wrong)} whose output was not right, or another.**" if wrong else ".")
         + (" A time marked ~ comes from a race in which fixed work beside it changed its speed by more than 2 %: "
            "ratios within a race stand, times of different races compare badly." if any(r["quality"] == "noisy" for r in rows) else ""))

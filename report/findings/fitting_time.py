@@ -30,7 +30,8 @@ def find(bundle):
     fewer = sum(fit.number("mean_segments") < other(time).number("mean_segments") for _, time, fit in races)
     return Finding(
         id="fitting_time", about="suite", suite=SUITE, claim="", holds=holds,
-        headline=f"To fit orthogonal distances takes {factor(least[0])} to {factor(most[0])} times as long as Schneider's fit." if holds else
+        headline=f"To fit orthogonal distances takes {factor(least[0])} to {factor(most[0])} times as long as Schneider's fit."
+        if holds else
         f"To fit orthogonal distances takes longer than Schneider's fit in only {len(slower)} of {count(len(races), 'race')}.",
         detail=(f"At the least {words(*least)}, at the most {words(*most)}. It needs fewer segments in {fewer} of "
                 f"{count(len(races), 'race')}, a race for each kind of data and tolerance.",),
