@@ -27,6 +27,8 @@ _SCORECARD = ("table curve method statistic degree coordinate_range t_min t_max 
               "verdict note").split()
 _PROJECTION = ("study method dimension degree coordinate_range generator placement trials status missed max_error_eps max_t_error "
                "non_converged").split()
+_ARC_LENGTH = ("study curve method scalar dimension degree coordinate_range t_min t_max generator tolerance trials status "
+               "mean_relative max_relative mean_evaluations non_converged broken_promises non_finite").split()
 
 # What the report reads from each file. Files that are not named here can be read too; their types are inferred.
 REQUIRED = {
@@ -38,8 +40,8 @@ REQUIRED = {
                        "within_1e-5 within_1e-3 within_0.1").split(),
     "derivative.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator order trials status "
                        "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split(),
-    "arc_length.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator tolerance trials status "
-                       "mean_relative max_relative mean_evaluations non_converged broken_promises non_finite").split(),
+    "arc_length.csv": _ARC_LENGTH,
+    "arc_length_unstable.csv": _ARC_LENGTH,
     "inverse_arc_length.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator tolerance trials "
                                "status mean_relative max_relative max_t_error mean_iterations max_iterations mean_evaluations "
                                "non_converged broken_promises outside non_finite").split(),
@@ -156,10 +158,11 @@ class Table:
         return rows[0]
 
     def starting(self, prefix):
-        """The rows of the studies whose id starts with `prefix`; Missing where there are none."""
+        """The rows of the studies whose id starts with `prefix`, or one of a tuple; Missing where there are none."""
         rows = [row for row in self.rows if (row["study"] or "").startswith(prefix)]
         if not rows:
-            raise Missing(f"`{self.file}` has no study whose id starts with `{prefix}`")
+            words = prefix if isinstance(prefix, str) else "` or `".join(prefix)
+            raise Missing(f"`{self.file}` has no study whose id starts with `{words}`")
         return Table(self.file, self.columns, rows)
 
     def distinct(self, column, **key):
@@ -294,12 +297,13 @@ class Bundle(Folder):
             raise Missing(f"the bundle has no `{file}`")
         return self.tables[file]
 
-    def judged(self):
-        """Accuracy rows of every method: those of the digest and those that depend on the mathematics library."""
-        tables = [self.tables[f] for f in ("accuracy.csv", "unstable.csv") if f in self.tables]
+    def judged(self, file="accuracy.csv"):
+        """Rows of every method: those of the digest and those that depend on a library."""
+        unstable = "unstable.csv" if file == "accuracy.csv" else file.replace(".csv", "_unstable.csv")
+        tables = [self.tables[f] for f in (file, unstable) if f in self.tables]
         if not tables:
-            raise Missing("the bundle has no `accuracy.csv`")
-        return Table("accuracy.csv", tables[0].columns, [row for t in tables for row in t.rows])
+            raise Missing(f"the bundle has no `{file}`")
+        return Table(file, tables[0].columns, [row for t in tables for row in t.rows])
 
     def exact(self, prefix):
         """Rows of every method against the exact value, of the studies whose id starts with `prefix`."""

@@ -193,14 +193,22 @@ def derivative():
     return rows
 
 
-def arc_length():
-    """Evaluations by method and tolerance; one method never promises."""
-    costs = {"adaptive_simpson38": (40, 400), "gauss_legendre_adaptive": (30, 60), "gauss_legendre_24": (24, 24)}
-    return [dict(study="arc_length-tolerance", curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1,
+def _lengths(study, costs):
+    """Evaluations by method and tolerance; methods of a constant cost never promise."""
+    return [dict(study=study, curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1,
                  t_min=0, t_max=1, generator=g, tolerance=e, trials=100, status="ok", mean_error=e / 8, p50_error=e / 9, p99_error=e / 3,
                  max_error=e / 2, mean_relative=e / 8, max_relative=e / 2, mean_evaluations=n, max_evaluations=3 * n,
-                 non_converged=100 if m == "gauss_legendre_24" else 0, broken_promises=0, non_finite=0)
+                 non_converged=100 if ends[0] == ends[1] else 0, broken_promises=0, non_finite=0)
             for m, ends in costs.items() for g in ("continuous", "integer") for e, n in zip((1e-3, 1e-9), ends)]
+
+
+def arc_length():
+    ours = {"adaptive_simpson38": (40, 400), "gauss_legendre_adaptive": (30, 60), "gauss_legendre_24": (24, 24)}
+    return _lengths("arc_length-tolerance", ours) + _lengths("companion_peers-length", {"gauss_legendre_adaptive": (30, 60)})
+
+
+def arc_length_unstable():
+    return _lengths("companion_peers-length", {"peer_2geom_length": (0, 0)})
 
 
 def _bits(curve):
@@ -355,6 +363,7 @@ def fitting_example():
 
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
          "conversion.csv": conversion, "derivative.csv": derivative, "arc_length.csv": arc_length,
+         "arc_length_unstable.csv": arc_length_unstable,
          "inverse_arc_length.csv": inverse_arc_length, "spacing.csv": spacing, "projection.csv": projection,
          "projection_unstable.csv": projection_unstable, "interpolation.csv": interpolation, "fitting.csv": fitting,
          "fitting_example.csv": fitting_example, "search.csv": search, "worst.csv": worst, "methods.csv": methods,

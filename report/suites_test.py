@@ -173,6 +173,11 @@ class Suites(unittest.TestCase):
         ids = {b.id for b in timing.blocks(bundle, find_all(bundle)) if b.kind == "table"}
         self.assertEqual(ids, {"timing-2.4-bezier", "timing-peers-speed"})
 
+    def test_other_libraries_stand_in_the_chapter_of_their_problem(self):
+        blocks = self.blocks("arc_length", self.bundle(_only("companion_peers")))
+        tables = [b for b in blocks if b.kind == "table" and b.id.startswith("companion_peers-length-")]
+        self.assertEqual([[g.key for g in t.groups] for t in tables], [["gauss_legendre_adaptive", "peer_2geom_length"]] * 2)
+
     def test_every_finding_of_times_is_shown_once(self):
         bundle = self.bundle()
         found = find_all(bundle)

@@ -10,6 +10,9 @@ from ..time_tables import reading_times, time_tables, times
 from ..wording import general, interval, large, shortest
 
 
+COMPANION_PEERS = "companion_peers-"  # studies of several problems, each in the chapter of its own
+
+
 def of_suite(findings, suite):
     """The findings of a suite, in their order."""
     return [f for f in findings[0] if f.suite == suite]
