@@ -27,7 +27,7 @@ constexpr MethodInfo companion_info(std::string_view id, std::string_view label,
 /// The one of an adapter's kernels for this dimension, if there is one.
 template <class K, std::size_t Count>
 std::span<const K> in_dimension(const std::array<K, Count>& kernels, int dimension) {
-  const auto found = std::ranges::find(kernels, dimension, &K::dimension);
+  const auto* const found = std::ranges::find(kernels, dimension, &K::dimension);
   return {found, static_cast<std::size_t>(found == kernels.end() ? 0 : 1)};
 }
 

@@ -199,21 +199,30 @@ TEST(TimedProblem, SizesOfOtherProblemsAreNotClaimed) {
   EXPECT_TRUE(tables.all().empty());
 }
 
+/// Adds a key that is missing, removes one that is there.
+template <class T>
+void toggle(std::vector<T>& key, T value) {
+  if (key.empty())
+    key.push_back(value);
+  else
+    key.clear();
+}
+
 TEST(TimedProblem, RefusesWhatIsNotTimed) {
   const auto refused = [](const suite::Study& study) { EXPECT_THROW(timing_job(study, {1}), Failure); };
   for (const auto& good : one_of_each()) {
     EXPECT_NO_THROW(timing_job(good, {1})) << good.methods[0];
     auto study = good;
-    study.tolerance.empty() ? study.tolerance.push_back(1e-3) : study.tolerance.clear();
+    toggle(study.tolerance, 1e-3);
     refused(study);
     study = good;
-    study.order.empty() ? study.order.push_back(1) : study.order.clear();
+    toggle(study.order, 1);
     refused(study);
     study = good;
-    study.points.empty() ? study.points.push_back(10) : study.points.clear();
+    toggle(study.points, 10);
     refused(study);
     study = good;
-    study.degree.empty() ? study.degree.push_back(3) : study.degree.clear();
+    toggle(study.degree, 3);
     refused(study);
     if (good.methods[0] == "de_casteljau") continue;
     study = good;
