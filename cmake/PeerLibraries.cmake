@@ -47,7 +47,7 @@ endfunction()
 file(GLOB headers_of_2geom /usr/include/2geom-* /usr/local/include/2geom-*)
 bezierbench_peer_library(2geom 2geom/bezier.h HINTS ${headers_of_2geom}
                          LIBRARIES 2geom gsl gslcblas) # it integrates with GSL
-bezierbench_peer_library(occt opencascade/BSplCLib.hxx LIBRARIES TKG3d TKG2d TKMath TKernel)
+bezierbench_peer_library(occt opencascade/BSplCLib.hxx LIBRARIES TKGeomBase TKG3d TKG2d TKMath TKernel)
 if(TARGET peer_occt) # its headers include each other by name alone
   target_include_directories(peer_occt SYSTEM INTERFACE ${PEER_occt_INCLUDE}/opencascade)
 endif()

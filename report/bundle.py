@@ -8,6 +8,7 @@ import csv
 import json
 import math
 import re
+import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -26,6 +27,8 @@ _SCORECARD = ("table curve method statistic degree coordinate_range t_min t_max 
               "verdict note").split()
 _PROJECTION = ("study method dimension degree coordinate_range generator placement trials status missed max_error_eps max_t_error "
                "non_converged").split()
+_ARC_LENGTH = ("study curve method scalar dimension degree coordinate_range t_min t_max generator tolerance trials status "
+               "mean_relative max_relative mean_evaluations non_converged broken_promises non_finite").split()
 
 # What the report reads from each file. Files that are not named here can be read too; their types are inferred.
 REQUIRED = {
@@ -37,8 +40,8 @@ REQUIRED = {
                        "within_1e-5 within_1e-3 within_0.1").split(),
     "derivative.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator order trials status "
                        "mean_error max_error mean_error_u max_error_u bound_u bound_violations non_finite").split(),
-    "arc_length.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator tolerance trials status "
-                       "mean_relative max_relative mean_evaluations non_converged broken_promises non_finite").split(),
+    "arc_length.csv": _ARC_LENGTH,
+    "arc_length_unstable.csv": _ARC_LENGTH,
     "inverse_arc_length.csv": ("study curve method scalar dimension degree coordinate_range t_min t_max generator tolerance trials "
                                "status mean_relative max_relative max_t_error mean_iterations max_iterations mean_evaluations "
                                "non_converged broken_promises outside non_finite").split(),
@@ -52,6 +55,7 @@ REQUIRED = {
                     "understated non_finite").split(),
     "fitting_example.csv": "study data tolerance method segment index x y".split(),
     "timing.csv": "study curve method degree mode median_ns low_ns high_ns checked".split(),
+    "complexity.csv": "study curve method mode first_degree last_degree exponent exponent_low exponent_high claimed verdict".split(),
     "pareto.csv": ("study accuracy_study curve method scalar dimension degree mode ns ns_low ns_high observed_max_u bound_u "
                    "quality pareto").split(),
     "roofline.csv": ("study curve method scalar dimension degree target median_ns peak_gflops mixed_peak_gflops share_of_peak "
@@ -154,10 +158,11 @@ class Table:
         return rows[0]
 
     def starting(self, prefix):
-        """The rows of the studies whose id starts with `prefix`; Missing where there are none."""
+        """The rows of the studies whose id starts with `prefix`, or one of a tuple; Missing where there are none."""
         rows = [row for row in self.rows if (row["study"] or "").startswith(prefix)]
         if not rows:
-            raise Missing(f"`{self.file}` has no study whose id starts with `{prefix}`")
+            words = prefix if isinstance(prefix, str) else "` or `".join(prefix)
+            raise Missing(f"`{self.file}` has no study whose id starts with `{words}`")
         return Table(self.file, self.columns, rows)
 
     def distinct(self, column, **key):
@@ -276,6 +281,7 @@ class Bundle(Folder):
                               "on the bundle")
         self.machine = self._json("machine.json")
         self.suite = self._text("suite.toml")
+        self.titles = self._titles()
         self.tables = {p.name: self._csv(p) for p in sorted(self.path.glob("*.csv"))}
         self.comparison = Comparison(comparison) if comparison else None
 
@@ -291,12 +297,13 @@ class Bundle(Folder):
             raise Missing(f"the bundle has no `{file}`")
         return self.tables[file]
 
-    def judged(self):
-        """Accuracy rows of every method: those of the digest and those that depend on the mathematics library."""
-        tables = [self.tables[f] for f in ("accuracy.csv", "unstable.csv") if f in self.tables]
+    def judged(self, file="accuracy.csv"):
+        """Rows of every method: those of the digest and those that depend on a library."""
+        unstable = "unstable.csv" if file == "accuracy.csv" else file.replace(".csv", "_unstable.csv")
+        tables = [self.tables[f] for f in (file, unstable) if f in self.tables]
         if not tables:
-            raise Missing("the bundle has no `accuracy.csv`")
-        return Table("accuracy.csv", tables[0].columns, [row for t in tables for row in t.rows])
+            raise Missing(f"the bundle has no `{file}`")
+        return Table(file, tables[0].columns, [row for t in tables for row in t.rows])
 
     def exact(self, prefix):
         """Rows of every method against the exact value, of the studies whose id starts with `prefix`."""
@@ -308,9 +315,22 @@ class Bundle(Folder):
         return any((row["study"] or "").startswith(f"{suite}-") for table in self.tables.values() if "study" in table.columns
                    for row in table.rows)
 
+    def title(self, study):
+        """What the suite calls that study; its id where the bundle does not say."""
+        return self.titles.get(study, study)
+
     def accuracy(self, **key):
         """The accuracy row, in double and in the plane, that fits."""
         return self.judged().one(scalar="double", dimension=2, **key)
+
+    def _titles(self):
+        """Of one suite or of several, as the program resolves them."""
+        try:
+            resolved = tomllib.loads(self.suite or "")
+        except tomllib.TOMLDecodeError as error:
+            raise BundleError(f"{self.path / 'suite.toml'}: {error}; {self.advice()}") from None
+        suites = resolved.get("suites", [resolved])
+        return {study["id"]: study["title"] for suite in suites for study in suite.get("study", []) if study.get("title")}
 
     def _text(self, name):
         return self._read(name)

@@ -193,14 +193,22 @@ def derivative():
     return rows
 
 
-def arc_length():
-    """Evaluations by method and tolerance; one method never promises."""
-    costs = {"adaptive_simpson38": (40, 400), "gauss_legendre_adaptive": (30, 60), "gauss_legendre_24": (24, 24)}
-    return [dict(study="arc_length-tolerance", curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1,
+def _lengths(study, costs):
+    """Evaluations by method and tolerance; methods of a constant cost never promise."""
+    return [dict(study=study, curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1,
                  t_min=0, t_max=1, generator=g, tolerance=e, trials=100, status="ok", mean_error=e / 8, p50_error=e / 9, p99_error=e / 3,
                  max_error=e / 2, mean_relative=e / 8, max_relative=e / 2, mean_evaluations=n, max_evaluations=3 * n,
-                 non_converged=100 if m == "gauss_legendre_24" else 0, broken_promises=0, non_finite=0)
+                 non_converged=100 if ends[0] == ends[1] else 0, broken_promises=0, non_finite=0)
             for m, ends in costs.items() for g in ("continuous", "integer") for e, n in zip((1e-3, 1e-9), ends)]
+
+
+def arc_length():
+    ours = {"adaptive_simpson38": (40, 400), "gauss_legendre_adaptive": (30, 60), "gauss_legendre_24": (24, 24)}
+    return _lengths("arc_length-tolerance", ours) + _lengths("companion_peers-length", {"gauss_legendre_adaptive": (30, 60)})
+
+
+def arc_length_unstable():
+    return _lengths("companion_peers-length", {"peer_2geom_length": (0, 0)})
 
 
 def _bits(curve):
@@ -227,9 +235,10 @@ def worst():
 
 
 def methods():
-    ids = ("direct", "de_casteljau", "factorial:power_sum", "factorial")
-    return [dict(id=i, problem="conversion" if i == "factorial" else "evaluation", form="bernstein", min_degree=0,
-                 max_degree=170, bound="gamma_3n p~", bit_stable="yes", flops="n", citation="none") for i in ids]
+    ids = {"direct": "evaluation", "de_casteljau": "evaluation", "factorial:power_sum": "evaluation", "factorial": "conversion",
+           **{m: problem for problem, _, methods, _ in COMPANIONS for m in methods}}
+    return [dict(id=i, problem=problem, form="bernstein", min_degree=0, max_degree=170, bound="gamma_3n p~", bit_stable="yes",
+                 flops="n", citation="none") for i, problem in ids.items()]
 
 
 def audit():
@@ -238,14 +247,48 @@ def audit():
                  max_error_ulp=1.25)]
 
 
+# problem, study, ns by method (per point where there are data points; the first is what ratios are relative to), what is asked
+_TO = [dict(tolerance=e) for e in (1e-3, 1e-10)]
+COMPANIONS = [
+    ("derivative", "companion_speed-derivative", {"differences_horner": 40, "triangle_derivatives": 80, "seed_000": 60},
+     [dict(order=1, degree=5), dict(order=2, degree=5)]),
+    ("arc_length", "companion_speed-length", {"gauss_legendre_adaptive": 900, "adaptive_simpson38": 5000}, _TO),
+    ("arc_length", "companion_peers-length_speed",
+     {"peer_2geom_length": 9000, "peer_occt_length": 20000, "gauss_legendre_adaptive": 900}, _TO),
+    ("inverse_arc_length", "companion_speed-at_length", {"halley": 1500, "bracketed_newton": 1700}, _TO),
+    ("projection", "companion_speed-projection", {"quintic_isolate": 400, "scan_refine": 8000}, [{}]),
+    ("projection", "companion_peers-projection_speed",
+     {"peer_2geom_nearest": 5000, "peer_sisl_closest": 4000, "quintic_isolate": 400}, [{}]),
+    ("interpolation", "companion_speed-interpolation", {"c2_natural": 60, "c2_natural_handles": 40},
+     [dict(points=k) for k in (10, 100, 1000)]),
+    ("fitting", "companion_speed-fitting", {"schneider": 500, "gauss_newton": 2500},
+     [dict(points=40, tolerance=e, data=data) for data in ("samples", "noisy") for e in (1e-2, 1e-6)]),
+]
+
+
 def timing():
-    def row(method, degree, ns, quality="ok", study="2.4-bezier"):
+    def row(method, degree, ns, quality="ok", study="2.4-bezier", mode="point", relative_to="", ratio="", **asked):
         return dict(study=study, curve="bezier", method=method, scalar="double", dimension=2 if degree else "",
-                    degree=degree, mode="point", median_ns=ns, low_ns=ns * 0.9, high_ns=ns * 1.1, rounds=9,
-                    points_per_round=64, relative_to="", ratio="", ratio_low="", ratio_high="", cycles="", instructions="",
-                    quality=quality, checked="yes")
+                    degree=degree, mode=mode, median_ns=ns, low_ns=ns * 0.9, high_ns=ns * 1.1, rounds=9,
+                    points_per_round=64, relative_to=relative_to, ratio=ratio, ratio_low=ratio and ratio * 0.9,
+                    ratio_high=ratio and ratio * 1.1, cycles="", instructions="", quality=quality, checked="yes",
+                    coordinate_range=1, t_min=0, t_max=1, generator="continuous",
+                    **{"order": "", "tolerance": "", "points": "", "data": "", **asked})
+    companions = []
+    for _, study, methods, all_asked in COMPANIONS:
+        first = next(iter(methods))
+        companions += [row(m, asked.get("degree", 3), ns * asked.get("points", 1), study=study, mode="one_shot", relative_to=first,
+                           ratio=ns / methods[first] * (1.2 if m != first else 1),
+                           **{c: v for c, v in asked.items() if c != "degree"}) for asked in all_asked for m, ns in methods.items()]
     return [row("direct", n, n * 1.5) for n in DEGREES] + [row("sentinel", "", 1.5)] + [
-        row(m, n, n * 8.0, study="peers-speed") for m in ("de_casteljau", *PEERS) for n in DEGREES]
+        row(m, n, n * 8.0, study="peers-speed") for m in ("de_casteljau", *PEERS) for n in DEGREES] + companions
+
+
+def complexity():
+    study, methods, asked = next(rest for problem, *rest in COMPANIONS if problem == "interpolation")
+    return [dict(study=study, curve="bezier", method=m, scalar="double", dimension=2, mode="one_shot", first_degree=3, last_degree=3,
+                 exponent=1, exponent_low=0.9, exponent_high=1.1, claimed=1, verdict="within", coordinate_range=1, t_min=0, t_max=1,
+                 generator="continuous", first_points=asked[0]["points"], last_points=asked[-1]["points"]) for m in methods]
 
 
 def pareto():
@@ -300,11 +343,12 @@ def interpolation():
 
 def fitting():
     """Segments by method, kind of data and tolerance."""
-    return [dict(study="fitting-cubics", curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1, t_min=0,
+    return [dict(study=study, curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1, t_min=0,
                  t_max=1, generator="continuous", data=data, points=40, tolerance=e, trials=100, status="ok", mean_segments=n,
                  max_segments=3 * n, one_segment=100 if n == 1 else 0, mean_error=e / 3, p50_error=e / 3, max_error=e / 2,
                  max_error_over_tolerance=0.5, mean_claimed=e / 3, max_claimed=e / 2, mean_iterations=9, max_iterations=20,
                  non_converged=0, broken_promises=0, understated=0, non_finite=0)
+            for study in ("fitting-cubics", "companion_speed-fitting_errors")
             for data in ("samples", "noisy") for e, counts in ((1e-2, (2, 1)), (1e-6, (20, 1)))
             for m, n in zip(("schneider", "gauss_newton"), counts)]
 
@@ -319,12 +363,22 @@ def fitting_example():
 
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
          "conversion.csv": conversion, "derivative.csv": derivative, "arc_length.csv": arc_length,
+         "arc_length_unstable.csv": arc_length_unstable,
          "inverse_arc_length.csv": inverse_arc_length, "spacing.csv": spacing, "projection.csv": projection,
          "projection_unstable.csv": projection_unstable, "interpolation.csv": interpolation, "fitting.csv": fitting,
          "fitting_example.csv": fitting_example, "search.csv": search, "worst.csv": worst, "methods.csv": methods,
-         "audit.csv": audit, "timing.csv": timing, "pareto.csv": pareto, "roofline.csv": roofline}
+         "audit.csv": audit, "timing.csv": timing, "complexity.csv": complexity, "pareto.csv": pareto, "roofline.csv": roofline}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}
+
+
+SUITE = """schema_version = 1
+[[suites]]
+id = "companion_speed"
+[[suites.study]]
+id = "companion_speed-fitting"
+title = "Fits to \\"points\\""
+"""
 
 
 def write(directory, change=None, without=()):
@@ -333,7 +387,7 @@ def write(directory, change=None, without=()):
     directory.mkdir(parents=True, exist_ok=True)
     (directory / "bundle.json").write_text(json.dumps(INFO))
     (directory / "machine.json").write_text(json.dumps({"cpu": {"model_name": "test"}, "load": [0.5, 1]}))
-    (directory / "suite.toml").write_text("schema_version = 1\n")
+    (directory / "suite.toml").write_text(SUITE)
     for file, make in FILES.items():
         if file in without:
             continue

@@ -17,7 +17,7 @@ LAYOUT = {
     "2.3.3": ("interval", "Error against parameter interval", "误差与参数区间"),
     "2.4": ("degree", "Time in ms per 1000 curves (µs per curve)", "求值用时（毫秒 / 千条曲线）"),
 }
-AXIS = {"degree": "degree n", "order": "order k", "tolerance": "tolerance", "coordinate_range": "R of the range [-R, R]", "interval": "interval of t",
+AXIS = {"degree": "degree n", "order": "order k", "tolerance": "tolerance", "points": "points", "coordinate_range": "R of the range [-R, R]", "interval": "interval of t",
         "statistic": "distance at most"}
 MARK = {"inside": "✓ inside", "outside": "✗ outside", "explained": "≈ explained"}
 

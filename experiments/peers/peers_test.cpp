@@ -162,6 +162,18 @@ TEST(Peers, MeasureKnownLengths) {
     }
 }
 
+TEST(Peers, MeasureTheSameLengthInSpace) {
+  const std::vector<double> parabola{0, 0, 0.5, 0, 1, 1};
+  const std::vector<double> upright{0, 7, 0, 0.5, 7, 0, 1, 7, 1};
+  for (const auto& peer : present())
+    for (const auto& kernel : peer.arc_length_kernels(3)) {
+      EXPECT_EQ(kernel.dimension, 3) << peer.id;
+      EXPECT_NEAR(kernel.measure({Form::bernstein, 3, 2, upright}, 0.25, 1, 1e-9).length,
+                  peer.arc_length_kernels(2)[0].measure({Form::bernstein, 2, 2, parabola}, 0.25, 1, 1e-9).length, 1e-12)
+          << peer.id;
+    }
+}
+
 /// (t, t^2) and (0, 5/4): the foot points are t = sqrt(3)/2 > 1/2 and, by symmetry, one outside [0, 1].
 TEST(Peers, ProjectOntoAParabola) {
   const std::vector<double> parabola{0, 0, 0.5, 0, 1, 1};

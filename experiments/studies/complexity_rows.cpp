@@ -15,16 +15,18 @@
 namespace bezierbench::studies {
 namespace {
 
-/// The times of one method over the degrees.
+/// The times of one method over the sizes.
 struct Ladder {
-  const Heat* first;  ///< but for the degree, all its heats are alike
+  const Heat* first;  ///< but for the size, all its heats are alike
   const MethodInfo* method;
-  std::vector<double> degrees;
+  std::vector<double> sizes;
   std::vector<double> ns;
 };
 
+double size_of(const Heat& heat, Size size) { return size == Size::points ? *heat.asked.points : heat.cell.degree; }
+
 /// In the order in which their first heats ran.
-std::vector<Ladder> ladders_of(const std::vector<Heat>& heats) {
+std::vector<Ladder> ladders_of(const std::vector<Heat>& heats, Size size) {
   std::vector<Ladder> ladders;
   std::map<std::tuple<suite::ScalarKind, int, suite::Mode, std::vector<std::string>, const MethodInfo*>, std::size_t>
       places;
@@ -34,7 +36,7 @@ std::vector<Ladder> ladders_of(const std::vector<Heat>& heats) {
           {heat.scalar, heat.cell.dimension, heat.mode, drawn_fields(heat.cell), heat.methods[m]}, ladders.size());
       if (is_new) ladders.push_back({&heat, heat.methods[m], {}, {}});
       Ladder& ladder = ladders[place->second];
-      ladder.degrees.push_back(heat.cell.degree);
+      ladder.sizes.push_back(size_of(heat, size));
       ladder.ns.push_back(metric::median_interval(heat.laps[m].sitting_ns, metric::timing_confidence).median);
     }
   return ladders;
@@ -46,31 +48,37 @@ int claimed_exponent(const MethodInfo& method, suite::Mode mode) {
 
 }  // namespace
 
-void write_complexity_rows(const suite::Study& study, const std::vector<Heat>& heats, Tables& tables) {
+void write_complexity_rows(const suite::Study& study, const std::vector<Heat>& heats, Size size, Tables& tables) {
+  if (size == Size::unclaimed) return;
   std::vector<std::string> columns{"study",         "curve",        "method",      "scalar",   "dimension",
                                    "mode",          "first_degree", "last_degree", "exponent", "exponent_low",
                                    "exponent_high", "claimed",      "verdict"};
   columns.insert(columns.end(), drawn_columns().begin(), drawn_columns().end());
+  columns.insert(columns.end(), {"first_points", "last_points"});
   auto& table = tables.table("complexity.csv", columns);
-  for (const auto& ladder : ladders_of(heats)) {
-    const auto fitted = metric::growth(ladder.degrees, ladder.ns, metric::timing_confidence);
+  for (const auto& ladder : ladders_of(heats, size)) {
+    const auto fitted = metric::growth(ladder.sizes, ladder.ns, metric::timing_confidence);
     if (!fitted) continue;
     const int claimed = claimed_exponent(*ladder.method, ladder.first->mode);
-    const auto [least, most] = std::ranges::minmax(ladder.degrees);
+    const auto [least, most] = std::ranges::minmax(ladder.sizes);
+    const bool of_points = size == Size::points;
+    const auto degree = std::to_string(ladder.first->cell.degree);
     std::vector<std::string> row{study.id,
                                  std::string(suite::name(study.curve)),
                                  std::string(ladder.method->id),
                                  std::string(suite::name(ladder.first->scalar)),
                                  std::to_string(ladder.first->cell.dimension),
                                  std::string(suite::name(ladder.first->mode)),
-                                 number::decimal(least),
-                                 number::decimal(most),
+                                 of_points ? degree : number::decimal(least),
+                                 of_points ? degree : number::decimal(most),
                                  number::decimal(fitted->exponent),
                                  number::decimal(fitted->low),
                                  number::decimal(fitted->high),
                                  std::to_string(claimed),
                                  std::string(metric::name(metric::verdict(*fitted, claimed)))};
     for (auto& field : drawn_fields(ladder.first->cell)) row.push_back(std::move(field));
+    row.push_back(of_points ? number::decimal(least) : "");
+    row.push_back(of_points ? number::decimal(most) : "");
     table.add_row(std::move(row));
   }
 }

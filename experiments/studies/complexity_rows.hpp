@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// complexity.csv: how the times of a study grow with the degree, against what its methods claim.
+// complexity.csv: how the times of a study grow with the degree or the number of points, against what its methods
+// claim.
 #pragma once
 
 #include <vector>
 
 #include "experiments/studies/heat.hpp"
 #include "experiments/studies/job.hpp"
+#include "experiments/studies/timed_problem.hpp"
 
 namespace bezierbench::studies {
 
-/// One row per method, scalar type, dimension and mode that ran at three different degrees or more. `claimed` is the
+/// One row per method, scalar type, dimension and mode that ran at three different sizes or more: the exponent is that
+/// of the degree or, where first_points and last_points are not empty, of the number of points. `claimed` is the
 /// method's cost_exponent; in mode one_shot, where a curve is prepared for every point, the larger of that and its
-/// prepare_exponent.
-void write_complexity_rows(const suite::Study& study, const std::vector<Heat>& heats, Tables& tables);
+/// prepare_exponent. No rows for a problem whose methods claim nothing.
+void write_complexity_rows(const suite::Study& study, const std::vector<Heat>& heats, Size size, Tables& tables);
 
 }  // namespace bezierbench::studies

@@ -26,17 +26,6 @@ constexpr std::int64_t block_trials = 512;
 
 using Methods = std::vector<const DerivativeKernel*>;
 
-void check(const suite::Study& study) {
-  if (study.curve == suite::CurveKind::rational)
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": derivatives are those of polynomial curves; write curve = \"bezier\" or "
-                              "\"polynomial\"",
-                              study.id));
-  if (std::ranges::any_of(study.scalar, [](auto scalar) { return scalar != suite::ScalarKind::float64; }))
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": derivatives are computed in double only; leave scalar out", study.id));
-}
-
 /// The methods of the study that take its form of curve, in roster order.
 Methods methods_of(const suite::Study& study, int dimension) {
   Methods methods;
@@ -78,7 +67,7 @@ void add_rounded(double value, metric::Tally& tally) {
 class DerivativeJob final : public JobOf<DerivativeTally> {
  public:
   DerivativeJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
-    check(study);
+    check_derivatives(study);
     for (const auto& cell : sample::cells(study_))
       for (const int order : study_.order) parts_.push_back({cell, order, methods_of(study_, cell.dimension)});
   }
@@ -221,6 +210,17 @@ std::vector<Violation> DerivativeJob::violations() const {
 }
 
 }  // namespace
+
+void check_derivatives(const suite::Study& study) {
+  if (study.curve == suite::CurveKind::rational)
+    throw Failure(Exit::usage,
+                  fmt::format("study \"{}\": derivatives are those of polynomial curves; write curve = \"bezier\" or "
+                              "\"polynomial\"",
+                              study.id));
+  if (std::ranges::any_of(study.scalar, [](auto scalar) { return scalar != suite::ScalarKind::float64; }))
+    throw Failure(Exit::usage,
+                  fmt::format("study \"{}\": derivatives are computed in double only; leave scalar out", study.id));
+}
 
 std::unique_ptr<Job> derivative_job(const suite::Study& study, const JobContext& context) {
   return std::make_unique<DerivativeJob>(study, context.seed);

@@ -8,7 +8,10 @@
 
 namespace bezierbench::studies {
 
-/// Throws Failure(usage) for rational curves, for scalars but double, and for methods that take another form.
+/// Throws Failure(usage) for rational curves and for scalars but double.
+void check_derivatives(const suite::Study& study);
+
+/// Throws Failure(usage) also where no method takes curves of this form.
 std::unique_ptr<Job> derivative_job(const suite::Study& study, const JobContext& context);
 
 }  // namespace bezierbench::studies

@@ -23,18 +23,6 @@ constexpr std::int64_t block_trials = 50;
 
 using Methods = std::vector<const FittingKernel*>;
 
-void check(const suite::Study& study) {
-  check_bezier_in_double(study);
-  check_independent_points(study);
-  if (std::ranges::any_of(study.degree, [](int degree) { return degree < 1; }))
-    throw Failure(
-        Exit::usage,
-        fmt::format("study \"{}\": data are taken from curves of degree 1 or more; remove the degree 0", study.id));
-  if (study.t_interval != std::vector{suite::Interval{}})
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": data are taken from whole curves; leave t_interval out", study.id));
-}
-
 Methods methods_of(const suite::Study& study, int dimension) {
   Methods methods;
   const auto chosen = chosen_companions(study, Problem::fitting);
@@ -99,7 +87,7 @@ void judge(const Fit& fit, int dimension, const std::vector<double>& data, doubl
 class FittingJob final : public JobOf<FittingTally> {
  public:
   FittingJob(const suite::Study& study, std::uint64_t seed) : study_(study) {
-    check(study_);
+    check_fitting(study_);
     for (const auto& cell : sample::cells(study_))
       for (const int points : study_.points)
         for (const auto& kind : sample::data_kinds())
@@ -251,6 +239,18 @@ std::vector<Violation> FittingJob::violations() const {
 }
 
 }  // namespace
+
+void check_fitting(const suite::Study& study) {
+  check_bezier_in_double(study);
+  check_independent_points(study);
+  if (std::ranges::any_of(study.degree, [](int degree) { return degree < 1; }))
+    throw Failure(
+        Exit::usage,
+        fmt::format("study \"{}\": data are taken from curves of degree 1 or more; remove the degree 0", study.id));
+  if (study.t_interval != std::vector{suite::Interval{}})
+    throw Failure(Exit::usage,
+                  fmt::format("study \"{}\": data are taken from whole curves; leave t_interval out", study.id));
+}
 
 std::unique_ptr<Job> fitting_job(const suite::Study& study, const JobContext& context) {
   return std::make_unique<FittingJob>(study, context.seed);

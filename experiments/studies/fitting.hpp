@@ -10,6 +10,9 @@
 
 namespace bezierbench::studies {
 
+/// Throws Failure(usage) for curves that no data are taken from.
+void check_fitting(const suite::Study& study);
+
 std::unique_ptr<Job> fitting_job(const suite::Study& study, const JobContext& context);
 
 }  // namespace bezierbench::studies

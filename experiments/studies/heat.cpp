@@ -10,28 +10,15 @@
 
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
-#include "experiments/studies/companion_rivals.hpp"
-#include "experiments/studies/method_choice.hpp"
-#include "experiments/studies/methods.hpp"
-#include "experiments/studies/timed_check.hpp"
-#include "experiments/studies/timed_inputs.hpp"
+#include "experiments/studies/timed_problem.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
-#include "experiments/timing/kernel_rival.hpp"
 #include "experiments/timing/stack_place.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 constexpr std::string_view no_baseline = "exact";  // what a study has that names none; times are not compared with it
-
-template <class Scalar>
-std::vector<const MethodInfo*> methods_of(const suite::Study& study, const sample::Cell& cell) {
-  std::vector<const MethodInfo*> methods;
-  for (const auto* kernel : chosen_kernels<Scalar>(study, cell.dimension))
-    if (kernel->info->template supports<Scalar>(cell.degree)) methods.push_back(kernel->info);
-  return methods;
-}
 
 /// All against each other and a sentinel; a rival whose results were wrong is not `checked`.
 HeatLaps race_of(const Heat& heat, const suite::Study& study, JudgedRivals contestants, std::size_t sitting,
@@ -48,38 +35,9 @@ HeatLaps race_of(const Heat& heat, const suite::Study& study, JudgedRivals conte
   return result;
 }
 
-template <class Scalar>
-HeatLaps race_of_evaluators(const Heat& heat, const suite::Study& study, std::uint64_t seed, std::size_t sitting,
-                            const timing::RaceOptions& options) {
-  const auto inputs = timed_inputs<Scalar>(study, heat.cell, seed);
-  JudgedRivals contestants;
-  for (const auto* info : heat.methods) {
-    const auto& kernel = *find_method<Scalar>(info->id, info->form, heat.cell.dimension);
-    auto judged = judge(kernel, heat.mode, inputs);
-    contestants.right.push_back(judged.right);
-    contestants.rivals.push_back(timing::kernel_rival(kernel, heat.mode, inputs, std::move(judged.points)));
-  }
-  return race_of(heat, study, std::move(contestants), sitting, options);
-}
-
 }  // namespace
 
-std::vector<Heat> heats_of(const suite::Study& study) {
-  std::vector<Heat> heats;
-  if (const Problem problem = timed_problem(study); problem != Problem::evaluation) {
-    for (const auto& cell : sample::cells(study))
-      heats.push_back(
-          {cell, suite::ScalarKind::float64, suite::Mode::one_shot, timed_companions(study, problem, cell), problem});
-    return heats;
-  }
-  for (const auto scalar : study.scalar)
-    for (const auto& cell : sample::cells(study))
-      for (const auto mode : study.modes)
-        heats.push_back(
-            {cell, scalar, mode,
-             scalar == suite::ScalarKind::float32 ? methods_of<float>(study, cell) : methods_of<double>(study, cell)});
-  return heats;
-}
+std::vector<Heat> heats_of(const suite::Study& study) { return timed_problem(study).heats(study); }
 
 void HeatLaps::merge(const HeatLaps& other) {
   if (each.empty()) each.resize(other.each.size());
@@ -93,10 +51,7 @@ void HeatLaps::merge(const HeatLaps& other) {
 
 HeatLaps run(const Heat& heat, const suite::Study& study, std::uint64_t seed, std::size_t sitting,
              const timing::RaceOptions& options) {
-  if (heat.problem != Problem::evaluation)
-    return race_of(heat, study, companion_rivals(heat.methods, heat.problem, study, heat.cell, seed), sitting, options);
-  return heat.scalar == suite::ScalarKind::float32 ? race_of_evaluators<float>(heat, study, seed, sitting, options)
-                                                   : race_of_evaluators<double>(heat, study, seed, sitting, options);
+  return race_of(heat, study, timed_problem(study).rivals(heat, study, seed), sitting, options);
 }
 
 double fastest_sentinel(const std::vector<HeatLap>& laps) {

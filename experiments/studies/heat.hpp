@@ -17,6 +17,7 @@
 
 #include "core/method.hpp"
 #include "experiments/sample/cell.hpp"
+#include "experiments/studies/asked.hpp"
 #include "experiments/suite/suite.hpp"
 #include "experiments/timing/race.hpp"
 #include "experiments/timing/sentinel.hpp"
@@ -55,11 +56,11 @@ struct Heat {
   suite::ScalarKind scalar;
   suite::Mode mode;
   std::vector<const MethodInfo*> methods;  ///< those that support the degree
-  Problem problem = Problem::evaluation;   ///< what they solve
+  Asked asked = {};                        ///< of a companion problem
   std::vector<HeatLap> laps = {};          ///< what it gave, see HeatLaps; empty where none ran
 };
 
-/// The heats of a study, none of which ran. Throws Failure(usage) for methods that do not take the curves.
+/// The heats of a study, none of which ran. Throws Failure(usage) for what cannot be timed.
 std::vector<Heat> heats_of(const suite::Study& study);
 
 /// One sitting, 0 <= sitting < sittings_per_heat: judges the methods, then races them. A method whose points are wrong

@@ -8,6 +8,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/complexity_rows.hpp"
+#include "experiments/studies/timed_problem.hpp"
 #include "experiments/studies/timing.hpp"
 #include "experiments/studies/timing_rows.hpp"
 
@@ -46,15 +47,16 @@ std::vector<Heat> made_up_heats(const suite::Study& study) {
   return heats;
 }
 
-bundle::CsvDocument written(void (*write)(const suite::Study&, const std::vector<Heat>&, Tables&),
-                            const suite::Study& study, const std::vector<Heat>& heats, const std::string& file) {
+bundle::CsvDocument timing_csv(const suite::Study& study, const std::vector<Heat>& heats) {
   Tables tables;
-  write(study, heats, tables);
-  return bundle::parse_csv(tables.all().at(file).text(), file);
+  write_timing_rows(study, heats, tables);
+  return bundle::parse_csv(tables.all().at("timing.csv").text(), "timing.csv");
 }
 
-bundle::CsvDocument timing_csv(const suite::Study& study, const std::vector<Heat>& heats) {
-  return written(write_timing_rows, study, heats, "timing.csv");
+bundle::CsvDocument complexity_csv(const suite::Study& study, const std::vector<Heat>& heats) {
+  Tables tables;
+  write_complexity_rows(study, heats, timed_problem(study).size, tables);
+  return bundle::parse_csv(tables.all().at("complexity.csv").text(), "complexity.csv");
 }
 
 std::vector<std::string> column(const bundle::CsvDocument& document, std::string_view name) {
@@ -200,7 +202,7 @@ TEST(TimingRows, OnlyHeatsThatRanHaveRows) {
 TEST(ComplexityRows, FitTheDegreesOfAStudyAgainstTheClaim) {
   const auto study = timing_study();
   auto heats = made_up_heats(study);
-  const auto csv = written(write_complexity_rows, study, heats, "complexity.csv");
+  const auto csv = complexity_csv(study, heats);
   EXPECT_THAT(column(csv, "method"), ElementsAre("de_casteljau", "horner_bernstein"));
   EXPECT_THAT(column(csv, "claimed"), ElementsAre("2", "1"));
   EXPECT_THAT(column(csv, "verdict"), ElementsAre("within", "within"));
@@ -209,8 +211,7 @@ TEST(ComplexityRows, FitTheDegreesOfAStudyAgainstTheClaim) {
   EXPECT_NEAR(std::stod(csv.at(0, "exponent")), 2, 1e-12);
   EXPECT_NEAR(std::stod(csv.at(1, "exponent")), 1, 1e-12);
   for (auto& heat : heats) std::swap(heat.laps[0], heat.laps[1]);
-  EXPECT_THAT(column(written(write_complexity_rows, study, heats, "complexity.csv"), "verdict"),
-              ElementsAre("within", "above"));
+  EXPECT_THAT(column(complexity_csv(study, heats), "verdict"), ElementsAre("within", "above"));
 }
 
 TEST(ComplexityRows, OneShotIsChargedWithPreparing) {
@@ -219,7 +220,7 @@ TEST(ComplexityRows, OneShotIsChargedWithPreparing) {
   study.modes = {suite::Mode::point, suite::Mode::one_shot};
   auto heats = heats_of(study);
   for (auto& heat : heats) heat.laps = {lap_of(heat.cell.degree), lap_of(1)};
-  const auto csv = written(write_complexity_rows, study, heats, "complexity.csv");
+  const auto csv = complexity_csv(study, heats);
   EXPECT_THAT(column(csv, "mode"), ElementsAre("point", "one_shot"));
   EXPECT_THAT(column(csv, "claimed"), ElementsAre("1", "2"));
 }
@@ -227,7 +228,7 @@ TEST(ComplexityRows, OneShotIsChargedWithPreparing) {
 TEST(ComplexityRows, NeedThreeDegrees) {
   auto study = timing_study();
   study.degree = {3, 5};
-  EXPECT_EQ(written(write_complexity_rows, study, made_up_heats(study), "complexity.csv").row_count(), 0U);
+  EXPECT_EQ(complexity_csv(study, made_up_heats(study)).row_count(), 0U);
 }
 
 }  // namespace

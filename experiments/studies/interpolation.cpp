@@ -22,13 +22,6 @@ constexpr std::int64_t block_trials = 32;
 
 using Methods = std::vector<const InterpolationKernel*>;
 
-void check(const suite::Study& study) {
-  check_bezier_in_double(study);
-  check_independent_points(study);
-  if (study.t_interval != std::vector{suite::Interval{}})
-    throw Failure(Exit::usage, fmt::format("study \"{}\": points are joined whole; leave t_interval out", study.id));
-}
-
 Methods methods_of(const suite::Study& study) {
   Methods methods;
   const auto chosen = chosen_companions(study, Problem::interpolation);
@@ -59,7 +52,7 @@ std::vector<Part> parts_of(suite::Study study) {
 class InterpolationJob final : public JobOf<InterpolationTally> {
  public:
   InterpolationJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
-    check(study);
+    check_interpolation(study);
     methods_ = methods_of(study);
     parts_ = parts_of(study);
   }
@@ -184,6 +177,13 @@ std::vector<Violation> InterpolationJob::violations() const {
 }
 
 }  // namespace
+
+void check_interpolation(const suite::Study& study) {
+  check_bezier_in_double(study);
+  check_independent_points(study);
+  if (study.t_interval != std::vector{suite::Interval{}})
+    throw Failure(Exit::usage, fmt::format("study \"{}\": points are joined whole; leave t_interval out", study.id));
+}
 
 std::unique_ptr<Job> interpolation_job(const suite::Study& study, const JobContext& context) {
   return std::make_unique<InterpolationJob>(study, context.seed);

@@ -14,6 +14,9 @@ namespace bezierbench::studies {
 /// exact through any number of points.
 inline constexpr int most_points_of_exact_splines = 1025;
 
+/// Throws Failure(usage) for points that are not joined.
+void check_interpolation(const suite::Study& study);
+
 std::unique_ptr<Job> interpolation_job(const suite::Study& study, const JobContext& context);
 
 }  // namespace bezierbench::studies

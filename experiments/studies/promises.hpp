@@ -26,8 +26,10 @@ struct Promises {
   }
 
   /// `error` and `allowed` are absolute, the error rounded to 24 bits.
+  static bool keeps(double error, double allowed) { return error <= allowed * (1 + 0x1p-20); }
+
   void judge(bool converged, double error, double allowed, std::uint64_t trial) {
-    if (!converged || error <= allowed * (1 + 0x1p-20)) return;
+    if (!converged || keeps(error, allowed)) return;
     ++broken;
     first_broken = std::min(first_broken, trial);
   }

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "experiments/failure.hpp"
-#include "experiments/studies/companion_rivals.hpp"
 #include "experiments/studies/complexity_rows.hpp"
 #include "experiments/studies/heat.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/studies/timed_inputs.hpp"
+#include "experiments/studies/timed_problem.hpp"
 #include "experiments/studies/timing_rows.hpp"
 #include "experiments/suite/names.hpp"
 
@@ -45,7 +45,7 @@ class TimingJob final : public JobOf<HeatLaps> {
   }
   void write(Tables& tables) const override {
     write_timing_rows(study_, raced(), tables);
-    if (timed_problem(study_) == Problem::evaluation) write_complexity_rows(study_, raced(), tables);
+    write_complexity_rows(study_, raced(), timed_problem(study_).size, tables);
   }
   [[nodiscard]] std::vector<Series> series() const override;
 

@@ -47,6 +47,7 @@ struct RowParts {
   std::string_view quality;
   std::vector<std::string> inputs;  ///< coordinate_range to generator
   std::vector<std::string> units;   ///< sentinel_units to sentinel_units_high
+  std::vector<std::string> asked;   ///< order to data
 };
 
 void add_row(bundle::CsvTable& table, RowParts parts, const HeatLap& lap) {
@@ -61,6 +62,7 @@ void add_row(bundle::CsvTable& table, RowParts parts, const HeatLap& lap) {
   append(parts.inputs);
   append({std::to_string(lap.sitting_ns.size())});
   append(parts.units);
+  append(parts.asked);
   table.add_row(std::move(row));
 }
 
@@ -74,7 +76,8 @@ void add_heat(bundle::CsvTable& table, const suite::Study& study, const Heat& he
              .ratio = ratio_fields(heat, heat.laps[m], base),
              .quality = quality(heat, fastest),
              .inputs = drawn_fields(heat.cell),
-             .units = interval_fields(quotients(heat.laps[m].sitting_ns, heat.laps.back().sitting_ns))},
+             .units = interval_fields(quotients(heat.laps[m].sitting_ns, heat.laps.back().sitting_ns)),
+             .asked = asked_fields(heat.asked)},
             heat.laps[m]);
 }
 
@@ -97,7 +100,8 @@ void add_sentinel(bundle::CsvTable& table, const suite::Study& study, const std:
            .ratio = {"", "", "", ""},
            .quality = worst,
            .inputs = {"", "", "", ""},
-           .units = {"", "", ""}},
+           .units = {"", "", ""},
+           .asked = asked_fields({})},
           all);
 }
 
@@ -110,6 +114,7 @@ void write_timing_rows(const suite::Study& study, const std::vector<Heat>& heats
       "ratio_low", "ratio_high", "cycles",  "instructions", "quality",          "checked"};
   columns.insert(columns.end(), drawn_columns().begin(), drawn_columns().end());
   columns.insert(columns.end(), {"sittings", "sentinel_units", "sentinel_units_low", "sentinel_units_high"});
+  columns.insert(columns.end(), asked_columns().begin(), asked_columns().end());
   auto& table = tables.table("timing.csv", columns);
   const double fastest = fastest_sentinel(heats);
   for (const auto& heat : heats)

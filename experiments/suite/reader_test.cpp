@@ -75,6 +75,12 @@ TEST(Reader, ATimingStudyWithoutModesHasAll) {
   EXPECT_EQ(parsed(head + "kind = \"timing\"\ndegree = [3]\n").studies.front().modes.size(), 4U);
 }
 
+TEST(Reader, ATimingStudyMayHaveWhatItsProblemIsAsked) {
+  EXPECT_TRUE(parsed(head + "kind = \"timing\"\npoints = [10]\n").studies.front().degree.empty());
+  EXPECT_THAT(parsed(head + "kind = \"timing\"\ndegree = [3]\norder = [1]\n").studies.front().order, ElementsAre(1));
+  EXPECT_THAT(refused(head + "kind = \"timing\"\n"), HasSubstr("degree is missing"));
+}
+
 TEST(Reader, ARationalStudyWithoutGeneratorHasOneWithWeights) {
   EXPECT_THAT(parsed(minimal + "curve = \"rational\"\ndegree = [3]\n").studies.front().generator,
               ElementsAre("weights_mild"));

@@ -102,10 +102,10 @@ Finding check_counts(const Study& study) {
 }
 
 /// Of the kinds that start from data points. Where points are joined their number stands for the degree; points to be
-/// fitted are taken from curves of a degree.
+/// fitted are taken from curves of a degree. What is timed may be either.
 Finding check_points(const Study& study) {
   const bool on_points = study.kind == Kind::interpolation || study.kind == Kind::fitting;
-  if (study.points.empty() == on_points) {
+  if (study.points.empty() == on_points && study.kind != Kind::timing) {
     return Problem{"points", 0, "kind",
                    fmt::format("kind \"{}\" {}", name(study.kind),
                                on_points ? "needs numbers of data points; add points = [10, 100]"
@@ -119,17 +119,17 @@ Finding check_points(const Study& study) {
   });
 }
 
-/// What only studies of some kinds have, and need.
+/// What only studies of some kinds have, and need. A timing study may have what its problem is asked.
 Finding check_asked(const Study& study) {
   const bool derivative = study.kind == Kind::derivative;
-  if (study.order.empty() == derivative) {
+  if (study.order.empty() == derivative && study.kind != Kind::timing) {
     return Problem{"order", 0, "kind",
                    derivative ? "kind \"derivative\" needs orders; add order = [1, 2]"
                               : "order belongs to studies of kind \"derivative\"; remove it"};
   }
   const bool tolerant =
       study.kind == Kind::arc_length || study.kind == Kind::inverse_arc_length || study.kind == Kind::fitting;
-  const bool may_be_tolerant = tolerant || study.kind == Kind::timing;  // of what promises one
+  const bool may_be_tolerant = tolerant || study.kind == Kind::timing;
   if (study.tolerance.empty() ? tolerant : !may_be_tolerant) {
     return Problem{"tolerance", 0, "kind",
                    fmt::format("kind \"{}\" {}", name(study.kind),
@@ -299,7 +299,9 @@ Finding check_ids(const Study& study, const Vocabulary& known) {
 }
 
 Finding check_present(const Study& study) {
-  if (study.degree.empty() && study.kind != Kind::interpolation) {
+  const bool on_points_alone =
+      study.kind == Kind::interpolation || (study.kind == Kind::timing && !study.points.empty());
+  if (study.degree.empty() && !on_points_alone) {
     return Problem{"degree", 0, {}, fmt::format("degree is missing; kind \"{}\" needs it", name(study.kind))};
   }
   const auto empty = [](std::string_view key) {

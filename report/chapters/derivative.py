@@ -3,7 +3,7 @@
 
 from ..document import Text
 from ..error_tables import error_tables, swept
-from .suite_parts import figure, of_suite
+from .suite_parts import figure, of_suite, with_times
 
 TITLE = "Derivatives"
 PREFIX = "derivative-"
@@ -18,6 +18,7 @@ def _axes(rows):
     return across, "order"
 
 
+@with_times("derivative")
 def blocks(bundle, findings):
     """Findings, the figure, then the tables of each study."""
     table = bundle["derivative.csv"].starting(PREFIX)

@@ -3,12 +3,13 @@
 
 from ..document import Cell, Group, Table, Text
 from ..wording import general, large, scientific, shortest
-from .suite_parts import figure, of_suite
+from .suite_parts import figure, of_suite, with_times
 
 TITLE = "Curves near points"
 PREFIX = "fitting-"
 
 
+@with_times("fitting", "fitting_time")
 def blocks(bundle, findings):
     """Findings, two figures, one table per study with the kinds of data across, and what the words mean."""
     table = bundle["fitting.csv"].starting(PREFIX)

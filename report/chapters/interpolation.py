@@ -4,13 +4,14 @@
 from ..document import Cell, Group, Table, Text
 from ..findings.interpolation_residuals import GOAL, PREFIX
 from ..wording import general, large, shortest
-from .suite_parts import figure, of_suite
+from .suite_parts import figure, of_suite, with_times
 
 TITLE = "Splines through points"
 QUANTITIES = (("C1, largest", "max_c1_u"), ("C2, largest", "max_c2_u"), ("natural ends, largest", "max_natural_u"),
               ("control points, largest error", "max_error_u"))
 
 
+@with_times("interpolation")
 def blocks(bundle, findings):
     """Findings, the figure, then a table for each study with the numbers of points across."""
     table = bundle["interpolation.csv"].starting(PREFIX)

@@ -3,7 +3,7 @@
 
 from ..document import Text
 from ..wording import general, scientific
-from .suite_parts import figure, of_suite
+from .suite_parts import figure, of_suite, with_times
 from .tolerance_tables import tolerance_tables
 
 TITLE = "Inverse arc length and equal spacing"
@@ -15,6 +15,7 @@ LINES = (("mean relative error of the length", "mean_relative", scientific),
          ("promises broken", "broken_promises", general))
 
 
+@with_times("inverse_arc_length")
 def blocks(bundle, findings):
     """Findings, the picture, a table for each kind of curves, then the corrections."""
     table = bundle["inverse_arc_length.csv"].starting(PREFIX)

@@ -2,9 +2,9 @@
 """Foot points: which methods find the nearest point of a curve, and how well."""
 
 from ..document import Cell, Group, Table, Text
-from ..findings.projection import GOAL, rows_of
+from ..findings.projection import GOAL, PREFIX, rows_of
 from ..wording import general, large, scientific, shortest
-from .suite_parts import figure, of_suite
+from .suite_parts import COMPANION_PEERS, figure, of_suite, with_times
 
 TITLE = "The nearest point of a curve"
 QUANTITIES = (("missed", "missed", sum, large), ("largest error, units", "max_error_eps", max, general),
@@ -12,9 +12,10 @@ QUANTITIES = (("missed", "missed", sum, large), ("largest error, units", "max_er
               ("gave up", "non_converged", sum, large))
 
 
+@with_times("projection")
 def blocks(bundle, findings):
     """Findings, the figure, one table per study with the placements of the point across, and what the words mean."""
-    rows = rows_of(bundle)
+    rows = rows_of(bundle, (PREFIX, COMPANION_PEERS))
     yield from of_suite(findings, "projection")
     yield from figure("projection_missed", bundle)
     for study in dict.fromkeys(r["study"] for r in rows):

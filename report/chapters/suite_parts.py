@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""What the chapters of the suites have in common: findings first, figures where there are rows, how to replay."""
+"""What the chapters of the suites have in common: findings first, figures where there are rows, times, how to replay."""
 
+import functools
 import importlib
 
 from ..bundle import Missing
-from ..document import Text
+from ..document import Heading, Text
+from ..time_tables import reading_times, time_tables, times
 from ..wording import general, interval, large, shortest
+
+
+COMPANION_PEERS = "companion_peers-"  # studies of several problems, each in the chapter of its own
 
 
 def of_suite(findings, suite):
@@ -20,6 +25,31 @@ def figure(name, bundle):
         return [module.draw(bundle)]
     except Missing:
         return []
+
+
+def with_times(problem, *figures):
+    """For the blocks of a chapter about that problem: what one answer costs follows them, with these figures. The chapter is left
+    out where the bundle has neither errors nor times."""
+    def around(errors):
+        @functools.wraps(errors)
+        def blocks(bundle, findings):
+            timed = bool(times(bundle, problem))
+            try:
+                yield from list(errors(bundle, findings))
+            except Missing as lack:
+                if not timed:
+                    raise
+                yield Text(f"The errors are left out: {lack}.")
+            if not timed:
+                return
+            yield Heading("Times")
+            yield from (f for f in findings[0] if f.id.startswith(f"{problem}_time"))
+            for name in figures:
+                yield from figure(name, bundle)
+            yield from time_tables(bundle, problem)
+            yield reading_times(bundle, problem)
+        return blocks
+    return around
 
 
 def replay(bundle, prefix):

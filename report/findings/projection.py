@@ -3,10 +3,10 @@
 
 from dataclasses import dataclass
 
-from ..bundle import Missing, Table
+from ..bundle import Missing
 
 PREFIX = "projection-"
-FILES = ("projection.csv", "projection_unstable.csv")  # the second is that of methods which are not bit-stable
+FILE = "projection.csv"
 GOAL = 4  # units of 2^-52 times the largest coordinate
 
 
@@ -24,19 +24,15 @@ class Method:
         return self.missed / self.trials
 
 
-def rows_of(bundle):
+def rows_of(bundle, prefix=PREFIX):
     """The rows of all methods that have numbers; Missing where there are none."""
-    tables = [bundle[f] for f in FILES if f in bundle]
-    if not tables:
-        raise Missing(f"the bundle has no `{FILES[0]}`")
-    table = Table(FILES[0], tables[0].columns, [row for t in tables for row in t.rows]).starting(PREFIX)
-    return table.some(status="ok")
+    return bundle.judged(FILE).starting(prefix).some(status="ok")
 
 
 def of_rows(rows):
     """The method whose rows these are; Missing where there are none."""
     if not rows:
-        raise Missing(f"`{FILES[0]}` has no cells of the same degree for two methods that are compared")
+        raise Missing(f"`{FILE}` has no cells of the same degree for two methods that are compared")
     return Method(tuple(rows), sum(r.number("trials") for r in rows), sum(r.number("missed") for r in rows),
                   max(r.number("max_error_eps") for r in rows))
 

@@ -12,20 +12,14 @@
 #include <mutex>
 
 #include "experiments/peers/adapters/2geom_curve.hpp"
+#include "experiments/peers/companion_adapter.hpp"
 #include "experiments/peers/peers.hpp"
 
 namespace bezierbench::peers {
 namespace {
 
-constexpr MethodInfo info{.id = "peer_2geom_length",
-                          .label = "2geom, length of an SBasis",
-                          .problem = Problem::arc_length,
-                          .form = Form::bernstein,
-                          .min_degree = 1,
-                          .max_degree = 100,
-                          .bit_stable = false,
-                          .flops = "that of the library",
-                          .citation = "2geom, length_integrating(D2<SBasis>)"};
+constexpr auto info = companion_info("peer_2geom_length", "2geom, length of an SBasis", Problem::arc_length,
+                                     "2geom, length_integrating(D2<SBasis>)");
 
 ArcLength measure(const CurveView<double>& curve, double from, double to, double tolerance) {
   static std::once_flag once;
@@ -43,7 +37,7 @@ ArcLength measure(const CurveView<double>& curve, double from, double to, double
 
 std::span<const ArcLengthKernel> peer_2geom_length(int dimension) {
   static constexpr std::array kernels{ArcLengthKernel{&info, 2, measure}};
-  return dimension == 2 ? std::span<const ArcLengthKernel>(kernels) : std::span<const ArcLengthKernel>();
+  return in_dimension(kernels, dimension);
 }
 
 }  // namespace bezierbench::peers

@@ -7,20 +7,14 @@
 #include <array>
 
 #include "experiments/peers/adapters/2geom_curve.hpp"
+#include "experiments/peers/companion_adapter.hpp"
 #include "experiments/peers/peers.hpp"
 
 namespace bezierbench::peers {
 namespace {
 
-constexpr MethodInfo info{.id = "peer_2geom_nearest",
-                          .label = "2geom, nearest time",
-                          .problem = Problem::projection,
-                          .form = Form::bernstein,
-                          .min_degree = 1,
-                          .max_degree = 100,
-                          .bit_stable = false,
-                          .flops = "that of the library",
-                          .citation = "2geom, nearest_time(Point, D2<Bezier>)"};
+constexpr auto info = companion_info("peer_2geom_nearest", "2geom, nearest time", Problem::projection,
+                                     "2geom, nearest_time(Point, D2<Bezier>)");
 
 FootPoint project(const CurveView<double>& curve, std::span<const double> point) {
   const auto bezier = two_geom_curve(curve);
@@ -33,7 +27,7 @@ FootPoint project(const CurveView<double>& curve, std::span<const double> point)
 
 std::span<const ProjectionKernel> peer_2geom_nearest(int dimension) {
   static constexpr std::array kernels{ProjectionKernel{&info, 2, project}};
-  return dimension == 2 ? std::span<const ProjectionKernel>(kernels) : std::span<const ProjectionKernel>();
+  return in_dimension(kernels, dimension);
 }
 
 }  // namespace bezierbench::peers

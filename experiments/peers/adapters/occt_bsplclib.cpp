@@ -5,10 +5,9 @@
 // Computes: de Boor's algorithm on one span, which is de Casteljau's.
 // Fails: degree 25 is the largest.
 #include <opencascade/BSplCLib.hxx>
-#include <opencascade/TColgp_Array1OfPnt.hxx>
-#include <opencascade/TColgp_Array1OfPnt2d.hxx>
 
 #include "experiments/peers/adapter.hpp"
+#include "experiments/peers/adapters/occt_poles.hpp"
 #include "experiments/peers/peers.hpp"
 
 namespace bezierbench::peers {
@@ -26,14 +25,10 @@ struct OcctBsplclib {
                                    .citation = "Open CASCADE, BSplCLib::D0"};
 
   static TColgp_Array1OfPnt2d prepare(const Curve<Form::bernstein, double, 2>& curve) {
-    TColgp_Array1OfPnt2d poles(1, curve.degree() + 1);
-    for (int i = 0; i <= curve.degree(); ++i) poles(i + 1) = gp_Pnt2d(curve(0, i), curve(1, i));
-    return poles;
+    return occt_poles_2d(curve, curve.degree());
   }
   static TColgp_Array1OfPnt prepare(const Curve<Form::bernstein, double, 3>& curve) {
-    TColgp_Array1OfPnt poles(1, curve.degree() + 1);
-    for (int i = 0; i <= curve.degree(); ++i) poles(i + 1) = gp_Pnt(curve(0, i), curve(1, i), curve(2, i));
-    return poles;
+    return occt_poles_3d(curve, curve.degree());
   }
 
   static Point<double, 2> evaluate(const TColgp_Array1OfPnt2d& poles, double t) {

@@ -7,10 +7,9 @@
 #include <opencascade/Geom2d_BezierCurve.hxx>
 #include <opencascade/GeomAdaptor_Curve.hxx>
 #include <opencascade/Geom_BezierCurve.hxx>
-#include <opencascade/TColgp_Array1OfPnt.hxx>
-#include <opencascade/TColgp_Array1OfPnt2d.hxx>
 
 #include "experiments/peers/adapter.hpp"
+#include "experiments/peers/adapters/occt_poles.hpp"
 #include "experiments/peers/peers.hpp"
 
 namespace bezierbench::peers {
@@ -28,14 +27,10 @@ struct OcctCached {
                                    .citation = "Open CASCADE, Geom2dAdaptor_Curve::D0"};
 
   static Geom2dAdaptor_Curve prepare(const Curve<Form::bernstein, double, 2>& curve) {
-    TColgp_Array1OfPnt2d poles(1, curve.degree() + 1);
-    for (int i = 0; i <= curve.degree(); ++i) poles(i + 1) = gp_Pnt2d(curve(0, i), curve(1, i));
-    return Geom2dAdaptor_Curve(new Geom2d_BezierCurve(poles));
+    return Geom2dAdaptor_Curve(new Geom2d_BezierCurve(occt_poles_2d(curve, curve.degree())));
   }
   static GeomAdaptor_Curve prepare(const Curve<Form::bernstein, double, 3>& curve) {
-    TColgp_Array1OfPnt poles(1, curve.degree() + 1);
-    for (int i = 0; i <= curve.degree(); ++i) poles(i + 1) = gp_Pnt(curve(0, i), curve(1, i), curve(2, i));
-    return GeomAdaptor_Curve(new Geom_BezierCurve(poles));
+    return GeomAdaptor_Curve(new Geom_BezierCurve(occt_poles_3d(curve, curve.degree())));
   }
 
   static Point<double, 2> evaluate(const Geom2dAdaptor_Curve& curve, double t) {

@@ -10,20 +10,14 @@
 #include <vector>
 
 #include "experiments/peers/adapters/sisl_curve.hpp"
+#include "experiments/peers/companion_adapter.hpp"
 #include "experiments/peers/peers.hpp"
 
 namespace bezierbench::peers {
 namespace {
 
-constexpr MethodInfo info{.id = "peer_sisl_closest",
-                          .label = "SISL, closest point of a B-spline",
-                          .problem = Problem::projection,
-                          .form = Form::bernstein,
-                          .min_degree = 1,
-                          .max_degree = 100,
-                          .bit_stable = false,
-                          .flops = "that of the library",
-                          .citation = "SISL, s1957"};
+constexpr auto info =
+    companion_info("peer_sisl_closest", "SISL, closest point of a B-spline", Problem::projection, "SISL, s1957");
 
 FootPoint project(const CurveView<double>& curve, std::span<const double> point) {
   const auto b_spline = sisl_curve(curve);
@@ -44,8 +38,7 @@ FootPoint project(const CurveView<double>& curve, std::span<const double> point)
 
 std::span<const ProjectionKernel> peer_sisl_closest(int dimension) {
   static constexpr std::array kernels{ProjectionKernel{&info, 2, project}, ProjectionKernel{&info, 3, project}};
-  return dimension == 2 || dimension == 3 ? std::span(kernels).subspan(static_cast<std::size_t>(dimension) - 2, 1)
-                                          : std::span<const ProjectionKernel>();
+  return in_dimension(kernels, dimension);
 }
 
 }  // namespace bezierbench::peers

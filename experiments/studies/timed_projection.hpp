@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Foot points as a timing study asks them, of points that are drawn like control points. Right where none is missed.
+#pragma once
+
+#include <array>
+
+#include "experiments/sample/placement.hpp"
+#include "experiments/studies/methods.hpp"
+#include "experiments/studies/projection.hpp"
+#include "experiments/studies/timed_companion.hpp"
+#include "reference/projection.hpp"
+
+namespace bezierbench::studies {
+
+class TimedProjection {
+ public:
+  static constexpr Problem problem = Problem::projection;
+  static constexpr Asks asks{};
+  using Kernel = ProjectionKernel;
+  using Result = std::array<double, 2>;  ///< t, distance
+
+  static std::span<const Kernel> kernels(int dimension) { return projection_methods(dimension); }
+  static void check(const suite::Study& study) {
+    check_bezier_in_double(study);
+    check_independent_points(study);
+  }
+
+  TimedProjection(const Heat& heat, const suite::Study& study, std::uint64_t seed) {
+    const sample::Sampler sampler(seed, study.id, sample::with_point(heat.cell));
+    for (std::size_t k = 0; k < 64; ++k) {
+      problems_.push_back(sample::place(sample::placements().front(), sampler, heat.cell, k));
+      truths_.push_back(reference::projection(curve(k), problems_[k].point));
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const { return problems_.size(); }
+  void solve(const Kernel& method, std::size_t k, Result& result) const {
+    const auto foot = method.project(curve(k), problems_[k].point);
+    result = {foot.t, foot.distance};
+  }
+  [[nodiscard]] bool is_right(const Kernel& /*method*/, std::size_t k, const Result& result) const {
+    return reference::distance_error(reference::error_format, result[1], truths_[k].foot().distance_squared) <=
+           missed_tolerance * sample::largest_coordinate(problems_[k]);
+  }
+
+ private:
+  [[nodiscard]] CurveView<double> curve(std::size_t k) const {
+    return {Form::bernstein, problems_[k].dimension, problems_[k].degree, problems_[k].points};
+  }
+
+  std::vector<sample::PlacedPoint> problems_;
+  std::vector<reference::ExactProjection> truths_;
+};
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: MIT
+"""What a foot point costs here and in other libraries."""
+
+from .faster_than_peers import faster_than_peers
+
+SUITE = "companion_peers"
+
+
+def find(bundle):
+    """Holds where our isolation of all critical points takes less time than every other library."""
+    return faster_than_peers(bundle, "projection_time", SUITE, "companion_peers-projection_speed", "quintic_isolate",
+                             "The nearest point of a cubic")
