@@ -12,8 +12,11 @@ const batch::Target* best_target() {
 }  // namespace
 
 template <class Scalar>
-GroupMethod<Scalar>::GroupMethod(const Kernel<Scalar>& method) : kernel(&method) {
+GroupMethod<Scalar>::GroupMethod(const Kernel<Scalar>& method) : kernel(&method), evaluator(&method) {
   if (const auto* target = best_target()) side_by_side = batch::find_group(*target, method);
+  if (method.conversion == nullptr) return;
+  if (const auto* alone = find_kernel<Scalar>(method.evaluator->id, method.evaluated_form, method.dimension))
+    evaluator = alone;
 }
 
 template <class Scalar>
@@ -26,7 +29,7 @@ void GroupPoints<Scalar>::add(const CurveView<Scalar>& curve, Scalar t) {
 
 template <class Scalar>
 void GroupPoints<Scalar>::evaluate(const GroupMethod<Scalar>& method, PointsOfGroup& points) {
-  if (method.side_by_side.evaluate == nullptr) return evaluate_one_by_one(*method.kernel, points);
+  if (method.side_by_side.evaluate == nullptr) return evaluate_one_by_one(method, points);
   std::array<Scalar, reference::max_dimension * trials_at_once> computed;
   method.side_by_side.evaluate(degree_, evaluated_coefficients(method).data(), t_.data(), computed.data());
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
@@ -54,11 +57,19 @@ const std::vector<Scalar>& GroupPoints<Scalar>::evaluated_coefficients(const Gro
 }
 
 template <class Scalar>
-void GroupPoints<Scalar>::evaluate_one_by_one(const Kernel<Scalar>& kernel, PointsOfGroup& points) {
+void GroupPoints<Scalar>::evaluate_one_by_one(const GroupMethod<Scalar>& method, PointsOfGroup& points) {
   const auto d = static_cast<std::size_t>(dimension_);
+  const bool converted = method.evaluator != method.kernel;
+  const auto& coefficients = converted ? evaluated_coefficients(method) : given_;
   for (std::size_t k = 0; k < count_; ++k) {
+    CurveView<Scalar> curve = curves_[k];
+    if (converted) {
+      one_.resize(curve.coefficients.size());
+      for (std::size_t i = 0; i < one_.size(); ++i) one_[i] = coefficients[i * trials_at_once + k];
+      curve = {method.kernel->evaluated_form, curve.dimension, curve.degree, one_};
+    }
     std::array<Scalar, reference::max_dimension> point{};
-    evaluate_once(kernel, curves_[k], t_[k], prepared_, std::span<Scalar>(point.data(), d));
+    evaluate_once(*method.evaluator, curve, t_[k], prepared_, std::span<Scalar>(point.data(), d));
     for (std::size_t axis = 0; axis < d; ++axis) points[axis][k] = static_cast<double>(point[axis]);
   }
 }

@@ -25,6 +25,7 @@ struct GroupMethod {
   explicit GroupMethod(const Kernel<Scalar>& method);
 
   const Kernel<Scalar>* kernel;
+  const Kernel<Scalar>* evaluator;  ///< of a path, if it can be had alone; else the method itself
   batch::GroupKernel<Scalar> side_by_side;
 };
 
@@ -48,7 +49,7 @@ class GroupPoints {
 
  private:
   const std::vector<Scalar>& evaluated_coefficients(const GroupMethod<Scalar>& method);
-  void evaluate_one_by_one(const Kernel<Scalar>& kernel, PointsOfGroup& points);
+  void evaluate_one_by_one(const GroupMethod<Scalar>& method, PointsOfGroup& points);
 
   int dimension_ = 0;
   int degree_ = 0;
