@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "experiments/failure.hpp"
+#include "experiments/metric/error_lanes.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
@@ -31,42 +32,39 @@
 namespace bezierbench::studies {
 namespace {
 
-static_assert(trials_at_once <= reference::CertifiedPoints::lanes);
 constexpr std::int64_t block_trials = 1024;
 constexpr std::int64_t audited_trials = 200;  ///< of replicate 0 of each cell
 constexpr std::string_view exact_baseline = "exact";
 
-/// Infinite where it overflows.
-void add(double value, metric::Tally& tally) {
-  const double rounded = metric::to_24_bits(value);
-  if (std::isfinite(rounded))
-    tally.add(rounded);
-  else
-    tally.add_infinite();
-}
-
-/// 0 / 0 is 0: no error, or nothing that an error could be measured with.
-void add_quotient(double value, double divisor, metric::Tally& tally) { add(value == 0 ? 0 : value / divisor, tally); }
-
 using Point = std::array<double, reference::max_dimension>;
+using Lanes = reference::CertifiedLanes;
+using LaneSet = std::uint32_t;  ///< a bit per lane
 
 bool is_finite(std::span<const double> point) {
   return std::ranges::all_of(point, [](double value) { return std::isfinite(value); });
 }
 
-/// What the errors of one trial are measured from: the truth or a baseline, or nothing where the baseline is not finite
-/// or the weights of a rational curve sum to zero. `point` is the baseline's, which it refers to.
-struct Origin {
-  reference::TruePoint* truth = nullptr;
-  double length = 0;  ///< of the true point, and the spacing of numbers there
-  double ulp = 0;
-  Point point{};
-  std::optional<reference::Distance> baseline;
+Point point_of(const PointsOfGroup& points, std::size_t lane) {
+  return {points[0][lane], points[1][lane], points[2][lane]};
+}
 
-  [[nodiscard]] bool exists() const { return truth != nullptr || baseline; }
-  [[nodiscard]] double distance(std::span<const double> computed) const {
-    return truth != nullptr ? truth->distance(computed) : baseline->to(computed);
-  }
+bool has(LaneSet set, std::size_t lane) { return (set >> lane & 1U) != 0; }
+
+void add(const Lanes& errors, LaneSet lanes, metric::Tally& tally) {
+  constexpr LaneSet all = (1ULL << trials_at_once) - 1;
+  if (lanes == all) return tally.add(errors);
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    if (has(lanes, k)) tally.add(std::span(errors).subspan(k, 1));
+}
+
+/// What the errors of a group are measured from: the truth or a baseline.
+struct Origin {
+  bool is_truth = true;
+  LaneSet exists = 0;      ///< without those where a baseline is not finite, or the weights sum to zero
+  LaneSet has_length = 0;  ///< with a finite one
+  reference::CertifiedBlock points;
+  Lanes length{};  ///< of the true point, and the spacing of numbers there
+  Lanes ulp{};
 };
 
 /// Which trial of which replicate.
@@ -84,7 +82,6 @@ struct Lane {
   metric::TrialScale scale;
   reference::ExactCurve exact;
   std::optional<reference::TruePoint> truth;
-  Origin from;  ///< what is measured from now
 };
 
 /// Scratch of one thread.
@@ -94,7 +91,9 @@ struct Scratch {
   GroupPoints<Scalar> points;
   SourceMeter<Scalar> sources;
   std::vector<PointsOfGroup> computed;  ///< per method
-  PointsOfGroup baseline{};
+  reference::CertifiedBlock truths;
+  Lanes p_tilde{};
+  Origin from;  ///< what is measured from now
 };
 
 template <class Scalar>
@@ -183,14 +182,18 @@ class ScalarCell final : public AccuracyCell {
   }
 
   void judge_group(TrialNumber first, std::int64_t count, CellTally& block) const;
-  void draw(std::span<Lane<Scalar>> group, TrialNumber first, GroupPoints<Scalar>& points) const;
-  void find_truth(std::span<Lane<Scalar>> group) const;
-  void measure_from(std::size_t baseline, std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch) const;
-  void judge(std::size_t method, Lane<Scalar>& lane, const Point& computed, SourceMeter<Scalar>& sources,
-             Judgement& judgement) const;
-  void add_truth(Lane<Scalar>& lane, CellTally& block) const;
-  void count(const std::optional<metric::BoundAtDegree>& proved, double error, Lane<Scalar>& lane,
-             Judgement& judgement) const;
+  void draw(std::span<Lane<Scalar>> group, TrialNumber first, Scratch<Scalar>& scratch) const;
+  void find_truth(std::span<Lane<Scalar>> group, reference::CertifiedBlock& truths) const;
+  void measure_from_truth(std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch) const;
+  void measure_from(const GroupMethod<Scalar>& baseline, std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch) const;
+  void judge(std::size_t method, std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch, Judgement& judgement) const;
+  [[nodiscard]] double distance(const Origin& from, Lane<Scalar>& lane, std::size_t number,
+                                std::span<const double> point) const;
+  void take_apart(std::size_t method, Lane<Scalar>& lane, std::span<const double> point, SourceMeter<Scalar>& sources,
+                  Judgement& judgement) const;
+  void add_truth(std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch, CellTally& block) const;
+  void compare_with_bound(std::size_t method, double error, Lane<Scalar>& lane, double length,
+                          Judgement& judgement) const;
   void write_worst(std::size_t method, const Worst& worst, Tables& tables) const;
 
   const suite::Study& study_;
@@ -202,38 +205,32 @@ class ScalarCell final : public AccuracyCell {
   std::vector<std::optional<GroupMethod<Scalar>>> baselines_;  ///< nothing for the exact reference
 };
 
-Point point_of(const PointsOfGroup& points, std::size_t trial) {
-  return {points[0][trial], points[1][trial], points[2][trial]};
-}
-
 template <class Scalar>
 void ScalarCell<Scalar>::judge_group(TrialNumber first, std::int64_t count, CellTally& block) const {
   thread_local Scratch<Scalar> scratch;
   const std::span group(scratch.group.data(), static_cast<std::size_t>(count));
-  draw(group, first, scratch.points);
-  find_truth(group);
-  scratch.computed.resize(methods_.size());
+  draw(group, first, scratch);
+  find_truth(group, scratch.truths);
+  scratch.computed.assign(methods_.size(), {});
   for (std::size_t m = 0; m < methods_.size(); ++m)
     if (supported(methods_[m])) scratch.points.evaluate(methods_[m], scratch.computed[m]);
   for (std::size_t k = 0; k < baselines_.size(); ++k) {
-    measure_from(k, group, scratch);
-    if (is_exact(k))
-      for (auto& lane : group)
-        if (lane.from.exists()) add_truth(lane, block);
-    for (std::size_t m = 0; m < methods_.size(); ++m) {
-      if (!this->judged(m, k)) continue;
-      Judgement& judgement = block.judgements[index(m, k)];
-      for (std::size_t trial = 0; trial < group.size(); ++trial)
-        judge(m, group[trial], point_of(scratch.computed[m], trial), scratch.sources, judgement);
+    if (is_exact(k)) {
+      measure_from_truth(group, scratch);
+      add_truth(group, scratch, block);
+    } else if (supported(*baselines_[k])) {
+      measure_from(*baselines_[k], group, scratch);
     }
+    for (std::size_t m = 0; m < methods_.size(); ++m)
+      if (this->judged(m, k)) judge(m, group, scratch, block.judgements[index(m, k)]);
   }
   if (tier_ == reference::Tier::certified)
     for (const auto& lane : group) block.escalated += lane.truth->needed_integers() ? 1 : 0;
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::draw(std::span<Lane<Scalar>> group, TrialNumber first, GroupPoints<Scalar>& points) const {
-  points.begin(cell_.dimension, cell_.degree);
+void ScalarCell<Scalar>::draw(std::span<Lane<Scalar>> group, TrialNumber first, Scratch<Scalar>& scratch) const {
+  scratch.points.begin(cell_.dimension, cell_.degree);
   for (std::size_t k = 0; k < group.size(); ++k) {
     auto& lane = group[k];
     lane.number = {first.replicate, first.trial + static_cast<std::int64_t>(k)};
@@ -241,12 +238,13 @@ void ScalarCell<Scalar>::draw(std::span<Lane<Scalar>> group, TrialNumber first, 
     lane.inputs.be_of(form_of(study_.curve), cell_);
     lane.inputs.draw(sampler_, lane.counted);
     lane.scale.set(lane.inputs.true_curve(), lane.inputs.true_t());
-    points.add(lane.inputs.curve(), lane.inputs.t());
+    scratch.p_tilde[k] = lane.scale.p_tilde();
+    scratch.points.add(lane.inputs.curve(), lane.inputs.t());
   }
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::find_truth(std::span<Lane<Scalar>> group) const {
+void ScalarCell<Scalar>::find_truth(std::span<Lane<Scalar>> group, reference::CertifiedBlock& truths) const {
   const Form form = form_of(study_.curve);
   std::optional<reference::CertifiedPoints> certified;
   if (tier_ == reference::Tier::certified && reference::CertifiedPoints::applies(form, cell_.degree)) {
@@ -254,6 +252,9 @@ void ScalarCell<Scalar>::find_truth(std::span<Lane<Scalar>> group) const {
     for (std::size_t k = 0; k < group.size(); ++k)
       certified->load(k, group[k].inputs.true_curve(), group[k].inputs.true_t());
     certified->evaluate();
+    truths = certified->points();
+  } else {
+    truths.error.fill(std::numeric_limits<double>::quiet_NaN());
   }
   for (std::size_t k = 0; k < group.size(); ++k) {
     auto& lane = group[k];
@@ -263,69 +264,98 @@ void ScalarCell<Scalar>::find_truth(std::span<Lane<Scalar>> group) const {
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::measure_from(std::size_t baseline, std::span<Lane<Scalar>> group,
-                                      Scratch<Scalar>& scratch) const {
-  const auto& method = baselines_[baseline];
-  const bool by_method = method && supported(*method);
-  if (by_method) scratch.points.evaluate(*method, scratch.baseline);
+void ScalarCell<Scalar>::measure_from_truth(std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch) const {
+  Origin& from = scratch.from;
+  from = Origin();
+  from.points = scratch.truths;
+  from.length = from.points.distances({});
   for (std::size_t k = 0; k < group.size(); ++k) {
-    auto& lane = group[k];
-    Origin& from = lane.from;
-    from.truth = nullptr;
-    from.baseline.reset();
-    if (is_exact(baseline) && lane.truth->exists()) {
-      from.truth = &*lane.truth;
-      from.length = lane.truth->length();
-      from.ulp = lane.truth->ulp(from.length, ScalarFacts<Scalar>::format);
-    } else if (by_method) {
-      from.point = point_of(scratch.baseline, k);
-      const auto point = std::span<const double>(from.point).first(static_cast<std::size_t>(cell_.dimension));
-      if (is_finite(point)) from.baseline.emplace(point);
-    }
+    auto& truth = *group[k].truth;
+    if (!truth.exists()) continue;
+    from.exists |= LaneSet{1} << k;
+    if (std::isnan(from.length[k])) from.length[k] = truth.length();
+    if (std::isfinite(from.length[k])) from.has_length |= LaneSet{1} << k;
+    from.ulp[k] = truth.ulp(from.length[k], ScalarFacts<Scalar>::format);
   }
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::judge(std::size_t method, Lane<Scalar>& lane, const Point& computed,
-                               SourceMeter<Scalar>& sources, Judgement& judgement) const {
-  const auto point = std::span<const double>(computed).first(static_cast<std::size_t>(cell_.dimension));
-  if (!is_finite(point) || !lane.from.exists()) {
-    ++judgement.non_finite;
-    return;
+void ScalarCell<Scalar>::measure_from(const GroupMethod<Scalar>& baseline, std::span<Lane<Scalar>> group,
+                                      Scratch<Scalar>& scratch) const {
+  Origin& from = scratch.from;
+  from = Origin();
+  from.is_truth = false;
+  scratch.points.evaluate(baseline, from.points.high);
+  for (std::size_t k = 0; k < group.size(); ++k)
+    if (is_finite(point_of(from.points.high, k))) from.exists |= LaneSet{1} << k;
+}
+
+template <class Scalar>
+double ScalarCell<Scalar>::distance(const Origin& from, Lane<Scalar>& lane, std::size_t number,
+                                    std::span<const double> point) const {
+  if (from.is_truth) return lane.truth->distance(point);
+  const Point baseline = point_of(from.points.high, number);
+  return reference::Distance(std::span(baseline).first(point.size())).to(point);
+}
+
+template <class Scalar>
+void ScalarCell<Scalar>::judge(std::size_t method, std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch,
+                               Judgement& judgement) const {
+  const PointsOfGroup& computed = scratch.computed[method];
+  const Origin& from = scratch.from;
+  Lanes errors = from.points.distances(computed);
+  LaneSet measured = 0;
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    const Point coordinates = point_of(computed, k);
+    const auto point = std::span(coordinates).first(static_cast<std::size_t>(cell_.dimension));
+    if (has(from.exists, k) && is_finite(point)) {
+      if (std::isnan(errors[k])) errors[k] = distance(from, group[k], k, point);
+      if (std::isfinite(errors[k])) measured |= LaneSet{1} << k;
+      if (from.is_truth) take_apart(method, group[k], point, scratch.sources, judgement);
+    }
+    if (!has(measured, k)) ++judgement.non_finite;
   }
-  count(bounds_[method], lane.from.distance(point), lane, judgement);
-  if (lane.from.truth == nullptr || lane.number.replicate != 0 || lane.number.trial >= study_.decomposed_trials) return;
+  add(errors, measured, judgement.error);
+  const Lanes errors_u = metric::in_units(errors, scratch.p_tilde, arithmetic.unit_roundoff);
+  add(errors_u, measured, judgement.error_u);
+  if (!from.is_truth) return;
+  add(metric::in_units(errors, from.ulp), measured, judgement.error_ulp);
+  add(metric::in_units(errors, from.length), measured & from.has_length, judgement.relative);
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    if (!has(measured, k)) continue;
+    judgement.keep_worst({errors_u[k], errors[k], group[k].counted});
+    compare_with_bound(method, errors[k], group[k], from.length[k], judgement);
+  }
+}
+
+template <class Scalar>
+void ScalarCell<Scalar>::take_apart(std::size_t method, Lane<Scalar>& lane, std::span<const double> point,
+                                    SourceMeter<Scalar>& sources, Judgement& judgement) const {
+  if (lane.number.replicate != 0 || lane.number.trial >= study_.decomposed_trials) return;
   const auto apart =
-      sources.measure(*methods_[method].kernel, lane.inputs.curve(), lane.inputs.t(), point, lane.from.truth->exact());
+      sources.measure(*methods_[method].kernel, lane.inputs.curve(), lane.inputs.t(), point, lane.truth->exact());
   if (apart) judgement.sources.add(*apart);
 }
 
-/// What is known of the trial itself, whatever the methods.
+/// What is known of the trials themselves, whatever the methods.
 template <class Scalar>
-void ScalarCell<Scalar>::add_truth(Lane<Scalar>& lane, CellTally& block) const {
-  add_quotient(lane.scale.p_tilde(), lane.from.length, block.condition);
-  if (lane.number.replicate == 0 && lane.number.trial < audited_trials && sizeof(Scalar) == sizeof(double))
-    block.audit.add(metric::to_24_bits(reference::audit_ulp(
-        reference::long_double_point(lane.inputs.true_curve(), lane.inputs.true_t()), lane.from.truth->exact())));
+void ScalarCell<Scalar>::add_truth(std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch, CellTally& block) const {
+  const Origin& from = scratch.from;
+  add(metric::in_units(scratch.p_tilde, from.length), from.exists, block.condition);
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    auto& lane = group[k];
+    if (has(from.exists, k) && lane.number.replicate == 0 && lane.number.trial < audited_trials &&
+        sizeof(Scalar) == sizeof(double))
+      block.audit.add(metric::to_24_bits(reference::audit_ulp(
+          reference::long_double_point(lane.inputs.true_curve(), lane.inputs.true_t()), lane.truth->exact())));
+  }
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::count(const std::optional<metric::BoundAtDegree>& proved, double error, Lane<Scalar>& lane,
-                               Judgement& judgement) const {
-  if (!std::isfinite(error)) {
-    ++judgement.non_finite;
-    return;
-  }
-  const Origin& from = lane.from;
-  judgement.error.add(error);
-  const double error_u = metric::to_24_bits(lane.scale.in_bound_units(error, arithmetic));
-  add(error_u, judgement.error_u);
-  if (from.truth == nullptr) return;
-  add(error / from.ulp, judgement.error_ulp);
-  if (std::isfinite(from.length)) add_quotient(error, from.length, judgement.relative);
-  judgement.keep_worst({error_u, error, lane.counted});
-  if (!proved) return;
-  const double bound = lane.scale.bound(*proved, arithmetic, from.length);
+void ScalarCell<Scalar>::compare_with_bound(std::size_t method, double error, Lane<Scalar>& lane, double length,
+                                            Judgement& judgement) const {
+  if (!bounds_[method]) return;
+  const double bound = lane.scale.bound(*bounds_[method], arithmetic, length);
   if (!std::isfinite(bound)) return;  // nothing is proved here
   ++judgement.bounded;
   judgement.bound = std::max(judgement.bound, bound);

@@ -9,14 +9,15 @@
 
 #include "core/batch/batch.hpp"
 #include "experiments/studies/workspace.hpp"
-#include "reference/exact_point.hpp"
+#include "reference/certified_points.hpp"
 
 namespace bezierbench::studies {
 
 inline constexpr std::size_t trials_at_once = batch::curves_at_once;
+static_assert(trials_at_once == reference::certified_lanes);
 
-/// Coordinates of a group's points by axis, then trial; in double, which holds any float.
-using PointsOfGroup = std::array<std::array<double, trials_at_once>, reference::max_dimension>;
+/// Coordinates of a group's points; in double, which holds any float.
+using PointsOfGroup = reference::PointLanes;
 
 /// A method as groups are evaluated by it.
 template <class Scalar>
@@ -44,7 +45,7 @@ class GroupPoints {
   /// The next one of at most `trials_at_once` trials.
   void add(const CurveView<Scalar>& curve, Scalar t);
 
-  /// The points of the trials that were added.
+  /// The points of the trials that were added; leaves axes that there are none of as they are.
   void evaluate(const GroupMethod<Scalar>& method, PointsOfGroup& points);
 
  private:
