@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
+#include "core/basis/amplification.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/metric/error_lanes.hpp"
 #include "experiments/metric/trial_scale.hpp"
@@ -92,6 +94,8 @@ struct Scratch {
   SourceMeter<Scalar> sources;
   std::vector<PointsOfGroup> computed;  ///< per method
   reference::CertifiedBlock truths;
+  metric::ScaleLanes scales;
+  std::vector<metric::KnownAmplification> amplified;
   Lanes p_tilde{};
   Origin from;  ///< what is measured from now
 };
@@ -104,8 +108,11 @@ class ScalarCell final : public AccuracyCell {
     for (const auto* method : chosen_kernels<Scalar>(study, cell.dimension)) {
       methods_.emplace_back(*method);
       bounds_.emplace_back();
-      if (method->info->bound) bounds_.back().emplace(*method->info->bound, cell.degree, arithmetic);
+      if (!method->info->bound) continue;
+      bounds_.back().emplace(*method->info->bound, cell.degree, arithmetic);
+      amplifications_.insert(method->info->bound->amplification);
     }
+    amplifications_.insert(p_tilde_of(form_of(study.curve)));
     for (const auto& id : study.baseline) {
       const Kernel<Scalar>* kernel = nullptr;
       if (id != exact_baseline) {
@@ -183,6 +190,7 @@ class ScalarCell final : public AccuracyCell {
 
   void judge_group(TrialNumber first, std::int64_t count, CellTally& block) const;
   void draw(std::span<Lane<Scalar>> group, TrialNumber first, Scratch<Scalar>& scratch) const;
+  void find_scales(std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch) const;
   void find_truth(std::span<Lane<Scalar>> group, reference::CertifiedBlock& truths) const;
   void measure_from_truth(std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch) const;
   void measure_from(const GroupMethod<Scalar>& baseline, std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch) const;
@@ -202,6 +210,7 @@ class ScalarCell final : public AccuracyCell {
   sample::Sampler sampler_;
   std::vector<GroupMethod<Scalar>> methods_;
   std::vector<std::optional<metric::BoundAtDegree>> bounds_;   ///< per method
+  std::set<Amplification> amplifications_;                     ///< of the bounds, and p~
   std::vector<std::optional<GroupMethod<Scalar>>> baselines_;  ///< nothing for the exact reference
 };
 
@@ -210,6 +219,7 @@ void ScalarCell<Scalar>::judge_group(TrialNumber first, std::int64_t count, Cell
   thread_local Scratch<Scalar> scratch;
   const std::span group(scratch.group.data(), static_cast<std::size_t>(count));
   draw(group, first, scratch);
+  find_scales(group, scratch);
   find_truth(group, scratch.truths);
   scratch.computed.assign(methods_.size(), {});
   for (std::size_t m = 0; m < methods_.size(); ++m)
@@ -237,10 +247,26 @@ void ScalarCell<Scalar>::draw(std::span<Lane<Scalar>> group, TrialNumber first, 
     lane.counted = static_cast<std::uint64_t>(lane.number.replicate * study_.trials + lane.number.trial);
     lane.inputs.be_of(form_of(study_.curve), cell_);
     lane.inputs.draw(sampler_, lane.counted);
-    lane.scale.set(lane.inputs.true_curve(), lane.inputs.true_t());
-    scratch.p_tilde[k] = lane.scale.p_tilde();
     scratch.points.add(lane.inputs.curve(), lane.inputs.t());
   }
+}
+
+template <class Scalar>
+void ScalarCell<Scalar>::find_scales(std::span<Lane<Scalar>> group, Scratch<Scalar>& scratch) const {
+  if (form_of(study_.curve) == Form::rational) {
+    for (auto& lane : group) lane.scale.set(lane.inputs.true_curve(), lane.inputs.true_t());
+  } else {
+    scratch.scales.begin(cell_.dimension, cell_.degree);
+    for (std::size_t k = 0; k < group.size(); ++k)
+      scratch.scales.load(k, group[k].inputs.true_curve(), group[k].inputs.true_t());
+    scratch.scales.take_norms();
+    scratch.amplified.clear();
+    for (const Amplification kind : amplifications_)
+      scratch.amplified.push_back({kind, scratch.scales.amplifications(kind)});
+    for (std::size_t k = 0; k < group.size(); ++k)
+      group[k].scale.set(group[k].inputs.true_curve(), group[k].inputs.true_t(), scratch.scales, k, scratch.amplified);
+  }
+  for (std::size_t k = 0; k < group.size(); ++k) scratch.p_tilde[k] = group[k].scale.p_tilde();
 }
 
 template <class Scalar>
