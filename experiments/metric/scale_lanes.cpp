@@ -42,23 +42,23 @@ void ScaleLanes::load(std::size_t lane, const CurveView<double>& curve, double t
 }
 
 void ScaleLanes::take_norms() {
+  static_assert(reference::max_dimension == 3);
+  constexpr Lanes none{};
   const auto d = static_cast<std::size_t>(dimension_);
   Lanes most{};
   Lanes least;  // of what is not 0
   least.fill(1);
   for (std::size_t i = 0; i < norms_.size(); ++i) {
+    const Lanes& x = coefficients_[i * d];
+    const Lanes& y = d > 1 ? coefficients_[i * d + 1] : none;
+    const Lanes& z = d > 2 ? coefficients_[i * d + 2] : none;
     Lanes& norm = norms_[i];
-    Lanes squares{};
-    Lanes largest{};
-    for (std::size_t axis = 0; axis < d; ++axis) {
-      const Lanes coordinate = coefficients_[i * d + axis];
-      for (std::size_t k = 0; k < lanes; ++k) squares[k] += coordinate[k] * coordinate[k];
-      for (std::size_t k = 0; k < lanes; ++k) largest[k] = larger(largest[k], std::abs(coordinate[k]));
-    }
-    for (std::size_t k = 0; k < lanes; ++k) norm[k] = std::sqrt(squares[k]);
-    for (std::size_t k = 0; k < lanes; ++k) most[k] = larger(most[k], norm[k]);
     for (std::size_t k = 0; k < lanes; ++k) {
-      const double positive = largest[k] == 0 ? 1 : largest[k];
+      const double length = std::sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
+      const double largest = larger(larger(std::abs(x[k]), std::abs(y[k])), std::abs(z[k]));
+      const double positive = largest == 0 ? 1 : largest;
+      norm[k] = length;
+      most[k] = larger(most[k], length);
       least[k] = positive < least[k] ? positive : least[k];
     }
   }
