@@ -78,6 +78,20 @@ struct TypeList {
   static constexpr std::size_t size = sizeof...(Ts);
 };
 
+/// Several lists as one.
+template <class... Lists>
+struct Concatenated {
+  using Type = TypeList<>;
+};
+template <class... Ts>
+struct Concatenated<TypeList<Ts...>> {
+  using Type = TypeList<Ts...>;
+};
+template <class... Ts, class... Us, class... Rest>
+struct Concatenated<TypeList<Ts...>, TypeList<Us...>, Rest...> {
+  using Type = typename Concatenated<TypeList<Ts..., Us...>, Rest...>::Type;
+};
+
 /// What the methods of a roster say of themselves, in its order.
 template <class... Methods>
 std::span<const MethodInfo* const> infos_of(TypeList<Methods...> /*roster*/) {

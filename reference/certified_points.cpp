@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "core/error_free.hpp"
 
@@ -46,47 +47,66 @@ double error_factor(Form form, int n) {
   return (form == Form::bernstein ? 44.0 * n + 9 : 12.0 * n + 1) * (1 + 0x1p-20);
 }
 
-/// The power of two at or below a normal value > 0.
-double binade(double value) {
-  constexpr std::uint64_t fraction = (1ULL << 52U) - 1;
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & ~fraction);
-}
-
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int kept_bits = 24;
 constexpr int dropped_bits = 53 - kept_bits;
+constexpr std::uint64_t fraction = (1ULL << 52U) - 1;
 
-/// value > 0 rounded to 24 bits, where every number within a relative `uncertainty` of it would be rounded alike.
-std::optional<double> certainly_rounded(double value, double uncertainty) {
+/// A value below 2^52, without the conversion that vectors lack.
+inline double to_double(std::uint64_t value) {
+  constexpr std::uint64_t bits_of_2_52 = 0x4330000000000000;
+  return std::bit_cast<double>(bits_of_2_52 | value) - 0x1p+52;
+}
+
+/// What is on one axis between a computed coordinate and high + low, right to a relative 4u: see Distance.
+inline double difference(double computed, double high, double low) {
+  const auto top = two_sum(computed, -high);
+  return top.value + (top.error - low);
+}
+
+inline double larger(double a, double b) { return a < b ? b : a; }
+
+/// The length of three differences that are off by `error` each, rounded to 24 bits where every number that it may be
+/// would be rounded alike, else NaN. No branches, so that many are done at once.
+inline double certain_length(double x, double y, double z, double error) {
+  const double largest = larger(larger(std::abs(x), std::abs(y)), std::abs(z));
+  const double unit = std::bit_cast<double>(std::bit_cast<std::uint64_t>(largest) & ~fraction);
+  const double scale = 1 / unit;
+  const double scaled = std::sqrt((x * scale) * (x * scale) + (y * scale) * (y * scale) + (z * scale) * (z * scale));
+  constexpr double axes = 1.75;          // the square root of three axes, rounded up
+  constexpr double roundings = 0x1p-48;  // of the differences, squares, sum and root
+  const double uncertainty = axes * error * scale / scaled + roundings;
   constexpr std::uint64_t mask = (1ULL << dropped_bits) - 1;
   constexpr double half = 1ULL << (dropped_bits - 1);
-  if (!(uncertainty < 0x1p-26)) return std::nullopt;
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  const auto tail = static_cast<double>(bits & mask);  // in units of 2^-52 of the binade
-  if (std::abs(tail - half) <= uncertainty * 0x1p+53 + 1) return std::nullopt;
-  return std::bit_cast<double>((bits & ~mask) + (tail > half ? mask + 1 : 0));
+  const auto bits = std::bit_cast<std::uint64_t>(scaled);
+  const double tail = to_double(bits & mask);  // in units of 2^-52 of the binade
+  const double rounded_down = std::bit_cast<double>(bits & ~mask);
+  const double rounded_up = std::bit_cast<double>((bits & ~mask) + (mask + 1));
+  const double rounded = (tail > half ? rounded_up : rounded_down) * unit;
+  const bool in_range = (largest >= 0x1p-900) & (largest <= 0x1p+900);
+  const bool certain = (uncertainty < 0x1p-26) & (std::abs(tail - half) > uncertainty * 0x1p+53 + 1);
+  return in_range & certain ? rounded : unknown;
 }
 
 }  // namespace
 
 std::optional<double> CertifiedPoint::distance(std::span<const double> point) const {
   std::array<double, max_dimension> differences{};
-  double largest = 0;
-  for (std::size_t axis = 0; axis < point.size(); ++axis) {
-    const auto top = two_sum(point[axis], -high[axis]);
-    differences[axis] = top.value + (top.error - low[axis]);  // right to a relative 4u: see Distance
-    largest = std::max(largest, std::abs(differences[axis]));
-  }
-  if (!(largest >= 0x1p-900 && largest <= 0x1p+900)) return std::nullopt;
-  const double unit = binade(largest);
-  const double scale = 1 / unit;
-  double squares = 0;
-  for (const double difference : differences) squares += (difference * scale) * (difference * scale);
-  const double scaled = std::sqrt(squares);
-  constexpr double axes = 1.75;          // the square root of three axes, rounded up
-  constexpr double roundings = 0x1p-48;  // of the differences, squares, sum and root
-  const auto rounded = certainly_rounded(scaled, axes * error * scale / scaled + roundings);
-  if (!rounded) return std::nullopt;
-  return *rounded * unit;
+  for (std::size_t axis = 0; axis < point.size(); ++axis)
+    differences[axis] = difference(point[axis], high[axis], low[axis]);
+  const double length = certain_length(differences[0], differences[1], differences[2], error);
+  if (std::isnan(length)) return std::nullopt;
+  return length;
+}
+
+CertifiedLanes CertifiedBlock::distances(const PointLanes& points) const {
+  static_assert(max_dimension == 3);
+  CertifiedLanes result;
+  for (std::size_t k = 0; k < certified_lanes; ++k)
+    result[k] =
+        certain_length(difference(points[0][k], high[0][k], low[0][k]), difference(points[1][k], high[1][k], low[1][k]),
+                       difference(points[2][k], high[2][k], low[2][k]), error[k]);
+  return result;
 }
 
 bool CertifiedPoints::applies(Form form, int degree) {
@@ -130,7 +150,7 @@ void CertifiedPoints::load(std::size_t lane, const CurveView<double>& curve, dou
       moderate = moderate && std::abs(value) <= largest_coefficient;
       coefficients_[static_cast<std::size_t>(i * dimension_ + axis)][lane] = value;
     }
-  moderate_[lane] = moderate;
+  unknown_[lane] = moderate ? 0 : unknown;
 }
 
 void CertifiedPoints::evaluate() {
@@ -153,6 +173,7 @@ void CertifiedPoints::evaluate() {
     }
   }
   if (form_ == Form::bernstein) multiply_by_power();
+  finish();
 }
 
 void CertifiedPoints::multiply_by_power() {
@@ -184,20 +205,31 @@ void CertifiedPoints::multiply_by_power() {
   }
 }
 
-std::optional<CertifiedPoint> CertifiedPoints::point(std::size_t lane) const {
-  double magnitude = 0;
+void CertifiedPoints::finish() {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
-    magnitude = std::max(magnitude, magnitudes_[axis][lane]);
-  if (!moderate_[lane] || !(magnitude >= smallest_magnitude)) return std::nullopt;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      // Products leave the low part at no more than an ulp or two of the high one; the nearest double is asked for.
+      const auto nearest = two_sum(sums_[axis].high[lane], sums_[axis].low[lane]);
+      points_.high[axis][lane] = nearest.value;
+      points_.low[axis][lane] = nearest.error;
+    }
+  const double factor = error_factor(form_, degree_) * 0x1p-106;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const double magnitude = larger(larger(magnitudes_[0][lane], magnitudes_[1][lane]), magnitudes_[2][lane]);
+    const double error = factor * (magnitude * (1 + 0x1p-40)) + unknown_[lane];
+    points_.error[lane] = magnitude >= smallest_magnitude ? error : unknown;
+  }
+}
+
+std::optional<CertifiedPoint> CertifiedPoints::point(std::size_t lane) const {
+  if (std::isnan(points_.error[lane])) return std::nullopt;
   CertifiedPoint result;
   result.dimension = dimension_;
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
-    // Products leave the low part at no more than an ulp or two of the high one; the nearest double is asked for.
-    const auto nearest = two_sum(sums_[axis].high[lane], sums_[axis].low[lane]);
-    result.high[axis] = nearest.value;
-    result.low[axis] = nearest.error;
+  for (std::size_t axis = 0; axis < max_dimension; ++axis) {
+    result.high[axis] = points_.high[axis][lane];
+    result.low[axis] = points_.low[axis][lane];
   }
-  result.error = error_factor(form_, degree_) * 0x1p-106 * (magnitude * (1 + 0x1p-40));
+  result.error = points_.error[lane];
   return result;
 }
 

@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,10 +41,26 @@ struct CertifiedPoint {
   [[nodiscard]] std::optional<double> distance(std::span<const double> point) const;
 };
 
+inline constexpr std::size_t certified_lanes = 16;
+using CertifiedLanes = std::array<double, certified_lanes>;
+
+/// Coordinates of points side by side, by axis; 0 on axes that there are none of.
+using PointLanes = std::array<CertifiedLanes, max_dimension>;
+
+/// Points like CertifiedPoint side by side; `error` is NaN where a point is not known.
+struct CertifiedBlock {
+  PointLanes high{};
+  PointLanes low{};
+  CertifiedLanes error{};
+
+  /// As CertifiedPoint::distance; NaN where no distance is proved.
+  [[nodiscard]] CertifiedLanes distances(const PointLanes& points) const;
+};
+
 /// A block of trials of one form, dimension and degree, side by side, so that the processor's vectors are full.
 class CertifiedPoints {
  public:
-  static constexpr std::size_t lanes = 16;
+  static constexpr std::size_t lanes = certified_lanes;
 
   CertifiedPoints(Form form, int dimension, int degree);
 
@@ -55,11 +72,14 @@ class CertifiedPoints {
 
   void evaluate();
 
+  /// The points of all lanes.
+  [[nodiscard]] const CertifiedBlock& points() const { return points_; }
+
   /// The point of a lane; nothing where the error is not proved.
   [[nodiscard]] std::optional<CertifiedPoint> point(std::size_t lane) const;
 
  private:
-  using Lanes = std::array<double, lanes>;
+  using Lanes = CertifiedLanes;
   struct Pairs {
     Lanes high{};
     Lanes low{};
@@ -67,17 +87,19 @@ class CertifiedPoints {
 
   void set_ratio(std::size_t lane, double t);
   void multiply_by_power();
+  void finish();
 
   Form form_;
   int dimension_;
   int degree_;
-  std::vector<double> binomials_;       ///< 1 in power form
-  std::vector<Lanes> coefficients_;     ///< from the last one of Horner's scheme on, point by point
-  Pairs ratio_;                         ///< what Horner's scheme multiplies by
-  Pairs larger_;                        ///< L
-  std::array<bool, lanes> moderate_{};  ///< t and coefficients are in the range of the proof
+  std::vector<double> binomials_;    ///< 1 in power form
+  std::vector<Lanes> coefficients_;  ///< from the last one of Horner's scheme on, point by point
+  Pairs ratio_;                      ///< what Horner's scheme multiplies by
+  Pairs larger_;                     ///< L
+  Lanes unknown_{};                  ///< 0 where t and coefficients are in the range of the proof, else NaN
   std::array<Pairs, max_dimension> sums_;
   std::array<Lanes, max_dimension> magnitudes_;  ///< P
+  CertifiedBlock points_;
 };
 
 }  // namespace bezierbench::reference

@@ -126,5 +126,80 @@ TEST(CertifiedPoints, LeavesOutWhatIsNotProved) {
   EXPECT_FALSE(points.point(0));
 }
 
+/// Points whose distances take every path: near, far, the point itself, on one axis only, tiny, huge, no number.
+std::vector<double> any_point(const CertifiedPoint& from, std::size_t kind, std::mt19937_64& bits) {
+  std::vector<double> point;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(from.dimension); ++axis) {
+    const double near = from.high[axis] * (1 + std::ldexp(uniform(bits) - 0.5, -static_cast<int>(bits() % 50)));
+    const std::array<double, 8> choices{near,
+                                        from.high[axis],
+                                        0,
+                                        axis == 0 ? near : from.high[axis],
+                                        uniform(bits),
+                                        1e290,
+                                        from.high[axis],
+                                        std::numeric_limits<double>::quiet_NaN()};
+    point.push_back(choices[kind % choices.size()]);
+  }
+  return point;
+}
+
+TEST(CertifiedBlock, HasTheDistancesOfItsPoints) {
+  Trials trials;
+  int proved = 0;
+  int unproved = 0;
+  for (const auto& setting : settings)
+    for (int round = 0; round < 100; ++round) {
+      CertifiedPoints points(setting.form, setting.dimension, setting.degree);
+      for (std::size_t k = 0; k < CertifiedPoints::lanes; ++k) points.load(k, trials.curve(setting), trials.t());
+      points.evaluate();
+      PointLanes asked{};
+      std::array<std::optional<double>, CertifiedPoints::lanes> right;
+      for (std::size_t k = 0; k < CertifiedPoints::lanes; ++k) {
+        const auto from = points.point(k);
+        EXPECT_EQ(from.has_value(), !std::isnan(points.points().error[k]));
+        if (!from) continue;
+        const auto point = any_point(*from, k, trials.bits);
+        for (std::size_t axis = 0; axis < point.size(); ++axis) asked[axis][k] = point[axis];
+        right[k] = from->distance(point);
+      }
+      const auto ours = points.points().distances(asked);
+      for (std::size_t k = 0; k < CertifiedPoints::lanes; ++k) {
+        ASSERT_EQ(!std::isnan(ours[k]), right[k].has_value());
+        if (right[k]) {
+          ASSERT_EQ(ours[k], *right[k]);
+        }
+        ++(right[k] ? proved : unproved);
+      }
+    }
+  EXPECT_GT(proved, 1000);
+  EXPECT_GT(unproved, 1000);
+}
+
+/// A baseline's point has no error of its own.
+TEST(CertifiedBlock, MeasuresFromPointsThatAreExact) {
+  std::mt19937_64 bits(5);
+  int proved = 0;
+  for (int round = 0; round < 100; ++round) {
+    CertifiedBlock from;
+    PointLanes to{};
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      for (std::size_t k = 0; k < certified_lanes; ++k) {
+        from.high[axis][k] = uniform(bits);
+        to[axis][k] = from.high[axis][k] + std::ldexp(uniform(bits), -static_cast<int>(bits() % 60));
+      }
+    const auto ours = from.distances(to);
+    for (std::size_t k = 0; k < certified_lanes; ++k) {
+      const std::array<double, 2> a{from.high[0][k], from.high[1][k]};
+      const std::array<double, 2> b{to[0][k], to[1][k]};
+      if (!std::isnan(ours[k])) {
+        EXPECT_EQ(ours[k], distance(exactly(a), exactly(b)));
+        ++proved;
+      }
+    }
+  }
+  EXPECT_GT(proved, 1500);  // of 1600
+}
+
 }  // namespace
 }  // namespace bezierbench::reference

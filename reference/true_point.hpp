@@ -42,8 +42,8 @@ class TruePoint {
   /// The integers.
   [[nodiscard]] const ExactPoint& exact();
 
-  /// True where a certificate left a question to the integers.
-  [[nodiscard]] bool escalated() const { return escalated_; }
+  /// True where there is no certificate, or it left a question to the integers.
+  [[nodiscard]] bool needed_integers() const { return !certified_ || escalated_; }
 
  private:
   const Distance& exact_distance();

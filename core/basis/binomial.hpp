@@ -5,6 +5,7 @@
 // beyond that each of the at most n/2 steps rounds twice. `binomial_roundings` counts them for the error bounds.
 #pragma once
 
+#include "core/basis/shared.hpp"
 #include "core/curve.hpp"
 #include "core/error_free.hpp"
 
@@ -15,13 +16,13 @@ constexpr double binomial_scale(int n) { return n > 1000 ? 0x1p+20 : 1; }
 
 /// The row C(n,0..n), formed in double and rounded once to Scalar.
 template <class Scalar, int Degree>
-PerCoefficient<Scalar, Degree> binomials(int n) {
-  auto row = per_coefficient<Scalar, Degree>(n);
+PerCoefficient<SharedBy<Scalar>, Degree> binomials(int n) {
+  auto row = per_coefficient<SharedBy<Scalar>, Degree>(n);
   const double scale = binomial_scale(n);
   double value = 1 / scale;
   for (int i = 0; 2 * i <= n; ++i) {
     if (i > 0) value = value * (n - i + 1) / i;
-    row[i] = static_cast<Scalar>(value * scale);
+    row[i] = static_cast<SharedBy<Scalar>>(value * scale);
     row[n - i] = row[i];
   }
   return row;
@@ -38,14 +39,15 @@ constexpr double binomial_roundings(int n, double u) {
 /// C(n,0..n) as unevaluated sums high + low.
 template <class Scalar, int Degree>
 struct BinomialPairs {
-  PerCoefficient<Scalar, Degree> high;
-  PerCoefficient<Scalar, Degree> low;
+  PerCoefficient<SharedBy<Scalar>, Degree> high;
+  PerCoefficient<SharedBy<Scalar>, Degree> low;
 };
 
 /// The row C(n,0..n) by the same recurrence in double-double, then split into two Scalars.
 template <class Scalar, int Degree>
 BinomialPairs<Scalar, Degree> binomial_pairs(int n) {
-  BinomialPairs<Scalar, Degree> row{per_coefficient<Scalar, Degree>(n), per_coefficient<Scalar, Degree>(n)};
+  using Shared = SharedBy<Scalar>;
+  BinomialPairs<Scalar, Degree> row{per_coefficient<Shared, Degree>(n), per_coefficient<Shared, Degree>(n)};
   const double scale = binomial_scale(n);
   Expansion2<double> value{1 / scale, 0};
   for (int i = 0; 2 * i <= n; ++i) {
@@ -58,8 +60,8 @@ BinomialPairs<Scalar, Degree> binomial_pairs(int n) {
       const double remainder = fused(-quotient, divisor, numerator.value);
       value = fast_two_sum(quotient, (remainder + numerator.error) / divisor);
     }
-    row.high[i] = static_cast<Scalar>(value.value * scale);
-    row.low[i] = static_cast<Scalar>((value.value * scale - static_cast<double>(row.high[i])) + value.error * scale);
+    row.high[i] = static_cast<Shared>(value.value * scale);
+    row.low[i] = static_cast<Shared>((value.value * scale - static_cast<double>(row.high[i])) + value.error * scale);
     row.high[n - i] = row.high[i];
     row.low[n - i] = row.low[i];
   }

@@ -4,6 +4,7 @@
 // In double they are exact through 22! and finite through 170!; in float exact through 13! and finite through 34!.
 #pragma once
 
+#include "core/basis/shared.hpp"
 #include "core/curve.hpp"
 
 namespace bezierbench {
@@ -13,10 +14,11 @@ inline constexpr int max_factorial_float = 34;
 
 /// The factorials 0! .. n! in Scalar; finite for n up to max_factorial (max_factorial_float).
 template <class Scalar, int Degree>
-PerCoefficient<Scalar, Degree> factorials(int n) {
-  auto row = per_coefficient<Scalar, Degree>(n);
-  row[0] = Scalar(1);
-  for (int k = 1; k <= n; ++k) row[k] = row[k - 1] * static_cast<Scalar>(k);
+PerCoefficient<SharedBy<Scalar>, Degree> factorials(int n) {
+  using Shared = SharedBy<Scalar>;
+  auto row = per_coefficient<Shared, Degree>(n);
+  row[0] = Shared(1);
+  for (int k = 1; k <= n; ++k) row[k] = row[k - 1] * static_cast<Shared>(k);
   return row;
 }
 

@@ -94,4 +94,21 @@ BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel) {
 template BatchKernel<float> find(const Target&, const Kernel<float>&);
 template BatchKernel<double> find(const Target&, const Kernel<double>&);
 
+template <class Scalar>
+GroupKernel<Scalar> find_group(const Target& target, const Kernel<Scalar>& kernel) {
+  const auto evaluators = infos_of(typename Concatenated<UnfusedOfGroups, FusedOfGroups>::Type());
+  const auto conversions = infos_of(ConversionsOfGroups());
+  const auto& table = table_of<Scalar>(target).group;
+  const auto dimension = static_cast<std::size_t>(kernel.dimension) - 1;
+  GroupKernel<Scalar> found;
+  for (std::size_t k = 0; k < table.evaluator_count; ++k)
+    if (evaluators[k] == kernel.evaluator) found.evaluate = table.evaluators[k].of_dimension[dimension];
+  for (std::size_t k = 0; k < conversions.size(); ++k)
+    if (conversions[k] == kernel.conversion) found.convert = table.conversions[k].of_dimension[dimension];
+  return found;
+}
+
+template GroupKernel<float> find_group(const Target&, const Kernel<float>&);
+template GroupKernel<double> find_group(const Target&, const Kernel<double>&);
+
 }  // namespace bezierbench::batch

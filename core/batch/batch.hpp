@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Batch kernels: one curve, many t, several of them in every instruction. Each point has the bits of the scalar
-// kernel's.
+// Batch kernels: one curve at many t, or many curves at one t each, several of them in every instruction. Each point
+// has the bits of the scalar kernel's.
 #pragma once
 
 #include <cstdint>
@@ -53,5 +53,16 @@ struct BatchKernel {
 /// fused one also a target with fused multiply-add in hardware.
 template <class Scalar>
 BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel);
+
+/// How a target evaluates many curves at one t each; see target_table.hpp for where which number lies.
+template <class Scalar>
+struct GroupKernel {
+  ConvertGroup<Scalar> convert = nullptr;  ///< none where the curve is evaluated as given, or by way of exact integers
+  EvaluateGroup<Scalar> evaluate = nullptr;  ///< of coefficients in the form that the kernel evaluates
+};
+
+/// What of `kernel` exists for groups with the same bits: an evaluator or a conversion needs a place in the roster.
+template <class Scalar>
+GroupKernel<Scalar> find_group(const Target& target, const Kernel<Scalar>& kernel);
 
 }  // namespace bezierbench::batch

@@ -40,30 +40,32 @@ struct Curve<Form::power_double_double, batch::HWY_NAMESPACE::Lanes<S, Count>, D
 
 namespace batch::HWY_NAMESPACE {
 
-template <class S, int Count, int Dimension, int Degree>
-using ControlPoints = Curve<Form::bernstein, Lanes<S, Count>, Dimension, Degree>;
+/// Of one curve as above, or of many curves, which lie side by side in the arrays of any Curve.
+template <class S, int Count, Curves Which, int Dimension, int Degree>
+using ControlPoints = Curve<Form::bernstein, Lanes<S, Count, Which>, Dimension, Degree>;
 
 /// Each lane sees the curve from the end that it is nearer to.
-template <class S, int Count, int Dimension, int Degree>
+template <class S, int Count, Curves Which, int Dimension, int Degree>
 struct EitherEnd {
   [[nodiscard]] HWY_INLINE int degree() const { return curve.degree(); }
-  [[nodiscard]] HWY_INLINE Lanes<S, Count> operator()(int axis, int i) const {
+  [[nodiscard]] HWY_INLINE Lanes<S, Count, Which> operator()(int axis, int i) const {
     return select(from_start, curve(axis, i), curve(axis, curve.degree() - i));
   }
 
   LaneMask<S, Count> from_start;
-  ControlPoints<S, Count, Dimension, Degree> curve;
+  const ControlPoints<S, Count, Which, Dimension, Degree>& curve;
 };
 
-template <class S, int Count, int Dimension, int Degree>
-HWY_INLINE EitherEnd<S, Count, Dimension, Degree> seen(const LaneMask<S, Count>& from_start,
-                                                       const ControlPoints<S, Count, Dimension, Degree>& curve) {
+template <class S, int Count, Curves Which, int Dimension, int Degree>
+HWY_INLINE EitherEnd<S, Count, Which, Dimension, Degree> seen(
+    const LaneMask<S, Count>& from_start, const ControlPoints<S, Count, Which, Dimension, Degree>& curve) {
   return {from_start, curve};
 }
 
-template <class S, int Count, int Dimension, int Degree>
-HWY_INLINE Lanes<S, Count> counted(const LaneMask<S, Count>& from_start,
-                                   const ControlPoints<S, Count, Dimension, Degree>& curve, int axis, int i) {
+template <class S, int Count, Curves Which, int Dimension, int Degree>
+HWY_INLINE Lanes<S, Count, Which> counted(const LaneMask<S, Count>& from_start,
+                                          const ControlPoints<S, Count, Which, Dimension, Degree>& curve, int axis,
+                                          int i) {
   return seen(from_start, curve)(axis, i);
 }
 

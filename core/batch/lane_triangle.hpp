@@ -96,16 +96,16 @@ HWY_INLINE Point<L, Dimension> run_axes(const Source& curve, const Step& step) {
   return point;
 }
 
-template <class S, int Count, int Dimension, int Degree, class Step>
-HWY_INLINE Point<Lanes<S, Count>, Dimension> run_triangle(const ControlPoints<S, Count, Dimension, Degree>& curve,
-                                                          Step step) {
-  return run_axes<Lanes<S, Count>, Dimension>(curve, step);
+template <class S, int Count, Curves Which, int Dimension, int Degree, class Step>
+HWY_INLINE Point<Lanes<S, Count, Which>, Dimension> run_triangle(
+    const ControlPoints<S, Count, Which, Dimension, Degree>& curve, Step step) {
+  return run_axes<Lanes<S, Count, Which>, Dimension>(curve, step);
 }
 
-template <class S, int Count, int Dimension, int Degree, class Step>
-HWY_INLINE Point<Lanes<S, Count>, Dimension> run_triangle(const EitherEnd<S, Count, Dimension, Degree>& curve,
-                                                          Step step) {
-  return run_axes<Lanes<S, Count>, Dimension>(curve, step);
+template <class S, int Count, Curves Which, int Dimension, int Degree, class Step>
+HWY_INLINE Point<Lanes<S, Count, Which>, Dimension> run_triangle(
+    const EitherEnd<S, Count, Which, Dimension, Degree>& curve, Step step) {
+  return run_axes<Lanes<S, Count, Which>, Dimension>(curve, step);
 }
 
 }  // namespace bezierbench::batch::HWY_NAMESPACE

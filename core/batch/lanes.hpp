@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many parameters t as one scalar: the methods' own headers, instantiated with it, evaluate at all of them at once.
+// Many parameters t as one scalar: the methods' own headers, instantiated with it, evaluate at all of them at once, on
+// one curve or each on a curve of its own.
 //
 // Every lane is computed with the same IEEE operations in the same order as the scalar method's, so with the same bits
 // (of what is no number, only that it is none). Included by one translation unit per target, compiled for that target;
@@ -21,11 +22,38 @@ struct LaneMask {
   hn::Mask<hn::ScalableTag<Scalar>> mask[Count];
 };
 
+/// One number for all lanes: what is the same for many curves is computed once.
+template <class Scalar>
+class Same {
+ public:
+  HWY_INLINE Same() {}  // NOLINT(modernize-use-equals-default): leaves it uninitialised, as of a double
+  HWY_INLINE explicit Same(double value) : value_(static_cast<Scalar>(value)) {}
+  HWY_INLINE explicit operator double() const { return static_cast<double>(value_); }
+  [[nodiscard]] HWY_INLINE Scalar value() const { return value_; }
+
+  friend HWY_INLINE Same operator*(const Same& a, const Same& b) { return of(a.value_ * b.value_); }
+  friend HWY_INLINE Same operator/(const Same& a, const Same& b) { return of(a.value_ / b.value_); }
+  friend HWY_INLINE Same operator-(const Same& a) { return of(-a.value_); }
+
+ private:
+  static HWY_INLINE Same of(Scalar value) {
+    Same result;
+    result.value_ = value;
+    return result;
+  }
+
+  Scalar value_;
+};
+
+/// What the lanes are parameters of.
+enum class Curves { one, each };
+
 /// `Count` vectors of scalars, for steps that do not wait for each other.
-template <class ScalarT, int Count>
+template <class ScalarT, int Count, Curves = Curves::one>
 class Lanes {
  public:
   using Scalar = ScalarT;
+  using Shared = Same<Scalar>;
   using Tag = hn::ScalableTag<Scalar>;
   using Vector = hn::Vec<Tag>;
   using Mask = LaneMask<Scalar, Count>;
@@ -38,6 +66,7 @@ class Lanes {
     const Vector all = hn::Set(Tag(), value);
     *this = each([&](int /*k*/) { return all; });
   }
+  HWY_INLINE Lanes(const Shared& value) : Lanes(value.value()) {}  // NOLINT(google-explicit-constructor): as a double
   /// Reads `size` values.
   static HWY_INLINE Lanes load(const Scalar* values) {
     return each([&](int k) { return hn::LoadU(Tag(), values + static_cast<std::size_t>(k) * per_vector); });

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The evaluators that have batch kernels. One line here makes them exist on every target, for every path that ends in
-// the evaluator, in float and double and in 1 to 3 dimensions.
+// the evaluator, in float and double and in 1 to 3 dimensions: one curve at many t, and many curves at one t each.
 #pragma once
 
+#include "core/convert/differences.hpp"
+#include "core/convert/differences_centered.hpp"
+#include "core/convert/factorial.hpp"
+#include "core/convert/forward_substitution.hpp"
+#include "core/convert/positive_sum.hpp"
+#include "core/convert/triangle.hpp"
 #include "core/evaluate/compensated_horner.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
 #include "core/evaluate/de_casteljau.hpp"
@@ -10,12 +16,17 @@
 #include "core/evaluate/de_casteljau_lerp.hpp"
 #include "core/evaluate/de_casteljau_lerp_fma.hpp"
 #include "core/evaluate/de_casteljau_two_sided.hpp"
+#include "core/evaluate/direct.hpp"
+#include "core/evaluate/estrin.hpp"
 #include "core/evaluate/horner.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
 #include "core/evaluate/horner_bernstein_fma.hpp"
+#include "core/evaluate/horner_centered.hpp"
 #include "core/evaluate/horner_dd.hpp"
 #include "core/evaluate/horner_fma.hpp"
+#include "core/evaluate/power_sum.hpp"
 #include "core/evaluate/volk_schumaker.hpp"
+#include "core/evaluate/wang_ball.hpp"
 
 namespace bezierbench::batch {
 
@@ -56,5 +67,27 @@ using Fused = TypeList<Triangle<DeCasteljauFma>,                                
                        Entry<HornerFma, TheCurve<Form::power>, 1, 1>,                    //
                        Entry<CompensatedHorner, TheCurve<Form::power>, 2, 3>,            //
                        Entry<HornerDoubleDouble, TheCurve<Form::power_double_double>, 2, 3>>;
+
+/// For many curves only.
+using GroupOnly = TypeList<Direct, WangBall, PowerSum, HornerCentered, Estrin>;
+
+namespace detail {
+
+template <class Entries>
+struct EvaluatorsOf;
+template <class... Entries>
+struct EvaluatorsOf<TypeList<Entries...>> {
+  using Type = TypeList<typename Entries::Evaluator...>;
+};
+
+}  // namespace detail
+
+/// The evaluators with kernels for many curves, those that are fused last.
+using UnfusedOfGroups = typename Concatenated<typename detail::EvaluatorsOf<Unfused>::Type, GroupOnly>::Type;
+using FusedOfGroups = typename detail::EvaluatorsOf<Fused>::Type;
+
+/// The conversions with kernels for many curves. The exact ones are integers.
+using ConversionsOfGroups =
+    TypeList<Factorial, Differences, DifferencesCentered, ForwardSubstitution, PositiveSum, bezierbench::Triangle>;
 
 }  // namespace bezierbench::batch

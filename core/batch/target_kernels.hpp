@@ -2,6 +2,7 @@
 // Turns the roster into kernels for the target that the including translation unit is compiled for.
 #pragma once
 
+#include "core/batch/group_kernels.hpp"
 #include "core/batch/lane_triangle.hpp"
 #include "core/batch/peak_work.hpp"
 #include "core/batch/roster.hpp"
@@ -66,7 +67,8 @@ inline constexpr TargetKernels<S> kernels_of[sizeof...(Entries)] = {
 /// hold twelve of them, or seven of both kinds.
 template <class S, class... Entries>
 constexpr TargetTable<S> table_of(TypeList<Entries...> /*entries*/) {
-  return {kernels_of<S, Entries...>, sizeof...(Entries), Chains<S, 12, 0>::work(), Chains<S, 7, 7>::work()};
+  return {kernels_of<S, Entries...>, sizeof...(Entries), Chains<S, 12, 0>::work(), Chains<S, 7, 7>::work(),
+          group_table<S>()};
 }
 
 template <class S, class... Plain, class... WithFma>

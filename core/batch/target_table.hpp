@@ -36,12 +36,38 @@ struct PeakWork {
   double flops;            ///< of a run; a fused multiply-add is two
 };
 
+/// Curves that lie side by side. All arrays of a group have the values of its curves next to each other: coordinate
+/// `axis` of coefficient i of curve k is at [(i * dimension + axis) * curves_at_once + k] (of double-double
+/// coefficients all high parts, then all low parts), of its point at [axis * curves_at_once + k], and its t at [k].
+inline constexpr std::size_t curves_at_once = 16;
+
+/// Both are for all curves of a group, whether or not all matter.
+template <class Scalar>
+using ConvertGroup = void (*)(int degree, const Scalar* given, Scalar* converted);
+template <class Scalar>
+using EvaluateGroup = void (*)(int degree, const Scalar* coefficients, const Scalar* t, Scalar* points);
+
+/// For 1, 2 and 3 dimensions, one of each per method of the roster, fused evaluators last, or not at all.
+template <class Scalar>
+struct GroupTable {
+  struct Evaluators {
+    EvaluateGroup<Scalar> of_dimension[max_dimension];
+  };
+  struct Conversions {
+    ConvertGroup<Scalar> of_dimension[max_dimension];
+  };
+  const Evaluators* evaluators;
+  std::size_t evaluator_count;
+  const Conversions* conversions;
+};
+
 template <class Scalar>
 struct TargetTable {
   const TargetKernels<Scalar>* kernels;  ///< one per evaluator of the roster, the fused ones last, or not at all
   std::size_t count;                     ///< of them
   PeakWork<Scalar> multiply_add;
   PeakWork<Scalar> multiply_add_and_add;
+  GroupTable<Scalar> group;
 };
 
 }  // namespace bezierbench::batch

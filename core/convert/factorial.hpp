@@ -43,8 +43,8 @@ struct Factorial {
     for (int j = 0; j <= n; ++j) {
       Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
       for (int i = 0; i <= j; ++i) {
-        const Scalar magnitude = factorial[n] / (factorial[i] * factorial[n - j] * factorial[j - i]);
-        const Scalar coefficient = (j - i) % 2 == 0 ? magnitude : -magnitude;
+        const SharedBy<Scalar> magnitude = factorial[n] / (factorial[i] * factorial[n - j] * factorial[j - i]);
+        const SharedBy<Scalar> coefficient = (j - i) % 2 == 0 ? magnitude : -magnitude;
         for (int axis = 0; axis < Dimension; ++axis) sum[axis] += coefficient * b(axis, i);
       }
       for (int axis = 0; axis < Dimension; ++axis) q(axis, j) = sum[axis];

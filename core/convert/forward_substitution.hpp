@@ -53,11 +53,11 @@ struct ForwardSubstitution {
     for (int i = 0; i <= n; ++i) {
       Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
       for (int k = 0; k < i; ++k) {
-        const Scalar magnitude = factorial[n] / (factorial[k] * factorial[n - i] * factorial[i - k]);
-        const Scalar entry = (i - k) % 2 == 0 ? magnitude : -magnitude;
+        const SharedBy<Scalar> magnitude = factorial[n] / (factorial[k] * factorial[n - i] * factorial[i - k]);
+        const SharedBy<Scalar> entry = (i - k) % 2 == 0 ? magnitude : -magnitude;
         for (int axis = 0; axis < Dimension; ++axis) sum[axis] += entry * b(axis, k);
       }
-      const Scalar diagonal = factorial[n] / (factorial[i] * factorial[n - i]);
+      const SharedBy<Scalar> diagonal = factorial[n] / (factorial[i] * factorial[n - i]);
       for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = (q(axis, i) - sum[axis]) / diagonal;
     }
     return b;

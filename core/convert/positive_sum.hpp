@@ -47,7 +47,7 @@ struct PositiveSum {
       Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
       for (int j = 0; j <= i; ++j) {
         if (j > 0) of_i = of_i * (i - j + 1) / j;
-        const Scalar weight = static_cast<Scalar>(of_i) / of_n[j];
+        const SharedBy<Scalar> weight = static_cast<SharedBy<Scalar>>(of_i) / of_n[j];
         for (int axis = 0; axis < Dimension; ++axis) sum[axis] += weight * q(axis, j);
       }
       for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = sum[axis];

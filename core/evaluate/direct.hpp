@@ -40,14 +40,14 @@ struct Direct {
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> curve;
-    PerCoefficient<Scalar, Degree> binomial;
+    PerCoefficient<SharedBy<Scalar>, Degree> binomial;
   };
 
   template <class Scalar, int Dimension, int Degree>
   static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
     const int n = curve.degree();
     const auto factorial = factorials<Scalar, Degree>(n);
-    auto binomial = per_coefficient<Scalar, Degree>(n);
+    auto binomial = per_coefficient<SharedBy<Scalar>, Degree>(n);
     for (int i = 0; i <= n; ++i) binomial[i] = factorial[n] / (factorial[i] * factorial[n - i]);
     return {curve, binomial};
   }

@@ -28,7 +28,7 @@ struct DirectPow {
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> curve;
-    PerCoefficient<Scalar, Degree> binomial;
+    PerCoefficient<SharedBy<Scalar>, Degree> binomial;
   };
 
   template <class Scalar, int Dimension, int Degree>

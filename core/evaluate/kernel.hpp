@@ -24,7 +24,8 @@ struct Kernel {
   void (*prepare)(const CurveView<Scalar>& curve, void* prepared);
   /// Evaluates at every t; points[k * dimension + axis] is the point at t[k].
   void (*evaluate)(const void* prepared, std::span<const Scalar> t, Scalar* points);
-  const MethodInfo* evaluator;  ///< of a path: the method after the conversion; else that of `info`
+  const MethodInfo* evaluator;   ///< of a path: the method after the conversion; else that of `info`
+  const MethodInfo* conversion;  ///< of a path; nullptr for a method that takes curves as they are given
   Form evaluated_form;  ///< of the coefficients that `evaluate` reads: the target of a path's conversion, else the form
   /// The coefficients that a path evaluates, point by point (double-double: all high parts, then all low parts);
   /// nullptr for a method that takes curves as they are given.

@@ -52,6 +52,14 @@ constexpr const MethodInfo* evaluator() {
 }
 
 template <class E>
+constexpr const MethodInfo* conversion() {
+  if constexpr (Path<E>)
+    return &E::First::info;
+  else
+    return nullptr;
+}
+
+template <class E>
 constexpr Form evaluated_form() {
   if constexpr (Path<E>)
     return E::First::target;
@@ -98,6 +106,7 @@ constexpr Kernel<Scalar> kernel() {
             }
           },
           evaluator<E>(),
+          conversion<E>(),
           evaluated_form<E>(),
           converted<E, Scalar, Dimension>(),
           destroy<Prepared>()};

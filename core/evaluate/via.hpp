@@ -93,19 +93,6 @@ requires(Converter::target == Method::info.form) struct Via {
 
 namespace detail {
 
-template <class... Lists>
-struct Concatenated {
-  using Type = TypeList<>;
-};
-template <class... Ts>
-struct Concatenated<TypeList<Ts...>> {
-  using Type = TypeList<Ts...>;
-};
-template <class... Ts, class... Us, class... Rest>
-struct Concatenated<TypeList<Ts...>, TypeList<Us...>, Rest...> {
-  using Type = typename Concatenated<TypeList<Ts..., Us...>, Rest...>::Type;
-};
-
 /// One type or none.
 template <bool Kept, class T>
 using OneIf = std::conditional_t<Kept, TypeList<T>, TypeList<>>;
@@ -130,8 +117,8 @@ struct PathsOf;
 template <class... Cs, class... Es>
 struct PathsOf<TypeList<Cs...>, TypeList<Es...>> {
   template <class C>
-  using From = typename detail::Concatenated<typename detail::PathIfAny<C, Es>::Type...>::Type;
-  using Type = typename detail::Concatenated<detail::OneIf<is_given(Es::info.form), Es>..., From<Cs>...>::Type;
+  using From = typename Concatenated<typename detail::PathIfAny<C, Es>::Type...>::Type;
+  using Type = typename Concatenated<detail::OneIf<is_given(Es::info.form), Es>..., From<Cs>...>::Type;
 };
 
 /// The conversions whose result is a curve as it can be given.
@@ -140,7 +127,7 @@ struct GivenTargets;
 
 template <class... Cs>
 struct GivenTargets<TypeList<Cs...>> {
-  using Type = typename detail::Concatenated<detail::OneIf<is_given(Cs::target), Cs>...>::Type;
+  using Type = typename Concatenated<detail::OneIf<is_given(Cs::target), Cs>...>::Type;
 };
 
 }  // namespace bezierbench

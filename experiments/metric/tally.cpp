@@ -43,7 +43,7 @@ mpz_class to_mpz(Wide value) {
 
 }  // namespace
 
-Tally::Binade& Tally::at(int exponent) {
+Tally::Binade& Tally::made_at(int exponent) {
   if (binades_.empty()) first_exponent_ = exponent;
   if (exponent < first_exponent_) {
     binades_.insert(binades_.begin(), static_cast<std::size_t>(first_exponent_ - exponent), Binade{});
@@ -66,6 +66,14 @@ void Tally::add(double error) {
   binade.sum_squares += static_cast<Wide>(fields.significand) * fields.significand;
   ++binade.bins[fields.bin];
   max_ = std::max(max_, error);
+}
+
+void Tally::add(std::span<const double> errors) {
+  for (const double error : errors)
+    if (std::isfinite(error))
+      add(error);
+    else
+      add_infinite();
 }
 
 void Tally::merge(const Tally& other) {
@@ -119,15 +127,5 @@ double Tally::quantile(double q) const {
 }
 
 double Tally::max() const { return infinite_ > 0 ? std::numeric_limits<double>::infinity() : max_; }
-
-double to_24_bits(double value) {
-  if (!std::isfinite(value)) return value;
-  constexpr int dropped_bits = 53 - precision;
-  constexpr std::uint64_t low = (1ULL << dropped_bits) - 1;
-  auto bits = std::bit_cast<std::uint64_t>(value);
-  const std::uint64_t tie_to_even = (bits >> dropped_bits) & 1U;
-  bits += (low >> 1U) + tie_to_even;
-  return std::bit_cast<double>(bits & ~low);
-}
 
 }  // namespace bezierbench::metric

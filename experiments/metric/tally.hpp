@@ -4,7 +4,11 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace bezierbench::number {
@@ -21,6 +25,8 @@ class Tally {
  public:
   /// Adds one error: finite, >= 0, with at most 24 significant bits (as reference::Distance returns it).
   void add(double error);
+  /// Adds several; an infinite one as `add_infinite`.
+  void add(std::span<const double> errors);
   /// Adds an infinite one: statistics become infinite.
   void add_infinite() { ++infinite_; }
   void merge(const Tally& other);
@@ -45,7 +51,11 @@ class Tally {
     Wide sum_squares = 0;  ///< of squared significands
     std::array<std::uint64_t, bins_per_binade> bins{};
   };
-  Binade& at(int exponent);
+  Binade& at(int exponent) {
+    const auto index = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(exponent) - first_exponent_);
+    return index < binades_.size() ? binades_[index] : made_at(exponent);
+  }
+  Binade& made_at(int exponent);
 
   std::vector<Binade> binades_;  ///< of consecutive exponents
   int first_exponent_ = 0;       ///< of binades_[0]: errors in [2^(e-1), 2^e)
@@ -55,7 +65,15 @@ class Tally {
   double max_ = 0;
 };
 
-/// Rounds to 24 significant bits, ties to even: how an error is kept when it was not rounded already.
-double to_24_bits(double value);
+/// Rounds to 24 significant bits, ties to even: how an error is kept when it was not rounded already. What is not
+/// finite stays.
+inline double to_24_bits(double value) {
+  constexpr int dropped_bits = 53 - 24;
+  constexpr std::uint64_t low = (1ULL << dropped_bits) - 1;
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const std::uint64_t tie_to_even = (bits >> dropped_bits) & 1U;
+  const double rounded = std::bit_cast<double>((bits + (low >> 1U) + tie_to_even) & ~low);
+  return std::isfinite(value) ? rounded : value;
+}
 
 }  // namespace bezierbench::metric

@@ -155,5 +155,17 @@ TEST(To24Bits, RoundsTiesToEven) {
   EXPECT_EQ(to_24_bits(0.1), static_cast<double>(0.1F));
 }
 
+TEST(Tally, AddsSeveralAsOneByOne) {
+  const std::vector<double> errors{0, 0x1p-1074, 3, 0x1p-30, std::numeric_limits<double>::infinity(), 0x1p+1000, 3};
+  Tally together;
+  together.add(errors);
+  EXPECT_EQ(together.count(), errors.size());
+  EXPECT_EQ(together.mean(), std::numeric_limits<double>::infinity());
+  Tally finite;
+  finite.add(std::vector<double>{0, 1, 2, 3});
+  EXPECT_EQ(finite.mean(), 1.5);
+  EXPECT_EQ(finite.max(), 3);
+}
+
 }  // namespace
 }  // namespace bezierbench::metric

@@ -14,10 +14,33 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-void TrialScale::set(const CurveView<double>& curve, double t) {
+void TrialScale::begin(const CurveView<double>& curve, double t) {
+  curve_ = curve;
   form_ = curve.form;
   t_ = t;
   dimension_ = curve.dimension;
+  norms_.clear();
+  amplified_.fill(std::nullopt);
+  growth_.reset();
+}
+
+void TrialScale::set(const CurveView<double>& curve, double t) {
+  begin(curve, t);
+  take_norms();
+  if (form_ == Form::rational) weigh(curve);
+}
+
+void TrialScale::set(const CurveView<double>& curve, double t, const ScaleLanes& group, std::size_t lane,
+                     std::span<const KnownAmplification> kinds) {
+  if (!group.is_plain(lane)) return set(curve, t);
+  begin(curve, t);
+  largest_ = group.largest(lane);
+  for (const auto& known : kinds)
+    if (!std::isnan(known.values[lane])) amplified_[static_cast<std::size_t>(known.kind)] = known.values[lane];
+}
+
+void TrialScale::take_norms() {
+  const CurveView<double>& curve = curve_;
   norms_.resize(static_cast<std::size_t>(curve.degree) + 1);
   largest_ = 0;
   for (int i = 0; i <= curve.degree; ++i) {
@@ -34,9 +57,6 @@ void TrialScale::set(const CurveView<double>& curve, double t) {
     norms_[static_cast<std::size_t>(i)] = norm;
     largest_ = std::max(largest_, norm);
   }
-  amplified_.fill(std::nullopt);
-  growth_.reset();
-  if (form_ == Form::rational) weigh(curve);
 }
 
 void TrialScale::weigh(const CurveView<double>& curve) {
@@ -69,7 +89,10 @@ void TrialScale::weigh_exactly(const CurveView<double>& norms) {
 
 double TrialScale::amplified(Amplification kind) {
   auto& cached = amplified_[static_cast<std::size_t>(kind)];
-  if (!cached) cached = amplification(kind, norms_, t_) / (form_ == Form::rational ? weights_.sum : 1);
+  if (!cached) {
+    if (norms_.empty()) take_norms();
+    cached = amplification(kind, norms_, t_) / (form_ == Form::rational ? weights_.sum : 1);
+  }
   return *cached;
 }
 

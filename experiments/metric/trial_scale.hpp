@@ -9,10 +9,12 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/basis/error_bound.hpp"
 #include "core/curve_view.hpp"
+#include "experiments/metric/scale_lanes.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::metric {
@@ -38,11 +40,21 @@ struct BoundAtDegree {
   double underflow;
 };
 
+/// An amplification of all lanes of a group; NaN where it is not known.
+struct KnownAmplification {
+  Amplification kind;
+  ScaleLanes::Lanes values;
+};
+
 /// Scales of one (curve, t); amplifications are computed when first asked for. Reusable.
 class TrialScale {
  public:
   /// Must be called before anything else, for every trial.
   void set(const CurveView<double>& curve, double t);
+  /// The same for a lane of a group, whose `kinds` of amplification are known. The curve, not rational, must live until
+  /// the next call.
+  void set(const CurveView<double>& curve, double t, const ScaleLanes& group, std::size_t lane,
+           std::span<const KnownAmplification> kinds);
 
   /// p~ of the curve in its own form; infinite where the weights sum to zero.
   double p_tilde();
@@ -69,7 +81,9 @@ class TrialScale {
     double largest_point = 0;  ///< max |b_i|
   };
 
-  [[nodiscard]] int degree() const { return static_cast<int>(norms_.size()) - 1; }
+  [[nodiscard]] int degree() const { return curve_.degree; }
+  void begin(const CurveView<double>& curve, double t);
+  void take_norms();
   void weigh(const CurveView<double>& curve);
   /// For sums that may cancel and magnitudes that leave the range of double; `norms` holds |b_i| and w_i.
   void weigh_exactly(const CurveView<double>& norms);
@@ -78,11 +92,12 @@ class TrialScale {
   [[nodiscard]] double polynomial_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic, double rounding);
   [[nodiscard]] double rational_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic);
 
+  CurveView<double> curve_;
   Form form_ = Form::bernstein;
   double t_ = 0;
   int dimension_ = 0;
   double largest_ = 0;
-  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|
+  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|; none before they are needed
   Weights weights_;
   reference::ExactCurve exact_;
   std::array<std::optional<double>, amplification_count> amplified_;

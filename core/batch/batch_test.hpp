@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What the tests of batch kernels share: what counts as the same bits, and inputs that take every branch.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/evaluate/evaluation_test.hpp"
+
+namespace bezierbench::batch {
+
+/// What any no-number is compared as: which one it is depends on the order of operands, which compilers choose.
+template <class Scalar>
+auto bits(Scalar value) {
+  using Bits = std::conditional_t<sizeof(Scalar) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+  return std::bit_cast<Bits>(std::isnan(value) ? std::numeric_limits<Scalar>::quiet_NaN() : value);
+}
+
+/// Ends, middle and its neighbours, zeros of both signs, subnormals, large numbers, no numbers, then anything.
+template <class Scalar>
+std::vector<Scalar> parameters(std::size_t count, Inputs& inputs) {
+  using Limits = std::numeric_limits<Scalar>;
+  const Scalar half = 0.5;
+  std::vector<Scalar> t{0,
+                        1,
+                        half,
+                        std::nextafter(half, Scalar(0)),
+                        std::nextafter(half, Scalar(1)),
+                        -Scalar(0),
+                        std::nextafter(Scalar(1), Scalar(0)),
+                        std::nextafter(Scalar(1), Scalar(2)),
+                        Limits::denorm_min(),
+                        -Limits::denorm_min(),
+                        Limits::min() / 2,
+                        Scalar(-0.25),
+                        Scalar(1.5),
+                        Scalar(-30),
+                        Scalar(1000),
+                        Limits::infinity(),
+                        Limits::quiet_NaN()};
+  while (t.size() < count) {
+    const double drawn = inputs.unit();
+    t.push_back(static_cast<Scalar>(t.size() % 5 == 0 ? 3 * inputs.symmetric() : drawn));
+  }
+  std::swap(t[0], t[t.size() / 2]);
+  t.resize(count);
+  return t;
+}
+
+template <class Scalar>
+std::vector<Scalar> coefficients(int degree, int dimension, Inputs& inputs) {
+  std::vector<Scalar> result;
+  for (const double value : inputs.coefficients(degree, dimension)) result.push_back(static_cast<Scalar>(value));
+  return result;
+}
+
+}  // namespace bezierbench::batch
