@@ -2,6 +2,9 @@
 // Turns the roster into kernels for the target that the including translation unit is compiled for.
 #pragma once
 
+#include <algorithm>
+#include <utility>
+
 #include "core/batch/group_kernels.hpp"
 #include "core/batch/lane_triangle.hpp"
 #include "core/batch/peak_work.hpp"
@@ -32,29 +35,50 @@ constexpr int vectors(int dimension) {
 }
 
 /// `Count` vectors of points at t[0], t[1], ...
-template <class Entry, class S, int Dimension, int Count>
+template <class Entry, class S, int Dimension, int Degree, int Count>
 [[gnu::flatten]] void evaluate_block(const Parts<S>& parts, const S* t, S* points, std::size_t axis_stride) {
   using L = Lanes<S, Count>;
-  using Prepared = typename Entry::State::template Prepared<L, Dimension, dynamic>;
+  using Prepared = typename Entry::State::template Prepared<L, Dimension, Degree>;
   const Point<L, Dimension> point = Entry::Evaluator::evaluate(prepared_from<Prepared>(parts), L::load(t));
   for (int axis = 0; axis < Dimension; ++axis) point[axis].store(points + static_cast<std::size_t>(axis) * axis_stride);
 }
 
-/// Blocks of as many vectors as go side by side, then single ones; the last one is filled up with its first t.
-template <class Entry, class S, int Dimension>
-void evaluate_all(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
+/// Blocks of as many vectors as go side by side; how many points that were.
+template <class Entry, class S, int Dimension, int Degree>
+std::size_t evaluate_blocks(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
   constexpr int side_by_side = vectors<Entry>(Dimension);
   constexpr std::size_t block = Lanes<S, side_by_side>::size;
-  constexpr std::size_t single = Lanes<S, 1>::size;
   std::size_t k = 0;
   for (; k + block <= count; k += block)
-    evaluate_block<Entry, S, Dimension, side_by_side>(parts, t + k, points + k, count);
-  for (; k + single <= count; k += single) evaluate_block<Entry, S, Dimension, 1>(parts, t + k, points + k, count);
+    evaluate_block<Entry, S, Dimension, Degree, side_by_side>(parts, t + k, points + k, count);
+  return k;
+}
+
+/// The same with the degree known at compile time where it is one of 2, ..., Entry::largest_unrolled_degree.
+template <class Entry, class S, int Dimension, int... Less>
+std::size_t evaluate_blocks(const Parts<S>& parts, const S* t, std::size_t count, S* points,
+                            std::integer_sequence<int, Less...> /*degrees less 2*/) {
+  std::size_t done = 0;
+  const bool unrolled = ((parts.degree == Less + 2 &&
+                          ((done = evaluate_blocks<Entry, S, Dimension, Less + 2>(parts, t, count, points)), true)) ||
+                         ...);
+  return unrolled ? done : evaluate_blocks<Entry, S, Dimension, dynamic>(parts, t, count, points);
+}
+
+/// Blocks, then single vectors; the last one is filled up with its first t.
+template <class Entry, class S, int Dimension>
+void evaluate_all(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
+  constexpr std::size_t single = Lanes<S, 1>::size;
+  constexpr int unrolled_degrees = std::max(Entry::largest_unrolled_degree - 1, 0);
+  std::size_t k = evaluate_blocks<Entry, S, Dimension>(parts, t, count, points,
+                                                       std::make_integer_sequence<int, unrolled_degrees>());
+  for (; k + single <= count; k += single)
+    evaluate_block<Entry, S, Dimension, dynamic, 1>(parts, t + k, points + k, count);
   if (k == count) return;
   S filled[single];
   S last[single * Dimension];
   for (std::size_t lane = 0; lane < single; ++lane) filled[lane] = t[k + lane < count ? k + lane : k];
-  evaluate_block<Entry, S, Dimension, 1>(parts, filled, last, single);
+  evaluate_block<Entry, S, Dimension, dynamic, 1>(parts, filled, last, single);
   for (std::size_t axis = 0; axis < Dimension; ++axis)
     for (std::size_t lane = 0; k + lane < count; ++lane) points[axis * count + k + lane] = last[axis * single + lane];
 }
