@@ -9,7 +9,7 @@ from pathlib import Path
 from . import fixture
 from .bundle import Bundle, BundleError, Missing
 from .chapters import (arc_length, conditioning, conversion, derivative, fitting, interpolation, inverse_arc_length, ladder, peers,
-                       projection, rational, regimes, timing, worst)
+                       projection, rational, regimes, worst)
 from .chapters.roster import build_all
 from .error_tables import swept
 from .findings.roster import find_all
@@ -161,64 +161,10 @@ class Suites(unittest.TestCase):
         self.assertEqual(lines["peer_gsl", "ns per point, prepared"], ["32", "160"])
         self.assertIn(("de_casteljau", "mean error / (u p~)"), lines)
 
-    def test_times_stand_in_the_chapter_of_their_problem(self):
-        bundle = self.bundle()
-        for problem, study, methods, _ in fixture.COMPANIONS:
-            with self.subTest(study):
-                blocks = self.blocks(problem, bundle)
-                table = next(b for b in blocks if b.kind == "table" and b.id == f"timing-{study}")
-                self.assertEqual({g.key for g in table.groups}, set(methods))
-                self.assertEqual([b.id for b in blocks if b.kind == "finding" and "_time" in b.id],
-                                 [f.id for f in find_all(bundle)[0] if f.id.startswith(f"{problem}_time")])
-        ids = {b.id for b in timing.blocks(bundle, find_all(bundle)) if b.kind == "table"}
-        self.assertEqual(ids, {"timing-2.4-bezier", "timing-peers-speed"})
-
     def test_other_libraries_stand_in_the_chapter_of_their_problem(self):
         blocks = self.blocks("arc_length", self.bundle(_only("companion_peers")))
         tables = [b for b in blocks if b.kind == "table" and b.id.startswith("companion_peers-length-")]
         self.assertEqual([[g.key for g in t.groups] for t in tables], [["gauss_legendre_adaptive", "peer_2geom_length"]] * 2)
-
-    def test_every_finding_of_times_is_shown_once(self):
-        bundle = self.bundle()
-        found = find_all(bundle)
-        shown = [b.id for c in build_all(bundle, found)[0] if c.id != "found" for b in c.blocks if b.kind == "finding"]
-        for f in found[0]:
-            if f.suite.startswith("companion_"):
-                self.assertEqual(shown.count(f.id), 1, f.id)
-
-    def test_tables_of_times_say_what_of_and_what_was_asked(self):
-        table = next(b for b in self.blocks("fitting", self.bundle()) if b.kind == "table" and b.id.startswith("timing-"))
-        self.assertEqual(table.caption, 'Microseconds per fit: Fits to "points" (double, 2 axes)')
-        lines = {(g.key, label): cells for g in table.groups for label, cells in g.rows}
-        self.assertEqual(set(lines), {(m, data) for m in ("schneider", "gauss_newton") for data in ("samples", "noisy")})
-        self.assertEqual((table.axis, table.head), ("tolerance", ("1e-6", "0.01")))
-        self.assertEqual([(c.text, c.raw) for c in lines["schneider", "noisy"]], [("20 [18 – 22]", "20000")] * 2)
-        table = next(b for b in self.blocks("derivative", self.bundle()) if b.kind == "table" and b.id.startswith("timing-"))
-        self.assertEqual([label for label, _ in table.groups[0].rows], ["order 1", "order 2"])
-
-    def test_captions_of_times_are_unique(self):
-        bundle = self.bundle()
-        captions = [b.caption for c in build_all(bundle, find_all(bundle))[0] for b in c.blocks
-                    if b.kind == "table" and b.id.startswith("timing-")]
-        self.assertEqual(len(captions), 2 + len(fixture.COMPANIONS))
-        self.assertEqual(len(captions), len(set(captions)))
-
-    def test_times_without_errors_are_shown_and_the_lack_is_said(self):
-        def times_only(at, row):
-            return at != "fitting.csv" or not row["study"].startswith("fitting-")
-        blocks = self.blocks("fitting", self.bundle(times_only))
-        self.assertIn("The errors are left out: `fitting.csv` has no study", blocks[0].text)
-        self.assertEqual([b.kind for b in blocks[1:]], ["heading", "finding", "figure", "table", "text"])
-
-    def test_wrong_answers_are_marked_among_times(self):
-        def wrong(at, row):
-            if at == "timing.csv" and row["method"] == "seed_000" and row["order"] == 2:
-                row["checked"] = "no"
-        blocks = self.blocks("derivative", self.bundle(wrong))
-        table = next(b for b in blocks if b.kind == "table" and b.id.startswith("timing-"))
-        marks = {label: cells[0].mark for label, cells in table.groups[-1].rows}
-        self.assertEqual(marks, {"order 1": "", "order 2": "outside"})
-        self.assertIn("✗ marks times of `seed_000`", blocks[-1].text)
 
     def test_malformed_suite_is_an_error(self):
         path = fixture.write(self.place / "b") / "suite.toml"
