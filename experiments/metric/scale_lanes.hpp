@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/basis/error_bound.hpp"
-#include "core/curve.hpp"
+#include "core/curve_view.hpp"
 #include "reference/certified_points.hpp"
 
 namespace bezierbench::metric {
