@@ -85,7 +85,7 @@ inline double certain_length(double x, double y, double z, double error) {
   const double rounded = (tail > half ? rounded_up : rounded_down) * unit;
   const bool in_range = (largest >= 0x1p-900) & (largest <= 0x1p+900);
   const bool certain = (uncertainty < 0x1p-26) & (std::abs(tail - half) > uncertainty * 0x1p+53 + 1);
-  return in_range & certain ? rounded : unknown;
+  return (in_range & certain) ? rounded : unknown;
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Methods behind function pointers: the compile-time concept ends here. What is judged and what is timed is the same
-// instantiated code, in the kernel's own translation unit.
+// Methods behind function pointers: the compile-time concept ends here. What is timed is what is judged: this code, in
+// its own translation unit, or that of core/batch for many at once, which is held to the same bits.
 #pragma once
 
 #include <cstddef>

@@ -222,8 +222,11 @@ void ScalarCell<Scalar>::judge_group(TrialNumber first, std::int64_t count, Cell
   find_scales(group, scratch);
   find_truth(group, scratch.truths);
   scratch.computed.assign(methods_.size(), {});
-  for (std::size_t m = 0; m < methods_.size(); ++m)
-    if (supported(methods_[m])) scratch.points.evaluate(methods_[m], scratch.computed[m]);
+  for (std::size_t m = 0; m < methods_.size(); ++m) {
+    if (!supported(methods_[m])) continue;
+    scratch.points.evaluate(methods_[m], scratch.computed[m]);
+    if (first.trial % block_trials == 0) scratch.points.check_first(methods_[m], scratch.computed[m]);
+  }
   for (std::size_t k = 0; k < baselines_.size(); ++k) {
     if (is_exact(k)) {
       measure_from_truth(group, scratch);

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/group_points.hpp"
 
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
 namespace bezierbench::studies {
 namespace {
 
@@ -71,6 +78,22 @@ void GroupPoints<Scalar>::evaluate_one_by_one(const GroupMethod<Scalar>& method,
     std::array<Scalar, reference::max_dimension> point{};
     evaluate_once(*method.evaluator, curve, t_[k], prepared_, std::span<Scalar>(point.data(), d));
     for (std::size_t axis = 0; axis < d; ++axis) points[axis][k] = static_cast<double>(point[axis]);
+  }
+}
+
+template <class Scalar>
+void GroupPoints<Scalar>::check_first(const GroupMethod<Scalar>& method, const PointsOfGroup& points) {
+  const auto d = static_cast<std::size_t>(dimension_);
+  std::array<Scalar, reference::max_dimension> point{};
+  evaluate_once(*method.kernel, curves_[0], t_[0], prepared_, std::span<Scalar>(point.data(), d));
+  for (std::size_t axis = 0; axis < d; ++axis) {
+    const auto right = static_cast<double>(point[axis]);
+    const double ours = points[axis][0];
+    const bool same = std::isnan(right) ? std::isnan(ours)
+                                        : std::bit_cast<std::uint64_t>(ours) == std::bit_cast<std::uint64_t>(right);
+    if (!same)
+      throw std::logic_error(fmt::format("{}: many curves at once give {}, one curve {}; run the tests of core/batch",
+                                         method.kernel->info->id, ours, right));
   }
 }
 

@@ -47,6 +47,9 @@ class GroupPoints {
 
   /// The points of the trials that were added; leaves axes that there are none of as they are.
   void evaluate(const GroupMethod<Scalar>& method, PointsOfGroup& points);
+  /// Throws std::logic_error where the first of these points is not, bit by bit, that of the method's own kernel, which
+  /// is the one that is timed.
+  void check_first(const GroupMethod<Scalar>& method, const PointsOfGroup& points);
 
  private:
   const std::vector<Scalar>& evaluated_coefficients(const GroupMethod<Scalar>& method);

@@ -8,7 +8,8 @@
 namespace bezierbench::throughput {
 
 /// The accuracy study on one thread, inputs drawn and judged against the certified reference, against the bare
-/// evaluation of its methods on as many inputs that are there already. `study` has one cell.
+/// evaluation of its methods, curve by curve with their scalar kernels, on as many inputs that are there already.
+/// `study` has one cell.
 Comparison sweep_cost(const suite::Study& study);
 
 }  // namespace bezierbench::throughput
