@@ -18,7 +18,7 @@ class Curve<F, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
 
   HWY_INLINE Curve(const S* first, int degree) : first_(first), degree_(degree) {}
 
-  [[nodiscard]] HWY_INLINE int degree() const { return DegreeT == dynamic ? degree_ : DegreeT; }
+  [[nodiscard]] HWY_INLINE int degree() const { return degree_; }
   [[nodiscard]] HWY_INLINE Scalar operator()(int axis, int i) const {
     return Scalar(first_[static_cast<std::ptrdiff_t>(i) * DimensionT + axis]);
   }

@@ -87,25 +87,47 @@ HWY_INLINE L apex(int n, const In& in, const Step& step) {
   return between[0];
 }
 
-template <class L, int Dimension, class Source, class Step>
+/// From one level to the next, of so many values.
+template <class L, class Step, int... I>
+HWY_INLINE void rise(L* b, const Step& step, std::integer_sequence<int, I...> /*values*/) {
+  ((b[I] = step(b[I], b[I + 1])), ...);
+}
+
+/// One axis of a triangle of low degree, known at compile time: level by level, all values of a level in registers. The
+/// steps of a level do not wait for each other, those of a sweep do.
+template <class L, class In, class Step, int... Level>
+HWY_INLINE L apex_unrolled(const In& in, const Step& step, std::integer_sequence<int, Level...> /*levels*/) {
+  constexpr int degree = sizeof...(Level);
+  L b[degree + 1];
+  ((b[Level] = in(Level)), ...);
+  b[degree] = in(degree);
+  (rise(b, step, std::make_integer_sequence<int, degree - Level>()), ...);
+  return b[0];
+}
+
+template <class L, int Dimension, int Degree, class Source, class Step>
 HWY_INLINE Point<L, Dimension> run_axes(const Source& curve, const Step& step) {
   Point<L, Dimension> point;
-  for (int axis = 0; axis < Dimension; ++axis)
-    point[axis] = apex<L>(
-        curve.degree(), [&](int i) { return curve(axis, i); }, step);
+  for (int axis = 0; axis < Dimension; ++axis) {
+    const auto in = [&](int i) { return curve(axis, i); };
+    if constexpr (Degree == dynamic)
+      point[axis] = apex<L>(curve.degree(), in, step);
+    else
+      point[axis] = apex_unrolled<L>(in, step, std::make_integer_sequence<int, Degree>());
+  }
   return point;
 }
 
 template <class S, int Count, Curves Which, int Dimension, int Degree, class Step>
 HWY_INLINE Point<Lanes<S, Count, Which>, Dimension> run_triangle(
     const ControlPoints<S, Count, Which, Dimension, Degree>& curve, Step step) {
-  return run_axes<Lanes<S, Count, Which>, Dimension>(curve, step);
+  return run_axes<Lanes<S, Count, Which>, Dimension, Degree>(curve, step);
 }
 
 template <class S, int Count, Curves Which, int Dimension, int Degree, class Step>
 HWY_INLINE Point<Lanes<S, Count, Which>, Dimension> run_triangle(
     const EitherEnd<S, Count, Which, Dimension, Degree>& curve, Step step) {
-  return run_axes<Lanes<S, Count, Which>, Dimension>(curve, step);
+  return run_axes<Lanes<S, Count, Which>, Dimension, Degree>(curve, step);
 }
 
 }  // namespace bezierbench::batch::HWY_NAMESPACE

@@ -52,11 +52,11 @@ struct Entry {
 template <class EvaluatorT>
 using Triangle = Entry<EvaluatorT, TheCurve<Form::bernstein>, 0, 6>;
 
-/// With the degree known at compile time, up to which all values of a triangle are kept in registers and the fastest of
-/// the triangles needs 0.4 to 0.9 of the time. Each degree takes a second to compile, so that only this one has it.
+/// With the degree known at compile time where all values of a level of the triangle stay in registers. Each degree
+/// takes a second to compile, so that only the fastest of the triangles has it.
 template <class EvaluatorT>
 struct UnrolledTriangle : Triangle<EvaluatorT> {
-  static constexpr int largest_unrolled_degree = 8;
+  static constexpr int largest_unrolled_degree = 12;
 };
 
 /// For every target.

@@ -35,22 +35,50 @@ constexpr int vectors(int dimension) {
 }
 
 /// `Count` vectors of points at t[0], t[1], ...
-template <class Entry, class S, int Dimension, int Degree, int Count>
+template <class Entry, class S, int Dimension, int Count>
 [[gnu::flatten]] void evaluate_block(const Parts<S>& parts, const S* t, S* points, std::size_t axis_stride) {
   using L = Lanes<S, Count>;
-  using Prepared = typename Entry::State::template Prepared<L, Dimension, Degree>;
+  using Prepared = typename Entry::State::template Prepared<L, Dimension, dynamic>;
   const Point<L, Dimension> point = Entry::Evaluator::evaluate(prepared_from<Prepared>(parts), L::load(t));
   for (int axis = 0; axis < Dimension; ++axis) point[axis].store(points + static_cast<std::size_t>(axis) * axis_stride);
 }
 
+/// Every coefficient in all lanes, on the stack: it is spread once, for no compiler knows that points do not overlap
+/// the coefficients they come from.
+template <class L, int Dimension, int Degree, class S>
+HWY_INLINE Curve<Form::bernstein, L, Dimension, Degree> spread(const Parts<S>& parts) {
+  Curve<Form::bernstein, L, Dimension, Degree> curve(Degree);
+  const S* next = parts.first;
+  for (int i = 0; i <= Degree; ++i)
+    for (int axis = 0; axis < Dimension; ++axis) curve(axis, i) = L(*next++);
+  return curve;
+}
+
 /// Blocks of as many vectors as go side by side; how many points that were.
-template <class Entry, class S, int Dimension, int Degree>
+template <class Entry, class S, int Dimension>
 std::size_t evaluate_blocks(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
   constexpr int side_by_side = vectors<Entry>(Dimension);
   constexpr std::size_t block = Lanes<S, side_by_side>::size;
   std::size_t k = 0;
   for (; k + block <= count; k += block)
-    evaluate_block<Entry, S, Dimension, Degree, side_by_side>(parts, t + k, points + k, count);
+    evaluate_block<Entry, S, Dimension, side_by_side>(parts, t + k, points + k, count);
+  return k;
+}
+
+/// Of a triangle whose degree is known, all values of a level are in registers: as many for each of its vectors.
+constexpr int unrolled_vectors(int degree) { return 2 * (degree + 1) < 16 ? 2 : 1; }
+
+/// The same for a degree that is known at compile time.
+template <class Entry, class S, int Dimension, int Degree>
+[[gnu::flatten, gnu::noinline]] std::size_t evaluate_unrolled(const Parts<S>& parts, const S* t, std::size_t count,
+                                                              S* points) {
+  using L = Lanes<S, unrolled_vectors(Degree), Curves::each>;
+  const auto curve = spread<L, Dimension, Degree>(parts);
+  std::size_t k = 0;
+  for (; k + L::size <= count; k += L::size) {
+    const Point<L, Dimension> point = Entry::Evaluator::evaluate(curve, L::load(t + k));
+    for (int axis = 0; axis < Dimension; ++axis) point[axis].store(points + static_cast<std::size_t>(axis) * count + k);
+  }
   return k;
 }
 
@@ -60,9 +88,9 @@ std::size_t evaluate_blocks(const Parts<S>& parts, const S* t, std::size_t count
                             std::integer_sequence<int, Less...> /*degrees less 2*/) {
   std::size_t done = 0;
   const bool unrolled = ((parts.degree == Less + 2 &&
-                          ((done = evaluate_blocks<Entry, S, Dimension, Less + 2>(parts, t, count, points)), true)) ||
+                          ((done = evaluate_unrolled<Entry, S, Dimension, Less + 2>(parts, t, count, points)), true)) ||
                          ...);
-  return unrolled ? done : evaluate_blocks<Entry, S, Dimension, dynamic>(parts, t, count, points);
+  return unrolled ? done : evaluate_blocks<Entry, S, Dimension>(parts, t, count, points);
 }
 
 /// Blocks, then single vectors; the last one is filled up with its first t.
@@ -72,13 +100,12 @@ void evaluate_all(const Parts<S>& parts, const S* t, std::size_t count, S* point
   constexpr int unrolled_degrees = std::max(Entry::largest_unrolled_degree - 1, 0);
   std::size_t k = evaluate_blocks<Entry, S, Dimension>(parts, t, count, points,
                                                        std::make_integer_sequence<int, unrolled_degrees>());
-  for (; k + single <= count; k += single)
-    evaluate_block<Entry, S, Dimension, dynamic, 1>(parts, t + k, points + k, count);
+  for (; k + single <= count; k += single) evaluate_block<Entry, S, Dimension, 1>(parts, t + k, points + k, count);
   if (k == count) return;
   S filled[single];
   S last[single * Dimension];
   for (std::size_t lane = 0; lane < single; ++lane) filled[lane] = t[k + lane < count ? k + lane : k];
-  evaluate_block<Entry, S, Dimension, dynamic, 1>(parts, filled, last, single);
+  evaluate_block<Entry, S, Dimension, 1>(parts, filled, last, single);
   for (std::size_t axis = 0; axis < Dimension; ++axis)
     for (std::size_t lane = 0; k + lane < count; ++lane) points[axis * count + k + lane] = last[axis * single + lane];
 }
