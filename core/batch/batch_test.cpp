@@ -150,12 +150,7 @@ TEST_P(BatchTarget, DoesItsPeakWork) {
   expect_both(table_of<double>(target()));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BatchTarget, testing::Range(std::size_t(0), built_targets().size()),
-                         [](const auto& target) {
-                           std::string name(built_targets()[target.param].name);
-                           std::erase(name, '-');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, BatchTarget, testing::Range(std::size_t(0), built_targets().size()), name_of_target);
 
 }  // namespace
 }  // namespace bezierbench::batch

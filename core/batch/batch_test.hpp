@@ -2,13 +2,17 @@
 // What the tests of batch kernels share: what counts as the same bits, and inputs that take every branch.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "core/batch/batch.hpp"
 #include "core/evaluate/evaluation_test.hpp"
 
 namespace bezierbench::batch {
@@ -56,6 +60,13 @@ std::vector<Scalar> coefficients(int degree, int dimension, Inputs& inputs) {
   std::vector<Scalar> result;
   for (const double value : inputs.coefficients(degree, dimension)) result.push_back(static_cast<Scalar>(value));
   return result;
+}
+
+/// For tests whose parameter is a place among built_targets(); GoogleTest takes no hyphen.
+inline std::string name_of_target(const testing::TestParamInfo<std::size_t>& place) {
+  std::string name(built_targets()[place.param].name);
+  std::erase(name, '-');
+  return name;
 }
 
 }  // namespace bezierbench::batch
