@@ -2,16 +2,15 @@
 // The Gauss-Legendre rule with the fewest points of which the Chebyshev series of h proves that it misses no more than
 // is allowed of the mean speed |h| on [-1, 1].
 //
-// Theory: let f be analytic inside the ellipse with foci -1 and 1 whose half-axes sum to rho, and |f| <= M there. A
-// rule
-//   of N points then misses at most 32/15 M rho^(-2N) / (1 - rho^-2) of the mean of f (Trefethen, Approximation Theory
-//   and Approximation Practice, theorem 19.3). There |T_k| <= A_k = (rho^k + rho^-k)/2. Derived here: with h = sum a_k
-//   T_k let sum_(k>0) |a_k| A_k < |a_0|. Then |h| = sqrt(h.h) is analytic, for h.h has no root: at one the real and the
-//   imaginary part of h are at right angles and equally long; in their plane h is a complex number that is 0, or the
-//   conjugate of one, so that the part of a_0 in that plane is at most the sum of those of the a_k T_k; so is the part
-//   at right angles to it, where h has none; and both together give |a_0| <= sum |a_k| A_k, by Minkowski's inequality.
-//   And |h| <= 2 |a_0|. What was cut from the series changes the mean of |h| and, the weights being positive, the rule
-//   by at most that.
+// Theory: let f be analytic inside the ellipse with foci -1 and 1 whose half-axes sum to rho, and |f| <= M there. With
+//   N points a rule misses at most 32/15 M rho^(-2N) / (1 - rho^-2) of the mean of f (Trefethen, Approximation Theory
+//   and Approximation Practice, theorem 19.3). There |T_k| <= A_k = (rho^k + rho^-k)/2.
+//   Derived here: with h = sum a_k T_k let sum_(k>0) |a_k| A_k < |a_0|. Then |h| = sqrt(h.h) is analytic, for h.h has
+//   no root: at one the real and the imaginary part of h are at right angles and equally long; in their plane h is a
+//   complex number that is 0, or the conjugate of one, so that the part of a_0 in that plane is at most the sum of
+//   those of the a_k T_k; so is the part at right angles to it, where h has none; and both together give |a_0| <= sum
+//   |a_k| A_k, by Minkowski's inequality. And |h| <= 2 |a_0|. What was cut from the series changes the mean of |h| and,
+//   the weights being positive, the rule by at most that.
 // Cost: one ellipse per rule, just large enough for what is allowed.
 // Error: a few u of the bound, which its constants are rounded up for.
 #pragma once
@@ -65,6 +64,7 @@ constexpr std::size_t ellipse_for(int exponent, int eights) {
 
 }  // namespace detail
 
+/// For the mean speed on [-1, 1]; `allowed` is absolute, and what was cut from the series counts twice.
 template <int Dimension>
 ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double allowed) {
   using detail::ellipses;
