@@ -4,7 +4,7 @@
 //
 // What rounds of one race share (where the stack and the data lie, how fast the processor happens to be) varies from
 // race to race, and the spread of rounds does not show it: two runs of the same program then differ by more than the
-// intervals of either. So each heat is raced in sittings, spread over the study's time, each with inputs allocated anew
+// intervals of either. So each heat is raced in sittings, spread over the study's time, each with memory allocated anew
 // and the stack elsewhere, and a time's interval is that of the median over sittings. That the place of the stack alone
 // can bias a time more than what is compared: Mytkowicz, Diwan, Hauswirth and Sweeney, Producing wrong data without
 // doing anything obviously wrong (ASPLOS 2009), section 4.

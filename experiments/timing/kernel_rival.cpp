@@ -7,32 +7,37 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
+
+#include "experiments/timing/page_vector.hpp"
 
 namespace bezierbench::timing {
 namespace {
 
-/// What a rival owns: the prepared state, the points of its last batch, and the points it must reproduce.
+constexpr std::size_t third_of_page = 1344;  // in whole cache lines
+
+/// What a rival owns: the prepared state, its parameters, the points of its last batch, and the points it must
+/// reproduce. What batches touch lies in another third of a page each, for every rival alike.
 template <class Scalar>
 struct State {
   const Kernel<Scalar>& kernel;
   const Inputs<Scalar>& inputs;
-  std::unique_ptr<std::byte[]> memory;
-  void* prepared = nullptr;
-  AlignedVector<Scalar> points;
+  PageVector<std::byte, 0> prepared;
+  PageVector<Scalar, third_of_page> t;
+  PageVector<Scalar, 2 * third_of_page> points;
   std::vector<Scalar> judged;
 
   State(const Kernel<Scalar>& k, const Inputs<Scalar>& in, std::vector<Scalar> right)
       : kernel(k),
         inputs(in),
-        memory(new std::byte[k.prepared_size + alignment()]),
+        prepared(k.prepared_size),
+        t(in.t.begin(), in.t.end()),
         points(right.size(), spoilt),
         judged(std::move(right)) {
-    void* start = memory.get();
-    std::size_t room = k.prepared_size + alignment();
-    prepared = std::align(alignment(), k.prepared_size, start, room);
-    kernel.prepare(inputs.curve(0), prepared);
+    if (kernel.prepared_alignment > page) throw std::invalid_argument("a prepared state aligned to more than a page");
+    kernel.prepare(inputs.curve(0), prepared.data());
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
@@ -43,11 +48,8 @@ struct State {
   /// Takes another curve. Ending the object of the last one is part of what a curve costs.
   void prepare(std::size_t k) {
     destroy();
-    kernel.prepare(inputs.curve(k), prepared);
+    kernel.prepare(inputs.curve(k), prepared.data());
   }
-
-  [[nodiscard]] Scalar* point(std::size_t k) { return points.data() + k * static_cast<std::size_t>(inputs.dimension); }
-  void evaluate(std::size_t k, Scalar t) { kernel.evaluate(prepared, std::span<const Scalar>(&t, 1), point(k)); }
 
   /// Are the points the judged ones? Spoils them, so that a batch that writes nothing cannot pass the next check.
   bool check() {
@@ -58,23 +60,45 @@ struct State {
 
  private:
   static constexpr Scalar spoilt = std::numeric_limits<Scalar>::quiet_NaN();
-  [[nodiscard]] std::size_t alignment() const { return std::max(kernel.prepared_alignment, cache_line); }
   void destroy() {
-    if (kernel.destroy != nullptr) kernel.destroy(prepared);
+    if (kernel.destroy != nullptr) kernel.destroy(prepared.data());
   }
+};
+
+/// One t at a time. Copied out of the state before a loop: what the loop reads then lies in registers, on the stack, or
+/// at the places of the state's vectors.
+template <class Scalar>
+struct PointByPoint {
+  explicit PointByPoint(State<Scalar>& s)
+      : kernel(s.kernel.evaluate),
+        prepared(s.prepared.data()),
+        t(s.t),
+        points(s.points.data()),
+        dimension(static_cast<std::size_t>(s.inputs.dimension)) {}
+
+  decltype(Kernel<Scalar>::evaluate) kernel;
+  const void* prepared;
+  std::span<const Scalar> t;
+  Scalar* points;
+  std::size_t dimension;
+
+  [[nodiscard]] Scalar* point(std::size_t k) const { return points + k * dimension; }
+  void evaluate(std::size_t k, Scalar at) const { kernel(prepared, std::span<const Scalar>(&at, 1), point(k)); }
 };
 
 template <class Scalar>
 void one_shot(State<Scalar>& s) {
-  for (std::size_t k = 0; k < s.inputs.t.size(); ++k) {
+  const PointByPoint<Scalar> points(s);
+  for (std::size_t k = 0; k < points.t.size(); ++k) {
     s.prepare(k);
-    s.evaluate(k, s.inputs.t[k]);
+    points.evaluate(k, points.t[k]);
   }
 }
 
 template <class Scalar>
 void point_by_point(State<Scalar>& s) {
-  for (std::size_t k = 0; k < s.inputs.t.size(); ++k) s.evaluate(k, s.inputs.t[k]);
+  const PointByPoint<Scalar> points(s);
+  for (std::size_t k = 0; k < points.t.size(); ++k) points.evaluate(k, points.t[k]);
 }
 
 /// Each t waits for every coordinate of the last point: their bits and a zero that no compiler can know are put on top
@@ -83,18 +107,19 @@ void point_by_point(State<Scalar>& s) {
 template <class Scalar>
 void dependent_chain(State<Scalar>& s) {
   using Bits = std::conditional_t<sizeof(Scalar) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+  const PointByPoint<Scalar> points(s);
   volatile Bits hidden = 0;
   const Bits zero = hidden;
   Bits last = 0;
-  for (std::size_t k = 0; k < s.inputs.t.size(); ++k) {
-    s.evaluate(k, std::bit_cast<Scalar>(std::bit_cast<Bits>(s.inputs.t[k]) | (last & zero)));
-    for (int axis = 0; axis < s.inputs.dimension; ++axis) last |= std::bit_cast<Bits>(s.point(k)[axis]);
+  for (std::size_t k = 0; k < points.t.size(); ++k) {
+    points.evaluate(k, std::bit_cast<Scalar>(std::bit_cast<Bits>(points.t[k]) | (last & zero)));
+    for (std::size_t axis = 0; axis < points.dimension; ++axis) last |= std::bit_cast<Bits>(points.point(k)[axis]);
   }
 }
 
 template <class Scalar>
 void all_at_once(State<Scalar>& s) {
-  s.kernel.evaluate(s.prepared, s.inputs.t, s.points.data());
+  s.kernel.evaluate(s.prepared.data(), s.t, s.points.data());
 }
 
 template <class Scalar>
@@ -110,8 +135,7 @@ void (*run_of(suite::Mode mode))(State<Scalar>&) {
 
 template <class Scalar>
 Rival rival_of(const std::shared_ptr<State<Scalar>>& state, std::function<void()> run) {
-  return {std::string(state->kernel.info->id), state->inputs.t.size(), std::move(run),
-          [state] { return state->check(); }};
+  return {std::string(state->kernel.info->id), state->t.size(), std::move(run), [state] { return state->check(); }};
 }
 
 /// Point by point, to axis by axis.
@@ -128,7 +152,7 @@ Rival vector_rival(const batch::BatchKernel<Scalar>& vectors, const Kernel<Scala
                    const Inputs<Scalar>& inputs, const std::vector<Scalar>& judged) {
   auto state =
       std::make_shared<State<Scalar>>(kernel, inputs, by_axis(judged, static_cast<std::size_t>(inputs.dimension)));
-  return rival_of(state, [state, vectors] { vectors(state->prepared, state->inputs.t, state->points.data()); });
+  return rival_of(state, [state, vectors] { vectors(state->prepared.data(), state->t, state->points.data()); });
 }
 
 }  // namespace

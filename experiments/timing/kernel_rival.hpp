@@ -8,7 +8,6 @@
 #include "core/batch/batch.hpp"
 #include "core/evaluate/kernel.hpp"
 #include "experiments/suite/suite.hpp"
-#include "experiments/timing/aligned_vector.hpp"
 #include "experiments/timing/race.hpp"
 
 namespace bezierbench::timing {
@@ -20,7 +19,7 @@ struct Inputs {
   int dimension = 2;
   int degree = 0;
   std::vector<std::vector<Scalar>> curves;   ///< coefficients point by point
-  AlignedVector<Scalar> t;                   ///< as many as curves
+  std::vector<Scalar> t;                     ///< as many as curves
   std::vector<std::vector<Scalar>> weights;  ///< as many as curves, if these are rational
 
   [[nodiscard]] CurveView<Scalar> curve(std::size_t k) const {

@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <set>
+
+#include "experiments/timing/page_vector.hpp"
 
 namespace bezierbench::timing {
 namespace {
@@ -123,6 +128,33 @@ TYPED_TEST(KernelRival, EndsWhatItPrepared) {
     }
     EXPECT_EQ(alive, 0);
   }
+}
+
+/// Where what a batch touches lies within its page: the prepared state, t, the points.
+std::vector<std::array<std::uintptr_t, 3>> touched;
+
+/// The allocator must not decide which of two rivals is the faster.
+TYPED_TEST(KernelRival, LiesInItsPagesAsEveryOtherDoes) {
+  Kernel<TypeParam> watched = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  watched.evaluator = nullptr;
+  watched.evaluate = [](const void* prepared, std::span<const TypeParam> t, TypeParam* points) {
+    const auto place = [](const void* address) { return reinterpret_cast<std::uintptr_t>(address) % page; };
+    touched.push_back({place(prepared), place(t.data()), place(points)});
+  };
+  const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
+  const std::vector<TypeParam> judged(2 * inputs.t.size());
+  std::vector<Rival> rivals;
+  std::vector<std::unique_ptr<std::byte[]>> between;  // odd amounts of memory
+  for (std::size_t k = 0; k < 20; ++k) {
+    rivals.push_back(kernel_rival(watched, suite::Mode::batch, inputs, judged));
+    between.push_back(std::make_unique<std::byte[]>(100 * k + 1));
+  }
+  touched.clear();
+  for (const auto& rival : rivals) rival.run();
+  ASSERT_EQ(touched.size(), rivals.size());
+  for (const auto& places : touched) EXPECT_EQ(places, touched.front());
+  const std::set<std::uintptr_t> distinct(touched.front().begin(), touched.front().end());
+  EXPECT_EQ(distinct.size(), 3U) << "a load must not wait for a store to other data";
 }
 
 }  // namespace
