@@ -64,7 +64,9 @@ class Chapter(unittest.TestCase):
         self.assertTrue(any("~" in text for text in self.words([noisy])))
 
     def test_standings(self):
-        self.assertEqual([row[0] for row in self.table("comparison-standings", [TIME]).csv()[1]], ["a", "x/b"])
+        table = self.table("comparison-standings", [TIME])
+        self.assertEqual([row[0] for row in table.csv()[1]], ["a", "x/b"])
+        self.assertEqual([[cell.text for cell in group.rows[0][1]][-2:] for group in table.groups], [["1.000", "1.000"], ["1.100", ""]])
 
     def test_what_is_no_comparison_is_refused(self):
         with self.assertRaisesRegex(BundleError, "nowhere: no such directory"):

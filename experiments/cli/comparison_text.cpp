@@ -131,10 +131,12 @@ std::string rank_changes_text(const compare::TimingComparison& timing) {
 
 std::string standings_text(const std::vector<compare::Standing>& standings) {
   Lines lines{{"  rank", "bundle", "cpu", "compiler", "accuracy", "time", "in sentinels"}};
-  for (const auto& one : standings)
-    lines.push_back({fmt::format("  {}", one.rank), one.bundle, one.cpu, one.compiler,
+  for (const auto& one : standings) {
+    const auto mean = [&](double value) { return one.rank ? fmt::format("{:.3f}", value) : ""; };
+    lines.push_back({one.rank ? fmt::format("  {}", *one.rank) : "", one.bundle, one.cpu, one.compiler,
                      one.differing == 0 ? "identical" : fmt::format("{} rows differ", one.differing),
-                     fmt::format("{:.3f}", one.mean_ratio), fmt::format("{:.3f}", one.mean_normalised)});
+                     mean(one.mean_ratio), mean(one.mean_normalised)});
+  }
   return fmt::format("geometric mean of time over the first bundle's, {} common timings\n{}", standings.front().timings,
                      aligned(lines));
 }

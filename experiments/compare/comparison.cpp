@@ -89,9 +89,9 @@ bundle::CsvTable standings_table(const std::vector<Standing>& standings) {
   bundle::CsvTable table({"rank", "bundle", "cpu", "compiler", "machine", "accuracy_rows_differing", "timings",
                           "mean_ratio", "mean_normalised"});
   for (const auto& one : standings)
-    table.add_row({std::to_string(one.rank), one.bundle, one.cpu, one.compiler, one.same_machine ? "same" : "other",
-                   std::to_string(one.differing), std::to_string(one.timings), number::decimal(one.mean_ratio),
-                   number::decimal(one.mean_normalised)});
+    table.add_row({one.rank ? std::to_string(*one.rank) : "", one.bundle, one.cpu, one.compiler,
+                   one.same_machine ? "same" : "other", std::to_string(one.differing), std::to_string(one.timings),
+                   number::decimal(one.mean_ratio), number::decimal(one.mean_normalised)});
   return table;
 }
 

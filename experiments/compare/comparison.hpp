@@ -2,6 +2,8 @@
 // Bundles held against a first one: machines and builds, accuracy, times, and how all of them rank.
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,21 +28,22 @@ struct Pair {
 
 [[nodiscard]] Pair compare_pair(const Side& a, const Side& b);
 
-/// One bundle among all of them, over the timings that all have.
+/// One bundle among all of them, over the timings that all have which have any in common with the first.
 struct Standing {
-  int rank = 1;  ///< by mean_ratio; 1 for all where there are no common timings
+  std::optional<int> rank;  ///< by mean_ratio; none without it
   std::string bundle;
   std::string cpu;
   std::string compiler;
-  bool same_machine = true;    ///< as the first bundle's
-  std::size_t differing = 0;   ///< accuracy rows that are not the first bundle's
-  std::size_t timings = 0;     ///< that all bundles have
-  double mean_ratio = 1;       ///< geometric mean of the times over the first bundle's
-  double mean_normalised = 1;  ///< the same in units of the sentinel; NaN where a bundle has none
+  bool same_machine = true;                                      ///< as the first bundle's
+  std::size_t differing = 0;                                     ///< accuracy rows that are not the first bundle's
+  std::size_t timings = 0;                                       ///< that count; without any there is no mean
+  double mean_ratio = std::numeric_limits<double>::quiet_NaN();  ///< geometric mean of times over the first bundle's
+  double mean_normalised = std::numeric_limits<double>::quiet_NaN();  ///< in units of the sentinel, where all have one
 };
 
-/// The fastest first. `pairs` are of `base` and every other side, in order. Geometric means, for ratios rank the same
-/// whichever bundle they are taken against only so (Fleming and Wallace 1986, Communications of the ACM 29:218).
+/// The fastest first, those without times last. `pairs` are of `base` and every other side, in order. Geometric means,
+/// for ratios rank the same whichever bundle they are taken against only so (Fleming and Wallace 1986, Communications
+/// of the ACM 29:218).
 [[nodiscard]] std::vector<Standing> standings(const Side& base, const std::vector<Side>& others,
                                               const std::vector<Pair>& pairs);
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <optional>
 #include <set>
 
 #include "experiments/compare/comparison.hpp"
@@ -17,14 +17,16 @@ std::set<Inputs> timed_methods(const TimingComparison& timing) {
   return methods;
 }
 
-/// The timings that every bundle has.
+/// The timings that every bundle has which has any in common with the first.
 std::set<Inputs> common_timings(const std::vector<Pair>& pairs) {
-  std::set<Inputs> common = timed_methods(pairs.front().timing);
+  std::optional<std::set<Inputs>> common;
   for (const auto& pair : pairs) {
     const auto here = timed_methods(pair.timing);
-    std::erase_if(common, [&](const Inputs& inputs) { return !here.contains(inputs); });
+    if (here.empty()) continue;
+    if (!common) common = here;
+    std::erase_if(*common, [&](const Inputs& inputs) { return !here.contains(inputs); });
   }
-  return common;
+  return common.value_or(std::set<Inputs>{});
 }
 
 class GeometricMean {
@@ -33,46 +35,58 @@ class GeometricMean {
     sum_ += std::log(ratio);
     ++count_;
   }
-  [[nodiscard]] double value() const { return count_ == 0 ? 1 : std::exp(sum_ / count_); }
+  [[nodiscard]] double value() const { return std::exp(sum_ / count_); }
 
  private:
   double sum_ = 0;
   double count_ = 0;
 };
 
-Standing standing(const Side& side, std::size_t timings) {
-  return {.bundle = side.name,
-          .cpu = side.fact("cpu.model_name"),
-          .compiler = side.fact("build.compiler"),
-          .timings = timings};
+Standing standing(const Side& side) {
+  return {.bundle = side.name, .cpu = side.fact("cpu.model_name"), .compiler = side.fact("build.compiler")};
+}
+
+/// Times over its own are 1.
+Standing first_standing(const Side& side, const std::set<Inputs>& common) {
+  Standing one = standing(side);
+  one.timings = common.size();
+  if (one.timings > 0) one.mean_ratio = one.mean_normalised = 1;
+  return one;
 }
 
 Standing standing(const Side& side, const Pair& pair, const std::set<Inputs>& common) {
+  Standing one = standing(side);
   GeometricMean raw;
   GeometricMean normalised;
   for (const auto& row : pair.timing.rows) {
     if (!common.contains(row.inputs)) continue;
+    ++one.timings;
     raw.add(row.raw.ratio.median);
     normalised.add(row.normalised ? row.normalised->ratio.median : std::numeric_limits<double>::quiet_NaN());
   }
-  Standing one = standing(side, common.size());
   one.same_machine = pair.same_machine;
   one.differing = pair.accuracy.differing;
-  one.mean_ratio = raw.value();
-  one.mean_normalised = normalised.value();
+  if (one.timings > 0) {
+    one.mean_ratio = raw.value();
+    one.mean_normalised = normalised.value();
+  }
   return one;
 }
+
+/// Bundles without a mean come last.
+double place(const Standing& one) { return one.timings > 0 ? one.mean_ratio : std::numeric_limits<double>::infinity(); }
 
 }  // namespace
 
 std::vector<Standing> standings(const Side& base, const std::vector<Side>& others, const std::vector<Pair>& pairs) {
   const auto common = common_timings(pairs);
-  std::vector<Standing> all{standing(base, common.size())};
+  std::vector<Standing> all{first_standing(base, common)};
   for (std::size_t k = 0; k < others.size(); ++k) all.push_back(standing(others[k], pairs[k], common));
-  std::ranges::stable_sort(all, {}, &Standing::mean_ratio);
+  std::ranges::stable_sort(all, {}, place);
   for (auto& one : all)
-    one.rank = 1 + static_cast<int>(std::ranges::count_if(
-                       all, [&](const Standing& rival) { return rival.mean_ratio < one.mean_ratio; }));
+    if (one.timings > 0)
+      one.rank = 1 + static_cast<int>(
+                         std::ranges::count_if(all, [&](const Standing& rival) { return place(rival) < place(one); }));
   return all;
 }
 

@@ -139,5 +139,28 @@ TEST(Standings, AreByGeometricMeanOverWhatAllHave) {
   EXPECT_TRUE(std::isnan(all[2].mean_normalised));
 }
 
+// A bundle of a run without timing neither ranks nor empties what the others have in common.
+TEST(Standings, AreOfBundlesWithTimes) {
+  const auto a = timed("a", row("x", 10) + row("sentinel", 1));
+  const std::vector<Side> others{side_of("b", {}), timed("c", row("x", 5) + row("sentinel", 1))};
+  const std::vector<Pair> pairs{compare_pair(a, others[0]), compare_pair(a, others[1])};
+  const auto all = standings(a, others, pairs);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].bundle, "c");
+  EXPECT_EQ(all[0].rank, 1);
+  EXPECT_EQ(all[0].timings, 1U);
+  EXPECT_NEAR(all[0].mean_ratio, 0.5, 1e-15);
+  EXPECT_NEAR(all[0].mean_normalised, 0.5, 1e-15);
+  EXPECT_EQ(all[1].bundle, "a");
+  EXPECT_EQ(all[1].rank, 2);
+  EXPECT_EQ(all[2].bundle, "b");
+  EXPECT_EQ(all[2].rank, std::nullopt);
+  EXPECT_TRUE(std::isnan(all[2].mean_ratio));
+
+  const auto timeless = standings(others[0], {a}, {compare_pair(others[0], a)});
+  EXPECT_EQ(timeless[0].rank, std::nullopt);
+  EXPECT_EQ(timeless[1].rank, std::nullopt);
+}
+
 }  // namespace
 }  // namespace bezierbench::compare

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The bundle beside others: what `bezierbench compare` found, machine and build first."""
 
+import math
+
 from ..bundle import Missing
 from ..document import Cell, Group, Table, Text
 from ..methods import form
@@ -103,10 +105,15 @@ def _three(ratio):
     return f"{ratio:.3f}"
 
 
+def _mean(ratio):
+    """Nothing for a bundle without times, or without a sentinel."""
+    return "" if math.isnan(ratio) else _three(ratio)
+
+
 def _standings(found):
     return flat("comparison-standings", "Geometric mean of time over a's, over all common timings", "各结果包的用时排名（几何平均）",
                 found.standings.rows,
                 [("bundle", "bundle", lambda v: f"`{v}`"), ("rank", "rank", shortest), ("processor", "cpu", str),
                  ("compiler", "compiler", str), ("machine", "machine", str), ("accuracy rows that differ", "accuracy_rows_differing", shortest),
-                 ("timings", "timings", shortest), ("time", "mean_ratio", _three),
-                 ("in sentinels", "mean_normalised", _three)])
+                 ("timings", "timings", shortest), ("time", "mean_ratio", _mean),
+                 ("in sentinels", "mean_normalised", _mean)])
