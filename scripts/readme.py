@@ -4,8 +4,9 @@
 
 readme.py            compares, and exits 1 where README.md says something else than the bundles
 readme.py --update   writes them
-readme.py --program PROGRAM   also looks at what only PROGRAM can say: how it compares the committed bundles, and whether
-                              the methods of our own that it lists are those of the bundle, of README.md and of the report
+readme.py --program PROGRAM   also looks at what only PROGRAM can say: how it compares the committed bundles, whether each
+                              of them is as it was written, and whether the methods of our own that it lists are those of
+                              the bundle, of README.md and of the report
 """
 import argparse
 import csv
@@ -25,8 +26,9 @@ sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True  # the source tree may be read-only
 from report.bundle import Bundle, Comparison  # noqa: E402
 from report.chapters import method_list  # noqa: E402
-BASELINE = ROOT / "results" / "baseline"
-OTHER_BUILD = ROOT / "results" / "clang"
+RESULTS = ROOT / "results"
+BASELINE = RESULTS / "baseline"
+OTHER_BUILD = RESULTS / "clang"
 README = ROOT / "README.md"
 WIDTH = 118  # of a line of prose
 VERDICTS = ("inside", "explained", "outside")
@@ -51,9 +53,35 @@ def scorecard():
     return table(["table of the report", *VERDICTS, "printed cells"], body)
 
 
+def digest_of(bundle):
+    return json.loads((bundle / "bundle.json").read_text(encoding="utf-8"))["accuracy_digest"]
+
+
+def committed_bundles():
+    return sorted(path.parent for path in RESULTS.glob("*/bundle.json"))
+
+
+def timings(bundle):
+    path = bundle / "timing.csv"
+    if not path.exists():
+        return "none"
+    found = [row["quality"] for row in csv.DictReader(io.StringIO(path.read_text(encoding="utf-8")))]
+    noisy = sum(quality != "ok" for quality in found)
+    return f"{len(found)}, {noisy} of them noisy" if noisy else str(len(found))
+
+
 def digest():
-    manifest = json.loads((BASELINE / "bundle.json").read_text(encoding="utf-8"))
-    return f"    {manifest['accuracy_digest']}"
+    """The one digest of all committed bundles, then where each of them was made."""
+    wanted = digest_of(BASELINE)
+    body = []
+    for bundle in committed_bundles():
+        name = bundle.relative_to(ROOT)
+        if digest_of(bundle) != wanted:
+            sys.exit(f"{name}: accuracy digest {digest_of(bundle)}, {BASELINE.relative_to(ROOT)} has {wanted}; make the "
+                     "bundle anew on a machine of its kind, or remove it")
+        machine = json.loads((bundle / "machine.json").read_text(encoding="utf-8"))
+        body.append([f"[{name}]({name})", machine["build"]["compiler"], machine["cpu"]["model_name"], timings(bundle)])
+    return f"    {wanted}\n\n" + table(["bundle", "compiler", "processor", "timings"], body)
 
 
 def methods():
@@ -127,6 +155,9 @@ def main():
     elif wanted != text:
         sys.exit("README.md: its numbers are not those of results; run scripts/readme.py --update --program PROGRAM")
     if options.program:
+        for bundle in committed_bundles():
+            if subprocess.run([options.program, "verify", bundle], stdout=subprocess.DEVNULL, check=False).returncode != 0:
+                sys.exit(f"{bundle.relative_to(ROOT)}: not as it was written; restore it")
         listed = subprocess.run([options.program, "list", "methods", "--format", "csv"], check=True,
                                 capture_output=True, text=True).stdout
         listed = "".join(line for line in listed.splitlines(keepends=True) if not line.startswith("peer_"))
