@@ -4,6 +4,7 @@
 import hashlib
 import json
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -360,6 +361,14 @@ class Bundles(Case):
         self.assertIn("evaluations", self.fine("run", "s.toml", "--out", "b/c", "--dry-run"))
         self.fine("run", "s.toml", "--out", "b", "--dry-run", "--trials", 2**63 - 1, "--set", "replicates=1")
         self.assertEqual(before, self.snapshot())
+
+    def test_dry_run_counts_the_time_of_races(self):
+        """Few evaluations, repeated until they can be timed."""
+        def seconds(study):
+            return int(re.search(r"estimated +(\d+) s", self.fine("run", self.suite(study), "--out", "b", "--dry-run"))[1])
+        degrees = str(list(range(1, 11)))
+        self.assertEqual(seconds({**STUDY, "degree": degrees, "trials": "1"}), 0)
+        self.assertGreater(seconds({**TIMING, "degree": degrees}), 0)
 
     def test_no_timing(self):
         self.bundle(self.suite(STUDY, TIMING), "--no-timing")

@@ -22,7 +22,7 @@ class AccuracyCell {
 
   [[nodiscard]] virtual std::size_t blocks() const = 0;
   [[nodiscard]] virtual CellTally run_block(std::size_t block) const = 0;
-  /// Relative cost of one block.
+  /// As of a job: of one block.
   [[nodiscard]] virtual double cost() const = 0;
   [[nodiscard]] virtual Extent extent() const = 0;
 

@@ -116,7 +116,8 @@ class Job {
     return part < totals_.size() ? totals_[part].get() : nullptr;
   }
 
-  /// Relative cost of a block of this part, for shards and the estimate of the time left.
+  /// Nanoseconds of one thread for a block of this part, to an order of magnitude: shares the blocks out among shards
+  /// and estimates the time left.
   [[nodiscard]] virtual double cost(std::size_t part) const = 0;
   [[nodiscard]] double total_cost() const;
   /// True for timings: nothing else may run beside them.

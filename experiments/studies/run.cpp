@@ -64,12 +64,6 @@ class Share {
     for (std::size_t job = 0; job < jobs_.size(); ++job) sum += cost_left(job);
     return sum;
   }
-  /// As a part of the whole run's cost.
-  [[nodiscard]] double share_left() const {
-    double all = 0;
-    for (const auto& job : jobs_) all += job->total_cost();
-    return all > 0 ? cost_left() / all : 0;
-  }
 
  private:
   [[nodiscard]] double cost_left(std::size_t number) const {
@@ -99,16 +93,15 @@ void describe(const RunRequest& request, const Plan& plan, bool already_complete
   require_same(found, plan, Exit::usage);
   for (const auto& line : ledger.load(found, Ledger::Whose::all)) note(line);
   const Share share(plan.jobs, ledger, request.shard.value_or(Shard()));
-  constexpr double evaluations_per_second = 1.5e6;  // one thread, judged, degree 20: an order of magnitude
   constexpr std::size_t bytes_per_row = 300;
   constexpr double megabyte = 1e6;
-  const double part = already_complete ? 0 : share.share_left();
+  constexpr double second = 1e9;  // in nanoseconds
+  const double left = already_complete ? 0 : share.cost_left() / second;
   fmt::print("studies      {}\ncells        {}\nevaluations  {}\n", plan.jobs.size(), extent.cells, extent.evaluations);
   fmt::print("blocks       {}{}, {} of them done\n", share.count(),
              request.shard ? fmt::format(" of {}", name_of(request.shard)) : "",
              already_complete ? share.count() : share.count_done());
-  fmt::print("estimated    {:.0f} s on one thread, {:.1f} MB of disk, {:.0f} MB of memory\nout          {}{}\n",
-             part * static_cast<double>(extent.evaluations) / evaluations_per_second,
+  fmt::print("estimated    {:.0f} s on one thread, {:.1f} MB of disk, {:.0f} MB of memory\nout          {}{}\n", left,
              static_cast<double>(extent.rows * bytes_per_row) / megabyte, static_cast<double>(extent.memory) / megabyte,
              request.out.string(), already_complete ? " (already complete)" : "");
 }
