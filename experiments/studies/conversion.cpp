@@ -127,7 +127,7 @@ class ConversionJob final : public JobOf<RowTally> {
   [[nodiscard]] std::size_t blocks_per_part() const override { return static_cast<std::size_t>(study_.replicates); }
   [[nodiscard]] double cost(std::size_t part) const override {
     const double n = rows_[part].cell.degree + 1.0;
-    return static_cast<double>(study_.trials) * n * n * 10;
+    return static_cast<double>(study_.trials) * n * n * 200;
   }
   [[nodiscard]] Extent extent() const override {
     constexpr std::size_t tally = 100'000;

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "experiments/failure.hpp"
 #include "experiments/studies/companions.hpp"
+#include "experiments/studies/methods.hpp"
 #include "experiments/studies/timed_arc_length.hpp"
 #include "experiments/studies/timed_derivative.hpp"
 #include "experiments/studies/timed_evaluation.hpp"
@@ -15,6 +17,7 @@
 #include "experiments/studies/timed_interpolation.hpp"
 #include "experiments/studies/timed_inverse_arc_length.hpp"
 #include "experiments/studies/timed_projection.hpp"
+#include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -27,10 +30,18 @@ constexpr std::array roster{timed_evaluation,                                   
                             timed_companion<TimedInterpolation>(Size::points),  //
                             timed_companion<TimedFitting>()};
 
+bool means_an_evaluator(const std::string& pattern) {
+  constexpr int any_dimension = 2;
+  return std::ranges::any_of(methods<double>(any_dimension),
+                             [&](const auto& kernel) { return suite::means(pattern, kernel.info->id); });
+}
+
 Problem named_problem(const suite::Study& study) {
-  for (const auto& entry : study.methods)
+  for (const auto& pattern : study.methods) {
+    if (means_an_evaluator(pattern)) continue;
     for (const auto* info : companion_infos())
-      if (info->id == entry) return info->problem;
+      if (suite::means(pattern, info->id)) return info->problem;
+  }
   return Problem::evaluation;
 }
 

@@ -33,8 +33,8 @@ struct TimedProblem {
   JudgedRivals (*rivals)(const Heat& heat, const suite::Study& study, std::uint64_t seed);
 };
 
-/// The companion problem whose methods the study names, else evaluation. Throws Failure(usage) for one that is not
-/// timed.
+/// The companion problem whose methods the study names, else evaluation; a glob that takes in evaluators means those.
+/// Throws Failure(usage) for one that is not timed.
 const TimedProblem& timed_problem(const suite::Study& study);
 
 }  // namespace bezierbench::studies

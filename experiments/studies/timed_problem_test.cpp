@@ -85,6 +85,9 @@ TEST(TimedProblem, IsTheOneThatTheStudyNames) {
   EXPECT_EQ(timed_problem(study_of({"schneider"})).problem, Problem::fitting);
   EXPECT_EQ(timed_problem(study_of({"de_casteljau"})).problem, Problem::evaluation);
   EXPECT_EQ(timed_problem(study_of({"*"})).problem, Problem::evaluation);
+  EXPECT_EQ(timed_problem(study_of({"gauss_legendre_*"})).problem, Problem::arc_length);
+  EXPECT_EQ(timed_problem(study_of({"*casteljau", "differences_*"})).problem, Problem::evaluation);
+  EXPECT_EQ(timed_problem(study_of({"scan_?isect"})).problem, Problem::projection);
 }
 
 TEST(TimedProblem, RivalsReproduceTheirResults) {
