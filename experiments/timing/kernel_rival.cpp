@@ -17,6 +17,7 @@ namespace bezierbench::timing {
 namespace {
 
 constexpr std::size_t third_of_page = 1344;  // in whole cache lines
+constexpr std::size_t place_of_state = 960;  // in its first third, behind all but the largest prepared states
 
 /// What a rival owns: the prepared state, its parameters, the points of its last batch, and the points it must
 /// reproduce. What batches touch lies in another third of a page each, for every rival alike.
@@ -134,6 +135,13 @@ void (*run_of(suite::Mode mode))(State<Scalar>&) {
 }
 
 template <class Scalar>
+std::shared_ptr<State<Scalar>> state_of(const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,
+                                        std::vector<Scalar> judged) {
+  return std::allocate_shared<State<Scalar>>(AtPagePlace<State<Scalar>, place_of_state>(), kernel, inputs,
+                                             std::move(judged));
+}
+
+template <class Scalar>
 Rival rival_of(const std::shared_ptr<State<Scalar>>& state, std::function<void()> run) {
   return {std::string(state->kernel.info->id), state->t.size(), std::move(run), [state] { return state->check(); }};
 }
@@ -150,8 +158,7 @@ std::vector<Scalar> by_axis(const std::vector<Scalar>& points, std::size_t dimen
 template <class Scalar>
 Rival vector_rival(const batch::BatchKernel<Scalar>& vectors, const Kernel<Scalar>& kernel,
                    const Inputs<Scalar>& inputs, const std::vector<Scalar>& judged) {
-  auto state =
-      std::make_shared<State<Scalar>>(kernel, inputs, by_axis(judged, static_cast<std::size_t>(inputs.dimension)));
+  auto state = state_of(kernel, inputs, by_axis(judged, static_cast<std::size_t>(inputs.dimension)));
   return rival_of(state, [state, vectors] { vectors(state->prepared.data(), state->t, state->points.data()); });
 }
 
@@ -163,7 +170,7 @@ Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<
   if (mode == suite::Mode::batch)
     for (const auto* target : batch::usable_targets())
       if (const auto vectors = batch::find(*target, kernel)) return vector_rival(vectors, kernel, inputs, judged);
-  auto state = std::make_shared<State<Scalar>>(kernel, inputs, std::move(judged));
+  auto state = state_of(kernel, inputs, std::move(judged));
   return rival_of<Scalar>(state, [state, run = run_of<Scalar>(mode)] { run(*state); });
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace bezierbench::timing {
 namespace {
@@ -54,6 +55,23 @@ TEST(Race, EveryRivalMeetsEveryPlaceAndEveryPredecessorEquallyOften) {
     for (const auto& [place, times] : places) EXPECT_EQ(times, rounds / count) << order;
     for (const auto& [pair, times] : neighbours) EXPECT_EQ(times, rounds / count) << order;
   }
+}
+
+/// Notes where it lies when it runs.
+struct Placed {
+  std::set<const void*>* places;
+  void operator()() const { places->insert(this); }
+};
+
+// What lies elsewhere for one of two equal rivals may make it the slower.
+TEST(Race, RunsEveryRivalAtOnePlace) {
+  std::vector<std::set<const void*>> places(3);
+  std::vector<Rival> rivals;
+  for (auto& its : places) rivals.push_back({"one", 1, Placed{&its}, [] { return true; }});
+  race("test", rivals, {.rounds = 6, .round_seconds = 1e-9});
+  std::set<const void*> common = places[0];
+  for (const auto& its : places) std::erase_if(common, [&](const void* place) { return !its.contains(place); });
+  EXPECT_FALSE(common.empty());
 }
 
 TEST(Race, StopsWhenAsked) {
