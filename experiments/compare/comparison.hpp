@@ -38,7 +38,7 @@ struct Standing {
   std::size_t differing = 0;                                     ///< accuracy rows that are not the first bundle's
   std::size_t timings = 0;                                       ///< that count; without any there is no mean
   double mean_ratio = std::numeric_limits<double>::quiet_NaN();  ///< geometric mean of times over the first bundle's
-  double mean_normalised = std::numeric_limits<double>::quiet_NaN();  ///< in units of the sentinel, where all have one
+  double mean_normalised = std::numeric_limits<double>::quiet_NaN();  ///< in units of the sentinel; NaN without one
 };
 
 /// The fastest first, those without times last. `pairs` are of `base` and every other side, in order. Geometric means,
