@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Error-free transformations: a rounded operation together with its exact error.
 //
-// Exact while nothing overflows and, for products, while the error does not fall below the smallest subnormal.
-// Source: Knuth, TAOCP vol. 2, section 4.2.2 (two_sum); Ogita, Rump and Oishi, SIAM J. Sci. Comput. 26 (2005), with
-// fused multiply-add for two_prod. All must be compiled without contraction and without reassociation.
+// They are exact while nothing overflows and, for products, while the error does not fall below the smallest subnormal.
+// All must be compiled without contraction and without reassociation.
+//
+// Source: [Knuth 1997], section 4.2.2, for two_sum; [Ogita et al. 2005], with fused multiply-add for two_prod.
 #pragma once
 
 #include "core/basis/fused.hpp"
@@ -25,7 +26,7 @@ constexpr Expansion2<Scalar> two_sum(Scalar a, Scalar b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// a + b exactly for |a| >= |b| (Dekker 1971); 3 flops.
+/// a + b exactly for |a| >= |b| ([Dekker 1971]); 3 flops.
 template <class Scalar>
 constexpr Expansion2<Scalar> fast_two_sum(Scalar a, Scalar b) {
   const Scalar sum = a + b;

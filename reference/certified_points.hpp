@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Many points at once in double-double arithmetic, each with a proved bound on its error: the fast truth.
+// Many points at once in double-double arithmetic, each with a proved bound on its error. This is the fast reference.
 //
-// Bernstein form, n <= 56 so that C(n,i) is a double: with L the larger of t and 1-t in the sense of t <= 1/2, r the
-// other over L, and c_i = C(n,i) b_i (a pair without error), p = L^n (c_0 + r (c_1 + ...)), or from the other end.
+// Bernstein form, n <= 56 so that C(n,i) is a double: for t <= 1/2 let L = 1-t and r = t/L, and c_i = C(n,i) b_i (a
+// pair without error); then p = L^n (c_0 + r (c_1 + ...)). For t > 1/2 the same holds from the other end.
 // Power form: Horner's scheme.
 //
-// Error, in units of u^2 = 2^-106 and to first order (Joldes, Muller and Popescu, ACM TOMS 44 (2017) 15, bound such
-// operations more tightly). A product of pairs drops low low (1) and rounds low high (1), the fused sum (2) and the
-// last sum (3): at most 8 |x y|. A sum of pairs rounds the sum of the low parts (1) and the last sum (2): at most
-// 4 (|x| + |y|). A quotient of pairs: at most 24. So a term passes n products, n sums, n factors r, and with L^n n
-// products more: 8n + 4n + 24n + 8n + 8; in power form 8n + 4n. All of it multiplies the sum of the |terms| of the
-// coordinate, P. Each is therefore right to error_factor(n) u^2 P. P itself is summed beside it in double, where all
-// terms are positive: to a relative 10 (n + 1) u, for which 2^-40 more is asked.
+// Error, in units of u^2 = 2^-106 and to first order ([Joldes et al. 2017] bound such operations more tightly): a
+// product of pairs drops low low (1) and rounds low high (1), the fused sum (2) and the last sum (3): at most 8 |x y|.
+// A sum of pairs rounds the sum of the low parts (1) and the last sum (2): at most 4 (|x| + |y|). A quotient of pairs:
+// at most 24. So a term passes n products, n sums, n factors r, and with L^n n products more: 8n + 4n + 24n + 8n + 8;
+// in power form 8n + 4n. These factors multiply P, the sum of the |terms| of the coordinate, so the error of a
+// coordinate is at most error_factor(n) u^2 P. P itself is summed beside it in double. All its terms are positive, so
+// its relative error is at most 10 (n + 1) u; a relative margin of 2^-40 covers it.
 //
 // Underflow: with |t| <= 8 every partial sum loses at most 2^-1070 per operation, which L^n and the later steps raise
-// by less than 2^384; a point is certified only for 2^-600 <= P, so that one unit of the factor, 2^-706, covers it.
+// by less than 2^384. A point is certified only for 2^-600 <= P, so that one unit of the factor, 2^-706, covers it.
 // Overflow: coefficients are at most 2^600 there.
 #pragma once
 

@@ -106,7 +106,7 @@ TEST(ExactCurve, OfRationalCurvesIsTheDefinitionOnNastyInputs) {
       }
 }
 
-/// The quarter circle ((1-t^2)/(1+t^2), 2t/(1+t^2)) (Farin, Curves and Surfaces for CAGD, 5th ed., conics) lies on the
+/// The quarter circle ((1-t^2)/(1+t^2), 2t/(1+t^2)) ([Farin 2002], conics) lies on the
 /// circle for every t, and at 1/2 is 3-4-5.
 TEST(ExactCurve, RunsAroundTheCircle) {
   const std::vector<double> c{1, 0, 1, 1, 0, 1};
@@ -273,7 +273,7 @@ TEST(ExactDerivative, OfThePowerFormIsThatOfItsPowers) {
   }
 }
 
-/// Control points of the hodographs as the seed document 000 prints them for (1,1) (3,1) (4,2) (6,3).
+/// Control points of the hodographs as [Document 000] prints them for (1,1) (3,1) (4,2) (6,3).
 TEST(ExactDerivative, HasTheCoefficientsOfTheWorkedExample) {
   ExactCurve exact;
   const std::vector<double> points{1, 1, 3, 1, 4, 2, 6, 3};

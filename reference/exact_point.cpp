@@ -12,7 +12,7 @@ namespace {
 
 constexpr int expansion_bits = 3 * 53;
 
-/// a + b = sum + error exactly, for |a| >= |b| (Dekker 1971).
+/// a + b = sum + error exactly, for |a| >= |b| ([Dekker 1971]).
 struct TwoTerms {
   double sum;
   double error;
@@ -22,7 +22,7 @@ TwoTerms fast_two_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-/// a + b = sum + error exactly (Knuth).
+/// a + b = sum + error exactly ([Knuth 1997], section 4.2.2).
 TwoTerms two_sum(double a, double b) {
   const double sum = a + b;
   const double b_part = sum - a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point that is known exactly, and how far a computed point is from it.
+// A point that is known exactly, and the distance of a computed point from it.
 #pragma once
 
 #include <gmpxx.h>

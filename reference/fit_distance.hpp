@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far data really are from a piecewise cubic: the largest, over the data points, of the least distance to any
-// segment, from exact foot points.
+// The distance of data from a piecewise cubic: the largest, over the data points, of the least distance to any segment,
+// from exact foot points.
 #pragma once
 
 #include <span>

@@ -38,11 +38,11 @@ struct RootInterval {
 };
 
 /// One interval for each root of the square-free, non-zero p in [0, 1], in ascending order: halving, with Descartes'
-/// rule of signs (Collins and Akritas, SYMSAC 1976, 272-275).
+/// rule of signs ([Collins and Akritas 1976]).
 std::vector<RootInterval> isolate_roots(const IntegerPolynomial& p);
 
 /// Narrows the interval around a simple root until it is at most 2^-bits wide, or the root is met: guesses by the
-/// secant are tried at twice the bits each time they are right (Abbott, Quadratic interval refinement, 2014).
+/// secant are tried at twice the bits each time they are right ([Abbott 2014]).
 void refine(const IntegerPolynomial& p, RootInterval& root, unsigned long bits);
 
 }  // namespace bezierbench::reference

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The truth about C2 natural cubic splines at uniform parameters, one axis at a time: how far given Bezier segments are
-// from each of the conditions, and the exact spline. All in big integers over one power of two.
+// The truth about C2 natural cubic splines at uniform parameters, one axis at a time: the residuals of given Bezier
+// segments in each of the conditions, and the exact spline. All in big integers over one power of two.
 #pragma once
 
 #include <span>

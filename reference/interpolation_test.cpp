@@ -36,7 +36,7 @@ TEST(ExactSpline, OfOneAndTwoSegments) {
   expect_points(two.second, {2, 1}, 2);
 }
 
-/// The printed back-substitution P2,i = 2 K_i - P1,i of seed document 003 leaves C1 residuals of 5/3 and 1 in the
+/// The printed back-substitution P2,i = 2 K_i - P1,i of [Document 003] leaves C1 residuals of 5/3 and 1 in the
 /// derivative 3 (P1 - P0), so a third of that here; the corrected points leave none. Points times 9 are integers.
 TEST(SplineResiduals, SeeThePrintedBackSubstitution) {
   const std::vector<double> k{0, 9, 0, 9};

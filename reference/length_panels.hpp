@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The speed of a Bezier curve in 70 digits, and its integral panel by panel: what true lengths are made of.
+// The speed of a Bezier curve in 70 digits, and its integral panel by panel. True lengths are computed from both.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The true arc length of a Bezier curve, to at least 30 digits.
 //
-// The speed is integrated in 70 digits by Gauss-Legendre rules of 30 and of 44 points, panel by panel: a panel is taken
-// where both rules agree and no control vector of the hodograph points backwards, or where its control polygon, never
-// shorter than the arc, exceeds its chord, never longer, by next to nothing; else it is halved. At a cusp, whose place
-// need not be known, the second rule ends the halving: the length of the panels next to it falls like the square of
-// their width. What all panels left open is summed and stated.
+// Gauss-Legendre rules of 30 and of 44 points integrate the speed in 70 digits, panel by panel. A panel is accepted
+// where both rules agree and no control vector of the hodograph points backwards. It is also accepted where its control
+// polygon, never shorter than the arc, exceeds its chord, never longer, by next to nothing. Else it is halved. At a
+// cusp, whose parameter need not be known, the second condition ends the halving: the length of the panels next to it
+// falls like the square of their width. The uncertainties of all panels are summed and stated.
 #pragma once
 
 #include <string>

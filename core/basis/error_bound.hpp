@@ -23,8 +23,8 @@ inline constexpr int amplification_count = 7;
 /// Proved bound on each axis:
 ///   |computed - true| <= result_roundings u |p| + factor(n, u) u A + underflow(n) eta S (x + y)^n,
 /// where A is the amplification, eta the smallest subnormal, and S = 1 or, where powers of t are rounded apart from
-/// the coefficients, S = 1 + max|c|. Holds while nothing overflows; infinite where no bound is proved. Whoever does not
-/// know p takes |p| <= p~ of the given form, which is far below A on a converted path.
+/// the coefficients, S = 1 + max|c|. Holds while nothing overflows; infinite where no bound is proved. A caller
+/// that does not know p takes |p| <= p~ of the given form, which is far below A on a converted path.
 ///
 /// Of a rational curve with weights >= 0 and W = sum w_i B_i(t) > 0, for 0 <= t <= 1 only,
 ///   |computed - true| <= factor(n, u) u p~ + eta + underflow(n) eta (S + S_W p~) / W
@@ -43,8 +43,8 @@ struct ErrorBound {
   double result_roundings = 0;  ///< roundings of the result itself: all that is left when the rest is compensated
 };
 
-/// gamma_k / u = k / (1 - k u): what k roundings can do to a product (Higham, Accuracy and Stability of Numerical
-/// Algorithms, 2nd ed., Lemma 3.1), in units of u. Infinite where k u >= 1/2.
+/// gamma_k / u = k / (1 - k u): how much k roundings can change a product ([Higham 2002], Lemma 3.1), in units of u.
+/// Infinite where k u >= 1/2.
 constexpr double gamma_over_u(double k, double u) {
   return k * u < 0.5 ? k / (1 - k * u) : std::numeric_limits<double>::infinity();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values that depend on the degree only, such as binomials: where a scalar stands for many curves, all of them share
-// these, and they are computed once.
+// Values that depend on the degree only, such as binomials. Where a scalar stands for many curves, all of them share
+// these values, which are computed once.
 #pragma once
 
 namespace bezierbench {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A curve whose parameter is many lanes: its coefficients stay scalars in memory and are spread over the lanes as they
+// A curve whose parameter is many lanes: its coefficients stay scalars in memory and are copied to all lanes when they
 // are read.
 #pragma once
 

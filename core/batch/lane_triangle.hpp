@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// de Casteljau's triangle on lanes, several levels at a time: what run_triangle() is for scalars, in an order in which
-// the values between the levels stay in registers.
+// de Casteljau's triangle on lanes, several levels at a time: the same result as run_triangle() for scalars, in an
+// order in which the values between the levels stay in registers.
 //
-// A sweep over `Levels` levels keeps the newest value of each; a coefficient that comes in moves each of them one on,
+// A sweep over `Levels` levels keeps the newest value of each. Each coefficient b_i that is read moves all of them on,
 //   x <- b_i;  for every level: y <- step(newest, x), newest <- x, x <- y,
-// and b_(i-Levels) of the last level goes out. Every step is one of the triangle's, with the same operands: the order
+// and value i-Levels of the last level results. Every step is one of the triangle's, with the same operands: the order
 // of steps that do not depend on each other changes no bit.
 #pragma once
 

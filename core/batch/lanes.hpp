@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Many parameters t as one scalar: the methods' own headers, instantiated with it, evaluate at all of them at once, on
+// Many parameters t as one scalar. The methods' own headers, instantiated with it, evaluate at all of them at once, on
 // one curve or each on a curve of its own.
 //
-// Every lane is computed with the same IEEE operations in the same order as the scalar method's, so with the same bits
-// (of what is no number, only that it is none). Included by one translation unit per target, compiled for that target;
-// the namespace bears the target's name, so that no two targets share an inline function.
+// Every lane performs the IEEE operations of the scalar method in the same order, and has the same bits. Where the
+// result is NaN, only that it is NaN is the same, not its payload. Each target includes this in one translation unit,
+// compiled for it; the namespace bears the target's name, so that no two targets share an inline function.
 #pragma once
 
 #include <hwy/highway.h>

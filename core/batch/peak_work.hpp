@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a target can do at most: fused multiply-adds in chains of which enough run side by side to hide their latency.
-// (Where there is none in hardware, a product and a sum.) Nothing is loaded or stored within the chains.
+// The most operations that a target can do: fused multiply-adds in chains, enough of them side by side to hide their
+// latency (a product and a sum where the hardware has no fused multiply-add). The chains load and store nothing.
 #pragma once
 
 #include "core/batch/lanes.hpp"

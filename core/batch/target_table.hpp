@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that passes between the code for any processor and the code for one target: plain arrays and function pointers.
+// All that passes between code for any processor and code for one target: plain arrays and function pointers.
 #pragma once
 
 #include <cstddef>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// q_j = C(n,j) D^j b_0 with the forward differences D^j b_i = D^(j-1) b_(i+1) - D^(j-1) b_i.
-//
-// Source: Farin, Curves and Surfaces for CAGD, 5th ed., on the monomial form of a Bezier curve.
+// Formula: q_j = C(n,j) D^j b_0 with the forward differences D^j b_i = D^(j-1) b_(i+1) - D^(j-1) b_i.
+// Source: [Farin 2002], the monomial form of a Bezier curve.
 // Cost: d n(n+1)/2 + d (n+1) + 3n/2 flops.
-// Bound: one rounding a level, n in all, one product and the roundings of C(n,j).
-//   Differences and integer multiples of subnormals are exact: nothing underflows.
+// Bound: one rounding a level, n in all, one product and the roundings of C(n,j). Differences and integer multiples of
+//   subnormals are exact, so nothing underflows.
 // Fails: the power coefficients themselves grow like 3^n.
 #pragma once
 
@@ -27,7 +26,7 @@ struct Differences {
                           .underflow_scales_with_coefficients = true},
       .flops = "d n(n+1)/2 + d(n+1) + 3n/2 per curve",
       .cost_exponent = 2,
-      .citation = "Farin 2002, monomial form"};
+      .citation = "[Farin 2002], monomial form"};
 
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// q_j = C(n,j) M^(n-j) D^j b_0: forward differences D b_i = b_(i+1) - b_i, then midpoints M b_i = (b_i + b_(i+1)) / 2,
-// the n-j steps of de Casteljau at t = 1/2 on the j-th hodograph. Straight from the control points: shifting rounded
-// power coefficients would keep their error.
-//
-// Source: Farin, Curves and Surfaces for CAGD (derivatives by differences, then de Casteljau).
+// Formula: q_j = C(n,j) M^(n-j) D^j b_0 with forward differences D b_i = b_(i+1) - b_i, then midpoints
+//   M b_i = (b_i + b_(i+1)) / 2, the n-j steps of de Casteljau at t = 1/2 on the j-th hodograph. The control points are
+//   converted directly: shifting rounded power coefficients would keep their error.
+// Source: [Farin 2002], derivatives by differences, then de Casteljau's algorithm.
 // Cost: d n(n+1)(2n+7)/6 + d(n+1) + 3n/2 flops: one triangle for each j. One triangle of midpoints and one of
-//   differences on its edge would do, but amplify like (1 + 4|t-1/2|)^n.
-// Bound: each of the n levels rounds once (halving is exact), then one product and the roundings of C(n,j): gamma_(n+1)
-//   times C(n,j) M^(n-j) (1 + E)^j |b_0|, whose sum is derived in core/basis/amplification.hpp.
-// Fails: cubic cost; the amplification reaches 2^n at both ends.
+//   differences on its edge would suffice, but amplify like (1 + 4|t-1/2|)^n.
+// Bound: gamma_(n+1) times C(n,j) M^(n-j) (1 + E)^j |b_0|, whose sum core/basis/amplification.hpp derives. Each of the
+//   n levels rounds once (halving is exact), then one product and the roundings of C(n,j) follow.
+// Fails: its cost is cubic. The amplification reaches 2^n at both ends.
 #pragma once
 
 #include "core/basis/binomial.hpp"
@@ -30,7 +29,7 @@ struct DifferencesCentered {
                           .underflow_scales_with_coefficients = true},
       .flops = "d n(n+1)(2n+7)/6 + d(n+1) + 3n/2 per curve",
       .cost_exponent = 3,
-      .citation = "Farin 2002, derivatives by differences"};
+      .citation = "[Farin 2002], derivatives by differences"};
 
   static constexpr Form target = Form::power_centered;
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Conversions in exact integer arithmetic, every coefficient rounded once, correctly.
-//   to power:      q_j = C(n,j) D^j b_0 = C(n,j) sum_i (-1)^(j-i) C(j,i) b_i, a dyadic rational
-//   to power in double-double: the same, rounded, and what that leaves, rounded
-//   to power about t = 1/2:    q_j = C(n,j) 2^(j-n) sum_i C(n-j,i) D^j b_i, a dyadic rational
-//   to Bernstein:  b_i = (1/n!) sum_j C(i,j) j! (n-j)! q_j, a rational with denominator n!
-//
-// Cost: n^2/2 operations on big integers, far from the flops of the others. On integers of O(n) bits sums make that
-//   O(n^3) to power form, products O(n^4) about t = 1/2; n! has O(n log n) bits, so O(n^4 log n) to Bernstein form.
-// Bound: u |coefficient|: one rounding each; u^2 |coefficient| in double-double.
-// Fails: nothing but overflow of the rounded coefficient; yet a correctly rounded power coefficient already carries the
+// Formula: conversions in exact integer arithmetic, every coefficient rounded once, correctly.
+//   To power form: q_j = C(n,j) D^j b_0 = C(n,j) sum_i (-1)^(j-i) C(j,i) b_i, a dyadic rational.
+//   To power form in double-double: the same q_j, rounded, and the remainder, rounded.
+//   To power form about t = 1/2: q_j = C(n,j) 2^(j-n) sum_i C(n-j,i) D^j b_i, a dyadic rational.
+//   To Bernstein form: b_i = (1/n!) sum_j C(i,j) j! (n-j)! q_j, a rational with denominator n!.
+// Source: [Farouki 2012], the definition of the Bernstein polynomials; for the inverse [Farouki and Rajan 1987].
+// Cost: n^2/2 operations on big integers, each far dearer than a flop of the other conversions. On integers of O(n)
+//   bits sums make that O(n^3) to power form, products O(n^4) about t = 1/2; n! has O(n log n) bits, so O(n^4 log n) to
+//   Bernstein form.
+// Bound: u |coefficient|, one rounding each; u^2 |coefficient| in double-double.
+// Fails: only where the rounded coefficient overflows. But a correctly rounded power coefficient already carries the
 //   error that ruins power form at high degree.
 #pragma once
 
@@ -64,7 +65,7 @@ struct ExactToPower {
                                                        .underflow_scales_with_coefficients = true},
                                    .flops = "big integers, per curve",
                                    .cost_exponent = 3,
-                                   .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
+                                   .citation = "[Farouki 2012], the definition, in exact arithmetic"};
 
   static constexpr Form target = Form::power;
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
@@ -88,7 +89,7 @@ struct ExactToPowerDoubleDouble {
                                                        .underflow_scales_with_coefficients = true},
                                    .flops = "big integers, per curve",
                                    .cost_exponent = 3,
-                                   .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
+                                   .citation = "[Farouki 2012], the definition, in exact arithmetic"};
 
   static constexpr Form target = Form::power_double_double;
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
@@ -127,7 +128,7 @@ struct ExactToPowerCentered {
                                                        .underflow_scales_with_coefficients = true},
                                    .flops = "big integers, per curve",
                                    .cost_exponent = 4,
-                                   .citation = "definition of the Bernstein polynomials, in exact arithmetic"};
+                                   .citation = "[Farouki 2012], the definition, in exact arithmetic"};
 
   static constexpr Form target = Form::power_centered;
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
@@ -151,7 +152,7 @@ struct ExactToBernstein {
                                                        .underflow_scales_with_coefficients = true},
                                    .flops = "big integers, per curve",
                                    .cost_exponent = 5,
-                                   .citation = "Farouki and Rajan 1987, in exact arithmetic"};
+                                   .citation = "[Farouki and Rajan 1987], in exact arithmetic"};
 
   static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// q_j = sum_(i<=j) (-1)^(j-i) n!/(i!(n-j)!(j-i)!) b_i, the coefficient formed first, then times b_i, added over i.
-//
-// Source: seed report 001, section 1.1.
+// Formula: q_j = sum_(i<=j) (-1)^(j-i) n!/(i!(n-j)!(j-i)!) b_i; the coefficient is formed first, multiplied by b_i, and
+//   the products are added over i.
+// Source: [Report 001], section 1.1.
 // Cost: 3 (n+1)(n+2)/2 flops for the coefficients, d (n+1)(n+2) more.
 // Bound: the coefficient has 3 roundings (more once factorials are inexact, past n = 22), its product 1, the sum n.
 //   A product may underflow, by eta/2.
-// Fails: factorials overflow past n = 170 (34 in float); the power coefficients themselves grow like 3^n.
+// Fails: factorials overflow past n = 170 (34 in float). The power coefficients themselves grow like 3^n.
 #pragma once
 
 #include "core/basis/factorial.hpp"
@@ -29,7 +29,7 @@ struct Factorial {
                      .underflow_scales_with_coefficients = true},
       .flops = "(n+1)(n+2)(3/2+d) per curve",
       .cost_exponent = 2,
-      .citation = "seed report 001, section 1.1"};
+      .citation = "[Report 001], section 1.1"};
 
   static constexpr Form target = Form::power;
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Row i of the lower triangular system sum_(k<=i) M_ik b_k = q_i, M_ik = (-1)^(i-k) n!/(k!(n-i)!(i-k)!), solved in
-// order: the sum over k < i first, then subtracted from q_i, then divided by the diagonal.
-//
-// Source: seed report 001, section 1.2.
+// Formula: row i of the lower triangular system sum_(k<=i) M_ik b_k = q_i, M_ik = (-1)^(i-k) n!/(k!(n-i)!(i-k)!),
+//   solved in order: the sum over k < i is formed first, then subtracted from q_i, and the difference divided by the
+//   diagonal.
+// Source: [Report 001], section 1.2; the bound by [Higham 2002], Theorem 8.5.
 // Cost: 3 (n+1)(n+2)/2 flops for the matrix, d (n+1)(n+2) more.
-// Bound: the computed b solves (M + dM) b = q with |dM| <= gamma_(n+5) |M| (Higham, Theorem 8.5, with the roundings of
-//   M), so |b - true| <= gamma |M^-1||M||b|; the amplification grows like 3^n at t = 1. Higher order terms are covered
-//   by doubling the factor while gamma_(n+5) (5/3)^n <= 1/10 (k times M^-1|M| turns the sum into
-//   sum |q_j| x^j ((2k+1)x + y)^(n-j), and (5x+y)/(3x+y) <= 5/3 for any x, y >= 0, later ratios less); void beyond.
-//   A residual of r underflow units comes back as at most (n+1) r, the diagonal quotients as 2^n.
-// Fails: exponentially, which is the whole of the report's "error of the conversion": positive_sum does not.
+// Bound: the computed b solves (M + dM) b = q with |dM| <= gamma_(n+5) |M| ([Higham 2002], Theorem 8.5, with the
+//   roundings of M), so |b - true| <= gamma |M^-1||M||b|; the amplification grows like 3^n at t = 1. Doubling the
+//   factor covers higher orders while gamma_(n+5) (5/3)^n <= 1/10; beyond, no bound holds. (Applying M^-1|M| k times
+//   turns the sum into sum |q_j| x^j ((2k+1)x + y)^(n-j); (5x+y)/(3x+y) <= 5/3 for any x, y >= 0, and later ratios are
+//   less.) A residual of r underflow units comes back as at most (n+1) r, the diagonal quotients as 2^n.
+// Fails: exponentially. This explains the whole of the error that [Report 001] attributes to converting from power form
+//   to Bernstein form; positive_sum does the same conversion without it.
 #pragma once
 
 #include "core/basis/amplification.hpp"
@@ -39,7 +40,7 @@ struct ForwardSubstitution {
                           .underflow_scales_with_coefficients = true},
       .flops = "(n+1)(n+2)(3/2+d) per curve",
       .cost_exponent = 2,
-      .citation = "seed report 001, section 1.2; Higham 2002, Theorem 8.5"};
+      .citation = "[Report 001], section 1.2; [Higham 2002], Theorem 8.5"};
 
   static constexpr Form target = Form::bernstein;
   static constexpr double coefficient_growth(int n) { return (n + 1) * integer_power(3.0, n); }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// b_i = sum_(j<=i) C(i,j)/C(n,j) q_j: the inverse matrix in closed form; all its weights are positive and at most 1.
-//
-// Source: Farouki and Rajan, CAGD 4 (1987) 191-216; Farouki, CAGD 29 (2012)
-//   379-419 (the Bernstein basis, a retrospective).
+// Formula: b_i = sum_(j<=i) C(i,j)/C(n,j) q_j, the inverse matrix in closed form. All its weights are positive and at
+//   most 1.
+// Source: [Farouki and Rajan 1987]; [Farouki 2012].
 // Cost: (n+1)(n+2)/2 (3 + 2d) flops and one binomial row.
-// Bound: a weight has at most 2 binomials and a quotient rounded, its product 1, the sum n. The sum of the weights over
-//   row i times |q_j| amplifies by p~ of the power form only (core/basis/amplification.hpp), at most n + 1. A product
-//   may underflow, by eta/2.
-// Fails: C(i,j) as for any binomial past degree 1029 (131 in float).
+// Bound: a weight has at most 2 binomials and a quotient rounded, its product 1, the sum n. The weights over row i
+//   times |q_j| sum to p~ of the power form (core/basis/amplification.hpp), so the amplification is at most n + 1. A
+//   product may underflow, by eta/2.
+// Fails: past degree 1029 (131 in float), as every method that needs binomials.
 #pragma once
 
 #include "core/basis/binomial.hpp"
@@ -30,7 +29,7 @@ struct PositiveSum {
                      .underflow_scales_with_coefficients = true},
       .flops = "(n+1)(n+2)(3/2+d) per curve",
       .cost_exponent = 2,
-      .citation = "Farouki and Rajan 1987"};
+      .citation = "[Farouki and Rajan 1987]"};
 
   static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }
 

@@ -38,7 +38,7 @@ struct Worked {
   std::vector<double> power;
 };
 
-/// The five worked conversions that the source report prints (seed report 001, section 2.2), axis by axis.
+/// The five worked conversions that [Report 001] prints (section 2.2), axis by axis.
 const std::vector<Worked> printed{
     {{0, 1}, {0, 1}},
     {{0, 1}, {0, 1}},  // (0,0) (1,1)

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// r_j = q_j / C(n,j); then b_i = sum_j C(i,j) r_j by an additive triangle: level k adds neighbours, n levels.
-//
-// Source: the inverse of the difference triangle (core/convert/differences.hpp): D^j b_0 = r_j, undone by
-//   D^(j-1) b_(i+1) = D^(j-1) b_i + D^j b_i. Farin, Curves and Surfaces for CAGD.
+// Formula: r_j = q_j / C(n,j); then b_i = sum_j C(i,j) r_j by an additive triangle: level k adds neighbours, n levels.
+// Source: [Farin 2002], monomial form: the inverse of the difference triangle (core/convert/differences.hpp),
+//   D^j b_0 = r_j, undone by D^(j-1) b_(i+1) = D^(j-1) b_i + D^j b_i.
 // Cost: d n(n+1)/2 + d(n+1) + 3n/2 flops.
-// Bound: one quotient, the roundings of C(n,j), at most n additions, all weights positive.
-//   A quotient may underflow, by eta/2, which b_i repeats up to 2^n times.
-// Fails: C(n,j) as for any binomial past degree 1029 (131 in float).
+// Bound: one quotient, the roundings of C(n,j), at most n additions, all weights positive. A quotient may underflow, by
+//   eta/2, which b_i repeats up to 2^n times.
+// Fails: past degree 1029 (131 in float), as every method that needs binomials.
 #pragma once
 
 #include "core/basis/binomial.hpp"
@@ -28,7 +27,7 @@ struct Triangle {
                           .underflow_scales_with_coefficients = true},
       .flops = "d n(n+1)/2 + d(n+1) + 3n/2 per curve",
       .cost_exponent = 2,
-      .citation = "Farin 2002, monomial form"};
+      .citation = "[Farin 2002], monomial form"};
 
   static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The hodograph of order k by differences (hodograph.hpp), evaluated by de Casteljau's algorithm.
-//
-// Source: Farin, Curves and Surfaces for CAGD, 5th ed. (higher order derivatives); seed document 000, section 2.2, with
-//   its difference loop mended: pass m runs to n - m.
+// Formula: the hodograph of order k by differences (hodograph.hpp), evaluated by de Casteljau's algorithm.
+// Source: [Farin 2002], higher order derivatives; [Document 000], section 2.2, with its difference loop corrected: pass
+//   m runs to n - m.
 // Cost: once d k (2n - k + 1)/2 + d (n-k+1) + k, then 3 d (n-k)(n-k+1)/2 + 1 flops per point.
 // Bound: gamma_k A + gamma_(k + 3(n-k)) p~, to first order.
 // Fails: as the hodograph.
@@ -24,7 +23,7 @@ struct DifferencesDeCasteljau : HodographBy<DeCasteljau> {
                                    .flops = "3d (n-k)(n-k+1)/2 + 1",
                                    .cost_exponent = 2,
                                    .prepare_exponent = 2,
-                                   .citation = "Farin 2002; seed document 000, eq. (6)"};
+                                   .citation = "[Farin 2002]; [Document 000], eq. (6)"};
 };
 
 }  // namespace bezierbench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The hodograph of order k by differences (hodograph.hpp), evaluated by nested multiplication in Bernstein form.
-//
-// Source: Farin, Curves and Surfaces for CAGD, 5th ed. (higher order derivatives; nested multiplication).
+// Formula: the hodograph of order k by differences (hodograph.hpp), evaluated by nested multiplication in Bernstein
+//   form.
+// Source: [Farin 2002], higher order derivatives and nested multiplication.
 // Cost: once d k (2n - k + 1)/2 + 2d (n-k+1) + k, then (n-k)(1 + 3d) + 1 flops per point.
 // Bound: gamma_k A + gamma_(k + 3(n-k) + 1) p~, to first order, and n-k more roundings past n-k = 54.
 // Fails: as the hodograph.
@@ -23,7 +23,7 @@ struct DifferencesHorner : HodographBy<HornerBernstein> {
                                    .one_minus_t = OneMinusT::summed,
                                    .flops = "(n-k)(1+3d) + 1",
                                    .prepare_exponent = 2,
-                                   .citation = "Farin 2002, nested multiplication"};
+                                   .citation = "[Farin 2002], nested multiplication"};
 };
 
 }  // namespace bezierbench

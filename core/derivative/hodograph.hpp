@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// C^(k)(t) = sum h_i B_i,n-k(t) with h_i = (n)_k D^k b_i: the k-th derivative is a Bezier curve of degree n - k, its
-// k-th hodograph, which any evaluator can take.
-//
-// Source: Farin, Curves and Surfaces for CAGD, 5th ed. (higher order derivatives); seed document 000, eq. (6).
+// Formula: C^(k)(t) = sum h_i B_i,n-k(t) with h_i = (n)_k D^k b_i. The k-th derivative is a Bezier curve of degree n -
+//   k, the k-th hodograph, and every evaluator takes it.
+// Source: [Farin 2002], higher order derivatives; [Document 000], eq. (6).
 // Cost: d k (2n - k + 1)/2 + d (n-k+1) + k flops once, then the evaluator's for degree n - k.
-// Bound: k differences cost gamma_k A, the product with (n)_k and its k - 1 roundings gamma_k of the result; the
-//   evaluator, whose own bound is gamma_e of the p~ of its coefficients, works on those. Together
+// Bound: k differences cost gamma_k A, the product with (n)_k and its k - 1 roundings gamma_k of the result. The
+//   evaluator works on these coefficients with a bound of its own, gamma_e of their p~. Together
 //     gamma_k (1 + gamma_k) (1 + gamma_e) A + (gamma_k + gamma_e + gamma_k gamma_e) p~.
 //   Differences cannot underflow; each product with (n)_k may, by eta/2.
-// Fails: where points are of like size and their differences small but not exact, A is far above p~.
+// Fails: where points are of similar size and their differences small but inexact, A is far above p~.
 #pragma once
 
 #include <algorithm>

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// C^(k)(t) = sum_(j>=k) j (j-1) ... (j-k+1) q_j t^(j-k), by Horner's scheme.
-//
-// Source: the derivative of a power, k times; Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section
-//   5.2, for Horner's scheme on derivatives.
+// Formula: C^(k)(t) = sum_(j>=k) j (j-1) ... (j-k+1) q_j t^(j-k), by Horner's scheme.
+// Source: [Higham 2002], section 5.2, Horner's scheme on derivatives.
 // Cost: (n-k+1)(k + d) once, then 2d (n-k) flops per point.
-// Bound: each coefficient has k roundings, Horner's scheme 2(n-k): gamma_(k+2(n-k)) p~. Products may underflow, by
-// eta/2
-//   each.
+// Bound: gamma_(k+2(n-k)) p~: each coefficient has k roundings, Horner's scheme 2(n-k). Products may underflow, by
+//   eta/2 each.
 // Fails: as any power form, when its coefficients came out of a rounded conversion.
 #pragma once
 
@@ -32,7 +29,7 @@ struct PowerDerivative {
                                    .promise = bound.text,
                                    .flops = "2d (n-k)",
                                    .prepare_exponent = 2,
-                                   .citation = "Higham 2002, section 5.2"};
+                                   .citation = "[Higham 2002], section 5.2"};
 
   template <int Dimension>
   static Curve<Form::power, double, Dimension> prepare(const Curve<Form::power, double, Dimension>& curve, int order) {

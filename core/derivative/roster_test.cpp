@@ -31,7 +31,7 @@ std::vector<DerivativeKernel> right_kernels(Form form, int dimension, int order)
   return kernels;
 }
 
-/// The worked example of the seed document (its section 2.2): the control points of the hodographs are printed there.
+/// The worked example of [Document 000] (section 2.2): the control points of the hodographs are printed there.
 const std::vector<double> worked{1, 1, 3, 1, 4, 2, 6, 3};
 const std::vector<double> worked_in_powers{1, 1, 6, 0, -3, 3, 2, -1};
 

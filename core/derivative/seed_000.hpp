@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The differences of seed document 000 as printed: every one of the k passes runs over i = 0..n-k, where pass m must
-// run over i = 0..n-m. Right for k = 0 and 1 only.
-//
-// Source: seed document 000, section 2.2, the function `at`; kept to be compared with.
+// Formula: the differences of [Document 000] as printed: every one of the k passes runs over i = 0..n-k, where pass m
+//   must run over i = 0..n-m. They are right for k = 0 and 1 only.
+// Source: [Document 000], section 2.2, the function `at`; a baseline for the corrected loop.
 // Cost: d k (n-k+1) once, then 3 d (n-k)(n-k+1)/2 + d + 1 flops per point.
 // Bound: none.
 // Fails: from the second derivative on. Points (1,1) (3,1) (4,2) (6,3), t = 1/2: C'' = (6,6), the truth is (0,3). The
-//   factor (n)_k is an int of 32 bits, which 20 19 ... 14 leaves; here it wraps around.
+//   factor (n)_k is an int of 32 bits, which 20 19 ... 14 exceeds; here it wraps around.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +18,14 @@ namespace bezierbench {
 
 struct Seed000 {
   static constexpr MethodInfo info{.id = "seed_000",
-                                   .label = "Seed document 000, as printed",
+                                   .label = "Document 000, as printed",
                                    .problem = Problem::derivative,
                                    .form = Form::bernstein,
                                    .one_minus_t = OneMinusT::summed,
                                    .flops = "3d (n-k)(n-k+1)/2 + d + 1",
                                    .cost_exponent = 2,
                                    .prepare_exponent = 2,
-                                   .citation = "seed document 000, section 2.2"};
+                                   .citation = "[Document 000], section 2.2"};
 
   template <int Dimension>
   struct Prepared {

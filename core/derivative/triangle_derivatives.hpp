@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// C^(k)(t) = (n)_k D^k b_0^(n-k): differences of the points b_i^(n-k) that level n - k of de Casteljau's triangle has
-// anyway, so one triangle gives the point and all derivatives.
-//
-// Source: Farin, Curves and Surfaces for CAGD, 5th ed. (derivatives and the de Casteljau algorithm).
+// Formula: C^(k)(t) = (n)_k D^k b_0^(n-k): differences of the points b_i^(n-k) of level n - k of de Casteljau's
+//   triangle. One triangle gives the point and all derivatives.
+// Source: [Farin 2002], derivatives and the de Casteljau algorithm.
 // Cost: 3 d (n(n+1) - k(k+1))/2 + d k(k+1)/2 + 2k + 1 flops per point; for all orders up to r, 3 d n(n+1)/2 for the
 //   triangle and d k(k+1)/2 for each k.
-// Bound: the points of level n - k carry gamma_(3(n-k)) sum |b_(i+j)| B_j,n-k(t), k differences and k roundings of the
-//   product with (n)_k follow: gamma_(3(n-k)+2k) A. A product of the triangle may underflow by eta/2, twice a level;
+// Bound: gamma_(3(n-k)+2k) A: the points of level n - k carry gamma_(3(n-k)) sum |b_(i+j)| B_j,n-k(t); k differences
+//   and k roundings of the product with (n)_k follow. A product of the triangle may underflow by eta/2, twice a level;
 //   k differences double that k times, and (n)_k magnifies it.
-// Fails: far from the origin: the triangle's roundings, of the size of the coordinates, are differenced, even where the
-//   differences of the control points themselves are exact.
+// Fails: far from the origin, where the triangle's roundings have the size of u times the coordinates. The differences
+//   keep this error even where differences of the control points themselves are exact.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +38,7 @@ struct TriangleDerivatives {
                                    .one_minus_t = OneMinusT::summed,
                                    .flops = "3d (n(n+1)-k(k+1))/2 + d k(k+1)/2 + 2k + 1",
                                    .cost_exponent = 2,
-                                   .citation = "Farin 2002, derivatives from the triangle"};
+                                   .citation = "[Farin 2002], derivatives from the triangle"};
 
   template <int Dimension>
   struct Prepared {

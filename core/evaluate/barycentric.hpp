@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The second barycentric form through n + 1 points of the curve. Only the nodes differ between the methods, so they
-// share this scheme, its cost and what can be proved of it.
-//
-//   p(t) = sum w_j/(t - x_j) p(x_j) / sum w_j/(t - x_j),     w_j = 1 / product over k != j of (x_j - x_k)
-//
-// Source: Berrut and Trefethen, SIAM Review 46 (2004) 501-517, eq. (4.2), weights by eq. (3.2).
+// Formula: p(t) = sum w_j/(t - x_j) p(x_j) / sum w_j/(t - x_j),  w_j = 1 / product over k != j of (x_j - x_k).
+//   This is the second barycentric form through n + 1 points of the curve. The methods that share this scheme differ in
+//   their nodes x_j only.
+// Source: [Berrut and Trefethen 2004], eq. (4.2); weights by eq. (3.2).
 // Cost: (n+1)(3+2d) + d flops per point, n+1+d of them divisions. `prepare` takes n(n+1) flops for the weights and
-//   14 d n(n+1) for the values by compensated_volk_schumaker: as good as rounded ones at O(n) a node, where a triangle
-//   of de Casteljau would make O(n^3) of it.
-// The form interpolates with any weights, but it is p only with the weights of the very nodes that are kept. So nodes
-//   are rounded to multiples of u first, the right half as 1 minus the left: their differences are then exact, and the
-//   weights, products of those differences, are off by gamma_n. The closed forms would belong to unrounded nodes,
-//   which near 0 lie as close as 2.4/n^2 and move by about u: they are off by n^2 u. In float weights and values are
-//   formed in double and rounded once.
+//   14 d n(n+1) for the values by compensated_volk_schumaker. These are about as accurate as rounded exact values and
+//   cost O(n) a node, where de Casteljau's triangle would make O(n^3) of `prepare`.
+// Nodes: the form interpolates with any weights, but equals p only with the weights of the stored nodes. Therefore
+//   nodes are rounded to multiples of u first, the right half as 1 minus the left. Their differences are then exact,
+//   and the weights, which are products of these differences, have a relative error of at most gamma_n. Closed forms of
+//   the weights belong to unrounded nodes. Near 0 those lie as close as 2.4/n^2 and rounding moves them by about u, so
+//   such weights would have a relative error of n^2 u. In float, weights and values are formed in double and rounded
+//   once.
 // Bound: with M = max|b| and L = sum |l_j(t)|, the Lebesgue function of the nodes, |computed - p| <= (4n+7) u L M to
-//   first order: 2n+4 roundings in a term of the numerator (value, n in the weight, difference, quotient, product, n
-//   additions), 2n+2 in the denominator, one in their quotient (Higham, IMA J. Numer. Anal. 24 (2004) 547-556, second
-//   form). It is not a multiple of p~: where p~ vanishes at an end, the error need not. So `info` states none.
-// Fails: where coordinates over |t - x_j| overflow, for t next to 0 and coordinates past 2^500 (in float 2^60);
-// relative
-//   to p~ near the ends (see the bound).
+//   first order. A term of the numerator has 2n+4 roundings (value, n in the weight, difference, quotient, product, n
+//   additions), one of the denominator 2n+2, and their quotient one ([Higham 2004], second form). This is no multiple
+//   of p~: where p~ vanishes at an end, the error need not. So `info` states no bound.
+// Fails: where coordinates over |t - x_j| overflow, for t next to 0 and coordinates past 2^500 (2^60 in float). The
+//   error relative to p~ grows without limit near the ends, where p~ may vanish (see the bound).
 #pragma once
 
 #include <algorithm>

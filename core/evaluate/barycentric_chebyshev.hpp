@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The second barycentric form with Chebyshev nodes of the second kind, x_j = (1 - cos(j pi/n)) / 2, j = 0..n.
-//
-// Source: Fuda, Ramanantoanina and Hormann, Dolomites Research Notes on Approximation (2024), their CHE; nodes:
-//   Berrut and Trefethen, SIAM Review 46 (2004) 501-517, section 5.
-// Cost: (n+1)(3+2d) + d flops per point; the scheme and its setup are in barycentric.hpp.
-// Nodes by an alternating series in + - * / alone, so that no libm decides a bit: (1 - cos y)/2 = y^2/4 r_1,
-//   r_k = 1 - y^2/((2k+1)(2k+2)) r_(k+1), y = j pi/n <= pi/2, whose first dropped term is below 2^-63. y is off by 2.4
-//   u and moves x by 1/2 y sin(y) <= pi/4 times that, 1.9 u; the roundings of the series make 2.2 u, the last one u/2:
-//   nodes are within 4.6 u (observed: 2.1 u) of where they should be, in float within 0.51 u, symmetric, and both ends
-//   are nodes.
+// Formula: the second barycentric form (barycentric.hpp) with Chebyshev nodes of the second kind,
+//   x_j = (1 - cos(j pi/n)) / 2, j = 0..n.
+// Source: [Berrut and Trefethen 2004], section 5; method CHE of [Fuda et al. 2024].
+// Cost: (n+1)(3+2d) + d flops per point; barycentric.hpp states the cost of `prepare`.
+// Nodes: an alternating series in + - * / computes them, so that no libm decides a bit: (1 - cos y)/2 = y^2/4 r_1,
+//   r_k = 1 - y^2/((2k+1)(2k+2)) r_(k+1), y = j pi/n <= pi/2, whose first dropped term is below 2^-63. The error of y
+//   is at most 2.4 u and moves x by 1/2 y sin(y) <= pi/4 times that, 1.9 u; the roundings of the series add 2.2 u, the
+//   last one u/2. Nodes are within 4.6 u of the exact ones (observed: 2.1 u), in float within 0.51 u. They are
+//   symmetric, and both ends are nodes.
 // Bound: (4n+7) u (1 + 2/pi ln(n+1)) max|b| on [0,1], to first order: barycentric.hpp with the Lebesgue constant of
-//   Ehlich and Zeller, Math. Annalen 164 (1966) 105-112. Not a multiple of p~, so `info` states none.
-// Fails: where p~ is far below max|b|: its error is that of max|b|. Outside [0,1] it grows like the polynomials that
-//   belong to the nodes, with (|s| + sqrt(s^2 - 1))^n at s = 2t - 1.
+//   [Ehlich and Zeller 1966]. It is no multiple of p~, so `info` states none.
+// Fails: where p~ is far below max|b|, for the error is relative to max|b|. Outside [0,1] the error grows like the
+//   Lagrange polynomials of the nodes, with (|s| + sqrt(s^2 - 1))^n at s = 2t - 1.
 #pragma once
 
 #include "core/evaluate/barycentric.hpp"
@@ -37,8 +36,8 @@ struct BarycentricChebyshev {
                                    .flops = "(n+1)(3+2d) + d, n+1+d of them divisions",
                                    .prepare_exponent = 2,
                                    .citation =
-                                       "Berrut and Trefethen 2004, eq. (4.2); Fuda, Ramanantoanina and Hormann "
-                                       "2024, CHE"};
+                                       "[Berrut and Trefethen 2004], eq. (4.2); [Fuda et al. 2024], "
+                                       "CHE"};
 
   template <class Scalar, int Dimension, int Degree>
   static Barycentric<Scalar, Dimension, Degree> prepare(

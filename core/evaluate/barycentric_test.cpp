@@ -78,7 +78,7 @@ TEST(Barycentric, NodesAreWhereTheyShouldBe) {
   }
 }
 
-/// Berrut and Trefethen 2004, eq. (5.1).
+/// [Berrut and Trefethen 2004], eq. (5.1).
 TEST(Barycentric, UniformWeightsAreTheBinomialsExactlyWhenNothingRounds) {
   for (const int n : {0, 1, 2, 5, 6, 13}) {
     const auto weights = zigzag<BarycentricUniform, Rational>(n).weights;
@@ -122,7 +122,7 @@ TEST(Barycentric, WeightsBelongToTheRoundedNodes) {
   }
 }
 
-/// Berrut and Trefethen 2004, eq. (5.4): 1/2, -1, 1, ..., which the moved nodes are near: moving each by up to 4.6 u
+/// [Berrut and Trefethen 2004], eq. (5.4): 1/2, -1, 1, ..., which the moved nodes are near: moving each by up to 4.6 u
 /// changes w_j by 9.2 u times the sum of 1/|x_j - x_k|, relatively and to first order.
 TEST(Barycentric, ChebyshevWeightsAreNearTheirClosedForm) {
   for (const int n : {1, 2, 3, 8, 50, 333}) {
@@ -198,7 +198,7 @@ double bound_used(int n, double lebesgue) {
 
 TEST(Barycentric, ChebyshevKeepsTheBoundOfItsLebesgueConstant) {
   for (const int n : degrees) {
-    // Ehlich and Zeller 1966, for unrounded nodes; 1 % for their rounding, which in float moves the second node by 1 %
+    // [Ehlich and Zeller 1966], for unrounded nodes; 1 % for their rounding: it moves the second node by 1 % in float
     const double lebesgue = 1.01 * (1 + 2 / 3.141592653589793 * std::log(n + 1));
     EXPECT_LE((bound_used<BarycentricChebyshev, double>(n, lebesgue)), 1) << "n " << n;
     EXPECT_LE((bound_used<BarycentricChebyshev, float>(n, lebesgue)), 1) << "n " << n;

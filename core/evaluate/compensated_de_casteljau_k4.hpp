@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// de Casteljau in four parts: the errors of the triangle, their errors, and theirs, carried along and added.
-//
-// Source: Hermes, Applied Mathematics and Computation 357 (2019) 57-74, arXiv 1808.10387, Algorithm 4.2 with K = 4.
+// Formula: p = v_0 + v_1 + v_2 + v_3: de Casteljau's rounded triangle and three triangles, each of the errors of the
+//   one before (compensated_triangle.hpp with K = 4).
+// Source: [Hermes 2019], Algorithm 4.2 with K = 4.
 // Cost: 130 d n(n+1)/2 + 57d + 6 flops per point, products by fused multiply-add.
 // Bound: (u + 3 gamma_3^2) |p| + (c_4 + 1296) u^4 p~ to first order, c_4 = 81 C(n,4) + 810 C(n,3) + 2475 C(n,2) +
-//   2250 n; derived in compensated_triangle.hpp. 11n products may underflow, by eta each.
-// Fails: past a condition number of 1/u^3 digits are lost again; where u^4 p~ < eta (p~ below about 3e-260, in float
-//   1e-16) the promise is void: the fourth part underflows; quadratic cost.
+//   2250 n; compensated_triangle.hpp derives it. 11n products may underflow, by eta each.
+// Fails: past a condition number of 1/u^3 it loses digits again. Where u^4 p~ < eta (p~ below about 3e-260, in float
+//   1e-16) the bound is void, because the fourth part underflows. Its cost is quadratic.
 #pragma once
 
 #include "core/evaluate/compensated_triangle.hpp"
@@ -23,7 +23,7 @@ struct CompensatedDeCasteljauK4 {
           "(u + 27 u^2) p~ + (c_4 + 1296) u^4 p~, c_4 = 81 C(n,4) + 810 C(n,3) + 2475 C(n,2) + 2250 n"),
       .flops = "130d n(n+1)/2 + 57d + 6",
       .cost_exponent = 2,
-      .citation = "Hermes 2019, Algorithm 4.2 and section 4.2"};
+      .citation = "[Hermes 2019], Algorithm 4.2 and section 4.2"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Horner's scheme p = p t + q_j with each product and sum error-free, and a second scheme e = e t + (errors); p + e.
-//
-// Source: Graillat, Langlois and Louvet, Japan Journal of Industrial and Applied Mathematics 26 (2009) 191-214.
+// Formula: p = q_n, e = 0; p = p t + q_j and e = e t + (errors of this product and this sum) for j = n-1..0; p + e.
+// Source: [Graillat et al. 2009].
 // Cost: 11dn + d flops per point, products by fused multiply-add.
-// Bound: u |p| + gamma_2n^2 sum |q_j| |t|^j (the theorem of Graillat et al., without underflow). Two products a
-//   step may underflow, by eta/2 each, which is doubled for what these losses lose in turn.
-// Fails: coefficients that came out of a rounded conversion keep their error: only horner_dd goes below it.
+// Bound: u |p| + gamma_2n^2 sum |q_j| |t|^j, the theorem of [Graillat et al. 2009], which excludes underflow. Two
+//   products a step may underflow, by eta/2 each; this is doubled for what these losses lose in turn.
+// Fails: coefficients that a rounded conversion made keep their error; horner_dd takes coefficients without it.
 #pragma once
 
 #include "core/error_free.hpp"
@@ -29,7 +28,7 @@ struct CompensatedHorner {
                                                        .underflow_scales_with_coefficients = false,
                                                        .result_roundings = 1},
                                    .flops = "11dn + d",
-                                   .citation = "Graillat, Langlois and Louvet 2009"};
+                                   .citation = "[Graillat et al. 2009]"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> prepare(

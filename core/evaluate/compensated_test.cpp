@@ -63,7 +63,7 @@ struct Truth {
   reference::ExactCurve exact_;
 };
 
-/// The multipliers of Hermes 2019 (arXiv 1808.10387, the table that ends section 4.2), to first order in u.
+/// The multipliers of [Hermes 2019] (the table that ends section 4.2), to first order in u.
 TEST(CompensatedBound, HasTheConstantsOfHermes) {
   constexpr double tiny = 0x1p-40;  // so small that higher orders vanish, so large that nothing underflows
   for (const double n : {1.0, 2.0, 3.0, 7.0, 20.0}) {
@@ -82,7 +82,8 @@ TEST(CompensatedBound, HasTheConstantsOfHermes) {
 TEST(CompensatedBound, ImpliesThoseOfTheLiteratureAndTheTexts) {
   for (int n = 1; n <= max_degree; ++n) {
     const double gamma_3n = gamma_over_u(3 * n, u);
-    EXPECT_LE(CompensatedDeCasteljau::info.bound->factor(n, u), 2 * gamma_3n * gamma_3n * u) << n;  // Jiang et al. 2010
+    EXPECT_LE(CompensatedDeCasteljau::info.bound->factor(n, u), 2 * gamma_3n * gamma_3n * u)
+        << n;  // [Jiang et al. 2010]
     if (n > exact_binomial_degree) continue;
     const double gamma = gamma_over_u(3 * n + 9, u);
     EXPECT_LE(CompensatedVolkSchumaker::info.bound->factor(n, u), 2 * gamma * gamma * u) << n;
@@ -110,8 +111,8 @@ TEST(Compensated, RandomCurvesToDegree50ComeOutNearlyCorrectlyRounded) {
   expect_nearly_correctly_rounded<CompensatedVolkSchumaker>();
 }
 
-/// 280 (t-1) (4t-3)^7, the curve of Jiang et al. 2010 and Hermes 2019 (section 5) scaled so that its control points are
-/// integers: b_i = sum_j C(i,j) / C(8,j) q_j, where 280 / C(8,j) is an integer.
+/// 280 (t-1) (4t-3)^7, the curve of [Jiang et al. 2010] and [Hermes 2019] (section 5) scaled so that its control points
+/// are integers: b_i = sum_j C(i,j) / C(8,j) q_j, where 280 / C(8,j) is an integer.
 std::vector<double> near_sevenfold_root() {
   std::vector<double> q{280};
   for (int k = 0; k < 8; ++k) {
@@ -169,8 +170,8 @@ TEST(Compensated, EachPartBuysAFactorUOfCondition) {
   expect_relative_accuracy<4, CompensatedDeCasteljauK4>();
 }
 
-/// Hermes 2019, the table of section 3: for (2s-1)^3 (s-1) at s = 1/2 + 1001 u the compensated algorithm gives exactly
-/// 0, since u/16 - u/16 is left; the truth is -4 (1001u)^3 + 8 (1001u)^4.
+/// [Hermes 2019], the table of section 3: for (2s-1)^3 (s-1) at s = 1/2 + 1001 u the compensated algorithm gives
+/// exactly 0, since u/16 - u/16 is left; the truth is -4 (1001u)^3 + 8 (1001u)^4.
 TEST(Compensated, BreaksDownWhereHermesShowsIt) {
   const std::vector<double> b{1, -0.75, 0.5, -0.25, 0};
   const double x = 1001 * u;
@@ -181,7 +182,7 @@ TEST(Compensated, BreaksDownWhereHermesShowsIt) {
   EXPECT_NEAR(value<CompensatedDeCasteljauK4>(b, s) / truth, 1, 4 * u);
 }
 
-/// (t - 1)^n expanded, the test family of Graillat, Langlois and Louvet: cond = ((1+t)/|1-t|)^n.
+/// (t - 1)^n expanded, the test family of [Graillat et al. 2009]: cond = ((1+t)/|1-t|)^n.
 TEST(Compensated, HornerKeepsItsBoundNearAMultipleRoot) {
   Inputs inputs(13);
   for (const int n : {3, 6, 12, 25, 42}) {

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// de Casteljau's triangle in K parts: v_0 is the rounded triangle, v_F the rounded triangle of what v_(F-1) lost. Only
-// K differs between the methods, so they share this scheme, its cost and its bound.
-//
-// With s + rho = 1 - t and every operation error-free, a step on level m, l_0 = 0, is
-//   (1-t) v_F,i + t v_F,i+1 + l_F = v_F,i' + l_(F+1),     l_(F+1) = errors of its operations + rho v_F,i,
-// where F = K-1 is computed plainly and l_K dropped; p = sum over F of v_F + (what l_K leaves). The v_F are added by
-// SumK of Ogita, Rump and Oishi 2005 (Algorithm 4.8): plain addition would round at u |v_1|.
-//
-// Source: Hermes, Applied Mathematics and Computation 357 (2019) 57-74, arXiv 1808.10387, Algorithm 4.2; for K = 2
-//   Jiang, Li, Cheng and Su, Computers & Mathematics with Applications 60 (2010) 744-755.
+// Formula: de Casteljau's triangle in K parts. v_0 is the rounded triangle, v_F the rounded triangle of the errors of
+//   v_(F-1). The methods that share this scheme differ in K only. With s + rho = 1 - t and every operation error-free,
+//   a step on level m, l_0 = 0, is
+//     (1-t) v_F,i + t v_F,i+1 + l_F = v_F,i' + l_(F+1),     l_(F+1) = errors of its operations + rho v_F,i,
+//   where F = K-1 is computed in plain floating point and l_K is dropped; p = sum over F of v_F + (the share of l_K).
+//   Algorithm SumK adds the v_F ([Ogita et al. 2005], Algorithm 4.8); plain addition would round at u |v_1|.
+// Source: [Hermes 2019], Algorithm 4.2; for K = 2 [Jiang et al. 2010].
+// Cost: each method states its own.
 // Bound: u |p| + c_K u^K p~, for any t. Weigh the values of a level by the Bernstein polynomials of the levels above,
-//   in magnitude; V_F,m and L_F,m are the so weighted sums of |v_F| and of the magnitudes in l_F. A term of l_F passes
-//   at most 5F roundings on its way into v_F, the products three (s, product, sum), hence
+//   in magnitude; V_F,m and L_F,m are the sums of |v_F| and of the magnitudes in l_F with these weights. A term of l_F
+//   passes at most 5F roundings on its way into v_F, the products three (s, product, sum), hence
 //     L_1,m     <= gamma_3 V_0,m-1
 //     V_F,m     <= (1 + gamma_3) V_F,m-1 + (1 + gamma_5F) L_F,m
 //     L_(F+1),m <= gamma_5F L_F,m + gamma_3 V_F,m-1
 //   from V_0,0 = p~, and the dropped part is at most the sum of L_K,m over m. `compensated_remainder` runs this; to
-//   first order it gives Hermes' constants, c_2 = 9 C(n,2) + 15 n, which is below the 2 gamma_3n^2 of Jiang et al.
-//   (Theorem 5), c_3 = 27 C(n,3) + 135 C(n,2) + 150 n and c_4 = 81 C(n,4) + 810 C(n,3) + 2475 C(n,2) + 2250 n. SumK
-//   adds 3 gamma_(K-1)^2 |p| + gamma_(2K-2)^K sum V_F for K > 2 (Ogita et al., Proposition 4.10); for K = 2 it is one
-//   addition. Each of 3K-1 products a level may lose eta/2, which is doubled for what these losses lose in turn.
+//   first order it gives the constants of [Hermes 2019]: c_2 = 9 C(n,2) + 15 n, which is below the 2 gamma_3n^2 of
+//   [Jiang et al. 2010], Theorem 5, c_3 = 27 C(n,3) + 135 C(n,2) + 150 n and c_4 = 81 C(n,4) + 810 C(n,3) +
+//   2475 C(n,2) + 2250 n. SumK adds 3 gamma_(K-1)^2 |p| + gamma_(2K-2)^K sum V_F for K > 2 ([Ogita et al. 2005],
+//   Proposition 4.10); for K = 2 it is one addition. Each of 3K-1 products a level may lose eta/2; this is doubled for
+//   what these losses lose in turn.
+// Fails: each method states its own.
 #pragma once
 
 #include <array>
@@ -102,7 +102,7 @@ std::array<Scalar, K> compensated_step(const std::array<Scalar, K>& a, const std
   return next;
 }
 
-/// The sum of K parts as if in K-fold precision, rounded once: Ogita, Rump and Oishi 2005, Algorithm 4.8.
+/// The sum of K parts as if in K-fold precision, rounded once: [Ogita et al. 2005], Algorithm 4.8.
 template <std::size_t K, class Scalar>
 Scalar sum_of_parts(std::array<Scalar, K> parts) {
   for (std::size_t pass = 1; pass < K; ++pass)

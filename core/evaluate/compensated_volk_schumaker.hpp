@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Volk-Schumaker with first-order corrections: for t <= 1/2, p = (1-t)^n sum c_i r^i with r = t/(1-t), else mirrored.
-// Every quantity is a pair value + error: C(n,i) b_i, 1-t, r, the power, Horner's sum, and their product.
-//
-// Source: Delgado and Pena, ACM Transactions on Mathematical Software 42 (2016), Algorithm 960 (a compensated VS);
-//   the ratio form of Schumaker and Volk, CAGD 3 (1986) 149-154, corrected here.
+// Formula: p = (1-t)^n sum c_i r^i with c_i = C(n,i) b_i and r = t/(1-t) for t <= 1/2, else mirrored. Each of c_i, 1-t,
+//   r, the power, Horner's sum and their product is a pair value + error, to first order.
+// Source: [Delgado and Pena 2016] (a compensated Volk-Schumaker algorithm); [Schumaker and Volk 1986] (the ratio form,
+//   which is compensated here).
 // Cost: 14dn + 7d + about 12 log2 n + 12 flops per point, two of them divisions; products by fused multiply-add.
 // Bound: u |p| + 2 gamma_(3n+9)^2 p~, and 4n u^2 p~ more past n = 54; about 18 n^2 u^2 p~ in all. `CorrectedPair`
-//   has k u and q u^2 for what bounds a pair's error part and what the pair misses, relative to its magnitude. A
-//   product has k = k_a + k_b + 1 and misses the product of the two errors, k_a k_b, and rounds its correction, three
-//   times each k and once its own error. Higher orders: no path of value or correction passes more than 4k roundings.
-//   (1-t)^n may underflow, by up to 2^n max|b| eta, as may each of its corrections.
-// Fails: (1-t)^n underflows for n > 1022 at t = 1/2, its error part for n > 969, and there the correction is lost.
+//   bounds a pair's error part by k u and what the pair misses by q u^2, relative to its magnitude. A product has
+//   k = k_a + k_b + 1. It misses the product of the two errors, k_a k_b, and rounds its correction: three times each k
+//   and once its own error. Higher orders: no path of value or correction passes more than 4k roundings. (1-t)^n may
+//   underflow, by up to 2^n max|b| eta, and so may each of its corrections.
+// Fails: (1-t)^n underflows for n > 1022 at t = 1/2. Its error part underflows for n > 969, and the correction is lost
+//   there.
 #pragma once
 
 #include "core/basis/amplification.hpp"
@@ -90,7 +90,7 @@ struct CompensatedVolkSchumaker {
                           .underflow_scales_with_coefficients = true,
                           .result_roundings = 1},
       .flops = "14dn + 7d + 12 log2 n + 12",
-      .citation = "Delgado and Pena 2016, Algorithm 960; Schumaker and Volk 1986"};
+      .citation = "[Delgado and Pena 2016]; [Schumaker and Volk 1986]"};
 
   /// Columns i hold C(n,i) b_i, rounded, and what that rounding lost.
   template <class Scalar, int Dimension, int Degree>

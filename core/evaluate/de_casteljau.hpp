@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// b_i^k = (1-t) b_i^(k-1) + t b_(i+1)^(k-1), p(t) = b_0^n.
-//
-// Source: de Casteljau 1959; seed report 001, section 1.5; Farin, Curves and Surfaces for CAGD, 5th ed. (the de
-// Casteljau algorithm). Cost: 3 d n(n+1)/2 + 1 flops per point. Bound: a level costs at most three roundings (1-t,
-// product, sum), so gamma_3n p~ (gamma_2n where 1-t is exact);
-//   two products a level may underflow, by eta/2 each.
-// Fails: quadratic cost; the rounding of 1-t makes small t three times worse than t near 1.
+// Formula: b_i^k = (1-t) b_i^(k-1) + t b_(i+1)^(k-1), p(t) = b_0^n.
+// Source: [de Casteljau 1959]; [Farin 2002], the de Casteljau algorithm; [Report 001], section 1.5.
+// Cost: 3 d n(n+1)/2 + 1 flops per point.
+// Bound: gamma_3n p~: a level costs at most three roundings (1-t, product, sum); gamma_2n p~ where 1-t is exact. Two
+//   products a level may underflow, by eta/2 each.
+// Fails: its cost is quadratic. The rounding of 1-t makes the error at small t three times that at t near 1.
 #pragma once
 
 #include "core/evaluate/triangle_scheme.hpp"
@@ -25,7 +24,7 @@ struct DeCasteljau {
                                    .one_minus_t = OneMinusT::summed,
                                    .flops = "3d n(n+1)/2 + 1",
                                    .cost_exponent = 2,
-                                   .citation = "Farin 2002; seed report 001, section 1.5"};
+                                   .citation = "[Farin 2002]; [Report 001], section 1.5"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// w_i^k = (1-t) w_i^(k-1) + t w_(i+1)^(k-1); b_i^k = ((1-t) w_i^(k-1) / w_i^k) b_i^(k-1) + (t w_(i+1)^(k-1) / w_i^k)
-// b_(i+1)^(k-1); p(t) = b_0^n. Every intermediate point is a convex combination of control points.
-//
-// Source: Farin, "Algorithms for rational Bezier curves", Computer-Aided Design 15 (1983) 73-77.
+// Formula: w_i^k = (1-t) w_i^(k-1) + t w_(i+1)^(k-1); p(t) = b_0^n with
+//   b_i^k = ((1-t) w_i^(k-1) / w_i^k) b_i^(k-1) + (t w_(i+1)^(k-1) / w_i^k) b_(i+1)^(k-1).
+//   Every intermediate point is a convex combination of control points.
+// Source: [Farin 1983].
 // Cost: (5 + 3d) n(n+1)/2 + 1 flops per point, n(n+1) of them divisions.
-// Bound, for weights > 0 and 0 <= t <= 1: along a path through the triangle each computed w_i^k divides at one level
-// and
-//   multiplies at the next, so their errors cancel but for the last weight's, 3n. A level is left with 1-t, its product
-//   with a weight, the quotient, the product with a point and the sum: 5n. In all gamma_8n. Underflow costs a level
-//   eta / min w in the product, eta in the quotient and 2 eta in the points, and eta / min w in the last weight; each
-//   times max|b|.
-// Fails: a weight of 0 can make 0/0; outside [0,1] or with weights of both signs an intermediate weight may vanish.
+// Bound: gamma_8n p~ for weights > 0 and 0 <= t <= 1. Along a path through the triangle each computed w_i^k divides at
+//   one level and multiplies at the next, so that their errors cancel except those of the last weight, 3n. The other
+//   roundings of a level are 1-t, its product with a weight, the quotient, the product with a point and the sum: 5n.
+//   Underflow costs a level eta / min w in the product, eta in the quotient and 2 eta in the points, and eta / min w in
+//   the last weight; each times max|b|.
+// Fails: a weight of 0 can make 0/0. Outside [0,1] or with weights of both signs an intermediate weight may vanish.
 #pragma once
 
 #include "core/evaluate/evaluator.hpp"
@@ -32,7 +31,7 @@ struct DeCasteljauFarin {
                                    .one_minus_t = OneMinusT::normalised,
                                    .flops = "(5+3d) n(n+1)/2 + 1, n(n+1) of them divisions",
                                    .cost_exponent = 2,
-                                   .citation = "Farin 1983"};
+                                   .citation = "[Farin 1983]"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::rational, Scalar, Dimension, Degree> prepare(

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// b_i^k = fma(t, b, fma(-t, a, a)) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
-//
-// Source: the fused form of linear interpolation; e.g. Fog, VCL manual, and the C++20 discussion of std::lerp.
+// Formula: b_i^k = fma(t, b, fma(-t, a, a)) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
+// Source: [Farin 2002], the de Casteljau algorithm, with the usual fused form of linear interpolation; the bound is
+//   derived here.
 // Cost: 2 fused multiply-adds, d n(n+1)/2 times.
-// Bound: a - t a is (1-t) a rounded once, with 1-t never formed; the outer operation rounds once more: gamma_2n p~.
+// Bound: gamma_2n p~: a - t a is (1-t) a rounded once, with 1-t never formed, and the outer operation rounds once more.
 //   Each of the two may underflow, by eta/2.
-// Fails: quadratic cost; slow where fused multiply-add is emulated.
+// Fails: its cost is quadratic. It is slow where fused multiply-add is emulated.
 #pragma once
 
 #include "core/basis/fused.hpp"
@@ -25,7 +25,7 @@ struct DeCasteljauFma {
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "2 fma, d n(n+1)/2 times",
                                    .cost_exponent = 2,
-                                   .citation = "fused linear interpolation; bound derived here"};
+                                   .citation = "[Farin 2002], with fused linear interpolation; bound derived here"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(

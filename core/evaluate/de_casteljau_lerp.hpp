@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// b_i^k = a + t (b - a) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
-//
-// Source: the linear interpolation of seed document 004; the usual `lerp` of graphics libraries.
+// Formula: b_i^k = a + t (b - a) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
+// Source: [Document 004], whose snippets interpolate linearly in this way, as the `lerp` of graphics libraries does.
 // Cost: 3 d n(n+1)/2 flops per point.
-// Bound: none against p~: where |a| is far larger than the result, the rounding of b - a is not covered by it.
-// Fails: misses the end point b_n at t = 1; b - a can overflow although the result does not.
+// Bound: none relative to p~: where |a| is far larger than the result, p~ does not cover the rounding of b - a.
+// Fails: it misses the end point b_n at t = 1. b - a can overflow although the result does not.
 #pragma once
 
 #include "core/evaluate/triangle_scheme.hpp"
@@ -18,7 +17,7 @@ struct DeCasteljauLerp {
                                    .form = Form::bernstein,
                                    .flops = "3d n(n+1)/2",
                                    .cost_exponent = 2,
-                                   .citation = "seed document 004"};
+                                   .citation = "[Document 004]"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// b_i^k = fma(t, b - a, a) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
-//
-// Source: the fused form of de_casteljau_lerp.
+// Formula: b_i^k = fma(t, b - a, a) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
+// Source: [Document 004], the linear interpolation of de_casteljau_lerp, fused.
 // Cost: 1 subtraction and 1 fused multiply-add, d n(n+1)/2 times.
-// Bound: none against p~, as for de_casteljau_lerp: the rounding of b - a is not covered where |a| is large.
-// Fails: misses the end point b_n at t = 1; b - a can overflow although the result does not.
+// Bound: none relative to p~: where |a| is far larger than the result, p~ does not cover the rounding of b - a.
+// Fails: it misses the end point b_n at t = 1. b - a can overflow although the result does not.
 #pragma once
 
 #include "core/basis/fused.hpp"
@@ -19,7 +18,7 @@ struct DeCasteljauLerpFma {
                                    .form = Form::bernstein,
                                    .flops = "1 sub + 1 fma, d n(n+1)/2 times",
                                    .cost_exponent = 2,
-                                   .citation = "fused linear interpolation"};
+                                   .citation = "[Document 004], with fused linear interpolation"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(

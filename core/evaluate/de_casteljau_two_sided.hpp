@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// b_i^k = a + t (b - a) for t <= 1/2, b + (1-t) (a - b) else: anchored at the nearer end; p(t) = b_0^n.
-//
-// Source: the two-sided form of linear interpolation, applied to de Casteljau's triangle.
+// Formula: b_i^k = a + t (b - a) for t <= 1/2, b + (1-t) (a - b) else, with a = b_i^(k-1), b = b_(i+1)^(k-1);
+//   p(t) = b_0^n. The interpolation starts from the end that t is nearer to.
+// Source: [Farin 2002], the de Casteljau algorithm, with linear interpolation in its two-sided form; the bound is
+//   derived here.
 // Cost: 3 d n(n+1)/2 + 1 flops per point.
-// Bound: take t <= 1/2, where |t| <= |1-t|. The difference and the product perturb t (b - a) by at most
-//   gamma_2 |t| (|a| + |b|) <= gamma_2 (|1-t||a| + |t||b|), the sum rounds once: three roundings a level. For t > 1/2
-//   the same holds with the ends exchanged, and 1-t is exact through t = 2 (Sterbenz); beyond, it is a fourth.
+// Bound: gamma_3n p~ for t <= 2, else gamma_4n p~. Take t <= 1/2, where |t| <= |1-t|. The difference and the product
+//   perturb t (b - a) by at most gamma_2 |t| (|a| + |b|) <= gamma_2 (|1-t||a| + |t||b|), and the sum rounds once: three
+//   roundings a level. For t > 1/2 the same holds with the ends exchanged, and 1-t is exact up to t = 2 (Sterbenz);
+//   beyond, its rounding is a fourth.
 // Fails: b - a can overflow although the result does not.
 #pragma once
 
@@ -26,7 +28,7 @@ struct DeCasteljauTwoSided {
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "3d n(n+1)/2 + 1",
                                    .cost_exponent = 2,
-                                   .citation = "two-sided linear interpolation; bound derived here"};
+                                   .citation = "[Farin 2002], with two-sided linear interpolation; bound derived here"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// p(t) = sum n!/(i!(n-i)!) t^i (1-t)^(n-i) b_i, terms formed and added in ascending order.
-//
-// Source: seed report 001, section 1.4: tables of 0!..n!, t^0..t^n and (1-t)^0..(1-t)^n, then one sum.
+// Formula: p(t) = sum n!/(i!(n-i)!) t^i (1-t)^(n-i) b_i, terms formed and added in ascending order.
+// Source: [Report 001], section 1.4: tables of 0!..n!, t^0..t^n and (1-t)^0..(1-t)^n, then one sum.
 // Cost: about 4n + d (2n + 1) flops per point.
-// Bound: term i has i-1 and n-i-1 roundings in its powers, n-i in (1-t)^(n-i) through 1-t, 3 products and n additions;
-//   the largest is i = 0 with 3n + 2. Factorials add 2 f(n) + 2 once they are no longer exact. Powers of t that
-//   underflow lose up to C(n,i) max|b| eta.
-// Fails: factorials overflow past n = 170 (34 in float); the rounding of 1-t, common to most methods, is magnified n
+// Bound: gamma_(3n+2) p~. Term i has i-1 and n-i-1 roundings in its powers, n-i in (1-t)^(n-i) through 1-t, 3 products
+//   and n additions; the most are 3n + 2, for i = 0. Factorials add 2 f(n) + 2 once they are no longer exact. Powers of
+//   t that underflow lose up to C(n,i) max|b| eta.
+// Fails: factorials overflow past n = 170 (34 in float). The rounding of 1-t, common to most methods, is magnified n
 //   times for small t.
 #pragma once
 
@@ -35,7 +34,7 @@ struct Direct {
                           .underflow_scales_with_coefficients = true},
       .one_minus_t = OneMinusT::summed,
       .flops = "4n + d(2n+1)",
-      .citation = "seed report 001, section 1.4"};
+      .citation = "[Report 001], section 1.4"};
 
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {

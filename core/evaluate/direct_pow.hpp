@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// p(t) = sum C(n,i) pow(t, i) pow(1-t, n-i) b_i: the definition, with the library's pow for every power.
-//
-// Source: seed document 000, section 1.
-// Cost: 2(n+1) calls of pow per point, which is what it is known for.
-// Bound: none stated; the last bits of pow belong to libm, so its rows are kept out of the digested files.
-// Fails: slow; not reproducible across C libraries.
+// Formula: p(t) = sum C(n,i) pow(t, i) pow(1-t, n-i) b_i: the definition, with the library's pow for every power.
+// Source: [Document 000], section 1.
+// Cost: 2(n+1) calls of pow and n + d(2n+1) flops per point.
+// Bound: none. libm decides the last bits of pow, so the rows of this method are kept out of the digested files.
+// Fails: it is slow, and not reproducible across C libraries.
 #pragma once
 
 #include <cmath>
@@ -23,7 +22,7 @@ struct DirectPow {
                                    .bit_stable = false,
                                    .one_minus_t = OneMinusT::summed,
                                    .flops = "2(n+1) pow + n + d(2n+1)",
-                                   .citation = "seed document 000, section 1"};
+                                   .citation = "[Document 000], section 1"};
 
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {

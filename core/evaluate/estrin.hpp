@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Neighbours are joined with t, pairs with t^2, fours with t^4, ...: q_2k + q_(2k+1) t at every level.
-//
-// Source: Estrin, Proc. Western Joint Computing Conf. 1960, 33-40; Muller, Elementary Functions, 3rd ed.,
-// section 4.3.2. Cost: 2dn + log2 n flops per point, with a chain of log2 n steps instead of n. Bound: with L =
-// ceil(log2(n+1)) levels a coefficient meets at most L products and L sums, and its power of t, formed
-//   by squaring, has at most n roundings: gamma_(n+2L) sum |q_j| |t|^j. A power that underflows loses up to |q_j| eta.
+// Formula: q_2k + q_(2k+1) t at every level: neighbours are joined with t, pairs with t^2, fours with t^4, and so on.
+// Source: [Estrin 1960]; [Muller 2016], section 4.3.2.
+// Cost: 2dn + log2 n flops per point, in a chain of log2 n steps instead of n.
+// Bound: gamma_(n+2L) sum |q_j| |t|^j with L = ceil(log2(n+1)) levels: a coefficient meets at most L products and L
+//   sums, and its power of t, formed by squaring, has at most n roundings. A power that underflows loses up to |q_j|
+//   eta.
 // Fails: as any power form, when its coefficients came out of a rounded conversion.
 #pragma once
 
@@ -31,7 +31,7 @@ struct Estrin {
                           .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1); },
                           .underflow_scales_with_coefficients = true},
       .flops = "2dn + log2 n",
-      .citation = "Estrin 1960"};
+      .citation = "[Estrin 1960]"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> prepare(

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A rational curve is a polynomial one in homogeneous coordinates: evaluate (w_i b_i, w_i), divide by the last one.
-//
-// Source: Farin, "Algorithms for rational Bezier curves", Computer-Aided Design 15 (1983) 73-77.
-// Cost: the polynomial method's in d + 1 dimensions, and d divisions.
-// Bound, for weights >= 0 and 0 <= t <= 1: with phi = factor u of the polynomial method, the numerator N is off by the
-//   roundings of w_i b_i and by phi, (u + phi (1 + u)) sum w_i |b_i| B_i, the denominator W by phi W, and the quotient
-//   rounds once: together (1 + u)^2 (1 + phi) / (1 - phi) - 1 times p~, which is gamma_(2k+2) for phi = gamma_k.
-//   With e_N and e_W lost to underflow in N and W, phi and e_W / W at most 1/8, it adds at most
+// Formula: a rational curve is a polynomial one in homogeneous coordinates (w_i b_i, w_i). The polynomial method
+//   evaluates these; the last coordinate divides the others.
+// Source: [Farin 1983].
+// Cost: that of the polynomial method in d + 1 dimensions, and d divisions.
+// Bound: (1 + u)^2 (1 + phi) / (1 - phi) - 1 times p~, for weights >= 0 and 0 <= t <= 1, with phi = factor u of the
+//   polynomial method. The roundings of w_i b_i and phi change the numerator N by (u + phi (1 + u)) sum w_i |b_i| B_i
+//   and the denominator W by phi W, and the quotient rounds once. For phi = gamma_k this is gamma_(2k+2).
+//   With e_N and e_W lost to underflow in N and W, phi and e_W / W at most 1/8, underflow adds at most
 //   (1.3 e_W p~ / W + e_N / W) (1 + u) / (1 - phi - e_W / W) < 2 (e_W p~ + e_N) / W, and eta / 2 in the quotient.
-//   Where the polynomial method states none (barycentric, Wang-Ball), none follows; an error of theirs that goes with
-//   max|b| goes with max w_i over W here.
-// Fails: w_i b_i overflows or underflows where b_i would not; outside [0,1] or with weights of both signs W may cancel.
+//   Where the polynomial method states no bound (barycentric, Wang-Ball), none follows. An error of theirs that is
+//   relative to max|b| is relative to max w_i max|b| / W here.
+// Fails: w_i b_i overflows or underflows where b_i would not. Outside [0,1] or with weights of both signs W may cancel.
 #pragma once
 
 #include <limits>
@@ -54,7 +54,7 @@ requires(Method::info.form == Form::bernstein) struct Homogeneous {
     static constexpr std::string_view text = " with d + 1 for d; d divisions";
   };
   struct CitationSuffix {
-    static constexpr std::string_view text = "; Farin 1983";
+    static constexpr std::string_view text = "; [Farin 1983]";
   };
   static constexpr MethodInfo info{.id = Method::info.id,
                                    .label = detail::Joined<detail::LabelOf<Method>, LabelSuffix>::text,

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// p = q_n; p = p t + q_j for j = n-1..0.
-//
-// Source: Horner 1819; Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section 5.1.
+// Formula: p = q_n; p = p t + q_j for j = n-1..0.
+// Source: [Horner 1819]; [Higham 2002], section 5.1.
 // Cost: 2dn flops per point.
-// Bound: gamma_2n sum |q_j| |t|^j (Higham, eq. 5.3); n products may underflow, by eta/2 each.
+// Bound: gamma_2n sum |q_j| |t|^j ([Higham 2002], eq. 5.3); n products may underflow, by eta/2 each.
 // Fails: as any power form, when its coefficients came out of a rounded conversion.
 #pragma once
 
@@ -22,7 +21,7 @@ struct Horner {
                                                        .underflow = [](int n) { return 1.0 * n; },
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "2dn",
-                                   .citation = "Higham 2002, section 5.1"};
+                                   .citation = "[Higham 2002], section 5.1"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> prepare(

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// p = c_0; p = p (1-t) + c_i t^i for i = 1..n, with c_i = C(n,i) b_i kept from `prepare` and t^i running.
-//
-// Source: Farin, Curves and Surfaces for CAGD (nested multiplication in Bernstein form).
+// Formula: p = c_0; p = p (1-t) + c_i t^i for i = 1..n, with c_i = C(n,i) b_i from `prepare` and t^i as a running
+//   product.
+// Source: [Farin 2002], nested multiplication in Bernstein form.
 // Cost: n (1 + 3d) + 1 flops per point.
-// Bound: term i has 1 + binomial roundings in c_i, i-1 in t^i, 1 product, 1 addition and 3 per later step (1-t,
-// product,
-//   sum); the largest is i = 1 with 3n + binomial roundings, for i = 0 it is 3n. A t^i that underflows loses up to
-//   C(n,i) max|b| eta.
-// Fails: C(n,i) b_i overflows for large degrees (past 1029 always, in float past 131); t^i underflows for large n.
+// Bound: gamma_(3n+1) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i, i-1 in t^i, 1
+//   product, 1 addition and 3 per later step (1-t, product, sum). The most are 3n + binomial roundings for i = 1; for i
+//   = 0 there are 3n. A t^i that underflows loses up to C(n,i) max|b| eta.
+// Fails: C(n,i) b_i overflows at high degrees (always past 1029, in float past 131). t^i underflows for large n.
 #pragma once
 
 #include "core/basis/amplification.hpp"
@@ -31,7 +30,7 @@ struct HornerBernstein {
                      .underflow_scales_with_coefficients = true},
       .one_minus_t = OneMinusT::summed,
       .flops = "n(1+3d) + 1",
-      .citation = "Farin 2002, nested multiplication"};
+      .citation = "[Farin 2002], nested multiplication"};
 
   /// Column i holds C(n,i) b_i.
   template <class Scalar, int Dimension, int Degree>

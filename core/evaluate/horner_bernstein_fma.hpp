@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// p = c_0; p = fma(p, 1-t, c_i t^i) for i = 1..n, with c_i = C(n,i) b_i kept from `prepare` and t^i running.
-//
-// Source: Farin, Curves and Surfaces for CAGD, 5th ed. (nested multiplication in Bernstein form), with fused steps.
+// Formula: p = c_0; p = fma(p, 1-t, c_i t^i) for i = 1..n, with c_i = C(n,i) b_i from `prepare` and t^i as a running
+//   product.
+// Source: [Farin 2002], nested multiplication in Bernstein form, with fused steps.
 // Cost: n (1 + d) products and dn fused multiply-adds per point.
-// Bound: term i has 1 + binomial roundings in c_i, i-1 in t^i, 1 product, 1 fused step and 2 per later step (1-t and
-// the
-//   step); the largest is i = 1 with 2n + 1 + binomial roundings. Underflow as for horner_bernstein.
+// Bound: gamma_(2n+2) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i, i-1 in t^i, 1
+//   product, 1 fused step and 2 per later step (1-t and the step). The most are 2n + 1 + binomial roundings, for i = 1.
+//   Underflow as for horner_bernstein.
 // Fails: as horner_bernstein.
 #pragma once
 
@@ -29,7 +29,7 @@ struct HornerBernsteinFma {
                      .underflow_scales_with_coefficients = true},
       .one_minus_t = OneMinusT::summed,
       .flops = "n(1+d) + dn fma + 1",
-      .citation = "Farin 2002, nested multiplication, with fused steps"};
+      .citation = "[Farin 2002], nested multiplication, with fused steps"};
 
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// p = q_n; p = p s + q_j for j = n-1..0, with s = t - 1/2 and q_j the coefficients about t = 1/2.
-//
-// Source: Horner's scheme (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section 5.1), shifted.
+// Formula: p = q_n; p = p s + q_j for j = n-1..0, with s = t - 1/2 and q_j the coefficients about t = 1/2.
+// Source: [Higham 2002], section 5.1, Horner's scheme, shifted here; the bound is derived here.
 // Cost: 2dn + 1 flops per point.
-// Bound: gamma_3n sum |q_j| |s|^j: Horner's two roundings a step and that of s, which is none for t in [1/4, 1]
-//   (Sterbenz). n products may underflow, by eta/2 each.
+// Bound: gamma_3n sum |q_j| |s|^j: two roundings a step by Horner's scheme, and that of s, which is exact for t in
+//   [1/4, 1] (Sterbenz). n products may underflow, by eta/2 each.
 // Fails: towards both ends, where a conversion amplifies by 2^n (3^n about t = 0).
 #pragma once
 
@@ -23,7 +22,7 @@ struct HornerCentered {
                                                        .underflow = [](int n) { return 1.0 * n; },
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "2dn + 1",
-                                   .citation = "Higham 2002, section 5.1; bound derived here"};
+                                   .citation = "[Higham 2002], section 5.1; bound derived here"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power_centered, Scalar, Dimension, Degree> prepare(

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Compensated Horner on coefficients high q_j + low q_j: p = p t + high q_j error-free, e = e t + (errors + low q_j).
-//
-// Source: Graillat, Langlois and Louvet 2009 (compensated Horner), with the low parts joining the correction.
+// Formula: compensated Horner on coefficients high q_j + low q_j: p = p t + high q_j error-free,
+//   e = e t + (errors + low q_j); p + e.
+// Source: [Graillat et al. 2009], compensated Horner, to whose correction the low parts are added here.
 // Cost: 12dn + d flops per point, products by fused multiply-add.
-// Bound: u |p| + gamma_(2n+3)^2 sum |q_j| |t|^j. Say that k u and q u^2 bound, relative to this sum, the correction
-//   e and what p + e misses. A step adds the two errors of its operations, so k grows by 2, and rounds e t twice, each
-//   new error three times: q grows by 2k + 6. From k = 1 (the low part) n steps give 2n^2 + 6n, half of (2n+3)^2; the
-//   other half covers higher orders. Two products a step may underflow, by eta/2 each, doubled as in
+// Bound: u |p| + gamma_(2n+3)^2 sum |q_j| |t|^j. Let k u and q u^2 bound, relative to this sum, the correction e and
+//   the part that p + e misses. A step adds the two errors of its operations, so k grows by 2, and rounds e t twice,
+//   each new error three times: q grows by 2k + 6. From k = 1 (the low part) n steps give 2n^2 + 6n, half of (2n+3)^2;
+//   the other half covers higher orders. Two products a step may underflow, by eta/2 each, doubled as in
 //   compensated_horner.
 // Fails: at high degree, where (1+2t)^n u^2 reaches u (n of about 33 at t = 1).
 #pragma once
@@ -32,7 +32,7 @@ struct HornerDoubleDouble {
                                                        .underflow_scales_with_coefficients = false,
                                                        .result_roundings = 1},
                                    .flops = "12dn + d",
-                                   .citation = "Graillat, Langlois and Louvet 2009, on double-double coefficients"};
+                                   .citation = "[Graillat et al. 2009], on double-double coefficients"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power_double_double, Scalar, Dimension, Degree> prepare(

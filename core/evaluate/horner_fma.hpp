@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// p = q_n; p = fma(p, t, q_j) for j = n-1..0.
-//
-// Source: Horner 1819, fused; Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section 5.1.
+// Formula: p = q_n; p = fma(p, t, q_j) for j = n-1..0.
+// Source: [Horner 1819]; [Higham 2002], section 5.1, with fused steps.
 // Cost: n d fused multiply-adds per point.
-// Bound: one rounding a step; q_j passes through at most n of them: gamma_n sum |q_j| |t|^j; each may underflow.
+// Bound: gamma_n sum |q_j| |t|^j: one rounding a step, and q_j passes at most n of them; each may underflow.
 // Fails: as any power form, when its coefficients came out of a rounded conversion.
 #pragma once
 
@@ -23,7 +22,7 @@ struct HornerFma {
                                                        .underflow = [](int n) { return 1.0 * n; },
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "dn fma",
-                                   .citation = "Higham 2002, section 5.1, with fused steps"};
+                                   .citation = "[Higham 2002], section 5.1, with fused steps"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> prepare(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A Bernstein-form curve seen from the end that t is nearer to: from the start for t <= 1/2, else from the other end,
-// where 1-t is the parameter. Choices are made here, as scalars that are vectors make them for each lane on its own.
+// A curve in Bernstein form with its control points counted from the end that t is nearer to: from b_0 for t <= 1/2,
+// else from b_n, where 1-t is the parameter. `select` makes the choices, so that a scalar that is a vector chooses in
+// each of its lanes.
 #pragma once
 
 #include "core/evaluate/evaluator.hpp"

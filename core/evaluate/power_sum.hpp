@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// p(t) = sum q_j t^j with t^j running, added in ascending order.
-//
-// Source: seed report 001, section 1.3.
+// Formula: p(t) = sum q_j t^j with t^j as a running product, added in ascending order.
+// Source: [Report 001], section 1.3.
 // Cost: n + 2dn flops per point.
-// Bound: term j >= 1 has j-1 roundings in t^j, 1 product and at most n-j+1 additions, so gamma_(n+1) sum |q_j| |t|^j.
-//   A t^j that underflows loses up to |q_j| eta.
+// Bound: gamma_(n+1) sum |q_j| |t|^j: term j >= 1 has j-1 roundings in t^j, 1 product and at most n-j+1 additions. A
+//   t^j that underflows loses up to |q_j| eta.
 // Fails: as any power form, when its coefficients came out of a rounded conversion.
 #pragma once
 
@@ -23,7 +22,7 @@ struct PowerSum {
                                                        .underflow = [](int n) { return 2.0 * (n + 1) * (n + 1); },
                                                        .underflow_scales_with_coefficients = true},
                                    .flops = "n + 2dn",
-                                   .citation = "seed report 001, section 1.3"};
+                                   .citation = "[Report 001], section 1.3"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, Degree> prepare(

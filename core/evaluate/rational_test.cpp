@@ -263,7 +263,7 @@ TEST_P(RationalMethod, IsAffinelyInvariantWithWildWeights) {
   }
 }
 
-/// The quarter circle ((1-t^2)/(1+t^2), 2t/(1+t^2)): Farin, Curves and Surfaces for CAGD, 5th ed. (conics), control
+/// The quarter circle ((1-t^2)/(1+t^2), 2t/(1+t^2)): [Farin 2002] (conics), control
 /// points (1,0) (1,1) (0,1) with weights 1, 1, 2; at 1/2 the Pythagorean 3-4-5, at 1/4 8-15-17, at 3/4 7-24-25.
 TEST_P(RationalMethod, RunsAroundTheCircle) {
   const std::vector<double> c{1, 0, 1, 1, 0, 1};

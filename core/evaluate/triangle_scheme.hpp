@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The triangle of de Casteljau: b_i^k = step(b_i^(k-1), b_(i+1)^(k-1)), p(t) = b_0^n. Only the step differs between
-// its variants, so they share this loop.
+// The triangle of de Casteljau: b_i^k = step(b_i^(k-1), b_(i+1)^(k-1)), p(t) = b_0^n. Its variants differ in the step
+// only, so they share this loop.
 #pragma once
 
 #include "core/evaluate/evaluator.hpp"

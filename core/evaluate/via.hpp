@@ -37,9 +37,9 @@ requires(Converter::target == Method::info.form) struct Via {
   using Second = Method;
 
   /// With |converted| <= (1 + factor u) times its amplification, errors compose as gamma_j + gamma_k + gamma_j gamma_k
-  /// (Higham, Lemma 3.3); the amplification of the conversion is at least that of the evaluation. The evaluator's
-  /// result is the converted curve's, away from the given curve's by the conversion's error: its roundings apply to
-  /// that too.
+  /// ([Higham 2002], Lemma 3.3); the amplification of the conversion is at least that of the evaluation. The
+  /// evaluator approximates the converted curve, whose distance from the given curve is the error of the conversion;
+  /// the roundings of the result apply to this error too.
   static constexpr double bound_factor(int n, double u) {
     const double conversion = Converter::info.bound->factor(n, u);
     const double evaluation = Method::info.bound->factor(n, u);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// For t <= 1/2: p = (1-t)^n (c_0 + r (c_1 + r (c_2 + ...))), r = t/(1-t); else p = t^n (c_n + r (c_(n-1) + ...)),
-// r = (1-t)/t; with c_i = C(n,i) b_i kept from `prepare`.
-//
-// Source: Schumaker and Volk, CAGD 3 (1986) 149-154.
+// Formula: p = (1-t)^n (c_0 + r (c_1 + r (c_2 + ...))), r = t/(1-t), for t <= 1/2; else
+//   p = t^n (c_n + r (c_(n-1) + ...)), r = (1-t)/t; with c_i = C(n,i) b_i from `prepare`.
+// Source: [Schumaker and Volk 1986].
 // Cost: 2dn + d + about 2 log2 n + 1 flops and one division per point.
-// Bound: term i has 1 + binomial roundings in c_i; r brings a quotient per power, and what 1-t rounds cancels between
-//   r^i and (1-t)^n to n-i; Horner's scheme 2i + 1; the power, by squaring, n-1; the last product 1: at most
-//   4n + 2 + binomial roundings. (1-t)^n may underflow, by up to 2^n max|b| eta.
+// Bound: gamma_(4n+3) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i. Each power of r
+//   brings the rounding of a quotient; the rounding of 1-t in r^i and in (1-t)^n cancels to n-i. Horner's scheme has 2i
+//   + 1, the power, by squaring, n-1, the last product 1: at most 4n + 2 + binomial roundings. (1-t)^n may underflow,
+//   by up to 2^n max|b| eta.
 // Fails: (1-t)^n underflows for n > 1022 at t = 1/2.
 #pragma once
 
@@ -32,7 +32,7 @@ struct VolkSchumaker {
                      .underflow_scales_with_coefficients = true},
       .one_minus_t = OneMinusT::summed,
       .flops = "2dn + d + 2 log2 n + 2",
-      .citation = "Schumaker and Volk 1986"};
+      .citation = "[Schumaker and Volk 1986]"};
 
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {

@@ -34,7 +34,7 @@ std::vector<Scalar> unit_vector(int n, int k) {
 
 Rational power(const Rational& base, int exponent) { return integer_power<Rational>(base, exponent); }
 
-/// The definition of the basis (Phien and Dejdumrong 2000).
+/// The definition of the basis ([Phien and Dejdumrong 2000]).
 Rational basis_function(int n, int i, const Rational& t) {
   if (2 * i > n) return basis_function(n, n - i, 1 - t);
   return i < n / 2 ? Rational(power(2 * t, i) * power(1 - t, i + 2)) : Rational(power(2 * t, i) * power(1 - t, n - i));
@@ -60,7 +60,7 @@ TEST(WangBall, IsDeCasteljauWhenNothingRounds) {
   }
 }
 
-/// Ball's cubic (Ball, Computer-Aided Design 6 (1974) 243-249): b_1 = (v_0 + 2 v_1)/3, b_2 = (2 v_2 + v_3)/3.
+/// Ball's cubic ([Ball 1974]): b_1 = (v_0 + 2 v_1)/3, b_2 = (2 v_2 + v_3)/3.
 TEST(WangBall, TheCubicIsBalls) {
   const auto prepared = WangBall::prepare(curve_of<double>({2, 4, 10, 6}));
   EXPECT_EQ(prepared.ball(0, 0), 2);

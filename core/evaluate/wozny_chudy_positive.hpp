@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// As wozny_chudy, with both weights as quotients of the same denominator: Q_k = (k (1-t)/D) Q_(k-1) + ((n-k+1) t h/D)
-// b_k, D = k (1-t) + (n-k+1) t h; nothing is subtracted.
-//
-// Source: Wozny and Chudy, Computer-Aided Design 118 (2020) 102760, remark on the accuracy of 1 - h_k.
+// Formula: as wozny_chudy, with both weights as quotients of the same denominator D = k (1-t) + (n-k+1) t h, h =
+//   h_(k-1): Q_k = (k (1-t)/D) Q_(k-1) + ((n-k+1) t h/D) b_k. Nothing is subtracted.
+// Source: [Wozny and Chudy 2020], remark on the accuracy of 1 - h_k.
 // Cost: n (6 + 3d) flops and 2n + 1 divisions per point, O(d) memory.
-// Bound, for 0 <= t <= 1: with h_(k-1) off by e_(k-1) roundings, the numerator is off by at most e_(k-1) + 4 (quotient
-// of
-//   t and the rounded 1-t, two products) and then k (1-t) is exact, or by e_(k-1) + 1 and k (1-t)/t by 2. x / (c + x)
-//   is off by no more than x and c together, plus 2: so e_k = 6k for both weights, and 2 more in Q_k. The weight of b_i
-//   is a product over the later steps: at most sum over k of (6k + 2), below (3n + 2)(n + 1).
+// Bound: gamma_((3n+2)(n+1)) p~ for 0 <= t <= 1. Let h_(k-1) have e_(k-1) roundings. Either the numerator has at most
+//   e_(k-1) + 4 (quotient of t and the rounded 1-t, two products) and k (1-t) is exact, or it has e_(k-1) + 1 and
+//   k (1-t)/t has 2. x / (c + x) has no more than x and c together, and 2: so e_k = 6k for both weights, and 2 more in
+//   Q_k. The weight of b_i is a product over the later steps: at most sum over k of (6k + 2), below (3n + 2)(n + 1).
 // Fails: outside [0,1] the combinations are no longer convex and a denominator may vanish.
 #pragma once
 
@@ -31,7 +29,7 @@ struct WoznyChudyPositive {
                           .unit_interval_only = true},
       .one_minus_t = OneMinusT::normalised,
       .flops = "n(6+3d) + 2, 2n + 1 of them divisions",
-      .citation = "Wozny and Chudy 2020, remark on the weights"};
+      .citation = "[Wozny and Chudy 2020], remark on the weights"};
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Where the data turn sharply, and which way they go elsewhere. Both look at points two tolerances away, for nearer
-// ones say more about noise than about the shape: noise of half the tolerance turns two arms of two tolerances by less
-// than 2 asin(1/2) = 60 degrees. A corner is sharp to arms of a quarter of that, too: else it is a bend, which the data
-// resolve.
+// The corners of the data and, elsewhere, their tangents. Both come from points at a distance of two tolerances, called
+// arms, because nearer points say more about noise than about the shape: noise of half the tolerance turns two arms of
+// two tolerances by less than 2 asin(1/2) = 60 degrees. A corner is also sharp to arms of a quarter of that length;
+// else it is a bend, which the data resolve.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A cubic Bezier segment as a data point sees it: all is computed from b_j - P, which is small where the point is near,
-// however far both are from the origin.
+// A cubic Bezier segment relative to a data point P: everything is computed from b_j - P, which is small where the
+// point is near, however far both are from the origin.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The data as fits are made from them: scaled by a power of two, and without repetitions.
+// The data in the form in which fits use them: scaled by a power of two, and without repetitions.
 #pragma once
 
 #include <span>

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Orthogonal distance fit: handles h and all parameters t_i at once by Levenberg and Marquardt. With r_i = C(t_i) -
-// P_i, c_i = C'(t_i) and J_i = dC(t_i)/dh, each t_i is eliminated from the normal equations by itself,
-//   sum J_i^T Q_i J_i dh = -sum J_i^T Q_i r_i,   Q_i = I - c_i c_i^T / |c_i|^2,   dt_i = -c_i.(r_i + J_i dh) / |c_i|^2,
-// so that a system of at most 2d equations remains. An end that is joined to nothing has its whole control point as
-// unknowns, a smooth joint the length of its handle, which must stay positive.
-//
-// Source: Golub and Pereyra 1973 (variable projection), with the Jacobian of Kaufman 1975 and, for curves, Borges and
-//   Pastva 2002, Total least squares fitting of Bezier and B-spline curves, section 3; damping: Marquardt 1963.
-// Cost: O(d^2 m) flops for m points and each of at most 3 times 64 steps. Of more than 513 points so many are fitted
-//   first; all of them, from there on, where that keeps the tolerance.
-// Sure: samples of a cubic are a minimum of 0, to which steps converge quadratically from nearby.
-//   Started from parameters by chord length; where the tolerance is not kept then, by their square roots (Lee 1989),
-//   and by equal steps.
+// Formula: orthogonal distance fit: handles h and all parameters t_i at once by Levenberg and Marquardt. With
+//   r_i = C(t_i) - P_i, c_i = C'(t_i) and J_i = dC(t_i)/dh, each t_i is eliminated from the normal equations by itself,
+//     sum J_i^T Q_i J_i dh = -sum J_i^T Q_i r_i,  Q_i = I - c_i c_i^T / |c_i|^2,  dt_i = -c_i.(r_i + J_i dh) / |c_i|^2,
+//   so that a system of at most 2d equations remains. The unknowns of a free end are its whole control point. Those of
+//   a smooth joint are the length of its handle, which must stay positive.
+// Source: [Golub and Pereyra 1973], variable projection, with the Jacobian of [Kaufman 1975]; for curves [Borges and
+//   Pastva 2002], section 3; damping by [Marquardt 1963].
+// Cost: O(d^2 m) flops for m points and each of at most 3 times 64 steps. Of more than 513 points a sample of 513 is
+//   fitted first, and all of them from that result where it keeps the tolerance.
+// Bound: none. Where the data are samples of a cubic, this cubic is a minimum of 0, to which steps converge
+//   quadratically from nearby. The first start takes parameters by chord length; where that does not keep the
+//   tolerance, two more take the square roots of chord lengths ([Lee 1989]) and equal steps.
 // Fails: it may end in another minimum, where a cubic has a loop or is near a cusp.
 #pragma once
 
@@ -31,7 +30,7 @@ struct GaussNewton {
                                    .max_degree = 3,
                                    .promise = "no data point is farther from the curve than the tolerance",
                                    .flops = "O(d^2 m) per step",
-                                   .citation = "Golub and Pereyra 1973; Borges and Pastva 2002, section 3"};
+                                   .citation = "[Golub and Pereyra 1973]; [Borges and Pastva 2002], section 3"};
 
   template <int Dimension>
   static Piece<Dimension> piece(const Section<Dimension>& section) {
@@ -107,7 +106,7 @@ struct GaussNewton {
 
   static Parameters as_given(const Parameters& t) { return t; }
 
-  /// Steps as the square roots of those given (Lee 1989).
+  /// Steps as the square roots of those given ([Lee 1989]).
   static Parameters centripetal(const Parameters& t) {
     Parameters result{0};
     for (std::size_t i = 1; i < t.size(); ++i) result.push_back(result.back() + std::sqrt(t[i] - t[i - 1]));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From one segment to a piecewise curve, the same for every method: the data are cut at corners; a section whose
+// From one segment to a piecewise curve, the same for every method. The data are cut at corners. A section whose
 // segment is farther than the tolerance from any of its points is split at that point, where both parts get the same
-// tangent, and so on down to two points, which a segment passes without error.
+// tangent. This ends at two points at the latest, which a segment passes without error.
 #pragma once
 
 #include <limits>

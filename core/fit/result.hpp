@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method for piecewise fitting says.
+// The result of a method for piecewise fitting.
 #pragma once
 
 #include <vector>

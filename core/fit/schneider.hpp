@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Schneider's fit: with the directions T1, T2 at the ends taken from the data, C(t_i) ~ P_i is linear in the lengths of
-// the two handles, b_1 = b_0 + alpha_1 T1 and b_2 = b_3 + alpha_2 T2; least squares gives them by a 2x2 system, then
-// each t_i takes one Newton step towards the foot point of P_i, and so on.
-//
-// Source: Schneider 1990, An algorithm for automatically fitting digitized curves, Graphics Gems, 612-626: parameters
-//   by chord length, the system of its section "Fitting the curve", t_i - f/f' of "Reparameterization", centre tangent
-//   at a split. As published, steps are only taken where the largest error is below twice the tolerance (four times, if
-//   squared); here in coordinate units, so that the scale of the data does not matter. Alphas that are not positive are
-//   replaced by a third of the length, after Wu and Barsky.
+// Formula: with the directions T1, T2 at the ends taken from the data, C(t_i) ~ P_i is linear in the lengths of the two
+//   handles, b_1 = b_0 + alpha_1 T1 and b_2 = b_3 + alpha_2 T2. Least squares gives them by a 2x2 system, then each t_i
+//   takes one Newton step towards the foot point of P_i, and both are repeated.
+// Source: [Schneider 1990]: parameters by chord length, the system of its section "Fitting the curve", t_i - f/f' of
+//   "Reparameterization", centre tangent at a split. As published, steps are only taken where the largest error is
+//   below twice the tolerance (four times for squared errors). Errors are in coordinate units here, so that the scale
+//   of the data does not matter. Alphas that are not positive are replaced by a third of the length, after Wu and
+//   Barsky.
 // Cost: O(m) flops for m points and each of at most 20 steps.
-// Fails: T1 and T2 are chords of the data, so samples of a cubic do not give it back, however small the tolerance: the
+// Bound: none.
+// Fails: T1 and T2 are chords of the data. So samples of a cubic do not give it back, however small the tolerance: the
 //   error at the ends is that of the chords. Reparametrisation converges linearly.
 #pragma once
 
@@ -26,7 +26,7 @@ struct Schneider {
                                    .max_degree = 3,
                                    .promise = "no data point is farther from the curve than the tolerance",
                                    .flops = "O(d m) per step",
-                                   .citation = "Schneider 1990, Graphics Gems, 612-626"};
+                                   .citation = "[Schneider 1990]"};
 
   template <int Dimension>
   static Piece<Dimension> piece(const Section<Dimension>& section) {

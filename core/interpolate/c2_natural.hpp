@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The C2 natural cubic spline by its slopes D_i, a third of the derivative at K_i, refined once:
+// Formula: the C2 natural cubic spline by its slopes D_i, a third of the derivative at K_i, refined once:
 //   P1,i = K_i + D_i,  P2,i = K_(i+1) - D_(i+1),  so that C1 needs no equation; C2 and natural ends are
 //   D_(i-1) + 4 D_i + D_(i+1) = K_(i+1) - K_(i-1),  2 D_0 + D_1 = K_1 - K_0,  D_(n-1) + 2 D_n = K_n - K_(n-1).
-// The residuals of this system are summed with their rounding errors and solved for a correction, which is added to K_i
-// and D_i before these are rounded to a control point.
-//
-// Source: de Boor, A Practical Guide to Splines, chapter IV (the system, there for any parameters); refinement: Higham,
-//   Accuracy and Stability of Numerical Algorithms, 2nd ed., section 12.1.
-// Cost: 90 flops per point and axis, all but 7 of which refine.
-// Bound: each control point is the exact one rounded once, but for terms of u^2; |P| <= sqrt(3) max|K|. What that can
-//   change is at most 2 u max|K| in C1: (P1,i - K_i) - (K_i - P2,i-1); (14 - 4 sqrt(3)) u max|K| in C2, the second
-//   differences of two segments; and 4.24 u max|K| at an end. Without refinement 10 are seen.
+//   The residuals of this system are summed with their rounding errors and solved for a correction, which is added to
+//   K_i and D_i before these are rounded to a control point.
+// Source: [de Boor 1978], chapter IV, the system for any parameters; refinement by [Higham 2002], section 12.1.
+// Cost: 90 flops per point and axis; all but 7 of them belong to the refinement.
+// Bound: each control point is the exact one rounded once, but for terms of u^2; |P| <= sqrt(3) max|K|. The residuals
+//   that these roundings leave are at most 2 u max|K| in C1, (P1,i - K_i) - (K_i - P2,i-1); (14 - 4 sqrt(3)) u max|K|
+//   in C2, the second differences of two segments; and 4.24 u max|K| at an end. Without refinement 10 u max|K| was
+//   observed.
 // Fails: control points beyond the largest double are infinite; subnormal ones are rounded once more.
 #pragma once
 
@@ -31,7 +30,7 @@ struct C2Natural {
                                    .max_degree = 3,
                                    .promise = "C1, C2 and natural ends to 7.1 u of the largest coordinate, proved",
                                    .flops = "per point 90d",
-                                   .citation = "de Boor, A Practical Guide to Splines, chapter IV"};
+                                   .citation = "[de Boor 1978], chapter IV; [Higham 2002], section 12.1"};
 
   static constexpr double residual_bound = 7.1;  ///< 14 - 4 sqrt(3) = 7.0718, and terms of u^2
 
@@ -68,7 +67,7 @@ struct C2Natural {
     return left_over;
   }
 
-  /// As if in twice the precision, rounded once (Ogita, Rump and Oishi 2005, algorithm 4.4).
+  /// As if in twice the precision, rounded once ([Ogita et al. 2005], Algorithm 4.4).
   static double sum(std::initializer_list<double> terms) {
     double value = 0;
     double error = 0;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The C2 natural cubic spline by its handles P1,i:
+// Formula: the C2 natural cubic spline by its handles P1,i:
 //   2 P1,0 + P1,1 = K_0 + 2 K_1,  P1,(i-1) + 4 P1,i + P1,(i+1) = 4 K_i + 2 K_(i+1),
 //   2 P1,(n-2) + 7 P1,(n-1) = 8 K_(n-1) + K_n,
 //   then P2,i = 2 K_(i+1) - P1,(i+1) and P2,(n-1) = (K_n + P1,(n-1)) / 2.
-//
-// Source: seed document 003, whose system is right; its back-substitution, P2,i = 2 K_i - P1,i, is not: it has the sign
-//   of C1 and the index of K wrong, and is corrected here. A single segment, for which the document has no equation, is
-//   straight.
+// Source: [Document 003]. Its system is right. Its back-substitution, P2,i = 2 K_i - P1,i, has a wrong sign in C1 and a
+//   wrong index of K; it is corrected here. A single segment, for which the document has no equation, is straight.
 // Cost: 9 flops per point and axis.
-// Fails: nothing is refined, and the handles are as large as the points, so that they lose what the differences of
-//   points far from the origin have.
+// Bound: none; the solution is not refined.
+// Fails: far from the origin: handles have the size of the points, so that they lose the digits in which neighbouring
+//   points differ.
 #pragma once
 
 #include "core/interpolate/interpolation.hpp"
@@ -25,7 +24,7 @@ struct C2NaturalHandles {
                                    .min_degree = 3,
                                    .max_degree = 3,
                                    .flops = "per point 9d",
-                                   .citation = "seed document 003, corrected"};
+                                   .citation = "[Document 003], corrected"};
 
   static constexpr double residual_bound = 0;
 

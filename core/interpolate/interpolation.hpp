@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a method for interpolation is: data about itself, and one function from points to the cubic Bezier segments that
-// join them with continuous first and second derivatives. Axes do not know of each other, so a method sees one.
+// join them with continuous first and second derivatives. Axes are independent, so a method is handed one at a time.
 #pragma once
 
 #include <concepts>

@@ -53,7 +53,7 @@ std::vector<double> points_of(int kind, std::size_t count, Inputs& inputs) {
   return k;
 }
 
-/// 5/9, 8/9, -1/9 and 10/9, 1/9, 4/9: by hand from the corrected system of seed document 003.
+/// 5/9, 8/9, -1/9 and 10/9, 1/9, 4/9: by hand from the corrected system of [Document 003].
 TEST(Interpolation, OfZeroOneZeroOne) {
   const std::vector<double> k{0, 1, 0, 1};
   const std::vector<double> ninths{0, 5, 10, 9, 9, 8, 1, 0, 0, -1, 4, 9};

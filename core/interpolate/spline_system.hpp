@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The tridiagonal system of a C2 spline at uniform parameters, solved by elimination without pivoting:
+// Formula: the tridiagonal system of a C2 spline at uniform parameters, solved by elimination without pivoting:
 //   2 x_0 + x_1 = r_0,  x_(i-1) + 4 x_i + x_(i+1) = r_i,  x_(m-2) + last x_(m-1) = r_(m-1).
-//
-// Source: the Thomas algorithm, Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section 9.6; without
-//   pivoting it is stable, as every row is diagonally dominant.
-// Cost: 4m flops. The multipliers c_0 = 1/2, c_i = 1/(4 - c_(i-1)) fall to 2 - sqrt(3), where rounding stops them
-//   after a few steps, so that a system of any length needs only those.
+// Source: [Higham 2002], section 9.6, the Thomas algorithm. Without pivoting it is stable, as every row is diagonally
+//   dominant.
+// Cost: 4m flops. The multipliers c_0 = 1/2, c_i = 1/(4 - c_(i-1)) fall to 2 - sqrt(3), where rounding stops them after
+//   a few steps. Only these few are stored, for a system of any length.
 #pragma once
 
 #include <algorithm>

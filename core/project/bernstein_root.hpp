@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A first estimate of the one root of a polynomial in Bernstein form: the zero of its control polygon, then Newton
-// steps until they are short enough for those on the curve itself to end at once.
+// steps until the distance to the root is so small that few steps on the curve itself remain.
 //
-// Source: Moerken and Reimers, Math. Comp. 76 (2007) 845-865 (zeros of the control polygon as estimates).
+// Source: [Moerken and Reimers 2007], zeros of the control polygon as estimates.
 // Cost: 3 flops for each of the n(n+1)/2 points of de Casteljau's triangle per step; most often three or four steps.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Candidates from the eigenvalues of a companion matrix, Eigen's balanced one. Eigen's iterations do the same on every
-// machine only as far as its build does: methods that use this are not bit-stable.
+// Candidates from the eigenvalues of a companion matrix, balanced and iterated by Eigen. The bits of Eigen's iterations
+// depend on how Eigen was built, so methods that use this are not bit-stable.
 #pragma once
 
 #include <algorithm>

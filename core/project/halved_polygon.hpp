@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A control polygon that is halved again and again, with a running bound of what that has cost.
+// A control polygon under repeated halving, with a running bound of the rounding errors that halving has added.
 #pragma once
 
 #include "core/project/polygon.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The curve as the point sees it, C - P, and what minimising its length asks for.
+// The curve relative to the point, C - P, and the derivatives of its squared length.
 //
-// With m a power of two at or above all coordinates, and at least 2^-1000, b_i and P are divided by m, exactly, and b_i
-// - P = high + low is an error-free sum. C - P is evaluated by de Casteljau in two parts
-// (core/evaluate/compensated_triangle.hpp), so that it is right to one rounding of itself and c_2 u^2 of the
-// coordinates, also next to the curve, where C and P agree in all digits.
+// With m a power of two at or above all coordinates, and at least 2^-1000, b_i and P are divided by m, exactly, and
+// b_i - P = high + low is an error-free sum. De Casteljau's triangle in two parts
+// (core/evaluate/compensated_triangle.hpp) evaluates C - P, so that its error is one rounding of itself and c_2 u^2 of
+// the coordinates, also next to the curve, where C and P agree in all digits.
 #pragma once
 
 #include "core/evaluate/compensated_triangle.hpp"

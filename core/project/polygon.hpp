@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control polygons as the projectors cut and evaluate them: one column a point.
+// Control polygons in the form in which the projectors cut and evaluate them: one column a point.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// f = (C - P).C' / n in Bernstein form, degree 2n-1, and which signs of its coefficients are certain:
+// f = (C - P).C' / n in Bernstein form, degree 2n-1, and the signs of its coefficients where they are certain:
 //   f_k = sum_(i+j=k) C(n,i) C(n-1,j) / C(2n-1,k) (b_i - P).(b_(j+1) - b_j).
 //
-// Source: Farouki and Rajan, CAGD 5 (1988) 1-26 (products in Bernstein form).
+// Source: [Farouki and Rajan 1988], products in Bernstein form.
 #pragma once
 
 #include "core/basis/binomial.hpp"

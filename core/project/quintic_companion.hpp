@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Roots of f = (C - P).C' / n in power form as eigenvalues of a companion matrix. With q_i = C(n,i) D^i (b_0 - P) and
-// h_j = C(n-1,j) D^(j+1) b_0 (D the forward difference), f_k = sum_(i+j=k) q_i.h_j. For a cubic, with A = b_0 - P,
-// B = D b_0, C = D^2 b_0, D = D^3 b_0:
-//   k0 = A.B, k1 = 2 A.C + 3 B.B, k2 = A.D + 9 B.C, k3 = 4 B.D + 6 C.C, k4 = 5 C.D, k5 = D.D.
-//
-// Source: the method of seed document 002 with its coefficients k2, k3 and k4 put right; Edelman and Murakami, Math.
-//   Comp. 64 (1995) 763-776 (roots from companion eigenvalues).
+// Formula: roots of f = (C - P).C' / n in power form as eigenvalues of a companion matrix. With q_i = C(n,i) D^i (b_0 -
+//   P) and h_j = C(n-1,j) D^(j+1) b_0 (D the forward difference), f_k = sum_(i+j=k) q_i.h_j. For a cubic, with A = b_0
+//   - P, B = D b_0, C = D^2 b_0, D = D^3 b_0:
+//     k0 = A.B, k1 = 2 A.C + 3 B.B, k2 = A.D + 9 B.C, k3 = 4 B.D + 6 C.C, k4 = 5 C.D, k5 = D.D.
+// Source: [Document 002] with its coefficients k2, k3 and k4 corrected; [Edelman and Murakami 1995], roots from
+//   companion eigenvalues.
 // Cost: about 10 (2n-1)^3 flops.
-// Fails: f is rounded in power form, so roots are off by (3^n u)^(1/k) at a k-fold root: 1e-5 at a cusp under the
-// point.
+// Bound: none.
+// Fails: f is rounded in power form, so the error of a k-fold root is (3^n u)^(1/k): 1e-5 where a cusp is the foot
+//   point.
 #pragma once
 
 #include "core/basis/binomial.hpp"
@@ -26,7 +26,7 @@ struct QuinticCompanion : CompanionProjection<QuinticCompanion> {
                                    .bit_stable = false,
                                    .flops = "about 10 (2n-1)^3",
                                    .cost_exponent = 3,
-                                   .citation = "Edelman and Murakami 1995"};
+                                   .citation = "[Document 002], corrected; [Edelman and Murakami 1995]"};
 
   /// f_0 .. f_(2n-1), over the square of the power of two that OffsetCurve divides by.
   template <int Dimension>

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Roots of f = (C - P).C' / n in Bernstein form, degree 2n-1, isolated by Descartes' rule on halved pieces of the
-// curve:
-//   f_k = sum_(i+j=k) C(n,i) C(n-1,j) / C(2n-1,k) (b_i - P).(b_(j+1) - b_j),
-// then Newton, on the f_k of the piece while the steps are long, on (C - P).C' from the control points for the last
-// ones, most often one. The curve and its differences are halved, not f: near the point they are small, and so are then
-// the rounding errors of f.
-//
-// Source: Chen, Zhou, Shu, Su and Paul, "Improved algebraic algorithm on point projection for Bezier curves", IMSCCS
-//   2007, 158-163 (roots of this polynomial, isolated, then Newton); Lane and Riesenfeld, BIT 21 (1981) 112-117
-//   (isolation by halving in Bernstein form); Farouki and Rajan, CAGD 5 (1988) 1-26 (products in Bernstein form).
+// Formula: roots of f = (C - P).C' / n in Bernstein form, degree 2n-1, isolated by Descartes' rule on halved pieces of
+//   the curve:
+//     f_k = sum_(i+j=k) C(n,i) C(n-1,j) / C(2n-1,k) (b_i - P).(b_(j+1) - b_j),
+//   then Newton's method: on the f_k of the piece while the steps are long, on (C - P).C' from the control points for
+//   the last steps, most often one. The curve and its differences are halved, not f: near the point they are small, and
+//   so are the rounding errors of f.
+// Source: [Chen et al. 2007], roots of this polynomial, isolated, then Newton's method; [Lane and Riesenfeld 1981],
+//   isolation by halving in Bernstein form; [Farouki and Rajan 1988], products in Bernstein form.
 // Cost: O(n^2) flops per piece, most often 2 to 10 pieces, and O(n^2) per Newton step. Quadratics and cubics run in
-// code
-//   of their own degree, without allocation.
-// Sure: a running bound of every rounding error says which signs of the f_k are certain. A piece is left out only if no
-//   choice of the others allows a root; a piece all of whose signs are uncertain, where the distance is flat to
-//   rounding, gives one candidate from which the distance is descended.
+//   code of their own degree, without allocation.
+// Bound: none stated for t. A running bound of every rounding error says which signs of the f_k are certain. A piece is
+//   dropped only if no choice of the uncertain signs allows a root. A piece all of whose signs are uncertain, where the
+//   distance is constant up to rounding, gives one candidate, from which the distance is minimised further.
 // Fails: above degree 512 the binomials of degree 2n-1 overflow.
 #pragma once
 
@@ -31,7 +28,7 @@ struct QuinticIsolate {
                                    .max_degree = 512,
                                    .flops = "O(d n^2) per piece and per Newton step",
                                    .cost_exponent = 2,
-                                   .citation = "Chen et al. 2007; Lane and Riesenfeld 1981"};
+                                   .citation = "[Chen et al. 2007]; [Lane and Riesenfeld 1981]"};
 
   template <int Dimension>
   static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,

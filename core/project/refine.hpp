@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From a root that is known roughly to one that is known to the last bits, always from the control points: the
-// coefficients of (C - P).C' were rounded, and at a cusp their roots are off by the cube root of that.
+// From a rough estimate of a root of (C - P).C' to one that is right to the last bits. Each step starts from the
+// control points: the coefficients of (C - P).C' were rounded, and at a cusp this moves their roots by the cube root of
+// u.
 #pragma once
 
 #include "core/project/offset_curve.hpp"
@@ -15,8 +16,8 @@ struct RootEstimate {
 
 /// A root of (C - P).C' between a < b, where its signs differ, from an estimate between them: Newton steps, bisection
 /// where a step leaves the bracket or the steps do not halve. Ends where a and b are neighbours, or after a step s that
-/// leaves an error of no more than u t: one of 2 s^2 |f''| / |f'| (Kantorovich's theorem; Ortega and Rheinboldt,
-/// Iterative Solution of Nonlinear Equations in Several Variables, 1970, 12.6.2).
+/// leaves an error of no more than u t: one of 2 s^2 |f''| / |f'| (Kantorovich's theorem; [Ortega and Rheinboldt
+/// 1970], 12.6.2).
 template <int Dimension, int Degree>
 double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, double b, bool rising,
                        const RootEstimate& estimate) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method for point projection says.
+// The result of a method for point projection.
 #pragma once
 
 namespace bezierbench {

@@ -36,7 +36,7 @@ struct Known {
   double distance;
 };
 
-/// Worked out with exact integers, to the digits given, for the errors of the seed documents 002 and 004.
+/// Worked out with exact integers, to the digits given, for the errors of [Document 002] and [Document 004].
 const std::vector<Known> known{
     {{0, 0, 0, 1, 1, 1, 1, 0}, {0.5, 0}, 0, 0.5},  // both ends, for the middle is 3/4 away
     {{6, 3, 5, 6, -7, -2, 7, 4}, {5, 3}, 0.945677, 0.15324},

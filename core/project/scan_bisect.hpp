@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The nearest of 26 samples, then bisection between its neighbours: the middle k moves towards the nearer of k - e and
-// k + e until the interval is no longer than e.
-//
-// Source: seed document 004, first snippet (closestPoint and localMinimum). Two things differ: k +- e stay in [0, 1],
-//   and e is 2^-26. The snippet's 1e-4 leaves t that far off; with an e below about 1e-8 the two distances agree in all
-//   digits and chance decides.
+// Formula: the nearest of 26 samples, then bisection between its neighbours: the middle k moves towards the nearer of
+//   k - e and k + e until the interval is no longer than e.
+// Source: [Document 004], first snippet (closestPoint and localMinimum). Two things differ: k +- e stay in [0, 1], and
+//   e is 2^-26. The snippet's e of 1e-4 leaves an error of this size in t; with an e below about 1e-8 the two distances
+//   agree in all digits, so that their comparison is decided by rounding.
 // Cost: 26 + 2 22 points by de Casteljau.
-// Fails: finds one local minimum, that of the nearest sample: (8,5) (-4,0) (6,3) (9,7) and P = (6,4) give t = 0.7459 at
-//   the distance 0.3085, and the nearest point is at t = 0.064530, distance 0.141664. t is never better than e.
+// Bound: none. t is never better than e.
+// Fails: it finds one local minimum, that of the nearest sample. (8,5) (-4,0) (6,3) (9,7) and P = (6,4) give t = 0.7459
+//   at the distance 0.3085, and the nearest point is at t = 0.064530, distance 0.141664.
 #pragma once
 
 #include "core/project/projection.hpp"
@@ -23,7 +23,7 @@ struct ScanBisect {
                                    .min_degree = 1,
                                    .flops = "70 points by de Casteljau",
                                    .cost_exponent = 2,
-                                   .citation = "seed document 004"};
+                                   .citation = "[Document 004]"};
 
   template <int Dimension>
   static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,

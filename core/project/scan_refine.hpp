@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Repeated slicing: the nearest of 17 samples, then of 17 samples between its neighbours, and so on until the interval
-// is shorter than 2^-52.
-//
-// Source: seed document 004, the recursive snippet, which leaves both numbers to the caller. One thing differs: samples
+// Formula: repeated slicing: the nearest of 17 samples, then of 17 samples between its neighbours, and so on until the
+//   interval is shorter than 2^-52.
+// Source: [Document 004], the recursive snippet, which leaves both numbers to the caller. One thing differs: samples
 //   are multiples of a slice, not sums of it, so that the last is the end of the interval.
 // Cost: 17 (the first time) + 17 18 points by de Casteljau.
-// Fails: finds one local minimum, as scan_bisect; distances are compared squared, so that t is right to half of its
-//   digits only where the point is off the curve.
+// Bound: none.
+// Fails: it finds one local minimum, as scan_bisect. Distances are compared squared, so that t has half of its digits
+//   right at most, unless the point is on the curve.
 #pragma once
 
 #include "core/project/projection.hpp"
@@ -22,7 +22,7 @@ struct ScanRefine {
                                    .min_degree = 1,
                                    .flops = "323 points by de Casteljau",
                                    .cost_exponent = 2,
-                                   .citation = "seed document 004"};
+                                   .citation = "[Document 004]"};
 
   template <int Dimension>
   static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,

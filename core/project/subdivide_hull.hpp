@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Halves the curve and drops pieces that cannot hold the nearest point: of |C - P|^2 in Bernstein form,
-//   g_k = sum_(i+j=k) C(n,i) C(n,j) / C(2n,k) (b_i - P).(b_j - P),
-// the least coefficient is a lower bound on the piece, its ends give upper bounds. The least g_k is never below the
-// squared distance of the convex hull where that is positive and close to it, and converges quadratically.
-//
-// Source: seed document 004, third answer, whose bound is wrong: the distance of a control polygon's vertices bounds
-//   nothing from below. Chen, Zhou, Shu, Su and Paul 2007 clip by the coefficients of |C - P|^2.
+// Formula: halves the curve and drops pieces that cannot hold the nearest point. Of |C - P|^2 in Bernstein form,
+//     g_k = sum_(i+j=k) C(n,i) C(n,j) / C(2n,k) (b_i - P).(b_j - P),
+//   the least coefficient is a lower bound on the piece, and its ends give upper bounds. The least g_k is never below
+//   the squared distance of the convex hull where that is positive; it is close to it and converges quadratically.
+// Source: [Document 004], third answer, whose bound is wrong: the distance of a control polygon's vertices is no lower
+//   bound. [Chen et al. 2007] clip by the coefficients of |C - P|^2.
 // Cost: O(n^2) flops per piece; some 100 pieces.
-// Sure: a piece is dropped only where it could be nearer than the best parameter by no more than its rounding errors:
-//   2c u of the distance, c = d (5n + d + 5), and what halving has added, (n + 1) u times the size of every piece that
-//   it was cut from. Or where it is narrower than 2^-54. The distance is then descended from the best parameter.
-// Fails: beyond degree 512 the binomials of degree 2n overflow; next to a curve whose distance is flat to rounding over
-//   a long way it gives up after 20,000 pieces, and says so.
+// Bound: none stated for t. A piece is dropped only where it cannot be nearer than the best parameter by more than its
+//   rounding errors: 2c u of the distance, c = d (5n + d + 5), and those of halving, (n + 1) u times the size of every
+//   piece that it was cut from; or where it is narrower than 2^-54. The distance is then minimised from the best
+//   parameter.
+// Fails: beyond degree 512 the binomials of degree 2n overflow. Next to a curve whose distance is constant up to
+//   rounding over a long part it gives up after 20,000 pieces, and says so.
 #pragma once
 
 #include <vector>
@@ -31,7 +31,7 @@ struct SubdivideHull {
                                    .max_degree = 512,
                                    .flops = "O(d n^2) per piece",
                                    .cost_exponent = 2,
-                                   .citation = "Chen et al. 2007; seed document 004"};
+                                   .citation = "[Chen et al. 2007]; [Document 004]"};
 
   template <int Dimension>
   static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,

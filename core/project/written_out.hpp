@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Loops that are written out one by one where their length is known when compiled: GCC unrolls nested ones too late to
-// keep small polygons in registers.
+// Loops whose length is known when compiled, written out step by step: GCC unrolls nested loops too late to keep small
+// polygons in registers.
 #pragma once
 
 #include <utility>

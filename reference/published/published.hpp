@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The printed values of others, as the CSV files of this folder, each row with its source.
+// The printed values of others, as the CSV files of this folder, each row with its source. report_tables.csv has the
+// tables of [Report 001]; SOURCES.md lists the sources.
 #pragma once
 
 #include <span>
