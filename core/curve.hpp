@@ -39,19 +39,21 @@ class Curve {
 
   explicit Curve(int degree) {
     assert(degree >= 0 && degree <= max_degree);
-    coefficients_.resize(DimensionT, degree + 1);  // a sized constructor would mean values for small fixed sizes
+    // Not by Eigen's constructor, which takes two numbers as coefficients where the fixed size is small.
+    coefficients_.resize(DimensionT, degree + 1);
   }
 
   [[nodiscard]] int degree() const { return static_cast<int>(coefficients_.cols()) - 1; }
   [[nodiscard]] Scalar operator()(int axis, int i) const { return coefficients_.coeff(axis, i); }
   [[nodiscard]] Scalar& operator()(int axis, int i) { return coefficients_.coeffRef(axis, i); }
-  /// Point by point.
+  /// The coefficients in memory, point by point.
   [[nodiscard]] const Scalar* data() const { return coefficients_.data(); }
 
  private:
   static constexpr int columns = DegreeT == dynamic ? Eigen::Dynamic : DegreeT + 1;
   static constexpr int max_columns = DegreeT == dynamic ? max_degree + 1 : DegreeT + 1;
-  static constexpr int order = DimensionT == 1 ? Eigen::RowMajor : Eigen::ColMajor;  // Eigen asks it of a single row
+  static constexpr int order =
+      DimensionT == 1 ? Eigen::RowMajor : Eigen::ColMajor;  // Eigen requires this of a single row
   Eigen::Matrix<Scalar, DimensionT, columns, order, DimensionT, max_columns> coefficients_;
 };
 

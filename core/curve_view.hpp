@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A curve as the harness and the reference see it: form, degree and where its coefficients are.
+// A curve for the harness and the reference: form, degree and a view of its coefficients.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,7 @@ struct CurveView {
   int dimension = 2;
   int degree = 0;
   std::span<const Scalar> coefficients;  ///< (degree + 1) * dimension values; control points are not premultiplied
-  std::span<const Scalar> weights = {};  ///< degree + 1 values for a rational curve, else none
+  std::span<const Scalar> weights = {};  ///< degree + 1 values for a rational curve, else empty
 
   [[nodiscard]] Scalar operator()(int axis, int i) const {
     return coefficients[static_cast<std::size_t>(i) * static_cast<std::size_t>(dimension) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every method states about itself, next to its code: one value read by docs, tests and the run-time check.
+// The data that every method states next to its code; docs, tests and the run-time check read this one value.
 #pragma once
 
 #include <array>
@@ -39,12 +39,12 @@ constexpr std::string_view name(Problem problem) {
   return "";
 }
 
-/// How the rounded 1 - t, s, enters a result: what the curve would be if nothing else were rounded. In a rational curve
-/// the last two are one, for numerator and denominator have the same (t + s)^n.
+/// How s, the rounded 1 - t, enters a result: the curve that results if nothing else is rounded. For a rational curve
+/// the last two are the same, for numerator and denominator both have the factor (t + s)^n.
 enum class OneMinusT {
-  unused,     ///< not at all, or only where it is exact, or its error is compensated
+  unused,     ///< s is not used, or only where it is exact, or its error is compensated
   summed,     ///< sum b_i C(n,i) t^i s^(n-i)
-  normalised  ///< that, over (t + s)^n: only the ratio of t and s is used
+  normalised  ///< this sum over (t + s)^n: only the ratio of t and s is used
 };
 
 /// The part of a method that is data.
@@ -52,18 +52,18 @@ struct MethodInfo {
   std::string_view id;     ///< permanent key in files, command lines and reports
   std::string_view label;  ///< for people
   Problem problem = Problem::evaluation;
-  Form form = Form::bernstein;  ///< of the curve that is handed to it
+  Form form = Form::bernstein;  ///< form of the curve that the method takes
   int min_degree = 0;
   int max_degree = bezierbench::max_degree;        ///< in double
   int max_degree_float = bezierbench::max_degree;  ///< in float, whose range ends sooner
   std::optional<ErrorBound> bound = std::nullopt;
-  std::string_view promise = {};  ///< of a companion problem's method: what is sure of its results, for people
+  std::string_view promise = {};  ///< of a companion problem's method: the property that its results have, for people
   bool bit_stable = true;         ///< false where libm decides the last bits
   OneMinusT one_minus_t = OneMinusT::unused;
-  std::string_view flops;    ///< in n and d: per point, of a conversion per curve
-  int cost_exponent = 1;     ///< k of the claim that those are O(n^k)
-  int prepare_exponent = 1;  ///< k of the claim that `prepare` costs O(n^k); not for conversions
-  std::string_view citation;
+  std::string_view flops;     ///< in n and d, per point; for a conversion, per curve
+  int cost_exponent = 1;      ///< k of the claim that these flops are O(n^k)
+  int prepare_exponent = 1;   ///< k of the claim that `prepare` costs O(n^k); not for conversions
+  std::string_view citation;  ///< keys of reference/published/SOURCES.md in brackets, each with its section or equation
 
   /// True for the degrees that the method promises in this scalar type.
   template <class Scalar>
@@ -92,7 +92,7 @@ struct Concatenated<TypeList<Ts...>, TypeList<Us...>, Rest...> {
   using Type = typename Concatenated<TypeList<Ts..., Us...>, Rest...>::Type;
 };
 
-/// What the methods of a roster say of themselves, in its order.
+/// The data of the methods of a roster, in its order.
 template <class... Methods>
 std::span<const MethodInfo* const> infos_of(TypeList<Methods...> /*roster*/) {
   static constexpr std::array<const MethodInfo*, sizeof...(Methods)> infos{&Methods::info...};

@@ -15,7 +15,7 @@ namespace {
 constexpr int exact_binomials = 56;  ///< through this degree every C(n,i) is a double
 constexpr int largest_power_degree = 128;
 constexpr double largest_t = 8;
-constexpr double smallest_t = 0x1p-100;  ///< below, the low part of the ratio may underflow
+constexpr double smallest_t = 0x1p-100;  ///< below this the low part of the ratio may underflow
 constexpr double smallest_magnitude = 0x1p-600;
 constexpr double largest_coefficient = 0x1p+600;
 
@@ -42,7 +42,7 @@ inline Pair quotient(Pair x, Pair y) {
   return normalised(fast_two_sum(first, rest / y.high));
 }
 
-/// Of the proof in the header, and one unit for underflow; the second order is covered by a relative 2^-20.
+/// The factor that the header proves, and one unit for underflow; a relative margin of 2^-20 covers the second order.
 double error_factor(Form form, int n) {
   return (form == Form::bernstein ? 44.0 * n + 9 : 12.0 * n + 1) * (1 + 0x1p-20);
 }
@@ -52,13 +52,14 @@ constexpr int kept_bits = 24;
 constexpr int dropped_bits = 53 - kept_bits;
 constexpr std::uint64_t fraction = (1ULL << 52U) - 1;
 
-/// A value below 2^52, without the conversion that vectors lack.
+/// An integer below 2^52 as a double, without the instruction for it, which vectors lack.
 inline double to_double(std::uint64_t value) {
   constexpr std::uint64_t bits_of_2_52 = 0x4330000000000000;
   return std::bit_cast<double>(bits_of_2_52 | value) - 0x1p+52;
 }
 
-/// What is on one axis between a computed coordinate and high + low, right to a relative 4u: see Distance.
+/// The difference of a computed coordinate and high + low on one axis, with a relative error of at most 4u: see
+/// Distance.
 inline double difference(double computed, double high, double low) {
   const auto top = two_sum(computed, -high);
   return top.value + (top.error - low);
@@ -66,8 +67,8 @@ inline double difference(double computed, double high, double low) {
 
 inline double larger(double a, double b) { return a < b ? b : a; }
 
-/// The length of three differences that are off by `error` each, rounded to 24 bits where every number that it may be
-/// would be rounded alike, else NaN. No branches, so that many are done at once.
+/// The length of three differences, each with an error of at most `error`, rounded to 24 bits. NaN where the numbers
+/// that it may be do not all round alike. There are no branches, so that compilers vectorise it.
 inline double certain_length(double x, double y, double z, double error) {
   const double largest = larger(larger(std::abs(x), std::abs(y)), std::abs(z));
   const double unit = std::bit_cast<double>(std::bit_cast<std::uint64_t>(largest) & ~fraction);
@@ -208,7 +209,8 @@ void CertifiedPoints::multiply_by_power() {
 void CertifiedPoints::finish() {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      // Products leave the low part at no more than an ulp or two of the high one; the nearest double is asked for.
+      // After products the low part is up to two ulps of the high one; a certificate has the nearest double as high
+      // part.
       const auto nearest = two_sum(sums_[axis].high[lane], sums_[axis].low[lane]);
       points_.high[axis][lane] = nearest.value;
       points_.low[axis][lane] = nearest.error;

@@ -30,30 +30,30 @@
 
 namespace bezierbench::reference {
 
-/// high + low, the nearest double and the rest, on each axis; right to `error` on each axis.
+/// On each axis high + low, the nearest double and the remainder, with an error of at most `error`.
 struct CertifiedPoint {
   int dimension = 0;
   std::array<double, max_dimension> high{};
   std::array<double, max_dimension> low{};
   double error = 0;
 
-  /// The Euclidean distance of a finite point, rounded once to 24 significant bits; nothing where that is not proved.
+  /// The Euclidean distance of a finite point, rounded once to 24 significant bits; empty where that is not proved.
   [[nodiscard]] std::optional<double> distance(std::span<const double> point) const;
 };
 
 inline constexpr std::size_t certified_lanes = 16;
 using CertifiedLanes = std::array<double, certified_lanes>;
 
-/// Coordinates of points side by side, by axis; 0 on axes that there are none of.
+/// Coordinates of points side by side, by axis; unused axes are 0.
 using PointLanes = std::array<CertifiedLanes, max_dimension>;
 
-/// Points like CertifiedPoint side by side; `error` is NaN where a point is not known.
+/// Many CertifiedPoints side by side; `error` is NaN for a point that is not certified.
 struct CertifiedBlock {
   PointLanes high{};
   PointLanes low{};
   CertifiedLanes error{};
 
-  /// As CertifiedPoint::distance; NaN where no distance is proved.
+  /// The distances, as CertifiedPoint::distance; NaN where none is proved.
   [[nodiscard]] CertifiedLanes distances(const PointLanes& points) const;
 };
 
@@ -64,7 +64,7 @@ class CertifiedPoints {
 
   CertifiedPoints(Form form, int dimension, int degree);
 
-  /// False where the error is not proved whatever the values are: then nothing else may be called.
+  /// False where no values have a proved error; then no other member may be called.
   static bool applies(Form form, int degree);
 
   /// Trial number `lane` of the block; every lane that is read after `evaluate` must have been loaded.
@@ -75,7 +75,7 @@ class CertifiedPoints {
   /// The points of all lanes.
   [[nodiscard]] const CertifiedBlock& points() const { return points_; }
 
-  /// The point of a lane; nothing where the error is not proved.
+  /// The point of a lane; empty where the error is not proved.
   [[nodiscard]] std::optional<CertifiedPoint> point(std::size_t lane) const;
 
  private:
@@ -92,9 +92,9 @@ class CertifiedPoints {
   Form form_;
   int dimension_;
   int degree_;
-  std::vector<double> binomials_;    ///< 1 in power form
-  std::vector<Lanes> coefficients_;  ///< from the last one of Horner's scheme on, point by point
-  Pairs ratio_;                      ///< what Horner's scheme multiplies by
+  std::vector<double> binomials_;    ///< C(n,i); 1 in power form
+  std::vector<Lanes> coefficients_;  ///< point by point, in the reverse order of Horner's scheme
+  Pairs ratio_;                      ///< the factor of Horner's scheme: r, or t in power form
   Pairs larger_;                     ///< L
   Lanes unknown_{};                  ///< 0 where t and coefficients are in the range of the proof, else NaN
   std::array<Pairs, max_dimension> sums_;

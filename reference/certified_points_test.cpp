@@ -65,7 +65,7 @@ TEST(CertifiedPoints, AreWithinTheirError) {
   }
 }
 
-/// Whatever is certified is what the integers say, also for points that are nearly right, and for the length.
+/// Every certified value equals that of the integers, also for points that are nearly right, and for the length.
 TEST(CertifiedPoints, DistancesAreThoseOfTheIntegers) {
   Trials trials;
   ExactCurve exact;
@@ -126,7 +126,7 @@ TEST(CertifiedPoints, LeavesOutWhatIsNotProved) {
   EXPECT_FALSE(points.point(0));
 }
 
-/// Points whose distances take every path: near, far, the point itself, on one axis only, tiny, huge, no number.
+/// Points whose distances take every path: near, far, the point itself, on one axis only, tiny, huge, NaN.
 std::vector<double> any_point(const CertifiedPoint& from, std::size_t kind, std::mt19937_64& bits) {
   std::vector<double> point;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(from.dimension); ++axis) {

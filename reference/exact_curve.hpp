@@ -25,17 +25,17 @@ namespace bezierbench::reference {
 /// Evaluates exactly; keeps its big integers between calls (so one object per thread).
 class ExactCurve {
  public:
-  /// The point of `curve` (finite coefficients and weights, dimension at most 3) at finite t. Of a rational curve it
-  /// does not exist where sum w_i B_i(t) = 0. Valid until the next call.
+  /// The point of `curve` (finite coefficients and weights, dimension at most 3) at finite t. A rational curve has none
+  /// where sum w_i B_i(t) = 0. Valid until the next call.
   const ExactPoint& point(const CurveView<double>& curve, double t);
 
   /// p~ = sum |c_i| |basis function i (t)| on each axis, over the coefficients in the form of `curve`; for a rational
   /// curve sum |w_i b_i| |B_i(t)| / |sum w_i B_i(t)|, likewise.
   const ExactPoint& p_tilde(const CurveView<double>& curve, double t);
 
-  /// What the Bernstein form gives when 1 - t is taken to be `complement`: sum b_i C(n,i) t^i complement^(n-i), divided
-  /// by (t + complement)^n, which must not be 0, if `normalised`; for a rational curve, whose weights are summed with
-  /// the same complement, that makes no difference. Valid until the next call.
+  /// The Bernstein form with `complement` in place of 1 - t: sum b_i C(n,i) t^i complement^(n-i); if `normalised`,
+  /// divided by (t + complement)^n, which must not be 0. For a rational curve this division changes nothing, because
+  /// the weights are summed with the same complement. Valid until the next call.
   const ExactPoint& with_complement(const CurveView<double>& curve, double t, double complement, bool normalised);
 
   /// The derivative of this order >= 0 of a curve in Bernstein or power form. Valid until the next call.
@@ -45,12 +45,12 @@ class ExactCurve {
   const ExactPoint& derivative_p_tilde(const CurveView<double>& curve, int order, double t);
 
   /// The coefficients of that derivative in the form of `curve`, point by point, each rounded once (infinite where it
-  /// overflows); one point, 0, for orders beyond the degree.
+  /// overflows); the single point 0 for orders beyond the degree.
   std::vector<double> derivative_coefficients(const CurveView<double>& curve, int order);
 
  private:
   void load(const CurveView<double>& curve, bool magnitudes);
-  /// Loads the coefficients of the derivative; returns a curve without any, of its form, dimension and degree.
+  /// Loads the coefficients of the derivative; returns a curve of its form, dimension and degree, without coefficients.
   CurveView<double> load_derivative(const CurveView<double>& curve, int order);
   void sum(const CurveView<double>& curve);
   void divide_by_weights(int n);
@@ -62,7 +62,7 @@ class ExactCurve {
   ExactPoint point_;
   std::vector<mpz_class> coefficients_;  ///< point by point, times 2^coefficient_exponent_
   long coefficient_exponent_ = 0;
-  std::vector<mpz_class> weights_;    ///< of a rational curve, times a power of two
+  std::vector<mpz_class> weights_;    ///< weights of a rational curve, times a power of two
   mpz_class t_numerator_;             ///< T
   mpz_class one_minus_t_;             ///< S, over the same 2^k
   unsigned long t_shift_ = 0;         ///< k

@@ -29,7 +29,7 @@ TwoTerms two_sum(double a, double b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// floor(log2 |x|) of a normal number, from its bits.
+/// floor(log2 |x|) of a normal number, read from its bits.
 int binary_exponent(double x) { return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52U) & 0x7ffU) - 1023; }
 
 /// 2^e for -1022 <= e <= 1023.
@@ -175,8 +175,8 @@ Distance::Difference Distance::difference(double value, const Expansion& expansi
   const double rest = (top.error - expansion.middle) - expansion.low;
   result.value = top.sum + rest;
   // `high` is the double nearest to the truth, so |value - truth| >= |middle + low| for any double: nothing cancels
-  // beyond a factor of two, and the roundings above cost at most 2^-50 of the result. What the expansion leaves out is
-  // below 2^-155.
+  // beyond a factor of two, and the roundings above change the result by at most 2^-50 of it. The remainder of the
+  // expansion is below 2^-155.
   result.certain = expansion.complete || 0x1p-155 <= 0x1p-50 * std::abs(result.value);
   return result;
 }
@@ -203,7 +203,7 @@ double Distance::to(std::span<const double> point) const {
     sum += scaled * scaled;
   }
   const double distance = std::sqrt(sum);
-  // 53 - 24 = 29 bits are dropped; the value is right to about 2^-46, so anything nearer to a tie is left to integers.
+  // 53 - 24 = 29 bits are dropped. The relative error is about 2^-46, so the integers decide values nearer to a tie.
   constexpr std::uint64_t dropped_mask = (1ULL << 29U) - 1;
   constexpr std::int64_t half = 1LL << 28U;
   const auto bits = std::bit_cast<std::uint64_t>(distance);

@@ -34,8 +34,8 @@ ExactPoint exactly(std::span<const double> point);
 /// The Euclidean distance of two points of one dimension, rounded once to `error_format`.
 double distance(const ExactPoint& a, const ExactPoint& b);
 
-/// The spacing that `ulp_of_length` gives, where `length` alone decides it: not next to a power of two, to which it may
-/// have been rounded up.
+/// The result of `ulp_of_length` where `length` alone decides it. Next to a power of two it does not, because the
+/// length may have been rounded up to it.
 std::optional<double> ulp_at_length(double length, const Format& format);
 
 /// The spacing of the numbers of `format` at |point|: 2^(e - precision + 1) with 2^e <= |point| < 2^(e+1), at least the
@@ -55,7 +55,7 @@ class Distance {
   /// to a multiple of 2^-1074). Infinite where it overflows or a coordinate is not finite.
   [[nodiscard]] double to(std::span<const double> point) const;
 
-  /// The distance of the origin, likewise: the length of a point of this dimension.
+  /// The distance from the origin, rounded likewise.
   [[nodiscard]] double of_origin(int dimension) const {
     return to(std::span(origin).first(static_cast<std::size_t>(dimension)));
   }
@@ -64,7 +64,7 @@ class Distance {
   static constexpr std::array<double, max_dimension> origin{};
 
   /// A coordinate as (high + middle + low) 2^exponent with |high| in [1/2, 1], each part at most half an ulp of the one
-  /// before, and what is missing below 2^-155 (nothing, if `complete`).
+  /// before, and a remainder below 2^-155 (zero, if `complete`).
   struct Expansion {
     double high = 0;
     double middle = 0;
@@ -82,7 +82,7 @@ class Distance {
   static Difference difference(double value, const Expansion& expansion);
   [[nodiscard]] double exact_distance(std::span<const double> point) const;
 
-  const ExactPoint* exact_ = nullptr;  ///< or else `point_`
+  const ExactPoint* exact_ = nullptr;  ///< null where the point is `point_`
   std::span<const double> point_;
   std::array<Expansion, max_dimension> expansions_;
 };

@@ -19,7 +19,7 @@ class Distances {
   Distances(int dimension, std::span<const double> points, std::span<const double> control_points)
       : d_(static_cast<std::size_t>(dimension)), points_(points), control_points_(control_points) {}
 
-  /// At one place of the curve: never less than the distance to the curve.
+  /// The distance to one place of the curve, an upper bound of the distance to the curve.
   Rational squared_at(std::size_t i, const NearPlace& place) {
     const auto at = exact_.point(segment(static_cast<std::size_t>(place.segment)), place.t);
     Rational sum;
@@ -30,7 +30,7 @@ class Distances {
     return sum;
   }
 
-  /// The least over all segments, given that it is at most `bound`.
+  /// The least distance to any segment, given that it is at most `bound`.
   [[nodiscard]] Rational least_squared(std::size_t i, Rational bound) const {
     for (std::size_t s = 0; s < control_points_.size() / (4 * d_); ++s) {
       if (less(bound, squared_to_box(i, s))) continue;
@@ -46,7 +46,7 @@ class Distances {
     return {Form::bernstein, static_cast<int>(d_), 3, control_points_.subspan(4 * d_ * s, 4 * d_)};
   }
 
-  /// To the box around the control points, which holds the segment.
+  /// The distance to the box around the control points, which holds the segment: a lower bound.
   [[nodiscard]] Rational squared_to_box(std::size_t i, std::size_t s) const {
     Rational sum;
     for (std::size_t axis = 0; axis < d_; ++axis) {
@@ -84,7 +84,7 @@ Rational largest_squared_distance(int dimension, std::span<const double> points,
   std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return less(bounds[b], bounds[a]); });
   Rational largest;
   for (const auto i : order) {
-    if (!less(largest, bounds[i])) break;  // nor is any that follows farther
+    if (!less(largest, bounds[i])) break;  // bounds fall, so no later point is farther
     const auto squared = distances.least_squared(i, bounds[i]);
     if (less(largest, squared)) largest = squared;
   }

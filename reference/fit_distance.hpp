@@ -9,14 +9,15 @@
 
 namespace bezierbench::reference {
 
-/// Where somebody says that a piecewise curve is near a point. Only how long the search takes depends on it.
+/// A claimed place of a piecewise curve near a point. It affects the time of the search only, not its result.
 struct NearPlace {
   int segment;  ///< from 0
   double t;     ///< in [0, 1]
 };
 
-/// The square of that distance. `points` and `control_points` (four a segment) point by point, finite, in as many
-/// dimensions, at most 3; one place for each point. The root is right to 2^-126 times the length of a segment.
+/// The square of the distance of the data from the piecewise curve. `points` and `control_points` (four a segment)
+/// point by point, finite, in as many dimensions, at most 3; one place for each point. The root has an error of at most
+/// 2^-126 times the length of a segment.
 Rational largest_squared_distance(int dimension, std::span<const double> points, std::span<const double> control_points,
                                   std::span<const NearPlace> places);
 

@@ -59,7 +59,7 @@ int variations(IntegerPolynomial p) {
   return count;
 }
 
-/// Divides by t^k as far as it goes; true if it does at all.
+/// Divides by the largest power of t that divides p; true if that is not 1.
 bool drop_root_at_zero(IntegerPolynomial& p) {
   const auto first = std::find_if(p.begin(), p.end(), [](const mpz_class& c) { return c != 0; });
   const bool found = first != p.begin();

@@ -16,10 +16,10 @@ IntegerPolynomial from_scaled_bernstein(const std::vector<mpz_class>& c);
 
 IntegerPolynomial derivative(const IntegerPolynomial& p);
 
-/// The greatest common divisor, up to a factor; primitive. Of two zero polynomials it is zero.
+/// The greatest common divisor, up to a factor; primitive. For two zero polynomials it is zero.
 IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial b);
 
-/// p with each of its complex roots once, up to a factor; p is not zero.
+/// The polynomial with each complex root of p once, up to a factor; p is not zero.
 IntegerPolynomial square_free(const IntegerPolynomial& p);
 
 /// k / 2^shift.
@@ -28,10 +28,10 @@ struct Dyadic {
   unsigned long shift = 0;
 };
 
-/// The sign of p there.
+/// The sign of p at t.
 int sign_at(const IntegerPolynomial& p, const Dyadic& t);
 
-/// [k, k + 1] / 2^shift holds one root, inside; or k / 2^shift is it.
+/// An interval [k, k + 1] / 2^shift with one root inside; or the root k / 2^shift itself, if `exact`.
 struct RootInterval {
   Dyadic t;
   bool exact = false;
@@ -41,8 +41,8 @@ struct RootInterval {
 /// rule of signs ([Collins and Akritas 1976]).
 std::vector<RootInterval> isolate_roots(const IntegerPolynomial& p);
 
-/// Narrows the interval around a simple root until it is at most 2^-bits wide, or the root is met: guesses by the
-/// secant are tried at twice the bits each time they are right ([Abbott 2014]).
+/// Narrows the interval around a simple root until it is at most 2^-bits wide, or the root is found: guesses by the
+/// secant get twice the bits each time they are right ([Abbott 2014]).
 void refine(const IntegerPolynomial& p, RootInterval& root, unsigned long bits);
 
 }  // namespace bezierbench::reference

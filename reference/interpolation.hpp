@@ -16,21 +16,21 @@ struct ExactSpline {
   std::vector<Rational> second;
 };
 
-/// Of n + 1 >= 2 finite coordinates K. The system of the handles is solved by shooting: with a_0 = P1,0 unknown, its
-/// equations give a_1, a_2, ... as p_i + q_i a_0 with integers p_i and q_i, and the last one gives a_0. That takes
-/// O(n^2) bits: for n to some thousands.
+/// The exact spline for n + 1 >= 2 finite coordinates K. The system of the handles is solved by shooting: with a_0 =
+/// P1,0 unknown, its equations give a_1, a_2, ... as p_i + q_i a_0 with integers p_i and q_i, and the last one gives
+/// a_0. That takes O(n^2) bits, so it suits n up to some thousands.
 ExactSpline exact_spline(std::span<const double> coordinates);
 
 /// The largest magnitudes along the spline, exact.
 struct SplineResiduals {
-  Rational data;     ///< of P0,i - K_i and P3,i - K_(i+1)
-  Rational c0;       ///< of P0,i - P3,i-1
-  Rational c1;       ///< of (P1,i - P0,i) - (P3,i-1 - P2,i-1)
-  Rational c2;       ///< of (P0,i - 2 P1,i + P2,i) - (P1,i-1 - 2 P2,i-1 + P3,i-1)
-  Rational natural;  ///< of P0,0 - 2 P1,0 + P2,0 and P1,n-1 - 2 P2,n-1 + P3,n-1
+  Rational data;     ///< largest of P0,i - K_i and P3,i - K_(i+1)
+  Rational c0;       ///< largest of P0,i - P3,i-1
+  Rational c1;       ///< largest of (P1,i - P0,i) - (P3,i-1 - P2,i-1)
+  Rational c2;       ///< largest of (P0,i - 2 P1,i + P2,i) - (P1,i-1 - 2 P2,i-1 + P3,i-1)
+  Rational natural;  ///< largest of P0,0 - 2 P1,0 + P2,0 and P1,n-1 - 2 P2,n-1 + P3,n-1
 };
 
-/// For n + 1 >= 2 finite coordinates and the 4n finite ones of the segments through them, segment by segment.
+/// The residuals of segments through n + 1 >= 2 finite coordinates; `segments` has 4n finite ones, segment by segment.
 SplineResiduals spline_residuals(std::span<const double> coordinates, std::span<const double> segments);
 
 /// The largest |P - exact P| of the inner control points of those segments.

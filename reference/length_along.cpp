@@ -15,8 +15,8 @@ LongReal length_within(const LengthPanel& panel, const LongReal& x) {
   return panel.width * x * part.fine_sum();
 }
 
-/// x in [0, 1] with that length. The interval [low, high] holds the root; it is halved where a step of Newton's method
-/// leaves it or did not halve the distance, so the loop ends.
+/// The x in [0, 1] with that length. The interval [low, high] holds the root; it is halved where a step of Newton's
+/// method leaves it or did not halve the distance, so the loop ends.
 LongReal local_parameter(const LengthPanel& panel, const LongReal& length, const LongReal& negligible) {
   LongReal low = 0;
   LongReal high = 1;

@@ -16,22 +16,22 @@ namespace bezierbench::reference {
 
 class LengthAlong {
  public:
-  /// Of `curve` (Bernstein form, finite, dimension at most 3). Throws std::runtime_error should the length of the curve
-  /// not be certain to 30 digits.
+  /// Measures `curve` (Bernstein form, finite, dimension at most 3). Throws std::runtime_error if 30 digits of its
+  /// length are not certain.
   explicit LengthAlong(const CurveView<double>& curve);
 
   /// 0 where all control points are equal.
   [[nodiscard]] const LongReal& whole() const { return cumulative_.back(); }
 
-  /// s(t), the length from the beginning to t; beyond an end that of the end.
+  /// s(t), the length from the beginning to t; t beyond an end counts as this end.
   [[nodiscard]] LongReal length_to(const LongReal& t) const;
 
-  /// The t in [0, 1] with s(t) = length; beyond an end that of the end. 0 where the whole length is 0.
+  /// The t in [0, 1] with s(t) = length; a length beyond an end gives this end. 0 where the whole length is 0.
   [[nodiscard]] LongReal parameter_at(const LongReal& length) const;
 
  private:
   std::vector<LengthPanel> panels_;
-  std::vector<LongReal> cumulative_{0};  ///< length before each panel, and that of all
+  std::vector<LongReal> cumulative_{0};  ///< length before each panel, and the whole length
 };
 
 }  // namespace bezierbench::reference

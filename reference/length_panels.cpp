@@ -126,7 +126,8 @@ void LengthPanels::add(LongHodograph h, const LongReal& begin, const LongReal& w
   const LongReal fine = width * h.fine_sum();
   const bool flat = slack <= negligible_;
   const LongReal difference = flat ? slack : abs(fine - width * sum(h, coarse_rule));
-  // A turn nearer to an end than every node of both rules is seen by neither: they agree, and are wrong.
+  // A turn that is nearer to an end than every node of both rules does not show in their sums: they agree on a wrong
+  // one.
   const bool certain = flat || (difference <= negligible_ && h.points_forward());
   if (certain || depth == depth_limit) {
     length_ += fine;

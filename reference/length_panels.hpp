@@ -19,12 +19,12 @@ struct LongHodograph {
 
   [[nodiscard]] std::size_t degree() const { return vectors.size() / dimension - 1; }
 
-  /// Halves or cuts: the part on [0, t] stays here, that on [t, 1] is returned.
+  /// Cuts the hodograph at t: this keeps the part on [0, t], the part on [t, 1] is returned.
   LongHodograph split(const LongReal& t);
 
   [[nodiscard]] LongReal speed(const LongReal& t) const;
 
-  /// Mean size of the vectors, and the size of their mean: polygon and chord, for a parameter of width 1.
+  /// The mean size of the vectors and the size of their mean: the lengths of polygon and chord for width 1 of t.
   [[nodiscard]] LongReal polygon() const;
   [[nodiscard]] LongReal chord() const;
 
@@ -35,13 +35,13 @@ struct LongHodograph {
   [[nodiscard]] LongReal fine_sum() const;
 };
 
-/// Of `curve` (Bernstein form, finite, dimension at most 3), over the parameters 0 <= from <= to <= 1: differences of
-/// the control points, exact but for 70 digits.
+/// The hodograph of `curve` (Bernstein form, finite, dimension at most 3) over the parameters 0 <= from <= to <= 1,
+/// from differences of the control points in 70 digits.
 LongHodograph long_hodograph(const CurveView<double>& curve, double from, double to);
 
-/// A part of a hodograph that the rule with 44 points integrates to the precision that was asked for.
+/// A part of a hodograph that the rule with 44 points integrates to the wanted precision.
 struct LengthPanel {
-  LongReal begin;  ///< both for the hodograph over [0, 1]
+  LongReal begin;  ///< begin and width are parameters of the hodograph over [0, 1]
   LongReal width;
   LongHodograph hodograph;
   LongReal length;
@@ -54,7 +54,7 @@ class LengthPanels {
 
   [[nodiscard]] const std::vector<LengthPanel>& panels() const { return panels_; }
   [[nodiscard]] const LongReal& length() const { return length_; }
-  /// How far the two rules are apart, or polygon and chord: the length is right to about this.
+  /// The difference of the two rules, or of polygon and chord: about the error of the length.
   [[nodiscard]] const LongReal& uncertainty() const { return uncertainty_; }
 
  private:

@@ -13,22 +13,22 @@ namespace bezierbench::reference {
 
 /// A root of f in [0, 1], or an end of the curve.
 struct CriticalPoint {
-  Rational t;  ///< a dyadic number less than 2^-128, and less than half an ulp, from the root, or the root
+  Rational t;  ///< the root, or a dyadic number less than 2^-128 and less than half an ulp from it
   Rational
-      distance_squared;  ///< at that t: the distance is right to 2^-126 |C'|; 0 where the curve meets the point there
+      distance_squared;  ///< at this t: the distance has an error below 2^-126 |C'|; 0 where the curve meets the point
 };
 
 struct ExactProjection {
   std::vector<CriticalPoint> critical;  ///< in ascending order of t, from t = 0 to t = 1
-  std::size_t nearest = 0;              ///< of the least distance; of equally near ones the first
+  std::size_t nearest = 0;              ///< index of the least distance; of equal ones the first
 
   [[nodiscard]] const CriticalPoint& foot() const { return critical[nearest]; }
 };
 
-/// For finite coefficients in Bernstein form, degree >= 1, and a point with as many finite coordinates.
+/// Projects a finite point on a curve of as many dimensions: finite coefficients in Bernstein form, degree >= 1.
 ExactProjection projection(const CurveView<double>& curve, std::span<const double> point);
 
-/// |a - sqrt(b)| for a double a >= 0 and b >= 0, rounded once to `format`, but that the root is cut to 256 bits.
+/// |a - sqrt(b)| for a double a >= 0 and b >= 0, rounded once to `format`; the root is cut to 256 bits before.
 double distance_error(const Format& format, double a, const Rational& b);
 
 }  // namespace bezierbench::reference

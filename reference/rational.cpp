@@ -27,8 +27,8 @@ void align(mpz_class& a, long& a_exponent, mpz_class& b, long& b_exponent) {
   a_exponent = b_exponent = lower;
 }
 
-/// integer 2^exponent, to which something in (0, 1) 2^exponent is still to be added if `more`: rounded to the format.
-/// The integer must have more bits than the precision, or reach below the lowest exponent, or be exact.
+/// integer 2^exponent, plus a number in (0, 1) 2^exponent if `more`, rounded to the format. The integer must have more
+/// bits than the precision, or reach below the lowest exponent, or be exact.
 double round_integer(const Format& format, mpz_class integer, long exponent, bool more) {
   if (integer == 0 && !more) return 0;
   const long drop = std::max(bits(integer) - format.precision, format.lowest_exponent - exponent);

@@ -17,15 +17,15 @@ namespace bezierbench::reference {
 
 class TrueLength {
  public:
-  /// Of the part of `curve` (Bernstein form, finite, dimension at most 3) between parameters 0 <= from <= to <= 1.
-  /// Throws std::runtime_error should the two levels not agree to 30 digits.
+  /// Measures the part of `curve` (Bernstein form, finite, dimension at most 3) between parameters
+  /// 0 <= from <= to <= 1. Throws std::runtime_error if the two rules do not agree to 30 digits.
   TrueLength(const CurveView<double>& curve, double from, double to);
 
   [[nodiscard]] const LongReal& value() const { return value_; }
-  /// How far the two levels are apart, or polygon and chord: the value is right to about this.
+  /// The difference of the two rules, or of polygon and chord: about the error of the value.
   [[nodiscard]] const LongReal& uncertainty() const { return uncertainty_; }
 
-  /// In decimal with this many significant digits.
+  /// The length in decimal with this many significant digits.
   [[nodiscard]] std::string decimal(int digits) const;
   /// |length - value|, rounded once; infinite for a length that is not finite.
   [[nodiscard]] double error_of(double length) const;

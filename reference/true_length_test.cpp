@@ -35,7 +35,7 @@ TEST(TrueLength, IsTheKnownOneToThirtyTwoDigits) {
   expect_digits(length_of({3, -3, -1, 3, -1, -3, 3, 3}, 2, 0.25, 0.875), from_cusp(0.5) + from_cusp(0.75));
 }
 
-/// Turns and cusps next to the end of a panel, where no node of a quadrature rule sees them: (u^2) on a line and
+/// Turns and cusps next to the end of a panel, nearer than every node of a quadrature rule: (u^2) on a line and
 /// 3 (u^2, u^3) in the plane, u = t - k, with exact control points.
 TEST(TrueLength, SeesATurnThatNoNodeSees) {
   const auto from_cusp = [](const LongReal& u) { return (pow(4 + 9 * u * u, LongReal(1.5)) - 8) / 9; };

@@ -23,26 +23,26 @@ constexpr std::string_view name(Tier tier) { return tier == Tier::exact ? "exact
 
 class TruePoint {
  public:
-  /// `exact` computes the integers; it, and what `curve` points to, must outlive the use of this object.
+  /// `exact` computes the integers. `exact` and the coefficients of `curve` must outlive this object.
   TruePoint(ExactCurve& exact, const CurveView<double>& curve, double t, std::optional<CertifiedPoint> certified)
       : exact_(&exact), curve_(curve), t_(t), certified_(certified) {}
 
-  /// False where the weights of a rational curve sum to zero: then nothing below may be asked for.
+  /// False where the weights of a rational curve sum to zero; then no member below may be called.
   [[nodiscard]] bool exists();
 
-  /// As Distance::to.
+  /// The distance of a point, as Distance::to.
   [[nodiscard]] double distance(std::span<const double> point);
 
-  /// |point| to 24 bits.
+  /// |point|, rounded to 24 bits.
   [[nodiscard]] double length();
 
-  /// As ulp_of_length, at that length.
+  /// The spacing of doubles at that length, as ulp_of_length.
   [[nodiscard]] double ulp(double length, const Format& format);
 
-  /// The integers.
+  /// The point as integers.
   [[nodiscard]] const ExactPoint& exact();
 
-  /// True where there is no certificate, or it left a question to the integers.
+  /// True where there is no certificate, or the integers had to decide.
   [[nodiscard]] bool needed_integers() const { return !certified_ || escalated_; }
 
  private:

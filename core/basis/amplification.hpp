@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sums that forward error bounds multiply, evaluated in double with positive terms only, so to a few n u.
+// The sums that forward error bounds multiply, evaluated in double. All terms are positive, so the relative error is a
+// few n u.
 //
 // With x = |t| and y = |1 - t|, and c >= 0 standing for |coefficient|:
 //   p~, Bernstein form     sum c_i C(n,i) x^i y^(n-i)

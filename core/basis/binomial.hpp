@@ -31,7 +31,7 @@ PerCoefficient<SharedBy<Scalar>, Degree> binomials(int n) {
 /// Largest n for which `binomials<double>` is exact.
 inline constexpr int exact_binomial_degree = 54;
 
-/// Most roundings in any C(n,i): those of the recurrence, and the one to float.
+/// The largest number of roundings in any C(n,i): those of the recurrence, and the one to float.
 constexpr double binomial_roundings(int n, double u) {
   return (n > exact_binomial_degree ? n : 0) + (u > 0x1p-53 ? 1 : 0);
 }

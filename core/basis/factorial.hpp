@@ -22,7 +22,7 @@ PerCoefficient<SharedBy<Scalar>, Degree> factorials(int n) {
   return row;
 }
 
-/// Most roundings in any of 0! .. n!.
+/// The largest number of roundings in any of 0! .. n!.
 constexpr double factorial_roundings(int n, double u) {
   const int exact_through = u > 0x1p-53 ? 13 : 22;
   return n > exact_through ? n - exact_through : 0;

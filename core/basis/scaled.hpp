@@ -8,7 +8,7 @@ namespace bezierbench {
 
 class Scaled {
  public:
-  /// value >= 0, finite.
+  /// Takes a finite value >= 0.
   explicit Scaled(double value) { set(value, 0); }
 
   friend Scaled operator*(Scaled a, Scaled b) { return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_}; }

@@ -19,8 +19,8 @@ struct SharedType<Scalar> {
 
 }  // namespace detail
 
-/// The type of a value that is the same for all curves of a Scalar: `Scalar` itself where that is one number, else what
-/// it names `Shared`, which converts to it.
+/// The type of a value that all curves of a Scalar share: `Scalar` itself where it is one number, else its member type
+/// `Shared`, which converts to it.
 template <class Scalar>
 using SharedBy = typename detail::SharedType<Scalar>::Type;
 

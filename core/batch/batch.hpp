@@ -16,7 +16,7 @@ namespace bezierbench::batch {
 /// An instruction set that kernels were compiled for.
 struct Target {
   std::string_view name;
-  std::int64_t highway;  ///< its bit in what Highway finds on a processor
+  std::int64_t highway;  ///< its bit in Highway's mask of the targets of a processor
   const TargetTable<float>* float_table;
   const TargetTable<double>* double_table;
 };
@@ -24,17 +24,17 @@ struct Target {
 /// All targets of this program, best first.
 std::span<const Target> built_targets();
 
-/// Can this processor run it?
+/// True if this processor can run the target.
 bool is_usable(const Target& target);
 
-/// Those that this processor can run, best first.
+/// The targets that this processor can run, best first.
 std::vector<const Target*> usable_targets();
 
-/// The kernels and peak work of a target; only to be called where it is usable.
+/// The kernels and peak work of a target; call them only where the target is usable.
 template <class Scalar>
 const TargetTable<Scalar>& table_of(const Target& target);
 
-/// A kernel for a target; none where `evaluate` is null.
+/// A kernel for a target; `evaluate` is null where there is none.
 template <class Scalar>
 struct BatchKernel {
   Parts<Scalar> (*parts)(const void* prepared) = nullptr;
@@ -54,14 +54,14 @@ struct BatchKernel {
 template <class Scalar>
 BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel);
 
-/// How a target evaluates many curves at one t each; see target_table.hpp for where which number lies.
+/// How a target evaluates many curves at one t each; target_table.hpp describes the layout of a group.
 template <class Scalar>
 struct GroupKernel {
-  ConvertGroup<Scalar> convert = nullptr;  ///< none where the curve is evaluated as given, or by way of exact integers
-  EvaluateGroup<Scalar> evaluate = nullptr;  ///< of coefficients in the form that the kernel evaluates
+  ConvertGroup<Scalar> convert = nullptr;    ///< null where the curve is evaluated as given, or by exact integers
+  EvaluateGroup<Scalar> evaluate = nullptr;  ///< takes coefficients in the form that the kernel evaluates
 };
 
-/// What of `kernel` exists for groups with the same bits: an evaluator or a conversion needs a place in the roster.
+/// The parts of `kernel` that exist for groups, with the same bits: evaluators and conversions of the batch roster.
 template <class Scalar>
 GroupKernel<Scalar> find_group(const Target& target, const Kernel<Scalar>& kernel);
 

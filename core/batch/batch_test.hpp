@@ -17,14 +17,14 @@
 
 namespace bezierbench::batch {
 
-/// What any no-number is compared as: which one it is depends on the order of operands, which compilers choose.
+/// The bits that stand for every NaN: which NaN results depends on the order of operands, which compilers choose.
 template <class Scalar>
 auto bits(Scalar value) {
   using Bits = std::conditional_t<sizeof(Scalar) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
   return std::bit_cast<Bits>(std::isnan(value) ? std::numeric_limits<Scalar>::quiet_NaN() : value);
 }
 
-/// Ends, middle and its neighbours, zeros of both signs, subnormals, large numbers, no numbers, then anything.
+/// Ends, middle and its neighbours, zeros of both signs, subnormals, large numbers, infinities and NaN, then random t.
 template <class Scalar>
 std::vector<Scalar> parameters(std::size_t count, Inputs& inputs) {
   using Limits = std::numeric_limits<Scalar>;

@@ -12,7 +12,7 @@ namespace {
 
 thread_local long operations = 0;
 
-/// A number without a value that counts what is done with it.
+/// A scalar without a value that counts the operations on it.
 struct Counting {
   Counting() = default;
   explicit Counting(double /*value*/) {}
@@ -32,7 +32,7 @@ struct Counting {
   [[nodiscard]] Counting fused(Counting /*b*/, Counting /*c*/) const { return after(2); }
 };
 
-/// What an evaluator keeps of a curve of this degree, with whatever coefficients.
+/// The prepared state of an evaluator for a curve of this degree; its coefficients do not matter.
 template <class Prepared, int Dimension>
 Prepared any_state(int degree) {
   using Points = Curve<Form::bernstein, Counting, Dimension>;

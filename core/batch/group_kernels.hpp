@@ -9,7 +9,8 @@
 
 namespace bezierbench::batch::HWY_NAMESPACE {
 
-/// As many vectors as the group has, but no more than two: the methods keep arrays of them in the first cache.
+/// The number of vectors that a group has, but at most two, so that the methods' arrays of them stay in the first
+/// cache.
 template <class S>
 using GroupLanes = Lanes<S, (2 * Lanes<S, 1>::size <= curves_at_once ? 2 : 1), Curves::each>;
 

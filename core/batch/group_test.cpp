@@ -10,7 +10,7 @@
 namespace bezierbench::batch {
 namespace {
 
-/// Curves of all sizes: subnormal ones, large ones, ones that overflow, some coefficients zero or no numbers.
+/// Curves of all sizes: subnormal ones, large ones, ones that overflow, some coefficients zero, infinite or NaN.
 template <class Scalar>
 std::vector<Scalar> any_coefficients(std::size_t curve, int degree, int dimension, Inputs& inputs) {
   using Limits = std::numeric_limits<Scalar>;

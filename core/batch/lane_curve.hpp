@@ -8,7 +8,7 @@
 
 namespace bezierbench {
 
-/// A view; coefficient i of an axis is at first[i * DimensionT + axis].
+/// A view of one curve; coefficient i of an axis is at first[i * DimensionT + axis].
 template <Form F, class S, int Count, int DimensionT, int DegreeT>
 class Curve<F, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
  public:
@@ -40,11 +40,11 @@ struct Curve<Form::power_double_double, batch::HWY_NAMESPACE::Lanes<S, Count>, D
 
 namespace batch::HWY_NAMESPACE {
 
-/// Of one curve as above, or of many curves, which lie side by side in the arrays of any Curve.
+/// The control points of one curve, or of many curves, which lie side by side in the arrays of a Curve.
 template <class S, int Count, Curves Which, int Dimension, int Degree>
 using ControlPoints = Curve<Form::bernstein, Lanes<S, Count, Which>, Dimension, Degree>;
 
-/// Each lane sees the curve from the end that it is nearer to.
+/// The curve with its coefficients counted, in each lane, from the end that t is nearer to.
 template <class S, int Count, Curves Which, int Dimension, int Degree>
 struct EitherEnd {
   [[nodiscard]] HWY_INLINE int degree() const { return curve.degree(); }

@@ -15,18 +15,18 @@
 namespace bezierbench::batch::HWY_NAMESPACE {
 
 inline constexpr int levels_at_once =
-    4;  ///< so many values of two vectors each, and what a step needs, fit into 16 registers
+    4;  ///< 4 values of two vectors each, and the operands of a step, fit into 16 registers
 
-/// What is newest on each of the levels 0 .. Levels-1 of a sweep.
+/// The newest value on each of the levels 0 .. Levels-1 of a sweep.
 template <class L, int Levels>
 class Sweep {
  public:
-  /// Takes in the first `Levels` values.
+  /// Takes the first `Levels` values.
   template <class In, class Step>
   HWY_INLINE void begin(const In& in, const Step& step) {
     begin(in, step, std::make_integer_sequence<int, Levels>());
   }
-  /// Takes in one more; what comes out on the level after the last.
+  /// Takes one more value; returns the value that results on the level after the last.
   template <class Step>
   HWY_INLINE L next(L x, const Step& step) {
     return pass(x, step, std::make_integer_sequence<int, Levels>());
@@ -87,7 +87,7 @@ HWY_INLINE L apex(int n, const In& in, const Step& step) {
   return between[0];
 }
 
-/// From one level to the next, of so many values.
+/// One level of the triangle: b[I] <- step(b[I], b[I + 1]) for every I, ascending.
 template <class L, class Step, int... I>
 HWY_INLINE void rise(L* b, const Step& step, std::integer_sequence<int, I...> /*values*/) {
   ((b[I] = step(b[I], b[I + 1])), ...);

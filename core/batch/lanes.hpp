@@ -22,11 +22,11 @@ struct LaneMask {
   hn::Mask<hn::ScalableTag<Scalar>> mask[Count];
 };
 
-/// One number for all lanes: what is the same for many curves is computed once.
+/// One number for all lanes: a value that many curves share is computed once.
 template <class Scalar>
 class Same {
  public:
-  HWY_INLINE Same() {}  // NOLINT(modernize-use-equals-default): leaves it uninitialised, as of a double
+  HWY_INLINE Same() {}  // NOLINT(modernize-use-equals-default): uninitialised, like a double
   HWY_INLINE explicit Same(double value) : value_(static_cast<Scalar>(value)) {}
   HWY_INLINE explicit operator double() const { return static_cast<double>(value_); }
   [[nodiscard]] HWY_INLINE Scalar value() const { return value_; }
@@ -45,7 +45,7 @@ class Same {
   Scalar value_;
 };
 
-/// What the lanes are parameters of.
+/// Whether the lanes are parameters of one curve or of one curve each.
 enum class Curves { one, each };
 
 /// `Count` vectors of scalars, for steps that do not wait for each other.
@@ -60,7 +60,7 @@ class Lanes {
   static constexpr std::size_t per_vector = HWY_LANES(Scalar);
   static constexpr std::size_t size = per_vector * Count;
 
-  HWY_INLINE Lanes() {}  // NOLINT(modernize-use-equals-default): leaves them uninitialised, as of a double
+  HWY_INLINE Lanes() {}  // NOLINT(modernize-use-equals-default): uninitialised, like a double
   /// The same value in all lanes.
   HWY_INLINE explicit Lanes(Scalar value) {
     const Vector all = hn::Set(Tag(), value);

@@ -30,22 +30,23 @@
 
 namespace bezierbench::batch {
 
-/// What an evaluator keeps of a curve, where that is the curve.
+/// The state of an evaluator that prepares nothing: the curve.
 template <Form F>
 struct TheCurve {
   template <class Scalar, int Dimension, int Degree>
   using Prepared = Curve<F, Scalar, Dimension, Degree>;
 };
 
-/// An evaluator, what it keeps of a curve (`State::Prepared`), and how many vectors its inner loop needs in registers:
-/// so many for each axis, and so many for all. Whether several go side by side follows from that. (Horner-Bernstein's t
-/// and 1-t are only read, and may come from memory: with four vectors instead of two it is a tenth faster on AVX2.)
+/// An evaluator, the type of its prepared state (`State::Prepared`), and the number of vectors that its inner loop
+/// needs in registers, for each axis and for all axes together. From these follows how many vectors of points go side
+/// by side. (Horner-Bernstein's t and 1-t are only read, and may come from memory: with four vectors instead of two it
+/// is a tenth faster on AVX2.)
 template <class EvaluatorT, class StateT, int PerAxis, int Shared>
 struct Entry {
   using Evaluator = EvaluatorT;
   using State = StateT;
   static constexpr int live(int dimension) { return PerAxis * dimension + Shared; }
-  static constexpr int largest_unrolled_degree = 0;  ///< with kernels of their own for degrees from 2 to this
+  static constexpr int largest_unrolled_degree = 0;  ///< degrees from 2 to this have kernels of their own
 };
 
 /// A triangle goes axis by axis, with a vector for each level of a sweep.

@@ -23,8 +23,8 @@ HWY_INLINE Prepared prepared_from(const Parts<S>& parts) {
     return Prepared{{parts.first, parts.degree}};
 }
 
-/// How many vectors are evaluated side by side: so many that eight chains hide the latency of a multiply-add, but no
-/// more than registers allow.
+/// The number of vectors that are evaluated side by side: eight chains hide the latency of a multiply-add, unless the
+/// registers allow fewer.
 template <class Entry>
 constexpr int vectors(int dimension) {
   constexpr int registers = HWY_TARGET == HWY_AVX2 ? 16 : 32;
@@ -43,8 +43,8 @@ template <class Entry, class S, int Dimension, int Count>
   for (int axis = 0; axis < Dimension; ++axis) point[axis].store(points + static_cast<std::size_t>(axis) * axis_stride);
 }
 
-/// Every coefficient in all lanes, on the stack: it is spread once, for no compiler knows that points do not overlap
-/// the coefficients they come from.
+/// Every coefficient in all lanes, on the stack. It is copied to the lanes once: a compiler would do so again for every
+/// point, because it cannot know that points do not overlap the coefficients.
 template <class L, int Dimension, int Degree, class S>
 HWY_INLINE Curve<Form::bernstein, L, Dimension, Degree> spread(const Parts<S>& parts) {
   Curve<Form::bernstein, L, Dimension, Degree> curve(Degree);
@@ -54,7 +54,7 @@ HWY_INLINE Curve<Form::bernstein, L, Dimension, Degree> spread(const Parts<S>& p
   return curve;
 }
 
-/// Blocks of as many vectors as go side by side; how many points that were.
+/// Evaluates blocks of as many vectors as go side by side; returns the number of points.
 template <class Entry, class S, int Dimension>
 std::size_t evaluate_blocks(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
   constexpr int side_by_side = vectors<Entry>(Dimension);
@@ -65,7 +65,7 @@ std::size_t evaluate_blocks(const Parts<S>& parts, const S* t, std::size_t count
   return k;
 }
 
-/// Of a triangle whose degree is known, all values of a level are in registers: as many for each of its vectors.
+/// The number of vectors side by side where a triangle of this degree keeps all values of a level in registers.
 constexpr int unrolled_vectors(int degree) { return 2 * (degree + 1) < 16 ? 2 : 1; }
 
 /// The same for a degree that is known at compile time.

@@ -8,7 +8,7 @@ namespace bezierbench::batch {
 
 inline constexpr int max_dimension = 3;
 
-/// What an evaluator keeps of a curve: the (degree + 1) * dimension coefficients of one or two curves, point by point.
+/// The prepared state of an evaluator: the (degree + 1) * dimension coefficients of one or two curves, point by point.
 template <class Scalar>
 struct Parts {
   int degree;
@@ -26,14 +26,14 @@ struct TargetKernels {
   Evaluate<Scalar> of_dimension[max_dimension];
 };
 
-/// As many operations as the target can do at once, for as long as it takes: chains x <- factor x + addend and, between
-/// them, y <- y + addend or nothing. Reads where the chains start from `values`, and writes where they end.
+/// Runs as many chains side by side as the target can: x <- factor x + addend and, between them, y <- y + addend or
+/// nothing. Reads the first values of the chains from `values` and writes their last ones there.
 template <class Scalar>
 struct PeakWork {
   void (*run)(Scalar factor, Scalar addend, Scalar* values);
-  std::size_t multiplied;  ///< of the values, the first so many are those of the chains x
-  std::size_t added;       ///< and the next so many those of the chains y
-  double flops;            ///< of a run; a fused multiply-add is two
+  std::size_t multiplied;  ///< the number of values at the beginning that belong to the chains x
+  std::size_t added;       ///< the number of values after them that belong to the chains y
+  double flops;            ///< flops of a run; a fused multiply-add is two
 };
 
 /// Curves that lie side by side. All arrays of a group have the values of its curves next to each other: coordinate
@@ -41,7 +41,7 @@ struct PeakWork {
 /// coefficients all high parts, then all low parts), of its point at [axis * curves_at_once + k], and its t at [k].
 inline constexpr std::size_t curves_at_once = 16;
 
-/// Both are for all curves of a group, whether or not all matter.
+/// Both process all curves of a group, also those whose results nobody reads.
 template <class Scalar>
 using ConvertGroup = void (*)(int degree, const Scalar* given, Scalar* converted);
 template <class Scalar>
@@ -64,7 +64,7 @@ struct GroupTable {
 template <class Scalar>
 struct TargetTable {
   const TargetKernels<Scalar>* kernels;  ///< one per evaluator of the roster, the fused ones last, or not at all
-  std::size_t count;                     ///< of them
+  std::size_t count;                     ///< number of these kernels
   PeakWork<Scalar> multiply_add;
   PeakWork<Scalar> multiply_add_and_add;
   GroupTable<Scalar> group;

@@ -10,8 +10,8 @@
 
 namespace bezierbench {
 
-/// `prepare(curve, order)` does all that does not depend on t, for any order >= 0; `evaluate` gives the derivative of
-/// that order at t: 0 beyond the degree, the point itself for order 0. A method whose error is bounded has a
+/// `prepare(curve, order)` does all work that does not depend on t, for any order >= 0. `evaluate` gives the derivative
+/// of that order at t: 0 beyond the degree, the point itself for order 0. A method with a proved bound has a
 /// `DerivativeBound bound`.
 template <class M>
 concept DerivativeMethod = requires(const Curve<M::info.form, double, 2>& curve, int order, double t) {

@@ -37,12 +37,12 @@ struct Barycentric {
 
 namespace detail {
 
-/// What is formed per curve: in double for floating point, exactly for exact scalars.
+/// The type in which `prepare` computes: double for floating point, the scalar itself for exact scalars.
 template <class Scalar>
 using PerCurve = std::conditional_t<std::floating_point<Scalar>, double, Scalar>;
 
 /// The nodes whose left half is `left(j)`, in [0, 1/2]: x_j + x_(n-j) = 1, and for floating point all are multiples of
-/// u, as every number is that was rounded in [1/2, 1].
+/// u, as is every number that was rounded in [1/2, 1].
 template <class Scalar, int Degree, class Left>
 PerCoefficient<Scalar, Degree> mirrored_nodes(int n, Left left) {
   auto nodes = per_coefficient<Scalar, Degree>(n);
@@ -76,8 +76,8 @@ PerCoefficient<Scalar, Degree> weights_of(const PerCoefficient<Scalar, Degree>& 
   return weights;
 }
 
-/// True at a node, and so close to one that a quotient might overflow: only the node 0 has doubles so near it, and the
-/// curve moves by no more than 2 n max|b| |distance| from there.
+/// True at a node, and so close to one that a quotient might overflow. Only the node 0 has doubles so near it; the
+/// curve changes by at most 2 n max|b| |distance| on the way.
 template <class Scalar>
 constexpr bool at_node(const Scalar& distance) {
   if constexpr (std::same_as<Scalar, double>)

@@ -160,7 +160,7 @@ void expect_relative_accuracy() {
       }
       if (condition > 100 * std::pow(u, -K) && error > p / 2) ++lost;
     }
-  EXPECT_GE(kept, 5) << E::info.id;   // seen close to where the promise ends
+  EXPECT_GE(kept, 5) << E::info.id;   // near the condition number at which the bound ends
   EXPECT_GE(lost, 50) << E::info.id;  // and past it, where nothing is left
 }
 

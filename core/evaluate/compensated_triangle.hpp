@@ -29,7 +29,7 @@
 
 namespace bezierbench {
 
-/// (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~ at most, but for underflow: c_K u^K and what adding up takes.
+/// The largest (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~, but for underflow: c_K u^K and the share of SumK.
 template <int K>
 constexpr double compensated_remainder(int n, double u) {
   const double gamma_3 = gamma_over_u(3, u);

@@ -22,7 +22,7 @@
 
 namespace bezierbench {
 
-/// What a pair value + error misses; see above.
+/// Bounds of what a pair value + error misses; the header above derives them.
 struct CorrectedPair {
   double k;  ///< |error| <= k u |value|
   double q;  ///< |exact - value - error| <= q u^2 |value|
@@ -63,8 +63,8 @@ struct CompensatedVolkSchumaker {
   }
 
   static constexpr double bound_factor(int n, double u) {
-    // C(n,i) b_i: 2 roundings; the correction's product and sums, the low binomial's rounding, and what that one
-    // misses.
+    // C(n,i) b_i: 2 roundings, the product and the sums of the correction, and the rounding and the error of the low
+    // part of the binomial.
     const CorrectedPair coefficient{2, 4 + binomial_pair_roundings(n)};
     // The quotient of 1-t or t by t or 1-t: of its two errors one passes 3, one 4 roundings on the way into the error.
     const CorrectedPair ratio{2, 7};
@@ -92,7 +92,7 @@ struct CompensatedVolkSchumaker {
       .flops = "14dn + 7d + 12 log2 n + 12",
       .citation = "[Delgado and Pena 2016]; [Schumaker and Volk 1986]"};
 
-  /// Columns i hold C(n,i) b_i, rounded, and what that rounding lost.
+  /// Columns i hold C(n,i) b_i, rounded, and the error of this rounding.
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> scaled;

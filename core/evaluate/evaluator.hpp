@@ -17,7 +17,7 @@ concept Evaluator = requires(const Curve<E::info.form, double, 2>& curve, double
   { E::evaluate(E::prepare(curve), t) } -> std::same_as<Point<double, 2>>;
 };
 
-/// What an evaluator keeps of a curve.
+/// The type of the prepared state of an evaluator.
 template <class E, class Scalar, int Dimension, int Degree = dynamic>
 using PreparedOf = decltype(E::prepare(std::declval<const Curve<E::info.form, Scalar, Dimension, Degree>&>()));
 

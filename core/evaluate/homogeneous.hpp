@@ -28,7 +28,7 @@ requires(Method::info.form == Form::bernstein) struct Homogeneous {
     if (!(phi <= 0.125)) return std::numeric_limits<double>::infinity();
     return (2 * factor + (2 + u) * (1 + phi)) / (1 - phi);
   }
-  /// Half a unit for each product w_i b_i beside what the polynomial method loses.
+  /// The underflow of the polynomial method and, for each product w_i b_i, half a unit more.
   static constexpr double bound_underflow(int n) { return 2 * Method::info.bound->underflow(n) + 1; }
 
   struct BoundPrefix {

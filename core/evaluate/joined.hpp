@@ -10,8 +10,8 @@
 
 namespace bezierbench::detail {
 
-// Parts of a text, each a type with a name: the texts of compositions are made of them at compile time. (Lambdas would
-// do, but their names differ between translation units, and the linker then drops what another one refers to.)
+// Parts of a text, each a type with a name, of which the texts of compositions are made at compile time. (Lambdas have
+// names that differ between translation units; the linker would drop a text that another unit refers to.)
 template <class M>
 struct IdOf {
   static constexpr std::string_view text = M::info.id;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Methods behind function pointers: the compile-time concept ends here. What is timed is what is judged: this code, in
-// its own translation unit, or that of core/batch for many at once, which is held to the same bits.
+// Methods behind function pointers: the compile-time concept ends here. The code that is timed is the code that is
+// judged: these kernels, in their own translation unit, or those of core/batch for many at once, which tests hold to
+// the same bits.
 #pragma once
 
 #include <cstddef>
@@ -24,9 +25,9 @@ struct Kernel {
   void (*prepare)(const CurveView<Scalar>& curve, void* prepared);
   /// Evaluates at every t; points[k * dimension + axis] is the point at t[k].
   void (*evaluate)(const void* prepared, std::span<const Scalar> t, Scalar* points);
-  const MethodInfo* evaluator;   ///< of a path: the method after the conversion; else that of `info`
-  const MethodInfo* conversion;  ///< of a path; nullptr for a method that takes curves as they are given
-  Form evaluated_form;  ///< of the coefficients that `evaluate` reads: the target of a path's conversion, else the form
+  const MethodInfo* evaluator;   ///< the evaluator of a path; for other methods `info`
+  const MethodInfo* conversion;  ///< the conversion of a path; nullptr for a method that takes curves as they are given
+  Form evaluated_form;           ///< form of the coefficients that `evaluate` reads
   /// The coefficients that a path evaluates, point by point (double-double: all high parts, then all low parts);
   /// nullptr for a method that takes curves as they are given.
   void (*converted)(const CurveView<Scalar>& curve, std::vector<Scalar>& coefficients);
@@ -48,7 +49,7 @@ struct ConversionKernel {
 template <class Scalar>
 std::span<const Kernel<Scalar>> kernels(int dimension);
 
-/// What every conversion states about itself, in roster order, those to forms inside paths included.
+/// The data of every conversion, in roster order, those to forms inside paths included.
 std::span<const MethodInfo* const> conversion_infos();
 
 /// All conversions to a form in which curves are given, in roster order. Dimension is 1, 2 or 3.

@@ -93,7 +93,7 @@ requires(Converter::target == Method::info.form) struct Via {
 
 namespace detail {
 
-/// One type or none.
+/// A list of one type or of none.
 template <bool Kept, class T>
 using OneIf = std::conditional_t<Kept, TypeList<T>, TypeList<>>;
 

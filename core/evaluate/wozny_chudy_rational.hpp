@@ -24,7 +24,7 @@ struct WoznyChudyRational {
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> points;
-    PerCoefficient<Scalar, Degree> ratios;  ///< r_k at k; nothing at 0
+    PerCoefficient<Scalar, Degree> ratios;  ///< r_k at index k; index 0 is unused
   };
 
   template <class Scalar, int Dimension, int Degree>

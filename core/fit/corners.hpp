@@ -11,7 +11,7 @@
 
 namespace bezierbench {
 
-/// v / |v|; zero for a vector without a direction.
+/// v / |v|; zero for the zero vector.
 template <int Dimension>
 Point<double, Dimension> direction_of(const Point<double, Dimension>& v) {
   const double norm = length<Dimension>(v);
@@ -29,10 +29,10 @@ class Shape {
  public:
   Shape(const FitData<Dimension>& data, double tolerance) : data_(data), arm_(2 * tolerance) {}
 
-  /// For each point, whether the data have a corner there: the arms turn by more than 75.5 degrees (cosine 1/4; a
-  /// pentagon's corners turn by 72, a square's by 90), and nothing between their ends turns more. It
-  /// is where the way by the ends of the arms is longest: the arms themselves end in steps as coarse as the data. False
-  /// for the first and the last point of open data; the two are one in closed data.
+  /// For each point, whether the data have a corner there. At a corner the arms turn by more than 75.5 degrees (cosine
+  /// 1/4; a pentagon's corners turn by 72, a square's by 90), and no point between their ends turns more. Of these
+  /// points the one with the largest sum of distances to the ends of the arms is chosen, because arms end at data
+  /// points, in coarse steps. False for the first and the last point of open data; in closed data these are one point.
   [[nodiscard]] std::vector<bool> corners() const {
     const int first = data_.closed ? 0 : 1;
     std::vector<Turn> turns(static_cast<std::size_t>(data_.count()));
@@ -49,7 +49,7 @@ class Shape {
     return result;
   }
 
-  /// From point `from` to the first point beyond an arm's length, else the last one before `to`, in steps of +1 or -1.
+  /// The first point beyond an arm's length from point `from`, else the last one before `to`, in steps of +1 or -1.
   [[nodiscard]] Point<double, Dimension> chord(int from, int to) const {
     const int step = to > from ? 1 : -1;
     int i = from + step;
@@ -59,7 +59,7 @@ class Shape {
 
  private:
   static constexpr double sharp = 0.25;   ///< cosine
-  static constexpr int most_steps = 256;  ///< so that long data take no quadratic time
+  static constexpr int most_steps = 256;  ///< bounds the time for long data, which would be quadratic
 
   struct Turn {
     double cosine = 1;
@@ -71,7 +71,7 @@ class Shape {
     return length<Dimension>(data_.points.col(k) - data_.points.col(i)) > arm;
   }
 
-  /// The index of a point of closed data that is counted on past the ends.
+  /// The index of a point of closed data whose number runs on past the ends.
   [[nodiscard]] int around(int i) const {
     if (!data_.closed) return i;
     return (i + data_.last()) % data_.last();
@@ -96,8 +96,8 @@ class Shape {
     return {dot<Dimension>(in, out), before, after};
   }
 
-  /// Marks the points between the ends of the arms of i for which the sum of the distances to them is the largest,
-  /// as far as they are sharp to short arms.
+  /// Marks the points between the ends of the arms of i for which the sum of the distances to both ends is the largest,
+  /// if short arms turn sharply there too.
   void mark_tips(int i, const Turn& turn, std::vector<bool>& corner) const {
     const auto before = data_.points.col(around(i - turn.before));
     const auto after = data_.points.col(around(i + turn.after));

@@ -14,7 +14,7 @@ namespace bezierbench {
 template <int Dimension>
 using Cubic = std::array<Point<double, Dimension>, 4>;
 
-/// B_0 to B_3 of degree 3 at t.
+/// The Bernstein polynomials B_0 to B_3 of degree 3 at t.
 inline std::array<double, 4> cubic_basis(double t) {
   const double s = 1 - t;
   return {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
@@ -46,7 +46,7 @@ Offset<Dimension> offset_at(const Cubic<Dimension>& b, const Point<double, Dimen
   return result;
 }
 
-/// f = (C - P).C' and its derivative, whose root is a foot point of P.
+/// f = (C - P).C', whose roots are the foot points of P, and its derivative.
 template <int Dimension>
 struct Slope {
   explicit Slope(const Offset<Dimension>& at)
@@ -64,8 +64,8 @@ double squared(const Point<double, Dimension>& v) {
   return dot<Dimension>(v, v);
 }
 
-/// At most `most_steps` steps from t in [0, 1] to parameters at which the curve is nearer to the point: Newton's where
-/// the distance curves upwards, else those of Gauss and Newton. Never returns a parameter that is farther than t.
+/// Takes at most `most_steps` steps from t in [0, 1] to parameters at which the curve is nearer to the point: Newton
+/// steps where the distance is convex, else Gauss-Newton steps. Never returns a parameter that is farther than t.
 template <int Dimension>
 double approach(const Cubic<Dimension>& b, const Point<double, Dimension>& point, double t, int most_steps) {
   auto at = offset_at<Dimension>(b, point, t);
@@ -84,9 +84,9 @@ double approach(const Cubic<Dimension>& b, const Point<double, Dimension>& point
   return t;
 }
 
-/// A sure bound on the distance of the point to C(t), for coordinates up to 1 in magnitude: with the largest coordinate
-/// a of all b_j - P, one rounding of each difference and 13 on the way through de Casteljau's three levels put a
-/// coordinate off by less than 16 u a, the length by less than sqrt(3) times that, and its own roundings are below u a.
+/// A proved upper bound of the distance of the point to C(t), for coordinates up to 1 in magnitude. Let a be the
+/// largest coordinate of all b_j - P. One rounding of each difference and 13 in de Casteljau's three levels change a
+/// coordinate by less than 16 u a and the length by less than sqrt(3) times that; its own roundings are below u a.
 template <int Dimension>
 double distance_bound(const Cubic<Dimension>& b, const Point<double, Dimension>& point, double t) {
   double largest = 0;

@@ -11,7 +11,7 @@ namespace bezierbench {
 
 template <int Dimension>
 struct FitData {
-  /// `coordinates` point by point, finite, at least one point.
+  /// Takes at least one point, its finite `coordinates` point by point.
   explicit FitData(std::span<const double> coordinates) {
     const auto count = coordinates.size() / Dimension;
     const auto given = [&](std::size_t i) {
@@ -40,14 +40,14 @@ struct FitData {
   [[nodiscard]] int count() const { return static_cast<int>(points.cols()); }
   [[nodiscard]] int last() const { return count() - 1; }
 
-  /// What scaling and scaling back may move a coordinate by, in scaled units: subnormal numbers are rounded.
+  /// The largest change of a coordinate by scaling and scaling back, in scaled units: subnormal numbers are rounded.
   [[nodiscard]] double quantum() const { return std::ldexp(1.0, std::max(-1073, -1073 - exponent)); }
 
   Polygon<Dimension> original;  ///< consecutive points are different
-  Polygon<Dimension> points;    ///< these over 2^exponent: at most 1 in magnitude
-  std::vector<int> index;       ///< of each given point among them
+  Polygon<Dimension> points;    ///< the original over 2^exponent: at most 1 in magnitude
+  std::vector<int> index;       ///< index of each given point in `points`
   int exponent = 0;
-  bool closed = false;  ///< the last point is the first
+  bool closed = false;  ///< the last point equals the first
 };
 
 }  // namespace bezierbench

@@ -13,33 +13,33 @@
 
 namespace bezierbench {
 
-/// How a segment ends. The segment begins, or ends, in the data point itself.
+/// The tangent at one end of a segment. The end itself is a data point.
 template <int Dimension>
 struct End {
-  Point<double, Dimension> direction;  ///< of unit length, into the section; from the data
-  bool bound;  ///< the segment must leave in that direction, for it is joined smoothly to another; else it is a guess
+  Point<double, Dimension> direction;  ///< unit vector into the section, from the data
+  bool bound;  ///< the segment must leave in that direction, because it joins another smoothly; else it is a guess
 };
 
 /// The data of one segment.
 template <int Dimension>
 struct Section {
   Polygon<Dimension> points;  ///< three or more, coordinates up to 1 in magnitude, consecutive ones different
-  std::vector<double> t;      ///< of each point, by the lengths of the chords, from 0 to 1
-  double length;              ///< of the polyline
+  std::vector<double> t;      ///< parameter of each point, by the lengths of the chords, from 0 to 1
+  double length;              ///< length of the polyline
   End<Dimension> start;
   End<Dimension> end;
   double tolerance;
 };
 
-/// What a method makes of a section.
+/// The segment that a method fits to a section.
 template <int Dimension>
 struct Piece {
   Cubic<Dimension> cubic;  ///< from the first point to the last; finite
-  std::vector<double> t;   ///< of each point, where the segment is near it
-  int iterations = 0;      ///< how often handles were solved for
+  std::vector<double> t;   ///< for each point a parameter at which the segment is near it
+  int iterations = 0;      ///< number of solutions for the handles
 };
 
-/// The largest distance of a point to the segment at its parameter, but for rounding.
+/// The largest distance of a point to the segment at the point's parameter, up to rounding.
 template <int Dimension>
 double largest_error(const Section<Dimension>& section, const Piece<Dimension>& piece) {
   double largest = 0;

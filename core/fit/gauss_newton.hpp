@@ -44,7 +44,7 @@ struct GaussNewton {
     return fine;
   }
 
-  /// That of the parabola through the three points whose parameters are as far apart as the points.
+  /// The tangent of the parabola through the three points whose parameters are as far apart as the points.
   template <int Dimension>
   static Point<double, Dimension> tangent(const Point<double, Dimension>& before,
                                           const Point<double, Dimension>& after) {
@@ -56,9 +56,9 @@ struct GaussNewton {
  private:
   using Parameters = std::vector<double>;
 
-  static constexpr Eigen::Index most_points = 513;  ///< that are fitted without a look at some of them
+  static constexpr Eigen::Index most_points = 513;  ///< more points than these are sampled first
 
-  /// The best of what the three choices of parameters lead to.
+  /// The best of the fits from three choices of parameters.
   template <int Dimension>
   static Piece<Dimension> best_of_starts(const Section<Dimension>& section) {
     Piece<Dimension> best;
@@ -78,7 +78,7 @@ struct GaussNewton {
     return best;
   }
 
-  /// As many points as are fitted at once, at even steps, with the ends.
+  /// A sample of `most_points` points, at even steps, with both ends.
   template <int Dimension>
   static Section<Dimension> thinned(const Section<Dimension>& section) {
     Section<Dimension> some{
@@ -91,7 +91,8 @@ struct GaussNewton {
     return some;
   }
 
-  /// What belongs to each of `all` where `value` belongs to `at`, which rises and has the same ends; linearly between.
+  /// Interpolates linearly: the values at `all` of the function with the values `value` at `at`, which rises and has
+  /// the same ends.
   static Parameters parameters_between(const Parameters& at, const Parameters& value, const Parameters& all) {
     Parameters result;
     std::size_t k = 0;
@@ -161,7 +162,7 @@ struct GaussNewton {
           of_start_(section.start.bound ? 1 : Dimension),
           unknowns_(of_start_ + (section.end.bound ? 1 : Dimension)) {}
 
-    /// The handles that are best for these parameters; a third as long as the polyline where those are not allowed.
+    /// The best handles for these parameters; a third of the polyline's length where these are not positive.
     [[nodiscard]] State<Dimension> begin(Parameters t) const {
       const double third = section_.length / 3;
       Handles<Dimension> handles(unknowns_);
@@ -184,7 +185,7 @@ struct GaussNewton {
       return {first, first + handle(section_.start, handles, 0), last + handle(section_.end, handles, of_start_), last};
     }
 
-    /// One damped step; its cost is infinite where a handle of a smooth joint would turn round.
+    /// One damped step; its cost is infinite where the length of a handle at a smooth joint would not be positive.
     [[nodiscard]] State<Dimension> step(const State<Dimension>& now, double damping) const {
       const auto curve = cubic(now.handles);
       const Handles<Dimension> moves = change(now, damping, projection);
@@ -206,7 +207,7 @@ struct GaussNewton {
                                    2 * Dimension>;
     using Square = Eigen::Matrix<double, Dimension, Dimension>;
 
-    /// What solves the damped normal equations; `measured` gives the matrix that residuals are measured through.
+    /// The solution of the damped normal equations; `measured` gives the matrix that weighs the residuals.
     template <class Measured>
     [[nodiscard]] Handles<Dimension> change(const State<Dimension>& now, double damping, Measured measured) const {
       const auto curve = cubic(now.handles);
@@ -250,8 +251,7 @@ struct GaussNewton {
       return jacobian;
     }
 
-    /// I - c c^T / |c|^2; I where the curve stands still. On a line, where that would be 0, I: parameters stay as
-    /// they are.
+    /// Q = I - c c^T / |c|^2. It is I where C' = 0, and on one axis, where Q would be 0; parameters do not move there.
     static Square projection(const Point<double, Dimension>& c) {
       Square across = Square::Identity();
       const double square = squared<Dimension>(c);
@@ -260,7 +260,7 @@ struct GaussNewton {
     }
 
     [[nodiscard]] bool allowed(const Handles<Dimension>& handles) const {
-      constexpr double least = 0x1p-10;  // of the length
+      constexpr double least = 0x1p-10;  // share of the length
       constexpr double most = 0x1p+10;
       for (int k = 0; k < unknowns_; ++k)
         if (!(std::abs(handles[k]) <= most * section_.length)) return false;
@@ -280,7 +280,7 @@ struct GaussNewton {
     }
 
     const Section<Dimension>& section_;
-    int of_start_;  ///< unknowns of the first handle, which come first
+    int of_start_;  ///< number of unknowns of the first handle, which come first
     int unknowns_;
   };
 };

@@ -25,7 +25,7 @@ struct FittingKernel {
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const FittingKernel> fitting_kernels(int dimension);
 
-/// What they say of themselves, in roster order.
+/// The data of all methods, in roster order.
 std::span<const MethodInfo* const> fitting_infos();
 
 }  // namespace bezierbench

@@ -17,7 +17,7 @@ class Piecewise {
  public:
   using Vector = Point<double, Dimension>;
 
-  /// As `fit` in kernel.hpp.
+  /// Fits as `fit` in kernel.hpp promises.
   Piecewise(std::span<const double> coordinates, double tolerance)
       : data_(coordinates), tolerance_(std::ldexp(tolerance, -data_.exponent)), shape_(data_, tolerance_) {}
 
@@ -46,7 +46,7 @@ class Piecewise {
     double t = 0;
   };
 
-  /// Points first to last, and the smooth joints at its ends, if any.
+  /// A range of points, and the tangents at its ends where these are smooth joints.
   struct Range {
     int first;
     int last;
@@ -54,7 +54,7 @@ class Piecewise {
     std::optional<Vector> end;
   };
 
-  /// Between corners; the last comes first.
+  /// The ranges between corners, the last one first.
   [[nodiscard]] std::vector<Range> sections() const {
     std::vector<Range> all;
     const auto corners = shape_.corners();
@@ -75,7 +75,7 @@ class Piecewise {
     return v;
   }
 
-  /// The method's tangent for chords to the points before and after; none where they give no direction.
+  /// The method's tangent from the chords to the points before and after; none where these have no direction.
   static std::optional<Vector> tangent_between(const Vector& to_before, const Vector& to_after) {
     const Vector tangent = direction_of<Dimension>(M::template tangent<Dimension>(-to_before, to_after));
     if (!(squared<Dimension>(tangent) > 0.5)) return std::nullopt;
@@ -116,7 +116,7 @@ class Piecewise {
       section.length += length<Dimension>(section.points.col(i) - section.points.col(i - 1));
       section.t.push_back(section.length);
     }
-    if (section.length > 0)  // else scaling has made the points one
+    if (section.length > 0)  // else scaling has made all points equal
       for (double& t : section.t) t /= section.length;
     return section;
   }
@@ -125,7 +125,7 @@ class Piecewise {
     return {joint ? *joint : direction_of<Dimension>(shape_.chord(from, to)), joint.has_value()};
   }
 
-  /// The largest distance, at parameters that are moved to foot points first, and the point that has it, not an end.
+  /// The largest distance, and the inner point that has it. Parameters are moved to foot points first.
   std::pair<double, int> farthest(const Section<Dimension>& section, Piece<Dimension>& piece) const {
     constexpr int most_steps = 8;
     std::pair<double, int> result{0, static_cast<int>(piece.t.size() / 2)};
@@ -140,7 +140,7 @@ class Piecewise {
     return result;
   }
 
-  /// A segment with handles of a third of the chord: straight, but for smooth joints.
+  /// A segment whose handles are a third of the chord; it is straight unless a joint is smooth.
   [[nodiscard]] Cubic<Dimension> between_two(const Range& range) const {
     const Vector first = data_.points.col(range.first);
     const Vector last = data_.points.col(range.last);
@@ -157,7 +157,7 @@ class Piecewise {
     return true;
   }
 
-  /// The ends of a segment are data points, to the last bit.
+  /// Makes the ends of a segment data points, bit for bit.
   void append(const Cubic<Dimension>& cubic, const Range& range, double error) {
     fit_.max_error = std::max(fit_.max_error, error);
     fit_.converged = fit_.converged && stays_finite(cubic);
@@ -171,7 +171,7 @@ class Piecewise {
   FitData<Dimension> data_;
   double tolerance_;
   Shape<Dimension> shape_;
-  std::vector<Place> places_;  ///< of each point of data_
+  std::vector<Place> places_;  ///< the place on the curve for each point of data_
   Fit fit_;
 };
 

@@ -269,7 +269,7 @@ TEST(Fitting, PointsThatScalingMakesOne) {
 }
 
 /// From 0 to 1/4 of the way, back beyond the start and to it again: three straight parts, whatever the steps and the
-/// arms that corners are seen by.
+/// arms that decide corners.
 TEST(Fitting, TurnsBackAtTheTips) {
   auto data = samples({0, 0, 1, 2, -1, -2, 0, 0}, 2, 40);
   for (const auto& kernel : fitting_kernels(2))

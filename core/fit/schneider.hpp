@@ -41,7 +41,7 @@ struct Schneider {
     }
   }
 
-  /// That of the chord between the two neighbours.
+  /// The tangent by the chord between the two neighbours.
   template <int Dimension>
   static Point<double, Dimension> tangent(const Point<double, Dimension>& before,
                                           const Point<double, Dimension>& after) {

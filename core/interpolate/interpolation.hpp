@@ -17,10 +17,10 @@ struct InnerPoints {
   std::vector<double> second;
 };
 
-/// The spline is C2 at uniform parameters and natural: its second derivative is 0 at both ends. A method is handed the
-/// n + 1 >= 2 coordinates K_0 ... K_n of one axis, the largest of which has a size in [1/2, 1), or is 0
-/// (InterpolationKernel does that), and says with `residual_bound` which multiple of u times that size no residual of
-/// C1, C2 and natural ends exceeds; 0 where nothing is proved.
+/// The spline is C2 at uniform parameters and natural: its second derivative is 0 at both ends. A method takes the
+/// n + 1 >= 2 coordinates K_0 ... K_n of one axis, scaled so that the largest has a size in [1/2, 1) or is 0
+/// (InterpolationKernel scales). `residual_bound` times u times that size bounds every residual of C1, C2 and natural
+/// ends; it is 0 where nothing is proved.
 template <class M>
 concept InterpolationMethod = requires(std::span<const double> coordinates) {
   requires M::info.problem == Problem::interpolation;

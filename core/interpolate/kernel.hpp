@@ -16,15 +16,15 @@ struct InterpolationKernel {
   double residual_bound;  ///< in u times the largest coordinate of an axis; 0 where nothing is proved
   /// The n cubic Bezier segments through n + 1 >= 2 points of `dimension` finite coordinates each, point by point:
   /// 4 n control points, segment by segment. The first and last of a segment are the given points, bit for bit. Each
-  /// axis is scaled by a power of two first, so that coordinates of any size have the same results; an inner control
-  /// point that exceeds the largest double is infinite.
+  /// axis is scaled by a power of two first, so that the results scale with the coordinates; an inner control point
+  /// that exceeds the largest double is infinite.
   std::vector<double> (*interpolate)(std::span<const double> points, int dimension);
 };
 
 /// All methods, in roster order.
 std::span<const InterpolationKernel> interpolation_kernels();
 
-/// What they say of themselves, in roster order.
+/// The data of all methods, in roster order.
 std::span<const MethodInfo* const> interpolation_infos();
 
 }  // namespace bezierbench

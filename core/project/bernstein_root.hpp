@@ -11,13 +11,13 @@
 
 namespace bezierbench {
 
-/// Value and derivative over n = degree.
+/// The value of f, and its derivative over n, the degree.
 struct BernsteinSlope {
   double value;
   double derivative;
 };
 
-/// By de Casteljau, the derivative from the last level but one. Degree 1 or more.
+/// Evaluates by de Casteljau's algorithm; the last level but one gives the derivative. Degree 1 or more.
 template <int Points>
 BernsteinSlope bernstein_slope(Polygon<1, Points> f, double t) {
   const double s = 1 - t;
@@ -33,8 +33,8 @@ double zero_of_control_polygon(const Polygon<1, Points>& f) {
   return (k + f[k] / (f[k] - f[k + 1])) / degree_of<1>(f);
 }
 
-/// The root of f in (0, 1), whose first and last coefficient have different signs. Not sure to be any good: f may be
-/// rounding errors next to the root.
+/// The root of f in (0, 1), whose first and last coefficient have different signs. Without a guarantee: next to the
+/// root the values of f may be rounding errors only.
 template <int Points>
 RootEstimate estimate_root(const Polygon<1, Points>& f) {
   constexpr int most_steps = 16;

@@ -10,11 +10,11 @@
 
 namespace bezierbench {
 
-/// Where sum coefficients[k] t^k may be zero in [0, 1]: the real parts of all complex roots that lie there. A double
-/// root that rounding split into a pair counts, too; a parameter too many costs one comparison of distances.
+/// Candidates for the roots of sum coefficients[k] t^k in [0, 1]: the real parts there of all complex roots. This
+/// includes a double root that rounding split into a pair; a parameter too many costs one comparison of distances.
 ///
-/// Leading coefficients of at most u times the largest one are left out: in [0, 1] they change the polynomial by no
-/// more than the rounding of the others did, and they would be divided by.
+/// Leading coefficients of at most u times the largest one are dropped. In [0, 1] they change the polynomial by no more
+/// than the rounding of the others did, and the companion matrix would divide by them.
 inline std::vector<double> companion_roots(std::vector<double> coefficients) {
   double largest = 0;
   for (const double coefficient : coefficients) largest = std::max(largest, std::abs(coefficient));

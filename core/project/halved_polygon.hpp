@@ -9,10 +9,10 @@ namespace bezierbench {
 template <int Dimension, int Points = dynamic>
 struct HalvedPolygon {
   Polygon<Dimension, Points> b;
-  double largest;  ///< magnitude of a coordinate
-  double error;    ///< no coordinate is off by more
+  double largest;  ///< the largest magnitude of a coordinate
+  double error;    ///< bounds the error of every coordinate
 
-  /// Of points that were rounded once.
+  /// Takes points that were rounded once.
   explicit HalvedPolygon(const Polygon<Dimension, Points>& rounded)
       : b(rounded), largest(largest_coordinate<Dimension>(b)), error(0x1p-53 * largest) {}
   HalvedPolygon(Polygon<Dimension, Points> half, double its_error)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How quintic_isolate looks for the roots of f = (C - P).C' / n: it judges the curve by the signs of f's coefficients
-// and halves it until each piece has one root or none.
+// The search of quintic_isolate for the roots of f = (C - P).C' / n. The signs of the coefficients of f bound the
+// number of roots of a piece; the curve is halved until each piece has one root or none.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace bezierbench {
 
-/// One search, for one curve, of a degree known when compiled or of any, and one point.
+/// One search for one curve and one point; the degree is known when compiled, or dynamic.
 template <int Dimension, int Degree = dynamic>
 class Isolation {
  public:
@@ -37,10 +37,10 @@ class Isolation {
   static constexpr int most_pieces = 20'000;
   static constexpr double smallest_width = 0x1p-60;
 
-  /// Part of the curve, over m as in OffsetCurve.
+  /// A part of the curve, divided by m as in OffsetCurve.
   struct Piece {
-    HalvedPolygon<Dimension, count_of(Degree, 1)> offset;  ///< of C - P
-    HalvedPolygon<Dimension, Degree> difference;           ///< of C' / n, whatever the width
+    HalvedPolygon<Dimension, count_of(Degree, 1)> offset;  ///< control points of C - P
+    HalvedPolygon<Dimension, Degree> difference;  ///< control points of C' / n, in the parameter of the whole curve
     double from = 0;
     double width = 1;
 
@@ -72,8 +72,8 @@ class Isolation {
     isolate({right, right_difference, piece.middle(), piece.width / 2});
   }
 
-  /// The one root in a piece that has at most one. Where the signs at its ends agree the root, if there is any, lies at
-  /// an end, as near as rounding tells.
+  /// The one root in a piece that has at most one. Where the signs at both ends agree, the root, if there is any, lies
+  /// at an end, up to rounding.
   double root_of(const Piece& piece, const UncertainPolynomial<count_of(Degree, Degree)>& f) const {
     const double a = piece.from;
     const double b = a + piece.width;
@@ -91,7 +91,7 @@ class Isolation {
 
   OffsetCurve<Dimension, Degree> offset_;
   PolygonProduct<Degree> product_;
-  std::array<std::byte, 64 * sizeof(double)> room_;  // no allocation for a curve of low degree
+  std::array<std::byte, 64 * sizeof(double)> room_;  // so that a curve of low degree needs no allocation
   std::pmr::monotonic_buffer_resource memory_{room_.data(), room_.size()};
   std::pmr::vector<double> candidates_{&memory_};
   int judged_ = 0;

@@ -60,7 +60,7 @@ TEST(Isolation, CodeForOneDegreeGivesTheBitsOfCodeForAny) {
   }
 }
 
-/// One axis of a curve seen from a point, or of its differences, exactly.
+/// One axis of C - P, or of its differences, exactly.
 std::vector<Rational> offsets(const Curve<Form::bernstein, double, 2>& curve, const Point<double, 2>& point, int axis) {
   std::vector<Rational> result;
   for (int i = 0; i <= curve.degree(); ++i) result.push_back(Rational(curve(axis, i)) - Rational(point[axis]));

@@ -12,12 +12,12 @@ namespace bezierbench {
 
 struct NearestCandidate {
   double t;
-  double scaled_distance;  ///< as OffsetCurve has it
-  int candidates;          ///< how many there were
+  double scaled_distance;  ///< the distance over m, as in OffsetCurve
+  int candidates;          ///< number of distinct candidates
 };
 
-/// Compares the distances at these parameters of [0, 1], a vector of them, and at both ends of the curve; of equally
-/// near ones the smallest parameter counts, and a parameter that occurs twice counts once.
+/// Compares the distances at these parameters in [0, 1] and at both ends of the curve. Of equally near ones the
+/// smallest parameter is returned; a parameter that occurs twice counts once.
 template <int Dimension, int Degree, class Candidates>
 NearestCandidate nearest_candidate(const OffsetCurve<Dimension, Degree>& curve, Candidates candidates) {
   candidates.insert(candidates.end(), {0.0, 1.0});
@@ -32,8 +32,8 @@ NearestCandidate nearest_candidate(const OffsetCurve<Dimension, Degree>& curve, 
   return best;
 }
 
-/// t in [0, 1] and its distance, or those of the double beside it that is nearer by more than rounding: Newton's last
-/// step may end one off, and next to the curve an ulp of t is several of the distance.
+/// t in [0, 1] and its distance, or those of the neighbouring double that is nearer by more than rounding. Newton's
+/// last step may end one double off, and next to the curve an ulp of t is several ulps of the distance.
 template <int Dimension, int Degree>
 NearestCandidate nearest_neighbour(const OffsetCurve<Dimension, Degree>& curve, const NearestCandidate& candidate) {
   auto best = candidate;
@@ -45,7 +45,7 @@ NearestCandidate nearest_neighbour(const OffsetCurve<Dimension, Degree>& curve, 
   return best;
 }
 
-/// The same as a foot point.
+/// The nearest parameter as the result of a method.
 template <int Dimension>
 FootPoint nearest(const OffsetCurve<Dimension>& curve, std::vector<double> candidates) {
   const auto best = nearest_candidate(curve, std::move(candidates));

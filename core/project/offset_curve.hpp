@@ -12,7 +12,7 @@
 
 namespace bezierbench {
 
-/// Of a degree known when compiled, or of any.
+/// The degree is known when compiled, or dynamic.
 template <int Dimension, int Degree = dynamic>
 class OffsetCurve {
  public:
@@ -50,14 +50,14 @@ class OffsetCurve {
   }
 
   [[nodiscard]] int degree() const { return Degree == dynamic ? degree_of<Dimension>(high_) : Degree; }
-  /// b_i - P over m, each rounded once.
+  /// (b_i - P) / m, each rounded once.
   [[nodiscard]] const Points& offsets() const { return high_; }
-  /// b_(i+1) - b_i over m, each rounded once.
+  /// (b_(i+1) - b_i) / m, each rounded once.
   [[nodiscard]] const Differences& differences_of_points() const { return first_; }
 
-  /// (C(t) - P) / m. Flattened, for GCC would call each step of the triangle, its operands in memory.
+  /// (C(t) - P) / m. Flattened, because GCC would otherwise call each step of the triangle with its operands in memory.
   [[nodiscard, gnu::flatten]] Vector at(double t) const {
-    if (t == 0) return high_.col(0);  // to the last bit what follows
+    if (t == 0) return high_.col(0);  // same bits as the code below
     if (t == 1) return high_.col(degree());
     const auto s = two_sum(1.0, -t);
     auto high = high_;
@@ -78,10 +78,10 @@ class OffsetCurve {
   /// |C(t) - P| / m, and in coordinate units.
   [[nodiscard]] double scaled_distance(double t) const { return length<Dimension>(at(t)); }
   [[nodiscard]] double distance(double t) const { return unscaled(scaled_distance(t)); }
-  /// m times a length.
+  /// A length over m, in coordinate units.
   [[nodiscard]] double unscaled(double length) const { return std::ldexp(length, exponent_); }
 
-  /// f = (C - P).C' and its derivative |C'|^2 + (C - P).C'', both over n m^2; and |C'|^2 over the same.
+  /// f = (C - P).C' and its derivative |C'|^2 + (C - P).C'', and |C'|^2, all over n m^2.
   struct Slope {
     double value;
     double derivative;
@@ -95,7 +95,7 @@ class OffsetCurve {
     return {dot<Dimension>(offset, velocity), speed_squared + bend, speed_squared};
   }
 
-  /// A bound of |f''| = |3 C'.C'' + (C - P).C'''| on [0, 1], over the same.
+  /// A bound of |f''| = |3 C'.C'' + (C - P).C'''| on [0, 1], over n m^2.
   [[nodiscard]] double largest_bend() const { return largest_bend_; }
 
  private:

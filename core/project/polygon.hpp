@@ -12,12 +12,12 @@
 
 namespace bezierbench {
 
-/// `Points` columns, or any number of them. Not of bounded size, unlike a Curve: the projectors keep many, of low
-/// degree.
+/// `Points` columns, or a dynamic number. Unlike a Curve it has no room for the largest degree, because the projectors
+/// keep many polygons of low degree.
 template <int Dimension, int Points = dynamic>
 using Polygon = Eigen::Matrix<double, Dimension, Points, Dimension == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
 
-/// `points + more`, where either may be unknown until run time.
+/// `points + more`; dynamic where either is.
 constexpr int count_of(int points, int more) { return points == dynamic ? dynamic : points + more; }
 
 template <int Dimension, int Points>
@@ -38,7 +38,8 @@ template <int Dimension>
 double length(const Point<double, Dimension>& v) {
   double largest = 0;
   for (int axis = 0; axis < Dimension; ++axis) largest = std::max(largest, std::abs(v[axis]));
-  if (largest >= 0x1p-480 && largest <= 0x1p+510) return std::sqrt(dot<Dimension>(v, v));  // to the last bit the same
+  if (largest >= 0x1p-480 && largest <= 0x1p+510)
+    return std::sqrt(dot<Dimension>(v, v));  // same bits as the code below
   if (largest == 0 || !std::isfinite(largest)) return largest;
   int exponent = 0;
   std::frexp(largest, &exponent);
@@ -90,7 +91,7 @@ std::pair<Polygon<Dimension, Points>, Polygon<Dimension, Points>> halves(Polygon
     for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = (b(axis, i) + b(axis, i + 1)) / 2;
     if (i == 0) left.col(++level) = b.col(0);
   });
-  return {std::move(left), std::move(b)};  // what was not overwritten on level k is the last point of that level
+  return {std::move(left), std::move(b)};  // in b, column n - k was last written on level k, with its last point
 }
 
 }  // namespace bezierbench

@@ -14,15 +14,15 @@ namespace bezierbench {
 template <int Count = dynamic>
 struct UncertainPolynomial {
   Polygon<1, Count> coefficients;
-  double error;  ///< no coefficient is off by more
+  double error;  ///< bounds the error of every coefficient
 
   [[nodiscard]] int degree() const { return degree_of<1>(coefficients); }
-  /// Of coefficient k; 0 where the error may have decided.
+  /// The sign of coefficient k; 0 where its error leaves the sign open.
   [[nodiscard]] int sign(int k) const { return coefficients[k] > error ? 1 : coefficients[k] < -error ? -1 : 0; }
   /// True if no sign is certain.
   [[nodiscard]] bool is_unknown() const { return largest_coordinate<1>(coefficients) <= error; }
 
-  /// The most sign variations that any choice for the uncertain signs has.
+  /// The largest number of sign variations over all choices for the uncertain signs.
   [[nodiscard]] int most_variations() const {
     const int none = -degree() - 2;
     int after_plus = -1;  // so that the first sign is no variation
@@ -37,7 +37,7 @@ struct UncertainPolynomial {
   }
 };
 
-/// Multiplies polygons of degree n and n - 1, for one n.
+/// Multiplies polygons of degrees n and n - 1; one object serves one n.
 template <int Degree = dynamic>
 class PolygonProduct {
  public:
@@ -65,8 +65,8 @@ class PolygonProduct {
   }
 
  private:
-  /// The errors of the polygons, carried through the products; then at most d + 1 roundings in a product of vectors,
-  /// 2n + 4 in weighing and summing, and 3n in binomials that are not exact.
+  /// A bound of the errors of the coefficients: the errors of the polygons, carried through the products, at most d + 1
+  /// roundings in a product of vectors, 2n + 4 in weighing and summing, and 3n in binomials that are not exact.
   template <int Dimension>
   static double error_of(const HalvedPolygon<Dimension, count_of(Degree, 1)>& offset,
                          const HalvedPolygon<Dimension, Degree>& difference) {

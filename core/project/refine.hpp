@@ -8,10 +8,10 @@
 
 namespace bezierbench {
 
-/// A root as it is known so far, by Newton steps of which the last one was `step`, or by other means.
+/// An estimate of a root, from Newton's method, whose last step was `step`, or from elsewhere.
 struct RootEstimate {
   double t;
-  double step;  ///< the next one should be half as long or less
+  double step;  ///< the next step should be half as long or less
 };
 
 /// A root of (C - P).C' between a < b, where its signs differ, from an estimate between them: Newton steps, bisection
@@ -21,7 +21,7 @@ struct RootEstimate {
 template <int Dimension, int Degree>
 double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, double b, bool rising,
                        const RootEstimate& estimate) {
-  constexpr int most_steps = 200;  // each second one halves a bracket that has at most 2^53 doubles a binade
+  constexpr int most_steps = 200;  // every second step halves the bracket, which has at most 2^53 doubles a binade
   auto [t, last_step] = estimate;
   for (int k = 0; k < most_steps; ++k) {
     const auto f = curve.slope(t);
@@ -42,8 +42,8 @@ double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, do
   return t;
 }
 
-/// A parameter in [0, 1] at least as near as t: Newton steps where the distance curves upwards, else those of Gauss and
-/// Newton, each halved until it brings the curve nearer. Ends when none does.
+/// A parameter in [0, 1] at least as near as t. Takes Newton steps where the distance is convex, else Gauss-Newton
+/// steps, each halved until it brings the curve nearer. Ends when none does.
 template <int Dimension, int Degree>
 double descend(const OffsetCurve<Dimension, Degree>& curve, double t) {
   constexpr int most_steps = 100;

@@ -4,12 +4,12 @@
 
 namespace bezierbench {
 
-/// Where a method says the curve is nearest to the point.
+/// The parameter at which a method finds the curve nearest to the point.
 struct FootPoint {
   double t = 0;
   double distance = 0;    ///< |C(t) - P|, in coordinate units
   int candidates = 0;     ///< parameters or pieces whose distances were compared
-  bool converged = true;  ///< false where the method gave up before it reached what it aims at
+  bool converged = true;  ///< false where the method gave up early
 };
 
 }  // namespace bezierbench

@@ -8,14 +8,14 @@
 
 namespace bezierbench {
 
-/// |C(t) - P|^2 / m^2 from plain arithmetic, as the searches compare it.
+/// |C(t) - P|^2 / m^2 in plain floating point, the number that the searches compare.
 template <int Dimension>
 double squared_distance(const OffsetCurve<Dimension>& curve, double t) {
   const auto offset = point_at<Dimension>(curve.offsets(), t);
   return dot<Dimension>(offset, offset);
 }
 
-/// The nearest of from + i (to - from) / slices, i = 0, ..., slices; of equally near ones the first.
+/// The nearest of from + i (to - from) / slices, i = 0, ..., slices; of equally near samples the first.
 template <int Dimension>
 double nearest_sample(const OffsetCurve<Dimension>& curve, double from, double to, int slices) {
   double best = from;
