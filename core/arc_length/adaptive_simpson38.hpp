@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Simpson's 3/8 rule S = (b-a)/8 (f_0 + 3 f_1 + 3 f_2 + f_3) on a panel and on its halves, halved again until both
-// agree; then S_left + S_right + (S_left + S_right - S)/15.
-//
-// Source: seed document 000, section 3.1, eq. (13); Davis and Rabinowitz, Methods of Numerical Integration, 2nd ed., on
-//   adaptive Simpson rules. The factor 15: the error falls by 16 when a panel of a smooth integrand is halved.
+// Formula: Simpson's 3/8 rule S = (b-a)/8 (f_0 + 3 f_1 + 3 f_2 + f_3) on a panel and on its halves, halved again until
+//   both agree; then S_left + S_right + (S_left + S_right - S)/15.
+// Source: [Document 000], section 3.1, eq. (13); [Davis and Rabinowitz 1984], adaptive Simpson rules. The factor 15:
+//   the error falls by 16 when a panel of a smooth integrand is halved.
 // Cost: 3 speeds per halving: of the 7 abscissae of two halves 4 are those of the panel.
-// Estimate: of the seven speeds of two halves three more integrals can be had, S itself, Simpson's 1/3 rule on thirds
-// and
-//   the Newton-Cotes rule of seven points; the estimate is the sum of the largest distance of these from S_left +
-//   S_right, not of its fifteenth: at a cusp the error falls by 4 only. One distance alone is now and then next to 0 by
-//   accident, on one sharply bent cubic in a few thousand. The depth is limited, and distances of the size of rounding
-//   errors end the halving.
-// Fails: a tolerance near u is refused in the end, for the roundings are part of the estimate.
+// Bound: none is proved; there is an estimate. The seven speeds of two halves give three more integrals: S itself,
+//   Simpson's 1/3 rule on thirds and the Newton-Cotes rule of seven points. The estimate is the sum of the largest
+//   distance of these from S_left + S_right. It is not a fifteenth of this distance, because at a cusp the error falls
+//   by 4 only. One distance alone is next to 0 by accident on one sharply bent cubic in a few thousand. The depth of
+//   halving is limited, and distances of the size of rounding errors end it.
+// Fails: a tolerance near u is not met in the end, for the roundings are part of the estimate.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +31,7 @@ struct AdaptiveSimpson38 {
                                    .form = Form::bernstein,
                                    .promise = "the tolerance, or converged is no",
                                    .flops = "per speed (n-1)(1+3d) + 2d + 2",
-                                   .citation = "seed document 000, eq. (13); Davis and Rabinowitz 1984"};
+                                   .citation = "[Document 000], eq. (13); [Davis and Rabinowitz 1984]"};
 
   template <int Dimension>
   static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {

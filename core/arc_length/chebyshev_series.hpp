@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A curve in Bernstein form over [0, 1] as a series of Chebyshev polynomials of z = 2t - 1, cut at a limited degree,
-// with a bound for what was cut.
-//
-// Source: de Casteljau's algorithm with polynomials in place of points: a step takes (A + B)/2 + z (B - A)/2, and
-//   z T_k = (T_(k+1) + T_(k-1))/2. Derived here.
+// Formula: a curve in Bernstein form over [0, 1] as a series of Chebyshev polynomials of z = 2t - 1, cut at a limited
+//   degree, with a bound of the part that was cut.
+// Source: derived here, from de Casteljau's algorithm with polynomials in place of points: a step takes
+//   (A + B)/2 + z (B - A)/2, and z T_k = (T_(k+1) + T_(k-1))/2.
 // Cost: m(m+1)/2 steps of 6d min(r, limit) flops, r the level.
-// Error: a step rounds each coefficient by at most 3u of those that it is made of. The coefficients of a polynomial of
-//   degree r and size 1 have squares that sum to at most 2, so sizes that sum to at most sqrt(2(r+1)): after all levels
-//   the sum is off by at most 2 sqrt(2) u (m+1)^(3/2) times the largest control point, which counts as cut.
+// Bound: a step rounds each coefficient by at most 3u of those that it is made of. The squares of the coefficients of a
+//   polynomial of degree r and size 1 sum to at most 2, so their sizes sum to at most sqrt(2(r+1)). After all levels
+//   the error of the sum is at most 2 sqrt(2) u (m+1)^(3/2) times the largest control point, which counts as cut.
 //
 // The series of a level lie side by side, so that each step is the same for four numbers in a row.
 #pragma once

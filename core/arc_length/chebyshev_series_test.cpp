@@ -12,8 +12,8 @@
 namespace bezierbench {
 namespace {
 
-/// The control points of T_n(2t - 1): (-1)^(n-i) C(2n, 2i) / C(n, i) (Rababah, Transformation of Chebyshev-Bernstein
-/// polynomial basis, 2003). With t = cos^2 v, T_n(2t - 1) = cos 2nv is the real part of (cos v + i sin v)^(2n).
+/// The control points of T_n(2t - 1): (-1)^(n-i) C(2n, 2i) / C(n, i) ([Rababah 2003]).
+/// With t = cos^2 v, T_n(2t - 1) = cos 2nv is the real part of (cos v + i sin v)^(2n).
 std::vector<double> control_points(int n) {
   std::vector<double> points{n % 2 == 0 ? 1.0 : -1.0};
   for (int i = 1; i <= n; ++i) points.push_back(-points.back() * (2 * (n - i) + 1) / (2 * i - 1));

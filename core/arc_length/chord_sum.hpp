@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The sum of the chords between N + 1 points at equal steps of t, N doubled until its proved error is small enough.
-//
-// Source: seed document 000, section 3.1, first formula.
+// Formula: the sum of the chords between N + 1 points at equal steps of t, N doubled until its proved error is small
+//   enough.
+// Source: [Document 000], section 3.1, first formula; the bound is derived here.
 // Cost: N + 1 points, each used again when N is doubled.
-// Estimate: proved. Over a step of width w let v be the mean of C' (the chord over w) and D = w/2 max|C''|, so that
-//   |C' - v| <= D. The chord is short of the arc by at most the integral of |C' - v|, w D; and by at most
+// Bound: proved. Over a step of width w let v be the mean of C' (the chord over w) and D = w/2 max|C''|, so that
+//   |C' - v| <= D. The chord is shorter than the arc by at most the integral of |C' - v|, w D; and by at most
 //   w D^2 / (2 (|v| - D)) where |v| > D, for |C'| - C'.v/|v| <= |part of C' across v|^2 / (2 C'.v/|v|). The roundings
-//   of the points come on top. Two sums that agree would prove nothing: a curve that turns back next to one of the
-//   points gives the same sum for N and 2N.
-// Fails: slow, error about 1/N^2; every chord carries the roundings of two points, so many chords carry many.
+//   of the points are added. Two sums that agree would prove nothing: a curve that turns back next to one of the points
+//   gives the same sum for N and 2N.
+// Fails: it is slow, with an error of about 1/N^2. Every chord carries the roundings of two points, so many chords
+//   carry many.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,7 @@ struct ChordSum {
                                    .form = Form::bernstein,
                                    .promise = "the tolerance, proved, or converged is no",
                                    .flops = "per point n(1+3d) + 2d + 2",
-                                   .citation = "seed document 000, section 3.1"};
+                                   .citation = "[Document 000], section 3.1; bound derived here"};
 
   template <int Dimension>
   static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {

@@ -2,7 +2,7 @@
 // Nodes and weights of the Gauss-Legendre rules with 8, 16 and 24 points on [-1, 1]: those x > 0 in falling order, each
 // for its opposite, too. A rule of m points integrates polynomials up to degree 2m - 1 exactly (the tests show it).
 //
-// Source: Davis and Rabinowitz, Methods of Numerical Integration, 2nd ed., section 2.7.
+// Source: [Davis and Rabinowitz 1984], section 2.7.
 #pragma once
 
 #include <array>

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The Gauss-Legendre rule with 24 points on the whole curve.
-//
-// Source: Davis and Rabinowitz, Methods of Numerical Integration, 2nd ed., section 2.7; a common choice for Bezier
-// curves
-//   (Pomax, A Primer on Bezier Curves, arc length).
+// Formula: the Gauss-Legendre rule with 24 points on the whole curve.
+// Source: [Davis and Rabinowitz 1984], section 2.7. Libraries for Bezier curves often use this rule.
 // Cost: 24 speeds.
-// Estimate: none, whatever the tolerance; so `converged` is always false.
-// Fails: at and near cusps, without a sign of it.
+// Bound: none, and no estimate, whatever the tolerance; so `converged` is always false.
+// Fails: at and near cusps, without indicating it.
 #pragma once
 
 #include "core/arc_length/arc_length.hpp"
@@ -22,7 +19,7 @@ struct GaussLegendre24 {
                                    .form = Form::bernstein,
                                    .promise = "none: converged is no",
                                    .flops = "24 speeds of (n-1)(1+3d) + 2d + 2",
-                                   .citation = "Davis and Rabinowitz 1984, section 2.7"};
+                                   .citation = "[Davis and Rabinowitz 1984], section 2.7"};
 
   template <int Dimension>
   static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double /*tolerance*/) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// On each panel the rule with the fewest of 8, 16 and 24 points that is proved to be good enough; where none is, the
-// panel is halved.
-//
-// Source: the choice among three rules as in the arc length of a cubic in kurbo (Levien), which foretells errors by
-//   experiment, for cubics; the errors here are proved, for any degree (proved_rule.hpp). Hodographs are halved by
-//   de Casteljau's algorithm. Of a panel that no rule is proved for, as at a cusp, the length lies between those of the
-//   chord and of the control polygon: where these are near enough, their mean is taken.
+// Formula: on each panel the Gauss-Legendre rule with the fewest of 8, 16 and 24 points that is proved to keep the
+//   tolerance; where none is, the panel is halved.
+// Source: [Levien 2018], which chooses among rules by an error that was fitted to experiments with cubics;
+//   [Trefethen 2013], theorem 19.3, by which the errors here are proved, for any degree (proved_rule.hpp). De
+//   Casteljau's algorithm halves hodographs. Where no rule is proved on a panel, as at a cusp, its length lies between
+//   those of the chord and of the control polygon; where these are near enough, their mean is taken.
 // Cost: per panel a Chebyshev series of the hodograph, and 8, 16 or 24 speeds.
-// Estimate: proved: the sum of the bounds of all panels, and of roundings.
+// Bound: proved: the sum of the bounds of all panels, and of roundings.
+// Fails: a tolerance near u is not met in the end, for the roundings are part of the bound.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct GaussLegendreAdaptive {
                                    .promise = "proved: the tolerance, or converged is no",
                                    .flops = "per speed 3d n(n-1)/2 + 2d",
                                    .cost_exponent = 2,
-                                   .citation = "Levien, kurbo, arc length of cubics; Trefethen 2013, theorem 19.3"};
+                                   .citation = "[Levien 2018]; [Trefethen 2013], theorem 19.3"};
 
   template <int Dimension>
   static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points of a curve of which a hodograph is handed over, and what roundings do to the chords between them.
+// Points of a curve whose hodograph is given, and the effect of roundings on the chords between them.
 #pragma once
 
 #include <algorithm>

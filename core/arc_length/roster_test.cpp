@@ -31,7 +31,8 @@ struct Known {
 const std::vector<double> cusp{1, -1, -1.0 / 3, 1, -1.0 / 3, -1, 1, 1};
 double from_cusp(double u) { return (std::pow(4 + 9 * u * u, 1.5) - 8) / 27; }
 
-/// C' = ((a(1-t) + bt) + i (c(1-t) + dt))^2, a Pythagorean hodograph: |C'| is a polynomial (Farouki and Sakkalis 1990).
+/// C' = ((a(1-t) + bt) + i (c(1-t) + dt))^2, a Pythagorean hodograph: |C'| is a polynomial
+/// ([Farouki and Sakkalis 1990]).
 Known pythagorean(double a, double b, double c, double d) {
   const double hodograph[3][2]{{a * a - c * c, 2 * a * c}, {a * b - c * d, a * d + b * c}, {b * b - d * d, 2 * b * d}};
   Known curve{"Pythagorean hodograph", 2, {0, 0}, (a * a + a * b + b * b + c * c + c * d + d * d) / 3};

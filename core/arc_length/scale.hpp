@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sizes taken out of a curve, so that coordinates of any size have the same results.
+// Scaling of a curve by a power of two, so that coordinates of any size have the same results.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The speed |h(t)| of a curve from its hodograph h, counted, and what its roundings can add to a length.
+// The speed |h(t)| of a curve from its hodograph h, with a count of evaluations and a bound on the effect of roundings
+// on a length.
 #pragma once
 
 #include <cmath>

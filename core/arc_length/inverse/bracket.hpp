@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The search that every safeguarded method shares: steps inside an interval whose ends lie on both sides of the target.
 //
-// A step that leaves the interval is replaced by the interval's middle; so is the step after one that did not halve the
-// distance |s(t) - S|. So an interval is halved or a distance is, at least every other time. Of the length up to t only
-// the part from the nearer end of the interval is integrated. The search ends where the distance with its error is
+// A step that leaves the interval is replaced by the interval's middle. So is the step after one that did not halve the
+// distance |s(t) - S|. Therefore at least every other step halves the interval or the distance. Of the length up to t
+// only the part from the nearer end of the interval is integrated. The search ends where the distance with its error is
 // within the tolerance, where the distance is within its own error, so that another step would be a guess, where no
-// double lies inside the interval, or at the limit.
+// double lies inside the interval, or at the limit of iterations.
 #pragma once
 
 #include <cmath>

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// t <- t - (s(t) - S) / |C'(t)| inside an interval that holds the root, bisected where a step fails.
-//
-// Source: Newton's method for s(t) = S, from t = S / s(1); guarded as in Press, Teukolsky, Vetterling and Flannery,
-//   Numerical Recipes, 3rd ed., section 9.4.
+// Formula: t <- t - (s(t) - S) / |C'(t)| inside an interval that holds the root, bisected where a step fails.
+// Source: [Press et al. 2007], section 9.4: Newton's method for s(t) = S, from t = S / s(1), safeguarded.
 // Cost: per iteration a length of a part (inverse/part_length.hpp) and one speed.
-// Estimate: |s(t) - S|, with what the quadratures and the roundings may be off.
-// Converges: quadratically where |C'| > 0; at a cusp, where s(t) - S is like (t - c)|t - c|, the distance falls by 4 in
+// Bound: |s(t) - S|, with the errors of the quadratures and the roundings added.
+// Converges: quadratically where |C'| > 0. At a cusp, where s(t) - S is like (t - c)|t - c|, the distance falls by 4 in
 //   each step.
-// Fails: not at all within the tolerances that double precision permits; below these it ends and says so.
+// Fails: only below the tolerances that double precision permits; there it ends and says so.
 #pragma once
 
 #include "core/arc_length/inverse/bracket.hpp"
@@ -23,7 +21,7 @@ struct BracketedNewton {
                                    .promise = "the tolerance, or converged is no",
                                    .flops = "per iteration a length and a speed",
                                    .cost_exponent = 2,
-                                   .citation = "Press et al. 2007, section 9.4"};
+                                   .citation = "[Press et al. 2007], section 9.4"};
 
   template <int Dimension>
   static InverseArcLength solve(const Curve<Form::bernstein, double, Dimension>& hodograph, double target,

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Parameters t_0 = 0 < ... < t_N = 1 with chords |C(t_k) - C(t_(k-1))| of one length; the target, as a share of the
-// chords' sum, is then a point of one of them. N is doubled until a proved error is small enough.
-//
-// Source: seed document 000, section 3.3, the loop for several points, which equalises chords, not arcs: it moves each
-//   t_k by a Newton step for the sum of the chords before it, with nothing to keep the t_k in order. Here the new t_k
-//   are read off that sum, as a piecewise linear function of t (de Boor, Good approximation by splines with variable
-//   knots II, 1974): in order on every curve, cusps included. Within its chord the target's t is where the distance
-//   from the chord's beginning is the share that is left.
+// Formula: parameters t_0 = 0 < ... < t_N = 1 with chords |C(t_k) - C(t_(k-1))| of one length. The target, as a share
+//   of the chords' sum, is then a point of one of them. N is doubled until a proved error is small enough.
+// Source: [Document 000], section 3.3, the loop for several points, which equalises chords, not arcs. It moves each t_k
+//   by a Newton step for the sum of the chords before it, and nothing keeps the t_k in order. Here the new t_k are read
+//   off that sum, as a piecewise linear function of t ([de Boor 1974]): in order on every curve, cusps included. Within
+//   its chord the target's t is where the distance from the chord's beginning is the share that is left.
 // Cost: N + 1 points for each round, at most 12 rounds for each N, N = 8 to 1024; the length of the curve by adaptive
 //   Gauss-Legendre rules.
 // Bias: an arc of length h and curvature k is longer than its chord by about k^2 h^3 / 24, so equal chords are not
-//   equal arcs where the curvature is not the same all along; the bias falls by 4 when N is doubled,
-//   but by 2 only at a cusp or turn, where a chord may be short by as much as it is long.
-// Estimate: proved. The polygon from 0 to t is at most s(t), that from t to 1 at most s(1) - s(t). Roundings are added.
-// Fails: slow; tolerances below about 1e-6 are refused in the end.
+//   equal arcs where the curvature varies. The bias falls by 4 when N is doubled, but by 2 only at a cusp or turn,
+//   where a chord may be shorter than its arc by its own length.
+// Bound: proved. The polygon from 0 to t is at most s(t), that from t to 1 at most s(1) - s(t). Roundings are added.
+// Fails: it is slow, and does not meet tolerances below about 1e-6 in the end.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +38,7 @@ struct ChordEqualising {
                                    .form = Form::bernstein,
                                    .promise = "the tolerance, proved, or converged is no",
                                    .flops = "per point n(1+3d) + 2d + 2",
-                                   .citation = "seed document 000, section 3.3; de Boor 1974"};
+                                   .citation = "[Document 000], section 3.3; [de Boor 1974]"};
 
   template <int Dimension>
   static InverseArcLength solve(const Curve<Form::bernstein, double, Dimension>& hodograph, double target,

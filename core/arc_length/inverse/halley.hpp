@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// t <- t - 2 d s' / (2 s'^2 - d s''), d = s(t) - S, s' = |C'|, s'' = C'.C'' / |C'|, in the bracket of bracketed_newton.
-//
-// Source: Halley's method, Traub, Iterative Methods for the Solution of Equations, section 5.2. Safeguarded: a step out
-//   of the interval, or one after which the distance was not halved, is a bisection.
+// Formula: t <- t - 2 d s' / (2 s'^2 - d s''), d = s(t) - S, s' = |C'|, s'' = C'.C'' / |C'|, in the bracket of
+//   bracketed_newton.
+// Source: [Traub 1964], section 5.2, Halley's method. Safeguarded: a step out of the interval, or one after which the
+//   distance was not halved, is a bisection.
 // Cost: per iteration a length of a part, one speed and one second derivative.
-// Estimate: that of bracketed_newton.
+// Bound: as bracketed_newton.
 // Converges: cubically where |C'| > 0. As each length costs far more than a derivative, an iteration saved pays.
 // Fails: as bracketed_newton.
 #pragma once
@@ -23,7 +23,7 @@ struct Halley {
                                    .promise = "the tolerance, or converged is no",
                                    .flops = "per iteration a length, a speed and a second derivative",
                                    .cost_exponent = 2,
-                                   .citation = "Traub 1964, section 5.2"};
+                                   .citation = "[Traub 1964], section 5.2"};
 
   template <int Dimension>
   static InverseArcLength solve(const Curve<Form::bernstein, double, Dimension>& hodograph, double target,

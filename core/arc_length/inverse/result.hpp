@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method for inverse arc length says.
+// The result of a method for inverse arc length.
 #pragma once
 
 #include <cstdint>

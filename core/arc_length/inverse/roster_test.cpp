@@ -166,7 +166,7 @@ TEST(InverseArcLength, SizeChangesNothing) {
   }
 }
 
-/// One curve's lengths and derivatives, for the formulas of the source document.
+/// One curve's lengths and derivatives, for the formulas of [Document 000].
 struct Formula {
   Points points;
   double target;
@@ -180,8 +180,8 @@ struct Formula {
   }
 };
 
-/// Eq. (19) and (20) as printed: g'' lacks the factor 2 of |C'|^2, so near the root a step is twice Newton's, and t
-/// jumps from one side to the other for ever.
+/// [Document 000], eq. (19) and (20), as printed: g'' lacks the factor 2 of |C'|^2, so near the root a step is
+/// twice Newton's, and t jumps from one side to the other for ever.
 TEST(SourceDocument, PrintedFormulaNeverConverges) {
   const Formula formula{{0, 0, 0.5, 0, 1, 1}, 0.7};
   double t = 0.7 / 1.4789428575445974;  // s / L, L = sqrt(5)/2 + asinh(2)/4

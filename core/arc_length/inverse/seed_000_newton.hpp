@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// t <- t - d |C'| / (d |C''| + |C'|^2), d = s(t) - S: a source document's Newton iteration for the minimum of d^2, as
-// its code has it.
-//
-// Source: seed document 000, section 3.3, the code below eq. (20). With g = d^2 that code takes g'/2 and, for g''/2,
-//   |C''| where the acceleration along the curve C'.C''/|C'| belongs; the formulas above it, eq. (19), (20), lack a
-//   factor 2 besides, and taken as printed do not converge at all. Lengths are measured here by adaptive Gauss-Legendre
-//   rules, so that the iteration alone is judged; the document's start t = S / s(1); its limits of iterations and of
-//   |d|, which it leaves open, are 50 and the tolerance.
+// Formula: t <- t - d |C'| / (d |C''| + |C'|^2), d = s(t) - S: Newton's iteration for the minimum of d^2, as the code
+//   of [Document 000] has it.
+// Source: [Document 000], section 3.3, the code below eq. (20). With g = d^2 that code takes g'/2 and, for g''/2, |C''|
+//   where the acceleration along the curve C'.C''/|C'| belongs. The formulas above it, eq. (19), (20), also lack a
+//   factor 2, and taken as printed they do not converge. Lengths are measured here by adaptive Gauss-Legendre rules, so
+//   that the iteration alone is judged. The document's start is t = S / s(1). Its limits of iterations and of |d|,
+//   which it leaves open, are 50 and the tolerance.
 // Cost: per iteration a length of the part from 0 to t, one speed and one second derivative.
-// Estimate: |s(t) - S|, with what the quadratures and the roundings may be off.
+// Bound: |s(t) - S|, with the errors of the quadratures and the roundings added.
 // Fails: nothing keeps t in [0, 1]; for d < 0 the denominator can vanish, and t jumps away. It gives up where t is
 //   not finite or farther out than 1024.
 #pragma once
@@ -27,13 +26,13 @@ struct Seed000Newton {
   static constexpr double farthest = 1024;
 
   static constexpr MethodInfo info{.id = "seed_000_newton",
-                                   .label = "Newton on the squared distance, as in the source document",
+                                   .label = "Newton on the squared distance, as in Document 000",
                                    .problem = Problem::inverse_arc_length,
                                    .form = Form::bernstein,
                                    .promise = "the tolerance, or converged is no",
                                    .flops = "per iteration a length, a speed and a second derivative",
                                    .cost_exponent = 2,
-                                   .citation = "seed document 000, section 3.3"};
+                                   .citation = "[Document 000], section 3.3"};
 
   template <int Dimension>
   static InverseArcLength solve(const Curve<Form::bernstein, double, Dimension>& hodograph, double target,
