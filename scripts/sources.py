@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Whether every citation can be looked up, and whether every method's header opens with its labelled lines.
+
+sources.py [ROOT] [--program PROGRAM]   prints one line per finding and exits 1 if there is any.
+
+A citation is a key in brackets, such as [Higham 2002], that reference/published/SOURCES.md lists. The C++ files of core/ and
+reference/ are read, and with --program what PROGRAM lists of its methods.
+"""
+import argparse
+import csv
+import io
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+SOURCES = "reference/published/SOURCES.md"
+FOLDERS = ("core", "reference")
+LABELS = ("Formula", "Source", "Cost", "Bound", "Fails")
+WIDTH = 120  # clang-format leaves comments alone, so nothing else holds them to it
+NO_SOURCE = "bound derived here"  # a part of a method's citation that names no source
+
+KEY = r"\[((?:de )?[A-Z][A-Za-z.\- ]* \d{3,4})\]"
+ENTRY = re.compile(rf"^(?:###|-) {KEY} \S", re.MULTILINE)
+# What a citation without a key looks like: a year that is in no brackets, or a document by its number.
+UNLISTED = re.compile(r"\b(?:1[89]|20)\d\d\b(?!\^|,\d)|\b(?:[Rr]eport|[Dd]ocument)s? 00\d\b")
+LABEL_IN_A_LINE = re.compile(rf"^// .*\S +(?:{'|'.join(LABELS)}): ")
+COMMENT = re.compile(r"//[/<! ]*(.*)$")
+INCLUDE = re.compile(r'#include "(core/[^"]+)"')
+
+
+def keys_of(sources):
+    """The listed keys, in order; a key listed twice appears twice."""
+    return ENTRY.findall(sources)
+
+
+def cxx_files(root):
+    return sorted(path for folder in FOLDERS for path in (root / folder).rglob("*.[ch]pp"))
+
+
+def comments(text):
+    """(number of its first line, text) of each block of comment lines; what ends a line of code is a block of its own."""
+    blocks, last = [], 0
+    for number, line in enumerate(text.splitlines(), 1):
+        match = COMMENT.search(line)
+        if not match:
+            continue
+        whole = line.lstrip().startswith("//")
+        if whole and blocks and last == number - 1:
+            blocks[-1][1].append(match[1])
+        else:
+            blocks.append((number, [match[1]]))
+        last = number if whole else 0
+    return [(number, " ".join(lines)) for number, lines in blocks]
+
+
+def opening(text):
+    """The lines of the comment that opens a file, without the licence."""
+    lines = []
+    for line in text.splitlines():
+        if not line.startswith("//"):
+            break
+        if "SPDX-License-Identifier" not in line:
+            lines.append(line)
+    return lines
+
+
+def citation_findings(name, text, keys):
+    """Citations in the comments of a file that lead nowhere."""
+    for number, comment in comments(text):
+        for key in re.findall(KEY, comment):
+            if key not in keys:
+                yield f"{name}:{number}: [{key}] is not listed in {SOURCES}"
+        bare = UNLISTED.search(re.sub(KEY, "", comment))
+        if bare:
+            yield f"{name}:{number}: '{bare[0]}' looks like a citation without its key; write a key of {SOURCES}, in brackets"
+
+
+def line_findings(name, text):
+    """Labelled lines that were joined with the line before, and comments that are too long."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if LABEL_IN_A_LINE.search(line):
+            yield f"{name}:{number}: a labelled line of a header stands within another line; begin a line with it"
+        if line.lstrip().startswith("//") and len(line) > WIDTH:
+            yield f"{name}:{number}: {len(line)} characters; comments end at {WIDTH}"
+
+
+def method_headers(root):
+    """The headers that a roster includes and that define a method."""
+    included = {name for roster in (root / "core").rglob("roster.hpp") for name in INCLUDE.findall(roster.read_text())}
+    return sorted(name for name in included if re.search(r'\.id\s*=\s*"', (root / name).read_text()))
+
+
+def header_findings(name, text):
+    """A method's header whose opening lacks a label, or whose Source lacks a key of the method's citation."""
+    paragraphs = {}
+    found = []
+    for line in opening(text):
+        match = re.match(r"// ([A-Z][a-z]+): ", line)
+        if match:
+            found.append(match[1])
+        if found:
+            paragraphs[found[-1]] = paragraphs.get(found[-1], "") + " " + line[2:].strip()
+    if tuple(label for label in found if label in LABELS) != LABELS or found[0] != LABELS[0]:
+        yield f"{name}:2: the header must open with the lines {', '.join(label + ':' for label in LABELS)} in this order"
+        return
+    cited = re.findall(KEY, paragraphs["Source"])
+    if not cited:
+        yield f"{name}:2: the line Source: cites nothing; write a key of {SOURCES}, in brackets"
+    for citation in re.findall(r'\.citation\s*=((?:\s*"[^"]*")+)', text):
+        for key in re.findall(KEY, citation):
+            if key not in cited:
+                yield f"{name}:2: the method cites [{key}], the line Source: does not"
+
+
+def listed_findings(listing, keys):
+    """What the program lists: every part of a citation begins with a key."""
+    rows = list(csv.DictReader(io.StringIO(listing)))
+    if not rows:
+        yield "the program lists no methods"
+    for row in rows:
+        if row["id"].startswith("peer_"):
+            continue  # another library, which is its own source
+        for part in row["citation"].split("; "):
+            match = re.match(KEY, part)
+            if not match and part != NO_SOURCE:
+                yield f"{row['id']}: '{part}' in its citation does not begin with a key of {SOURCES}"
+            elif match and match[1] not in keys:
+                yield f"{row['id']}: [{match[1]}] is not listed in {SOURCES}"
+
+
+def findings(root, listing=None):
+    keys = keys_of((root / SOURCES).read_text(encoding="utf-8"))
+    texts = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in cxx_files(root)}
+    found = [f"{SOURCES}: [{key}] is listed twice" for key in sorted({key for key in keys if keys.count(key) > 1})]
+    for name, text in texts.items():
+        found += [*citation_findings(name, text, keys), *line_findings(name, text)]
+    headers = method_headers(root)
+    if not headers:
+        found.append("core: no roster includes a method")
+    for name in headers:
+        found += header_findings(name, texts[name])
+    used = {key for text in texts.values() for _, comment in comments(text) for key in re.findall(KEY, comment)}
+    found += [f"{SOURCES}: nothing cites [{key}]" for key in keys if key not in used]
+    if listing is not None:
+        found += listed_findings(listing, keys)
+    return found, len(keys), len(headers)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("root", nargs="?", type=Path, default=Path(__file__).resolve().parent.parent)
+    parser.add_argument("--program", metavar="PROGRAM")
+    options = parser.parse_args()
+    listing = None
+    if options.program:
+        listing = subprocess.run([options.program, "list", "methods", "--format", "csv"], check=True, capture_output=True,
+                                 text=True).stdout
+    found, keys, headers = findings(options.root, listing)
+    print("\n".join(found) if found else f"{keys} sources, {headers} headers of methods")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""sources.py finds a violation of each kind, and lets pass what is right."""
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import sources  # noqa: E402
+
+LIST = """# Sources
+### [Report 001] A report
+- [de Boor 1978] A book.
+- [Higham 2002] Another book.
+"""
+HEADER = """// SPDX-License-Identifier: MIT
+// Formula: p = q_0 on [0, 1].
+// Source: [Higham 2002], section 5.1, and [de Boor
+//   1978]; [Report 001].
+// Cost: none.
+// Bound: none, at degrees up to 1023.
+// Fails: never.
+struct A {
+  static constexpr MethodInfo info{.id = "a", .citation = "[Higham 2002]; "
+                                                          "[Report 001]"};
+};
+"""
+LISTING = "id,citation\na,[Higham 2002]; bound derived here\npeer_a,A library\n"
+
+
+def findings(header=HEADER, listed=LIST, listing=None):
+    with tempfile.TemporaryDirectory() as place:
+        root = Path(place)
+        for name, text in (("core/evaluate/a.hpp", header), ("core/evaluate/roster.hpp", '#include "core/evaluate/a.hpp"\n'),
+                           (sources.SOURCES, listed)):
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text, encoding="utf-8")
+        return sources.findings(root, listing)[0]
+
+
+class Sources(unittest.TestCase):
+    def expect(self, wanted, **changes):
+        found = findings(**changes)
+        self.assertEqual(len(found), 1, found)
+        self.assertIn(wanted, found[0])
+
+    def test_right_sources_pass(self):
+        self.assertEqual(findings(listing=LISTING), [])
+
+    def test_an_unlisted_key_is_found(self):
+        self.expect("[Farin 2002] is not listed", header=HEADER + "int n;  // [Farin 2002]\n")
+
+    def test_an_unused_and_a_doubled_key_are_found(self):
+        self.expect("nothing cites [Farin 2002]", listed=LIST + "- [Farin 2002] A book.\n")
+        self.expect("[Higham 2002] is listed twice", listed=LIST + "- [Higham 2002] The same book.\n")
+
+    def test_a_citation_without_its_key_is_found(self):
+        for words in ("Higham 2002", "SIAM Review 46 (2004) 501-517", "seed report 001", "the documents 002"):
+            self.expect("looks like a citation", header=HEADER + f"// As in {words}.\n")
+
+    def test_numbers_in_brackets_are_no_citations(self):
+        words = "// t in [1/2, 1] up to degree 1029; 20,000 pieces; [z^i] F; x[k + 16] at 2^1023.\n"
+        self.assertEqual(findings(header=HEADER + words), [])
+
+    def test_every_label_is_needed_in_order(self):
+        for label in sources.LABELS:
+            self.expect("must open with the lines", header=HEADER.replace(f"// {label}: ", "// ").replace(
+                "// [Higham", "// see [Higham"))
+        swapped = HEADER.replace("// Cost:", "// Bound2:").replace("// Bound:", "// Cost:").replace("// Bound2:", "// Bound:")
+        self.expect("must open with the lines", header=swapped)
+        self.expect("must open with the lines", header=HEADER.replace("// Formula:", "// Name: a\n// Formula:"))
+
+    def test_joined_labels_are_found(self):
+        found = findings(header=HEADER.replace("none.\n// Bound:", "none. Bound:"))
+        self.assertTrue(any("within another line" in line for line in found), found)
+
+    def test_a_long_comment_is_found(self):
+        self.expect("comments end at", header=HEADER + "// " + 40 * "abc " + "\n")
+
+    def test_a_source_line_cites_what_the_method_cites(self):
+        self.expect("the line Source: does not", header=HEADER.replace("; [Report 001].", ".") + "// [Report 001]\n")
+        found = findings(header=HEADER.replace("[Higham 2002], section 5.1, and [de Boor\n//   1978]; [Report 001]", "well known")
+                         + "// [Higham 2002] [de Boor 1978] [Report 001]\n")
+        self.assertTrue(any("cites nothing" in line for line in found), found)
+
+    def test_what_the_program_lists_begins_with_keys(self):
+        self.expect("does not begin with a key", listing="id,citation\na,well known\n")
+        self.expect("does not begin with a key", listing="id,citation\na,[Higham 2002]; well known\n")
+        self.expect("[Farin 2002] is not listed", listing="id,citation\na,[Farin 2002]\n")
+        self.expect("lists no methods", listing="id,citation\n")
+
+    def test_a_core_without_methods_is_found(self):
+        self.expect("no roster includes a method", header=HEADER.replace('.id = "a"', ""))
+
+
+if __name__ == "__main__":
+    unittest.main()
