@@ -79,7 +79,7 @@ class Curves(Case):
         self.assertEqual([float(row["value"]) for row in found[2:4]], [1.25, 1.25])
 
     def test_derivative(self):
-        self.write("w.csv", "x,y\n1,1\n3,1\n4,2\n6,3\n")  # the worked example of the seed document 000
+        self.write("w.csv", "x,y\n1,1\n3,1\n4,2\n6,3\n")  # the worked example of [Document 000]
         text = self.fine("curve", "derivative", "--curve", "w.csv", "--order", "2", "--t", "0", "--t", "0.5")
         found = rows(text)
         self.assertEqual(list(found[0]), EVAL_COLUMNS[:2] + ["order"] + EVAL_COLUMNS[2:])
@@ -226,7 +226,7 @@ class Curves(Case):
         self.refused(INPUT_OUTPUT, ["curve", "project", "--curve", "absent.csv", "--point", "1,2"], "absent.csv")
 
     def test_interpolation(self):
-        """0, 1, 0, 1 worked by hand: the corrected system of the seed document 003."""
+        """0, 1, 0, 1 worked by hand: the corrected system of [Document 003]."""
         self.write("p.csv", "y,x\n-1,0\n-1,1\n-1,0\n-1,1\n")  # columns are found by name
         interpolate = ["curve", "interpolate", "--points", "p.csv"]
         ninths = [0, 5, 10, 9, 9, 8, 1, 0, 0, -1, 4, 9]

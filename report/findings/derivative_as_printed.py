@@ -26,8 +26,8 @@ def find(bundle):
     mildest = min(higher, key=lambda p: p[2])
     return Finding(
         id="derivative_as_printed", about="suite", suite=SUITE, claim="", holds=holds,
-        headline="The difference loop of source document 000 is right for the first derivative and wrong for every higher one."
-        if holds else "The difference loop of source document 000 is not told from the mended one order by order.",
+        headline="The difference loop of Document 000 is right for the first derivative and wrong for every higher one."
+        if holds else "The difference loop of Document 000 is not told from the mended one order by order.",
         detail=(f"For the first derivative its mean error is at most {factor(max(r for *_, r in first))} times that of the loop "
                 f"with pass m ending at n-m; from the second on it is at least {factor(mildest[2])} times that (degree "
                 f"{shortest(mildest[0]['degree'])}, order {shortest(mildest[0]['order'])}: "

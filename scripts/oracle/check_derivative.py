@@ -37,7 +37,7 @@ def derivative(form, coefficients, order):
 
 
 def worked():
-    """Points of the seed document 000, section 2.2, with the derivatives that it prints or that follow from them."""
+    """Points of [Document 000], section 2.2, with the derivatives that it prints or that follow from them."""
     points = check_eval.Case("worked example", "bernstein", [[1.0, 3.0, 4.0, 6.0], [1.0, 1.0, 2.0, 3.0]], [0.0, 0.5])
     return points, {(1, 0.5): (4.5, 2.25), (2, 0.0): (-6, 6), (2, 0.5): (0, 3), (3, 0.5): (12, -6), (4, 0.5): (0, 0)}
 

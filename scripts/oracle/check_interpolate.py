@@ -119,7 +119,7 @@ KINDS = (uniform, integers, signs, graded, distant, huge, tiny, repeated)
 def cases(seed):
     """(name, points)."""
     draw = random.Random(seed)
-    yield "the example of the seed document 003", [[0.0], [1.0], [0.0], [1.0]]
+    yield "the example of [Document 003]", [[0.0], [1.0], [0.0], [1.0]]
     for kind in KINDS:
         for n in (1, 2, 3, draw.randint(4, 9), draw.randint(10, 30)):
             yield f"{kind.__name__} {n}", kind(draw, n, 1 + draw.randrange(3))
