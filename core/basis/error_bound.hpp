@@ -26,7 +26,7 @@ inline constexpr int amplification_count = 7;
 /// the coefficients, S = 1 + max|c|. Holds while nothing overflows; infinite where no bound is proved. A caller
 /// that does not know p takes |p| <= p~ of the given form, which is far below A on a converted path.
 ///
-/// Of a rational curve with weights >= 0 and W = sum w_i B_i(t) > 0, for 0 <= t <= 1 only,
+/// For a rational curve with weights >= 0 and W = sum w_i B_i(t) > 0, for 0 <= t <= 1 only,
 ///   |computed - true| <= factor(n, u) u p~ + eta + underflow(n) eta (S + S_W p~) / W
 /// with S = S_W = 1 or, as above, S = 1 + max|w_i b_i| and S_W = 1 + max w_i; proved while underflow(n) eta S_W / W is
 /// at most 1/8 and 2^n (1 + max w_i) is in range. A method that divides by weights needs them positive; then

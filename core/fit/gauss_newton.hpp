@@ -8,9 +8,10 @@
 //   Pastva 2002], section 3; damping by [Marquardt 1963].
 // Cost: O(d^2 m) flops for m points and each of at most 3 times 64 steps. Of more than 513 points a sample of 513 is
 //   fitted first, and all of them from that result where it keeps the tolerance.
-// Bound: none. Where the data are samples of a cubic, this cubic is a minimum of 0, to which steps converge
-//   quadratically from nearby. The first start takes parameters by chord length; where that does not keep the
-//   tolerance, two more take the square roots of chord lengths ([Lee 1989]) and equal steps.
+// Bound: none of the fit itself; piecewise.hpp bounds the distance of every data point from the result. Where the data
+//   are samples of a cubic, this cubic is a minimum of 0, to which steps converge quadratically from nearby. The first
+//   start takes parameters by chord length; where that does not keep the tolerance, two more take the square roots of
+//   chord lengths ([Lee 1989]) and equal steps.
 // Fails: it may end in another minimum, where a cubic has a loop or is near a cusp.
 #pragma once
 

@@ -8,7 +8,7 @@
 //   of the data does not matter. Alphas that are not positive are replaced by a third of the length, after Wu and
 //   Barsky.
 // Cost: O(m) flops for m points and each of at most 20 steps.
-// Bound: none.
+// Bound: none of the fit itself; piecewise.hpp bounds the distance of every data point from the result.
 // Fails: T1 and T2 are chords of the data. So samples of a cubic do not give it back, however small the tolerance: the
 //   error at the ends is that of the chords. Reparametrisation converges linearly.
 #pragma once
