@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The methods for subdivision behind function pointers.
+#pragma once
+
+#include <span>
+
+#include "core/curve_view.hpp"
+#include "core/method.hpp"
+#include "core/subdivide/subdivision.hpp"
+
+namespace bezierbench {
+
+/// One method, for curves with this many axes.
+struct SplitKernel {
+  const MethodInfo* info;
+  const SplitPromises* promises;
+  const SplitBound* bound;  ///< nullptr where nothing is proved
+  int dimension;
+  /// Splits `curve`, of the form of `info`, at finite t. Writes degree + 1 control points of
+  /// `split_columns(form, dimension)` numbers to each half, point by point.
+  void (*split)(const CurveView<double>& curve, double t, double* left, double* right);
+};
+
+/// How many numbers a control point of a half is: its coordinates, not premultiplied, and of a rational curve its
+/// weight.
+constexpr int split_columns(Form form, int dimension) { return form == Form::rational ? dimension + 1 : dimension; }
+
+/// All methods, in roster order. Dimension is 1, 2 or 3.
+std::span<const SplitKernel> split_kernels(int dimension);
+
+/// What they say of themselves, in roster order.
+std::span<const MethodInfo* const> split_infos();
+
+}  // namespace bezierbench

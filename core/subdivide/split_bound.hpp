@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// A proved error bound of the control points of a split curve as data, like ErrorBound of a point.
+//
+// A new control point that took k levels, k = i for point i of the left half and n - i for point i of the right one, is
+// a sum over k + 1 consecutive given control points c_j:
+//   left_i = sum_(j=0..i) c_j B_j,i(t)        right_i = sum_(j=i..n) c_j B_(j-i),(n-i)(t)
+// Its p~ is that sum with |c_j|. Errors of schemes that only combine with positive weights are bounded by p~, those of
+// the others by max |c_j| of these control points.
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+#include "core/basis/error_bound.hpp"
+
+namespace bezierbench {
+
+/// What the bound of a control point multiplies.
+enum class SplitAmplification {
+  p_tilde,  ///< sum |c_j| B_j(t)
+  largest   ///< max |c_j|
+};
+
+/// On each axis, for 0 <= t <= 1 and a control point of k levels with the amplification A,
+///   |computed - true| <= factor(k, u) u A + underflow(k) eta S,
+/// where eta is the smallest subnormal and S = 1 or, where powers of t are rounded apart from the coefficients,
+/// S = 1 + max |c_j|. Holds while nothing overflows; infinite where no bound is proved. Of a rational curve it is the
+/// bound of the homogeneous coordinates (w_i b_i, w_i).
+struct SplitBound {
+  std::string_view text;  ///< for people
+  SplitAmplification amplification;
+  double (*factor)(int levels, double u);
+  double (*underflow)(int levels);
+  bool underflow_scales_with_coefficients;
+};
+
+/// What one control point of a half is made of, on one axis or, with Euclidean norms for magnitudes, on all: that
+/// multiplies nothing but the terms with eta, which are per axis.
+struct SplitScale {
+  int levels;      ///< i in the left half, n - i in the right one
+  double p_tilde;  ///< sum |c_j| B_j(t)
+  double largest;  ///< max |c_j| of the same j
+};
+
+/// The unit roundoff and the smallest subnormal of a scalar type.
+struct SplitArithmetic {
+  double u;
+  double eta;
+};
+
+namespace detail {
+
+inline double split_underflow(const SplitBound& bound, const SplitScale& scale, const SplitArithmetic& arithmetic) {
+  return arithmetic.eta * bound.underflow(scale.levels) *
+         (bound.underflow_scales_with_coefficients ? 1 + scale.largest : 1);
+}
+
+inline double amplification(const SplitBound& bound, const SplitScale& scale) {
+  return bound.amplification == SplitAmplification::p_tilde ? scale.p_tilde : scale.largest;
+}
+
+}  // namespace detail
+
+/// The bound of a coordinate of a polynomial curve, or of a weight of a rational one, in its own unit.
+inline double split_bound(const SplitBound& bound, const SplitScale& scale, const SplitArithmetic& arithmetic) {
+  return arithmetic.u * bound.factor(scale.levels, arithmetic.u) * detail::amplification(bound, scale) +
+         detail::split_underflow(bound, scale, arithmetic);
+}
+
+/// The bound of a coordinate of a rational curve with weights >= 0: of N / W, computed by the method from w_j b_j,
+/// rounded, and w_j. `point` has p~ = sum w_j |b_j| B_j(t) / W and max |w_j b_j|, `weight` has W > 0 and max w_j.
+///
+/// With phi = factor u, A_N and A_W the amplifications of both, e_N and e_W what they lose to underflow, and less than
+/// eta lost in each product w_j b_j, the denominator and the numerator are off by at most w W and v W with
+///   w = (phi A_W + e_W) / W      v = ((phi (1 + u) + u) A_N + (1 + phi) eta + e_N) / W
+/// and the quotient, which rounds once, by at most (1 + u) (v + p~ w) / (1 - w) + u p~ + eta / 2. Computed here, that
+/// itself rounds five times where it may underflow, so 3 eta are added.
+inline double split_quotient_bound(const SplitBound& bound, const SplitScale& point, const SplitScale& weight,
+                                   const SplitArithmetic& arithmetic) {
+  const auto [u, eta] = arithmetic;
+  const double phi = u * bound.factor(point.levels, u);
+  const double sum = weight.p_tilde;
+  const bool by_p_tilde = bound.amplification == SplitAmplification::p_tilde;
+  const double of_numerator = by_p_tilde ? point.p_tilde : point.largest / sum;  // over W
+  const double of_weight = by_p_tilde ? 1 : weight.largest / sum;
+  const double w = phi * of_weight + detail::split_underflow(bound, weight, arithmetic) / sum;
+  if (!(w < 1)) return std::numeric_limits<double>::infinity();
+  const double v =
+      (phi * (1 + u) + u) * of_numerator + ((1 + phi) * eta + detail::split_underflow(bound, point, arithmetic)) / sum;
+  return (1 + u) * (v + point.p_tilde * w) / (1 - w) + u * point.p_tilde + 3 * eta;
+}
+
+}  // namespace bezierbench

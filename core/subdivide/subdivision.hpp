@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What a method for subdivision is: data about itself, and one function from a curve and t to the control points of the
+// curve over [0, t] and over [t, 1].
+#pragma once
+
+#include <concepts>
+
+#include "core/curve.hpp"
+#include "core/method.hpp"
+#include "core/subdivide/split_bound.hpp"
+
+namespace bezierbench {
+
+/// The problem of these methods.
+inline constexpr Problem subdivision{8};
+static_assert(name(subdivision).empty(), "Problem has a ninth value: name it subdivision and use it here");
+
+/// Both parts of a curve, of its form and degree, each run through from 0 to 1 in the direction of the whole.
+template <class C>
+struct Halves {
+  C left;   ///< over [0, t]; its last control point is the junction
+  C right;  ///< over [t, 1]; its first control point is the junction
+};
+
+/// What is sure of the bits of the halves for every curve and every t in [0, 1] while nothing overflows. A method that
+/// does not promise something breaks it for some curve: the tests know one.
+struct SplitPromises {
+  bool keeps_ends;            ///< the first control point of left is b_0 and the last of right b_n
+  bool shares_junction;       ///< the last control point of left is the first of right
+  bool exact_at_zero;         ///< at t = 0 right is the curve, and each control point of left b_0
+  bool exact_at_one;          ///< at t = 1 left is the curve, and each control point of right b_n
+  bool reproduces_constants;  ///< where all b_i are one point, so are all control points of the halves
+  bool mirrors;  ///< of the curve run backwards, at 1 - t where that is exact, the halves are these run backwards
+};
+
+/// `split(curve, t)` gives the halves, for finite t; it is pure and neither allocates, prints nor throws. A method
+/// whose errors are bounded has a `SplitBound bound`.
+template <class M>
+concept SplitMethod = requires(const Curve<M::info.form, double, 2>& curve, double t) {
+  requires M::info.problem == subdivision;
+  { M::promises } -> std::convertible_to<SplitPromises>;
+  { M::split(curve, t) } -> std::same_as<Halves<Curve<M::info.form, double, 2>>>;
+};
+
+}  // namespace bezierbench
