@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/arc_length/kernel.hpp"
@@ -242,6 +243,49 @@ TEST(ArcLength, AdaptiveMethodsAreNotFooledByChance) {
         }
       }
     }
+  }
+}
+
+/// Each method on each curve, against the true length, in 1e-2 to 1e-15.
+void expect_promises_kept(const std::vector<double>& points, int dimension) {
+  const CurveView<double> curve{Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};
+  const reference::TrueLength truth(curve, 0, 1);
+  const auto length = truth.value().convert_to<double>();
+  for (const auto& kernel : arc_length_kernels(dimension))
+    for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-12, 1e-15}) {
+      const auto result = kernel.measure(curve, 0, 1, tolerance);
+      EXPECT_TRUE(!result.converged || truth.error_of(result.length) <= tolerance * length)
+          << kernel.info->id << " tolerance " << tolerance << ": " << result.length << " for " << truth.decimal(20);
+      if (std::isnan(result.error_estimate)) continue;
+      EXPECT_LE(truth.error_of(result.length), result.error_estimate) << kernel.info->id << " tolerance " << tolerance;
+    }
+}
+
+/// Turns between two abscissae of the sums that Simpson's rule compares: C' = 3 (72 t^2 - 70 t + 17) is below 0 from
+/// 17/36 to 1/2 only, by 3 * 72/6 * (1/36)^3 = 1/1296 in all, so the length is 18 + 2/1296 = 11665/648.
+TEST(ArcLength, SeesATurnBetweenTheAbscissae) {
+  const std::vector<double> turn{1, 18, 0, 19};
+  const CurveView<double> line{Form::bernstein, 1, 3, turn};
+  const double known = 11665.0 / 648;
+  for (const auto& kernel : arc_length_kernels(1)) {
+    const auto result = kernel.measure(line, 0, 1, 1e-9);
+    EXPECT_TRUE(!result.converged || std::abs(result.length - known) <= 1e-9 * known) << kernel.info->id;
+  }
+  expect_promises_kept(turn, 1);
+  expect_promises_kept({-7, .005, 12, -.001, -8, .005, 13, -.001}, 2);
+  expect_promises_kept({1, 0, 0, 18, 1e-4, 0, 0, 1e-4, 1e-3, 19, 0, 0}, 3);
+}
+
+/// The same in all its neighbours of whole numbers, on a line and as thin curves.
+TEST(ArcLength, SeesTurnsOfSmallWholeNumbers) {
+  Inputs inputs(9);
+  for (int neighbour = 0; neighbour < 81; ++neighbour) {
+    const std::vector<double> line{neighbour % 3 + 0.0, neighbour / 3 % 3 + 17.0, neighbour / 9 % 3 - 1.0,
+                                   neighbour / 27 + 18.0};
+    expect_promises_kept(line, 1);
+    std::vector<double> thin;
+    for (const double x : line) thin.insert(thin.end(), {x, std::floor(inputs.symmetric() * 20) * 1e-4});
+    expect_promises_kept(thin, 2);
   }
 }
 
