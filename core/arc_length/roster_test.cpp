@@ -289,6 +289,47 @@ TEST(ArcLength, SeesTurnsOfSmallWholeNumbers) {
   }
 }
 
+/// Coordinates of which those of one axis, the same for all points, are 2^2000 times the differences of another.
+TEST(ArcLength, IsThatOfTheDifferences) {
+  const double length = 3e-30;
+  for (const double far : {1e300, 1.7e308, -1e300, 1.0, 0.0})
+    for (const auto& points : {std::vector<double>{far, 0, far, 1e-30, far, 3e-30}, {0, far, 1e-30, far, 3e-30, far}})
+      for (const auto& kernel : arc_length_kernels(2)) {
+        const auto result = kernel.measure({Form::bernstein, 2, 2, points}, 0, 1, 1e-9);
+        EXPECT_NEAR(result.length, length, 1e-9 * length) << kernel.info->id << " " << far;
+        EXPECT_EQ(result.converged, !std::isnan(result.error_estimate)) << kernel.info->id << " " << far;
+      }
+}
+
+/// A length that is no double, or one that is rounded by more than the tolerance, is not promised.
+TEST(ArcLength, AtTheEndsOfTheRangeIsNotPromisedUnlessItIsRight) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  for (const double unit : {1.7e308, 8e307, 1e-307, least, 7 * least, 71 * least, 0x1p30 * least, 0x1p50 * least})
+    for (const auto& shape : {std::vector<double>{-1, -1, 0.5, 1, 1, -1}, {0, 0, 0.3, 0.4, 0.4, 0}, {0, 0, 1, 1}}) {
+      std::vector<double> points = shape;
+      for (double& value : points) value *= unit;
+      const CurveView<double> curve{Form::bernstein, 2, static_cast<int>(points.size()) / 2 - 1, points};
+      const reference::TrueLength truth(curve, 0, 1);
+      for (const auto& kernel : arc_length_kernels(2))
+        for (const double tolerance : {1e-2, 1e-6, 1e-9}) {
+          const auto result = kernel.measure(curve, 0, 1, tolerance);
+          const auto error = abs(reference::LongReal(result.length) - truth.value());
+          EXPECT_TRUE(!result.converged || (std::isfinite(result.length) && error <= tolerance * truth.value()))
+              << kernel.info->id << " " << unit << " " << tolerance << ": " << result.length;
+          if (std::isfinite(result.error_estimate)) {
+            EXPECT_LE(error, result.error_estimate) << kernel.info->id << " " << unit;
+          }
+        }
+    }
+}
+
+/// A part that is cut to 0 has some length yet, below its roundings.
+TEST(ArcLength, OfAPartThatIsLostIsNotPromised) {
+  const std::vector<double> rests{0, 0, 0, 1};  // t^3
+  for (const auto& kernel : arc_length_kernels(1))
+    EXPECT_FALSE(kernel.measure({Form::bernstein, 1, 3, rests}, 0, 1e-200, 1e-2).converged) << kernel.info->id;
+}
+
 TEST(GaussLegendre, IntegratesPolynomialsExactly) {
   const auto check = []<int Points>(std::integral_constant<int, Points>) {
     for (int power = 0; power < 2 * Points; ++power)
