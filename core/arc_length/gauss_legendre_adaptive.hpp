@@ -19,6 +19,7 @@
 #include "core/arc_length/arc_length.hpp"
 #include "core/arc_length/chebyshev_series.hpp"
 #include "core/arc_length/gauss_legendre.hpp"
+#include "core/arc_length/panel.hpp"
 #include "core/arc_length/proved_rule.hpp"
 #include "core/arc_length/speed.hpp"
 #include "core/arc_length/squared_speeds.hpp"
@@ -69,30 +70,6 @@ struct GaussLegendreAdaptive {
     return result;
   }
 
-  /// The length of the chord, |mean of the control vectors|.
-  template <int Dimension>
-  static double chord(const Curve<Form::bernstein, double, Dimension>& h) {
-    double square = 0;
-    for (int axis = 0; axis < Dimension; ++axis) {
-      double sum = 0;
-      for (int i = 0; i <= h.degree(); ++i) sum += h(axis, i);
-      square += sum * sum;
-    }
-    return std::sqrt(square) / (h.degree() + 1);
-  }
-
-  /// The size of the longest control vector.
-  template <int Dimension>
-  static double largest(const Curve<Form::bernstein, double, Dimension>& h) {
-    double largest_square = 0;
-    for (int i = 0; i <= h.degree(); ++i) {
-      double square = 0;
-      for (int axis = 0; axis < Dimension; ++axis) square += h(axis, i) * h(axis, i);
-      largest_square = std::max(largest_square, square);
-    }
-    return std::sqrt(largest_square);
-  }
-
   /// False where no rule will be proved, for the ends of h point apart by a right angle or more: with the series of h,
   /// h(1) + h(-1) is twice the sum of its even terms and h(1) - h(-1) that of its odd ones; were the sizes of all after
   /// a_0 smaller than |a_0| together, the first would be longer than the second.
@@ -101,19 +78,6 @@ struct GaussLegendreAdaptive {
     double product = 0;
     for (int axis = 0; axis < Dimension; ++axis) product += h(axis, 0) * h(axis, h.degree());
     return product > 0;
-  }
-
-  /// Leaves the right half of a curve in h and returns the left one.
-  template <int Dimension>
-  static Curve<Form::bernstein, double, Dimension> cut_left_half(Curve<Form::bernstein, double, Dimension>& h) {
-    const int m = h.degree();
-    Curve<Form::bernstein, double, Dimension> left(m);
-    for (int level = 0; level <= m; ++level) {
-      for (int axis = 0; axis < Dimension; ++axis) left(axis, level) = h(axis, 0);
-      for (int i = 0; i < m - level; ++i)
-        for (int axis = 0; axis < Dimension; ++axis) h(axis, i) = (h(axis, i) + h(axis, i + 1)) / 2;
-    }
-    return left;
   }
 
   /// One measurement: what its panels add up to, and where they are worked out.
@@ -148,7 +112,7 @@ struct GaussLegendreAdaptive {
         result.error_estimate += width * error;
       };
       if (may_be_proved(h)) {
-        const double size = largest(h);
+        const double size = longest_vector(h);
         const double attainable = std::max(allowed, 4 * series.rounding(size));
         series.expand(h, size);
         series.shorten(attainable / 16);
@@ -158,7 +122,7 @@ struct GaussLegendreAdaptive {
         if (rule.points == 24) return take(integral<24>(h), rule.missed);
       }
       const double longest = polygon_length(h);
-      const double shortest = std::min(chord(h), longest);
+      const double shortest = std::min(chord_length(h), longest);
       const double half_difference = (longest - shortest) / 2;
       if (half_difference <= allowed || depth == depth_limit) return take(shortest + half_difference, half_difference);
       auto left = cut_left_half(h);

@@ -6,28 +6,39 @@
 #include "core/arc_length/part.hpp"
 #include "core/arc_length/roster.hpp"
 #include "core/arc_length/scale.hpp"
-#include "core/derivative/hodograph.hpp"
 #include "core/evaluate/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 
 namespace bezierbench {
 namespace {
 
+/// `part`, over [0, 1] and in units of 2^exponent, as the answer: times the width of its parameters, with the roundings
+/// of cutting it, and with what is lost where the length is no double. It has converged where all that is proved.
+template <int Dimension>
+ArcLength unscaled(ArcLength part, const ScaledHodograph<Dimension>& scaled, double width, double rounding,
+                   double tolerance) {
+  const double length = part.length * width;
+  part.length = std::ldexp(length, scaled.exponent);
+  const double lost = std::abs(scaled.in_units(part.length) - length);
+  part.error_estimate = scaled.unscaled_error(part.error_estimate * width + rounding + lost);
+  part.converged = part.converged && std::isfinite(part.length) &&
+                   scaled.in_units(part.error_estimate) <= tolerance * scaled.in_units(part.length);
+  return part;
+}
+
 template <ArcLengthMethod M, int Dimension>
 ArcLength measure(const CurveView<double>& view, double from, double to, double tolerance) {
-  auto curve = instantiate::load<Form::bernstein, Dimension>(view);
-  int exponent = normalise(curve);  // or else differences may overflow
-  const auto whole = hodograph(curve, 1);
-  auto h = whole;
+  auto scaled = scaled_hodograph(instantiate::load<Form::bernstein, Dimension>(view));
+  if (is_zero(scaled.h) || from == to) return {.length = 0, .error_estimate = 0, .evaluations = 0, .converged = true};
+  auto h = scaled.h;
   restrict_to(h, from, to);
-  const double rounding = std::ldexp(rounding_of_part(whole, h, from, to), exponent);
-  exponent += normalise(h);
-  if (is_zero(h) || from == to) return {.length = 0, .error_estimate = 0, .evaluations = 0, .converged = true};
-  ArcLength result = M::measure(h, tolerance);
-  result.length = std::ldexp(result.length * (to - from), exponent);
-  result.error_estimate = std::ldexp(result.error_estimate * (to - from), exponent) + rounding;
-  result.converged = result.converged && result.error_estimate <= tolerance * result.length;
-  return result;
+  const double rounding_of_whole = rounding_of_part(scaled.h, h, from, to);
+  const int exponent = normalise(h);
+  const double rounding = std::ldexp(rounding_of_whole, -exponent);
+  scaled.exponent += exponent;
+  // Cut to 0, it may yet be some length below its roundings.
+  const ArcLength part = is_zero(h) ? ArcLength{.error_estimate = 0} : M::measure(h, tolerance);
+  return unscaled(part, scaled, to - from, rounding, tolerance);
 }
 
 struct Entry {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/arc_length/kernel.hpp"
@@ -244,6 +245,90 @@ TEST(ArcLength, AdaptiveMethodsAreNotFooledByChance) {
       }
     }
   }
+}
+
+/// Each method on each curve, against the true length, in 1e-2 to 1e-15.
+void expect_promises_kept(const std::vector<double>& points, int dimension) {
+  const CurveView<double> curve{Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};
+  const reference::TrueLength truth(curve, 0, 1);
+  const auto length = truth.value().convert_to<double>();
+  for (const auto& kernel : arc_length_kernels(dimension))
+    for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-12, 1e-15}) {
+      const auto result = kernel.measure(curve, 0, 1, tolerance);
+      EXPECT_TRUE(!result.converged || truth.error_of(result.length) <= tolerance * length)
+          << kernel.info->id << " tolerance " << tolerance << ": " << result.length << " for " << truth.decimal(20);
+      if (std::isnan(result.error_estimate)) continue;
+      EXPECT_LE(truth.error_of(result.length), result.error_estimate) << kernel.info->id << " tolerance " << tolerance;
+    }
+}
+
+/// Turns between two abscissae of the sums that Simpson's rule compares: C' = 3 (72 t^2 - 70 t + 17) is below 0 from
+/// 17/36 to 1/2 only, by 3 * 72/6 * (1/36)^3 = 1/1296 in all, so the length is 18 + 2/1296 = 11665/648.
+TEST(ArcLength, SeesATurnBetweenTheAbscissae) {
+  const std::vector<double> turn{1, 18, 0, 19};
+  const CurveView<double> line{Form::bernstein, 1, 3, turn};
+  const double known = 11665.0 / 648;
+  for (const auto& kernel : arc_length_kernels(1)) {
+    const auto result = kernel.measure(line, 0, 1, 1e-9);
+    EXPECT_TRUE(!result.converged || std::abs(result.length - known) <= 1e-9 * known) << kernel.info->id;
+  }
+  expect_promises_kept(turn, 1);
+  expect_promises_kept({-7, .005, 12, -.001, -8, .005, 13, -.001}, 2);
+  expect_promises_kept({1, 0, 0, 18, 1e-4, 0, 0, 1e-4, 1e-3, 19, 0, 0}, 3);
+}
+
+/// The same in all its neighbours of whole numbers, on a line and as thin curves.
+TEST(ArcLength, SeesTurnsOfSmallWholeNumbers) {
+  Inputs inputs(9);
+  for (int neighbour = 0; neighbour < 81; ++neighbour) {
+    const std::vector<double> line{neighbour % 3 + 0.0, neighbour / 3 % 3 + 17.0, neighbour / 9 % 3 - 1.0,
+                                   neighbour / 27 + 18.0};
+    expect_promises_kept(line, 1);
+    std::vector<double> thin;
+    for (const double x : line) thin.insert(thin.end(), {x, std::floor(inputs.symmetric() * 20) * 1e-4});
+    expect_promises_kept(thin, 2);
+  }
+}
+
+/// Coordinates of which those of one axis, the same for all points, are 2^2000 times the differences of another.
+TEST(ArcLength, IsThatOfTheDifferences) {
+  const double length = 3e-30;
+  for (const double far : {1e300, 1.7e308, -1e300, 1.0, 0.0})
+    for (const auto& points : {std::vector<double>{far, 0, far, 1e-30, far, 3e-30}, {0, far, 1e-30, far, 3e-30, far}})
+      for (const auto& kernel : arc_length_kernels(2)) {
+        const auto result = kernel.measure({Form::bernstein, 2, 2, points}, 0, 1, 1e-9);
+        EXPECT_NEAR(result.length, length, 1e-9 * length) << kernel.info->id << " " << far;
+        EXPECT_EQ(result.converged, !std::isnan(result.error_estimate)) << kernel.info->id << " " << far;
+      }
+}
+
+/// A length that is no double, or one that is rounded by more than the tolerance, is not promised.
+TEST(ArcLength, AtTheEndsOfTheRangeIsNotPromisedUnlessItIsRight) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  for (const double unit : {1.7e308, 8e307, 1e-307, least, 7 * least, 71 * least, 0x1p30 * least, 0x1p50 * least})
+    for (const auto& shape : {std::vector<double>{-1, -1, 0.5, 1, 1, -1}, {0, 0, 0.3, 0.4, 0.4, 0}, {0, 0, 1, 1}}) {
+      std::vector<double> points = shape;
+      for (double& value : points) value *= unit;
+      const CurveView<double> curve{Form::bernstein, 2, static_cast<int>(points.size()) / 2 - 1, points};
+      const reference::TrueLength truth(curve, 0, 1);
+      for (const auto& kernel : arc_length_kernels(2))
+        for (const double tolerance : {1e-2, 1e-6, 1e-9}) {
+          const auto result = kernel.measure(curve, 0, 1, tolerance);
+          const auto error = abs(reference::LongReal(result.length) - truth.value());
+          EXPECT_TRUE(!result.converged || (std::isfinite(result.length) && error <= tolerance * truth.value()))
+              << kernel.info->id << " " << unit << " " << tolerance << ": " << result.length;
+          if (std::isfinite(result.error_estimate)) {
+            EXPECT_LE(error, result.error_estimate) << kernel.info->id << " " << unit;
+          }
+        }
+    }
+}
+
+/// A part that is cut to 0 has some length yet, below its roundings.
+TEST(ArcLength, OfAPartThatIsLostIsNotPromised) {
+  const std::vector<double> rests{0, 0, 0, 1};  // t^3
+  for (const auto& kernel : arc_length_kernels(1))
+    EXPECT_FALSE(kernel.measure({Form::bernstein, 1, 3, rests}, 0, 1e-200, 1e-2).converged) << kernel.info->id;
 }
 
 TEST(GaussLegendre, IntegratesPolynomialsExactly) {

@@ -1,26 +1,55 @@
 // SPDX-License-Identifier: MIT
-// Scaling of a curve by a power of two, so that coordinates of any size have the same results.
+// Sizes taken out of a hodograph, so that coordinates of any size have the same results, and put back into a length.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 #include "core/curve.hpp"
+#include "core/derivative/hodograph.hpp"
 
 namespace bezierbench {
+
+namespace detail {
+
+inline constexpr int no_exponent = std::numeric_limits<int>::min();
+
+/// The exponent of the largest coordinate of an axis, which is below 2^exponent; none for zeros.
+template <int Dimension>
+int exponent_of_axis(const Curve<Form::bernstein, double, Dimension>& curve, int axis) {
+  double largest = 0;
+  for (int i = 0; i <= curve.degree(); ++i) largest = std::max(largest, std::abs(curve(axis, i)));
+  if (largest == 0) return no_exponent;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return exponent;
+}
+
+/// Multiplies axis by axis by 2^(of_axis - common), where `common` makes the largest coordinate lie in [1/2, 1);
+/// returns `common`.
+template <int Dimension>
+int normalise(Curve<Form::bernstein, double, Dimension>& h, const std::array<int, Dimension>& of_axis) {
+  int common = no_exponent;
+  for (int axis = 0; axis < Dimension; ++axis)
+    if (const int exponent = exponent_of_axis(h, axis); exponent != no_exponent)
+      common = std::max(common, exponent + of_axis[static_cast<std::size_t>(axis)]);
+  if (common == no_exponent) return 0;
+  for (int axis = 0; axis < Dimension; ++axis)
+    for (int i = 0; i <= h.degree(); ++i)
+      h(axis, i) = std::ldexp(h(axis, i), of_axis[static_cast<std::size_t>(axis)] - common);
+  return common;
+}
+
+}  // namespace detail
 
 /// Scales h by a power of two such that its largest coordinate is in [1/2, 1); returns the exponent that was taken out.
 /// 0 stays 0.
 template <int Dimension>
 int normalise(Curve<Form::bernstein, double, Dimension>& h) {
-  double largest = 0;
-  for (int i = 0; i <= h.degree(); ++i)
-    for (int axis = 0; axis < Dimension; ++axis) largest = std::max(largest, std::abs(h(axis, i)));
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  for (int i = 0; i <= h.degree(); ++i)
-    for (int axis = 0; axis < Dimension; ++axis) h(axis, i) = std::ldexp(h(axis, i), -exponent);
-  return exponent;
+  return detail::normalise<Dimension>(h, {});
 }
 
 /// True where all control vectors are 0: a point has no length, and that is known without a method.
@@ -30,6 +59,40 @@ bool is_zero(const Curve<Form::bernstein, double, Dimension>& h) {
     for (int axis = 0; axis < Dimension; ++axis)
       if (h(axis, i) != 0) return false;
   return true;
+}
+
+/// A hodograph over 2^exponent.
+template <int Dimension>
+struct ScaledHodograph {
+  Curve<Form::bernstein, double, Dimension> h;
+  int exponent;
+
+  [[nodiscard]] double in_units(double length) const { return std::ldexp(length, -exponent); }
+
+  /// 2^exponent times an error, never rounded down.
+  [[nodiscard]] double unscaled_error(double error) const {
+    const double rounded = std::ldexp(error, exponent);
+    return in_units(rounded) < error ? std::nextafter(rounded, std::numeric_limits<double>::infinity()) : rounded;
+  }
+};
+
+/// The first hodograph of a curve, its largest coordinate in [1/2, 1). What is scaled are the differences of the
+/// control points: next to coordinates of 1e300 a difference of 1e-30 on another axis is a length, and 1e-330 would not
+/// be. An axis is scaled before only as far as its differences would overflow; what that takes from its small
+/// coordinates is below 2^-1000 of its large differences.
+template <int Dimension>
+ScaledHodograph<Dimension> scaled_hodograph(Curve<Form::bernstein, double, Dimension> curve) {
+  std::array<int, Dimension> taken{};
+  const int of_differences = 1 + std::bit_width(static_cast<unsigned>(curve.degree()));
+  for (int axis = 0; axis < Dimension; ++axis) {
+    const int exponent = detail::exponent_of_axis(curve, axis);
+    if (exponent <= std::numeric_limits<double>::max_exponent - of_differences) continue;
+    for (int i = 0; i <= curve.degree(); ++i) curve(axis, i) = std::ldexp(curve(axis, i), -of_differences);
+    taken[static_cast<std::size_t>(axis)] = of_differences;
+  }
+  ScaledHodograph<Dimension> result{hodograph(curve, 1), 0};
+  result.exponent = detail::normalise<Dimension>(result.h, taken);
+  return result;
 }
 
 }  // namespace bezierbench

@@ -5,7 +5,6 @@
 
 #include "core/arc_length/inverse/roster.hpp"
 #include "core/arc_length/scale.hpp"
-#include "core/derivative/hodograph.hpp"
 #include "core/evaluate/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 
@@ -14,13 +13,10 @@ namespace {
 
 template <InverseArcLengthMethod M, int Dimension>
 InverseArcLength solve(const CurveView<double>& view, double target, double tolerance) {
-  auto curve = instantiate::load<Form::bernstein, Dimension>(view);
-  int exponent = normalise(curve);  // or else differences may overflow
-  auto h = hodograph(curve, 1);
-  exponent += normalise(h);
-  if (is_zero(h)) return {.t = 0, .error_estimate = std::abs(target), .converged = target == 0};
-  InverseArcLength result = M::solve(h, std::ldexp(target, -exponent), tolerance);
-  result.error_estimate = std::ldexp(result.error_estimate, exponent);
+  const auto scaled = scaled_hodograph(instantiate::load<Form::bernstein, Dimension>(view));
+  if (is_zero(scaled.h)) return {.t = 0, .error_estimate = std::abs(target), .converged = target == 0};
+  InverseArcLength result = M::solve(scaled.h, scaled.in_units(target), tolerance);
+  result.error_estimate = scaled.unscaled_error(result.error_estimate);
   return result;
 }
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// A bound of the fourth derivative of the speed f = |h| over a panel, from the control vectors of h.
+//
+// Derived here. Over [0, 1] let |h'| <= v, |h''| <= a, |h'''| <= j, |h''''| <= s and |h| >= l > 0. Deriving f^2 = h.h
+// again and again gives
+//   f f' = h.h'                                              |f'|    <= v
+//   f f'' = (|h'|^2 - f'^2) + h.h''                          |f''|   <= v^2 / l + a                              = F2
+//   f f''' = 3 (h'.h'' - f' f'') + h.h'''                    |f'''|  <= 3 v (a + F2) / l + j                     = F3
+//   f f'''' = 4 (h'.h''' - f' f''') + 3 (|h''|^2 - f''^2) + h.h''''
+//                                                            |f''''| <= (4 v (j + F3) + 3 F2^2) / l + s,
+// where |h'|^2 - f'^2 is between 0 and v^2, and |h''|^2 - f''^2 between -F2^2 and a^2 <= F2^2. The k-th derivative of h
+// is m (m-1) .. (m-k+1) times a mean of the k-th differences of its control vectors, so at most that times the longest
+// of these; and |h| >= h.e is at least the least h_i.e, for any unit vector e: here that along the mean of all h_i.
+// Roundings: the longest k-th difference is right to k 2^k u times the longest control vector, which is added.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/arc_length/panel.hpp"
+#include "core/curve.hpp"
+
+namespace bezierbench {
+
+/// |f''''| on [0, 1], f the speed; infinite where h is not known to keep away from 0.
+struct FourthDerivative {
+  double bound = std::numeric_limits<double>::infinity();
+  /// What roundings alone may add to the bound as panels get ever smaller: halving never gets below this.
+  double rounding = 0;
+};
+
+namespace detail {
+
+/// A lower bound of |h| on [0, 1]; 0 or less where it is none.
+template <int Dimension>
+double least_size(const Curve<Form::bernstein, double, Dimension>& h) {
+  std::array<double, Dimension> mean{};
+  for (int i = 0; i <= h.degree(); ++i)
+    for (std::size_t axis = 0; axis < Dimension; ++axis) mean[axis] += h(static_cast<int>(axis), i);
+  double square = 0;
+  for (const double x : mean) square += x * x;
+  if (square == 0) return 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= h.degree(); ++i) {
+    double along = 0;
+    for (std::size_t axis = 0; axis < Dimension; ++axis) along += h(static_cast<int>(axis), i) * mean[axis];
+    least = std::min(least, along);
+  }
+  return least / std::sqrt(square);
+}
+
+}  // namespace detail
+
+template <int Dimension>
+FourthDerivative fourth_derivative(const Curve<Form::bernstein, double, Dimension>& h) {
+  constexpr double u = 0x1p-53;
+  const int m = h.degree();
+  const double longest = longest_vector(h);
+  const double least = detail::least_size(h) - 4 * Dimension * u * longest;
+  if (!(least > 0)) return {};
+  std::array<double, 5> derivatives{};  // of h, their largest sizes
+  FourthDerivative result;
+  double factor = 1;
+  auto differences = h;
+  for (int k = 1; k <= std::min(m, 4); ++k) {
+    Curve<Form::bernstein, double, Dimension> next(m - k);
+    for (int i = 0; i <= m - k; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) next(axis, i) = differences(axis, i + 1) - differences(axis, i);
+    differences = next;
+    factor *= m - k + 1;
+    const double rounding = factor * k * std::ldexp(u, k) * Dimension * longest;
+    derivatives[static_cast<std::size_t>(k)] = factor * longest_vector(differences) + rounding;
+    result.rounding = rounding;
+  }
+  const auto [unused, v, a, j, s] = derivatives;
+  const double second = v * v / least + a;
+  const double third = 3 * v * (a + second) / least + j;
+  result.bound = (4 * v * (j + third) + 3 * second * second) / least + s;
+  return result;
+}
+
+}  // namespace bezierbench

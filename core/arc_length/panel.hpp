@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What is known of the length of a panel from the control vectors of its hodograph alone, and panels in halves.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/curve.hpp"
+
+namespace bezierbench {
+
+/// The length of the chord, |mean of the control vectors|: no curve from one end to the other is shorter.
+template <int Dimension>
+double chord_length(const Curve<Form::bernstein, double, Dimension>& h) {
+  double square = 0;
+  for (int axis = 0; axis < Dimension; ++axis) {
+    double sum = 0;
+    for (int i = 0; i <= h.degree(); ++i) sum += h(axis, i);
+    square += sum * sum;
+  }
+  return std::sqrt(square) / (h.degree() + 1);
+}
+
+/// The size of the longest control vector.
+template <int Dimension>
+double longest_vector(const Curve<Form::bernstein, double, Dimension>& h) {
+  double largest_square = 0;
+  for (int i = 0; i <= h.degree(); ++i) {
+    double square = 0;
+    for (int axis = 0; axis < Dimension; ++axis) square += h(axis, i) * h(axis, i);
+    largest_square = std::max(largest_square, square);
+  }
+  return std::sqrt(largest_square);
+}
+
+/// Leaves the right half of a hodograph in h and returns the left one.
+template <int Dimension>
+Curve<Form::bernstein, double, Dimension> cut_left_half(Curve<Form::bernstein, double, Dimension>& h) {
+  const int m = h.degree();
+  Curve<Form::bernstein, double, Dimension> left(m);
+  for (int level = 0; level <= m; ++level) {
+    for (int axis = 0; axis < Dimension; ++axis) left(axis, level) = h(axis, 0);
+    for (int i = 0; i < m - level; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) h(axis, i) = (h(axis, i) + h(axis, i + 1)) / 2;
+  }
+  return left;
+}
+
+}  // namespace bezierbench
