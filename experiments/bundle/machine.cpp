@@ -204,7 +204,7 @@ Json load_average(const MachineRoots& roots) {
 }
 
 // The smallest step seen between two readings, in nanoseconds: resolution and cost of a reading together, which is what
-// limits a measurement. Nothing for a clock that stands still.
+// limits a measurement. Nothing for a clock that never goes forward.
 std::optional<std::int64_t> measured_step_ns() {
   using Clock = std::chrono::steady_clock;
   constexpr int enough_steps = 10'000;
@@ -216,10 +216,10 @@ std::optional<std::int64_t> measured_step_ns() {
   auto last = start;
   for (int readings = 0, steps = 0; readings < most_readings && steps < enough_steps; ++readings) {
     const auto now = Clock::now();
-    if (now == last) continue;
     const std::int64_t step = std::chrono::duration_cast<std::chrono::nanoseconds>(now - last).count();
-    smallest = std::min(smallest.value_or(step), step);
     last = now;
+    if (step <= 0) continue;
+    smallest = std::min(smallest.value_or(step), step);
     ++steps;
     if (now - start > patience) break;
   }

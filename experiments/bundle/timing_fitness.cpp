@@ -79,7 +79,7 @@ struct Aspect {
 };
 
 constexpr std::array aspects{
-    Aspect{"clock", clock_trouble, clock_words},
+    Aspect{clock_aspect, clock_trouble, clock_words},
     Aspect{"governor", governor_trouble, [](const Json&) { return std::string("performance"); }},
     Aspect{"boost", boost_trouble, [](const Json&) { return std::string("off"); }},
     Aspect{"load", load_trouble,

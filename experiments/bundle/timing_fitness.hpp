@@ -8,6 +8,9 @@
 
 namespace bezierbench::bundle {
 
+/// The aspect of a Concern about the clock.
+inline constexpr std::string_view clock_aspect = "clock";
+
 /// One thing to know before times are believed.
 struct Concern {
   std::string aspect;  ///< clock, governor, boost, load, virtualised, counters

@@ -6,6 +6,7 @@
 #include "experiments/bundle/timing_fitness.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/floating_point.hpp"
+#include "experiments/timing/clock.hpp"
 #include "experiments/timing/counters.hpp"
 
 namespace bezierbench::cli {
@@ -24,9 +25,14 @@ void add_doctor(Command program, Exit& exit) {
     if (faults.empty()) print("floating point", "fine", "IEEE 754 double, to nearest, no contraction, subnormals kept");
     const auto machine =
         bundle::machine_json({compiler, all_flags, build_type, fp_flags, program_version}, timing::Counters().state());
-    for (const auto& concern : bundle::timing_fitness(machine))
-      print(concern.aspect, concern.warning ? "warning" : "fine", concern.text);
-    exit = faults.empty() ? Exit::fine : Exit::environment;
+    const auto clock_fault = timing::clock_fault(timing::steady_ns);
+    for (const auto& concern : bundle::timing_fitness(machine)) {
+      if (concern.aspect == bundle::clock_aspect && clock_fault)
+        print(concern.aspect, "unfit", *clock_fault + "; no times can be taken here");
+      else
+        print(concern.aspect, concern.warning ? "warning" : "fine", concern.text);
+    }
+    exit = faults.empty() && !clock_fault ? Exit::fine : Exit::environment;
   });
 }
 

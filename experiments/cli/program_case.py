@@ -14,7 +14,7 @@ PROGRAM = os.path.abspath(os.environ.get("BEZIERBENCH") or sys.argv.pop(1))
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 REPORT_SUITE = ROOT / "experiments/suites/report.toml"
 
-FINE, FINDING, USAGE, INPUT_OUTPUT, INTERRUPTED = 0, 1, 2, 4, 130
+FINE, FINDING, USAGE, ENVIRONMENT, INPUT_OUTPUT, INTERRUPTED = 0, 1, 2, 3, 4, 130
 IN_MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # where thousands of fsyncs take seconds only
 # The thread sanitizer writes a file of its own before main.
 HAS_THREAD_SANITIZER = b"libtsan" in pathlib.Path(PROGRAM).read_bytes()

@@ -17,6 +17,7 @@
 #include "experiments/studies/plan.hpp"
 #include "experiments/studies/progress.hpp"
 #include "experiments/studies/workplace.hpp"
+#include "experiments/timing/clock.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -106,8 +107,18 @@ void describe(const RunRequest& request, const Plan& plan, bool already_complete
              request.out.string(), already_complete ? " (already complete)" : "");
 }
 
+/// Before anything is done rather than after hours of it: times need a clock that is fit for them.
+void require_clock(const Jobs& jobs, const Share& share) {
+  bool is_timed = false;
+  for (std::size_t number = 0; number < jobs.size(); ++number)
+    is_timed = is_timed || (jobs[number]->exclusive() && share.blocks(number).first < share.blocks(number).second);
+  if (!is_timed) return;
+  if (const auto fault = timing::clock_fault(timing::steady_ns)) timing::refuse_clock(*fault);
+}
+
 void work(const RunRequest& request, const Jobs& jobs, Ledger& ledger) {
   const Share share(jobs, ledger, request.shard.value_or(Shard()));
+  require_clock(jobs, share);
   Progress progress(share.cost_left(), request.quiet);
   const auto run_one = [&](std::size_t number, std::uint64_t block) {
     if (interrupted() || ledger.done(number, block)) return;

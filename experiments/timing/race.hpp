@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/timing/clock.hpp"
 #include "experiments/timing/counters.hpp"
 
 namespace bezierbench::timing {
@@ -42,17 +43,19 @@ struct Lap {
 /// neighbours in the round meet the same machine. On two processors with a load of 12, half the interval of the ratio
 /// of a kernel to itself was 68 % with 41 rounds of 0.5 ms and 0.07 % with 400 rounds of 0.05 ms, in half the time.
 struct RaceOptions {
-  std::size_t rounds = 400;       ///< at most, and about
-  std::size_t least_rounds = 41;  ///< before `rival_seconds` may end the race
-  double round_seconds = 5e-5;    ///< least time of one rival's turn in one round
-  double rival_seconds = 0.04;    ///< of all turns of one rival, on average
-  double most_seconds = 30;       ///< ends the race after the round that reaches it, come what may
+  std::size_t rounds = 400;                      ///< at most, and about
+  std::size_t least_rounds = 41;                 ///< before `rival_seconds` may end the race
+  double round_seconds = shortest_turn_seconds;  ///< least time of one rival's turn in one round
+  double rival_seconds = 0.04;                   ///< of all turns of one rival, on average
+  double most_seconds = 30;                      ///< ends the race after the round that reaches it, come what may
+  Clock clock = steady_ns;
   const Counters* counters = nullptr;
   bool (*stop)() = nullptr;  ///< asked between rounds; true ends the race early
 };
 
 /// Runs the race as one Google Benchmark benchmark with manual time; laps are in the order of the rivals. Unless
-/// `most_seconds` or `stop` end it, every order of the rivals has occurred equally often.
+/// `most_seconds` or `stop` end it, every order of the rivals has occurred equally often. Throws
+/// Failure(Exit::environment) for a clock that is not fit to time a turn, or that stands still or goes back meanwhile.
 std::vector<Lap> race(const std::string& name, std::span<const Rival> rivals, const RaceOptions& options);
 
 }  // namespace bezierbench::timing

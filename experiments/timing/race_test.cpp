@@ -17,7 +17,7 @@ TEST(Race, EveryRivalRunsEveryRoundAndIsChecked) {
       {"good", 3, [&] { ++runs; }, [&] { return ++checks > 0; }},
       {"wrong", 3, [] {}, [] { return false; }},
   };
-  const auto laps = race("test", rivals, {.rounds = 10, .round_seconds = 1e-6});
+  const auto laps = race("test", rivals, {.rounds = 10});
   ASSERT_EQ(laps.size(), 2U);
   EXPECT_EQ(laps[0].ns_per_point.size(), 10U);
   EXPECT_EQ(laps[1].ns_per_point.size(), 10U);
@@ -41,7 +41,7 @@ TEST(Race, EveryRivalMeetsEveryPlaceAndEveryPredecessorEquallyOften) {
                           return true;
                         }});
     }
-    race("test", rivals, {.rounds = 1, .round_seconds = 1e-9});
+    race("test", rivals, {.rounds = 1});
     const std::size_t rounds = order.size() / count;
     EXPECT_EQ(rounds, count % 2 == 0 ? count : 2 * count);
     std::map<std::pair<char, std::size_t>, std::size_t> places;
@@ -68,7 +68,7 @@ TEST(Race, RunsEveryRivalAtOnePlace) {
   std::vector<std::set<const void*>> places(3);
   std::vector<Rival> rivals;
   for (auto& its : places) rivals.push_back({"one", 1, Placed{&its}, [] { return true; }});
-  race("test", rivals, {.rounds = 6, .round_seconds = 1e-9});
+  race("test", rivals, {.rounds = 6});
   std::set<const void*> common = places[0];
   for (const auto& its : places) std::erase_if(common, [&](const void* place) { return !its.contains(place); });
   EXPECT_FALSE(common.empty());
@@ -76,20 +76,20 @@ TEST(Race, RunsEveryRivalAtOnePlace) {
 
 TEST(Race, StopsWhenAsked) {
   const std::vector<Rival> rivals{{"one", 1, [] {}, [] { return true; }}};
-  const auto laps = race("test", rivals, {.rounds = 1000, .round_seconds = 1e-9, .stop = [] { return true; }});
+  const auto laps = race("test", rivals, {.rounds = 1000, .stop = [] { return true; }});
   EXPECT_EQ(laps[0].ns_per_point.size(), 1U);
 }
 
 TEST(Race, EndsWhenItsTimeIsUp) {
   const std::vector<Rival> rivals{{"one", 1, [] {}, [] { return true; }}};
-  const auto laps = race("test", rivals, {.rounds = 1000, .round_seconds = 1e-9, .most_seconds = 0});
+  const auto laps = race("test", rivals, {.rounds = 1000, .most_seconds = 0});
   EXPECT_EQ(laps[0].ns_per_point.size(), 1U);
 }
 
 TEST(Race, SlowRivalsRunFewerRoundsButWholeCycles) {
   const Rival rival{"one", 1, [] {}, [] { return true; }};
   const std::vector<Rival> three(3, rival);  // six orders
-  const auto laps = race("test", three, {.rounds = 1000, .least_rounds = 7, .round_seconds = 1e-9, .rival_seconds = 0});
+  const auto laps = race("test", three, {.rounds = 1000, .least_rounds = 7, .rival_seconds = 0});
   EXPECT_EQ(laps[0].ns_per_point.size(), 12U);
 }
 
@@ -104,7 +104,7 @@ TEST(Race, WarmsUpBeforeEveryTurn) {
                                      at_last_check = runs;
                                      return true;
                                    }}};
-  const auto laps = race("test", rivals, {.rounds = 4, .round_seconds = 1e-7});
+  const auto laps = race("test", rivals, {.rounds = 4});
   ASSERT_EQ(runs_per_turn.size(), 4U);
   for (std::size_t turn = 1; turn < 4; ++turn)
     EXPECT_EQ(static_cast<std::size_t>(runs_per_turn[turn]), laps[0].points_per_round + 1);
@@ -113,7 +113,7 @@ TEST(Race, WarmsUpBeforeEveryTurn) {
 TEST(Race, CountsPerPointWhereThereAreCounters) {
   const Counters counters;
   const std::vector<Rival> rivals{{"one", 1, [] {}, [] { return true; }}};
-  const auto laps = race("test", rivals, {.rounds = 10, .round_seconds = 1e-6, .counters = &counters});
+  const auto laps = race("test", rivals, {.rounds = 10, .counters = &counters});
   EXPECT_EQ(laps[0].cycles_per_point.size(), laps[0].instructions_per_point.size());
   EXPECT_LE(laps[0].cycles_per_point.size(), counters.available() ? 10U : 0U);
 }

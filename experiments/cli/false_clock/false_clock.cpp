@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// To be preloaded (LD_PRELOAD) into the program under test: its monotonic clock is then wrong, as FALSE_CLOCK says:
+//   stands   it never moves
+//   back     every reading lies before the last
+//   coarse   it moves every 10 milliseconds
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+
+namespace {
+
+constexpr long ns_per_second = 1'000'000'000;
+constexpr long coarse_step_ns = 10'000'000;
+
+bool is_asked_for(const char* fault) {
+  const char* asked = std::getenv("FALSE_CLOCK");
+  return asked != nullptr && std::strcmp(asked, fault) == 0;
+}
+
+}  // namespace
+
+extern "C" int clock_gettime(clockid_t which, timespec* time) noexcept {
+  constexpr long start_seconds = 1'000'000;
+  static std::atomic<long> readings{0};
+  const auto result = static_cast<int>(syscall(SYS_clock_gettime, which, time));
+  if (which != CLOCK_MONOTONIC || result != 0) return result;
+  if (is_asked_for("stands")) *time = {start_seconds, 0};
+  if (is_asked_for("back")) {
+    const long ns = start_seconds - ++readings;
+    *time = {ns / ns_per_second + start_seconds, ns % ns_per_second};
+  }
+  if (is_asked_for("coarse")) time->tv_nsec -= time->tv_nsec % coarse_step_ns;
+  return 0;
+}
