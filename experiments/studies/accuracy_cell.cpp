@@ -86,8 +86,8 @@ const std::vector<std::string> tier_columns{"study", "curve", "scalar",    "dime
                                             "t_min", "t_max", "generator", "tier",      "trials", "escalated"};
 
 const std::vector<std::string> audit_columns{
-    "study", "curve", "tier",      "significand_bits", "dimension",      "degree",       "coordinate_range",
-    "t_min", "t_max", "generator", "trials",           "mean_error_ulp", "max_error_ulp"};
+    "study", "curve",     "tier",   "significand_bits",    "dimension",         "degree", "coordinate_range", "t_min",
+    "t_max", "generator", "trials", "mean_axis_error_ulp", "max_axis_error_ulp"};
 
 std::vector<std::string> worst_columns() {
   std::vector<std::string> columns{"worst_id"};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <numeric>
 #include <random>
@@ -138,6 +139,32 @@ TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
     }
   }
   EXPECT_EQ(unsupported, 2);
+}
+
+/// accuracy.csv: the Euclidean error over the spacing of doubles at |p|. audit.csv has the largest error of an axis.
+TEST(Accuracy, UlpsAreOfTheLengthOfThePoint) {
+  auto study = small_study();
+  study.degree = {9};
+  study.methods = {"direct"};
+  study.baseline = {"exact"};
+  study.trials = 1;
+  study.replicates = 1;
+  const auto job = accuracy_job(study, {5});
+  run_all(*job);
+  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  sample::Trial trial;
+  sample::draw(5, sample::key(study.id), {suite::CurveKind::bezier, 2, 9, 1, {}, "continuous"}, 0, trial);
+  reference::ExactCurve exact;
+  const auto& truth = exact.point({Form::bernstein, 2, 9, trial.coefficients}, trial.t);
+  const double length = std::hypot(reference::round_to(reference::binary64, truth.coordinate(0)),
+                                   reference::round_to(reference::binary64, truth.coordinate(1)));
+  const double ulp = std::ldexp(1.0, std::ilogb(length) - 52);
+  const double error = *number::parse_number(csv.at(0, "max_error"));
+  EXPECT_GT(error, 0);
+  EXPECT_NEAR(*number::parse_number(csv.at(0, "max_error_ulp")) / (error / ulp), 1, 0x1p-20);
+  const auto audit = bundle::parse_csv(text_of(*job, "audit.csv"), "audit.csv");
+  EXPECT_TRUE(audit.has_column("max_axis_error_ulp"));
+  EXPECT_FALSE(audit.has_column("max_error_ulp"));
 }
 
 TEST(Accuracy, LibmMethodsStayOutOfTheDigest) {
