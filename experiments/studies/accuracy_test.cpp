@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <random>
 #include <thread>
 
+#include "core/batch/batch.hpp"
 #include "core/evaluate/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
@@ -226,6 +228,48 @@ TEST(Accuracy, RefusesAMethodOfTheOtherForm) {
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.exit(), Exit::usage);
     EXPECT_NE(std::string(failure.what()).find("horner"), std::string::npos);
+  }
+}
+
+/// wozny_chudy_positive has a bound for t in [0,1] only, the degree and range of double allow every one.
+TEST(Accuracy, CountsTrialsWithoutABound) {
+  auto study = small_study();
+  study.degree = {3};
+  study.methods = {"de_casteljau", "de_casteljau_lerp", "wozny_chudy_positive"};
+  study.baseline = {"exact"};
+  study.t_interval = {{-1, 3}};
+  study.trials = 400;
+  study.replicates = 1;
+  const auto job = accuracy_job(study, {5});
+  run_all(*job);
+  std::int64_t outside = 0;
+  sample::Trial trial;
+  for (std::uint64_t k = 0; k < 400; ++k) {
+    sample::draw(5, sample::key(study.id), {suite::CurveKind::bezier, 2, 3, 1, {-1, 3}, "continuous"}, k, trial);
+    outside += trial.t < 0 || trial.t > 1 ? 1 : 0;
+  }
+  EXPECT_GT(outside, 0);
+  EXPECT_LT(outside, 400);
+  const auto csv = bundle::parse_csv(text_of(*job, "reference.csv"), "reference.csv");
+  std::map<std::string, std::string> counts;
+  for (std::size_t row = 0; row < csv.row_count(); ++row)
+    counts[csv.at(row, "method")] = csv.at(row, "unbounded_trials");
+  EXPECT_EQ(counts, (std::map<std::string, std::string>{{"de_casteljau", "0"},
+                                                        {"de_casteljau_lerp", "400"},  // states none
+                                                        {"wozny_chudy_positive", std::to_string(outside)}}));
+}
+
+/// Groups of trials go through kernels of their own, where a method has them, but for the first of each block.
+TEST(Accuracy, CountsTrialsOfTheKernelThatIsTimed) {
+  auto study = small_study();  // 2 replicates of 3 blocks
+  study.degree = {3};
+  const auto job = accuracy_job(study, {5});
+  run_all(*job);
+  const auto csv = bundle::parse_csv(text_of(*job, "reference.csv"), "reference.csv");
+  ASSERT_EQ(csv.row_count(), 3U);
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    const bool in_groups = csv.at(row, "method") != "direct_pow" && !batch::usable_targets().empty();
+    EXPECT_EQ(csv.at(row, "own_kernel"), in_groups ? "6" : "5000") << csv.at(row, "method");
   }
 }
 
