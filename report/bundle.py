@@ -60,7 +60,7 @@ REQUIRED = {
                    "quality pareto").split(),
     "roofline.csv": ("study curve method scalar dimension degree target median_ns peak_gflops mixed_peak_gflops share_of_peak "
                      "goal_share goal_ns goal_met quality checked t_min t_max").split(),
-    "audit.csv": "study curve tier degree generator trials mean_error_ulp max_error_ulp".split(),
+    "audit.csv": "study curve tier degree generator trials".split(),
     "search.csv": ("search_id study curve method scalar dimension degree coordinate_range t_min t_max generator trials budget "
                    "status sampled_error_u searched_error_u bound_u error t coefficients").split(),
     "worst.csv": ("worst_id study curve method scalar dimension degree coordinate_range t_min t_max generator trial error "

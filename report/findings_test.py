@@ -127,7 +127,7 @@ FLIPS = {
     "interpolation_time": _set("verdict", "unresolved", "complexity.csv", method="c2_natural_handles"),
     "fitting_time": _set("ratio_low", 0.9, "timing.csv", method="gauss_newton", data="noisy", tolerance=1e-2),
     "derivative_time": _set("ratio_low", 0.99, "timing.csv", method="triangle_derivatives", order=2),
-    "arc_length_time_fastest": _set("checked", "no", "timing.csv", study="companion_speed-length", method="gauss_legendre_adaptive"),
+    "arc_length_time_fastest": _set("ratio_low", 0.99, "timing.csv", study="companion_speed-length", method="adaptive_simpson38"),
     "inverse_arc_length_time": _set("ratio_low", 0.99, "timing.csv", method="bracketed_newton", tolerance=1e-10),
     "projection_time_fastest": _set("ratio_low", 0.99, "timing.csv", method="scan_refine"),
     "arc_length_time": _scale(("median_ns", "low_ns", "high_ns"), 9.9, "timing.csv", study="companion_peers-length_speed",
@@ -202,6 +202,30 @@ class Findings(unittest.TestCase):
         self.assertEqual(bounds.detail[0], whole.detail[0])
         self.assertEqual(whole.detail[1], "")
         self.assertIn("In 1 cell of `regimes-parameter` some trials lie outside what is proved", bounds.detail[1])
+
+    def test_the_fastest_is_computed(self):
+        """Another method that is faster everywhere is named; one that is wrong is not, however fast."""
+        def faster(at, row):
+            if at == "timing.csv" and row["study"] == "companion_speed-length" and row["method"] == "adaptive_simpson38":
+                row.update(ratio=0.5, ratio_low=0.4, ratio_high=0.6)
+
+        def faster_and_wrong(at, row):
+            faster(at, row)
+            if at == "timing.csv" and row["method"] == "bracketed_newton":
+                row.update(ratio=0.5, ratio_low=0.4, ratio_high=0.6, checked="no" if row["tolerance"] == 1e-10 else "yes")
+        by_id = {f.id: f for f in _findings(faster_and_wrong)[0]}
+        self.assertTrue(by_id["arc_length_time_fastest"].holds)
+        self.assertIn("come fastest by `adaptive_simpson38`", by_id["arc_length_time_fastest"].headline)
+        self.assertFalse(by_id["inverse_arc_length_time"].holds)
+        self.assertIn("`halley`, the fastest in 1 of 2 races", by_id["inverse_arc_length_time"].headline)
+
+    def test_the_best_of_ours_is_computed(self):
+        def another(at, row):
+            if at == "timing.csv" and row["study"] == "companion_peers-projection_speed" and row["method"] == "peer_sisl_closest":
+                row.update(method="subdivide_hull", median_ns=200, low_ns=190, high_ns=210)
+        found = next(f for f in _findings(another)[0] if f.id == "projection_time")
+        self.assertTrue(found.holds)
+        self.assertIn("by `subdivide_hull` takes less time", found.headline)
 
     def test_evidence_names_lines(self):
         for f in self.found:

@@ -243,8 +243,8 @@ def methods():
 
 def audit():
     return [dict(study="truth-bezier", curve="bezier", tier="long_double", significand_bits=64, dimension=2, degree=20,
-                 coordinate_range=1000000, t_min=0, t_max=1, generator="continuous", trials=1000, mean_error_ulp=0.003,
-                 max_error_ulp=1.25)]
+                 coordinate_range=1000000, t_min=0, t_max=1, generator="continuous", trials=1000, mean_axis_error_ulp=0.003,
+                 max_axis_error_ulp=1.25)]
 
 
 # problem, study, ns by method (per point where there are data points; the first is what ratios are relative to), what is asked

@@ -10,7 +10,7 @@ from html.parser import HTMLParser
 
 from . import fixture, render
 from .bundle import Bundle
-from .chapters import found
+from .chapters import audit, found
 from .chapters.roster import ROSTER, build_all
 from .findings.roster import find_all
 from .wording import as_printed, general, scientific, shortest
@@ -176,6 +176,15 @@ class WrittenFiles(unittest.TestCase):
         words = files(lambda at, row: row["table"] not in ("2.3.3", "2.4") if at.startswith("scorecard") else None)
         self.assertNotIn("figures/error-against-interval.svg", words)
         self.assertTrue("The figure error against interval is left out" in words["report.md"].decode())
+
+    def test_audit_of_older_bundles(self):
+        """They call the error of an axis as accuracy.csv calls the Euclidean one."""
+        with tempfile.TemporaryDirectory() as place:
+            path = fixture.write(f"{place}/b") / "audit.csv"
+            today = list(audit.blocks(Bundle(path.parent), None))
+            self.assertIn("1.25 ulp", today[0].text)
+            path.write_text(path.read_text().replace("_axis_error_ulp", "_error_ulp"))
+            self.assertEqual(list(audit.blocks(Bundle(path.parent), None)), today)
 
     def test_partial_bundle_is_said(self):
         with tempfile.TemporaryDirectory() as place:

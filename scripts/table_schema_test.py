@@ -134,11 +134,13 @@ class TableSchema(unittest.TestCase):
                     self.fail(error.message)
 
     def test_columns_are_in_its_order(self):
+        """A run of today has all of them but the deprecated ones; bundles that were made before may lack some."""
         for bundle in [self.fresh, *COMMITTED, *EARLIER]:
             for file, table in tables(bundle).items():
                 with self.subTest(bundle=bundle, file=file):
-                    present = [name for name in columns(file) if bundle not in EARLIER or name in table.header]
-                    self.assertEqual(table.header, present)
+                    expected = [name for name, column in columns(file).items()
+                                if (not column.get("deprecated") if bundle == self.fresh else name in table.header)]
+                    self.assertEqual(table.header, expected)
 
     def test_every_column_is_explained(self):
         for file, table in SCHEMA["properties"].items():

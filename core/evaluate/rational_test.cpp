@@ -30,6 +30,10 @@ class RationalMethod : public testing::TestWithParam<std::size_t> {
   [[nodiscard]] const Kernel<float>& float_kernel() const { return *rational_kernels<float>(2)[GetParam()]; }
 };
 
+// Tests of what some methods state only: each runs for those.
+class BoundedRationalMethod : public RationalMethod {};      ///< states a bound
+class RationalMethodOfBothForms : public RationalMethod {};  ///< and is there for polynomial curves, too
+
 /// Positive weights over `binades` powers of two.
 std::vector<double> positive_weights(Inputs& inputs, int degree, int binades) {
   std::vector<double> weights;
@@ -75,8 +79,7 @@ std::vector<double> some_parameters(Inputs& inputs) {
   return ts;
 }
 
-TEST_P(RationalMethod, KeepsItsBoundWithWildWeights) {
-  if (!kernel().info->bound) return;  // states none
+TEST_P(BoundedRationalMethod, KeepsItsBoundWithWildWeights) {
   Inputs inputs(21);
   int bounded = 0;
   for (const int dimension : {1, 2, 3})
@@ -91,8 +94,7 @@ TEST_P(RationalMethod, KeepsItsBoundWithWildWeights) {
   EXPECT_GT(bounded, 2000);
 }
 
-TEST_P(RationalMethod, KeepsItsBoundWithWildWeightsInFloat) {
-  if (!float_kernel().info->bound) return;  // states none
+TEST_P(BoundedRationalMethod, KeepsItsBoundWithWildWeightsInFloat) {
   Inputs inputs(22);
   int bounded = 0;
   for (const int degree : {0, 1, 2, 3, 5, 8, 20, 34})
@@ -103,9 +105,9 @@ TEST_P(RationalMethod, KeepsItsBoundWithWildWeightsInFloat) {
 }
 
 /// Weights and points whose products, sums and quotients are subnormal, or nearly.
-TEST_P(RationalMethod, KeepsItsBoundWhereItUnderflows) {
-  if (!kernel().info->bound) return;  // states none
+TEST_P(BoundedRationalMethod, KeepsItsBoundWhereItUnderflows) {
   Inputs inputs(23);
+  int bounded = 0;
   for (const int of_points : {0, -500, -1000, -1060})
     for (const int of_weights : {500, 0, -500, -960, -1015, -1060})
       for (const int degree : {0, 1, 2, 5, 20}) {
@@ -114,14 +116,14 @@ TEST_P(RationalMethod, KeepsItsBoundWhereItUnderflows) {
         for (const int binades : {0, 20, 120, 700}) {
           auto w = positive_weights(inputs, degree, binades);
           for (double& value : w) value = std::ldexp(value, of_weights);
-          expect_bound(kernel(1), 1, degree, c, w, some_parameters(inputs));
+          bounded += expect_bound(kernel(1), 1, degree, c, w, some_parameters(inputs));
         }
       }
+  EXPECT_GT(bounded, 1000);
 }
 
 /// Weights of 0 are weights: a method that does not need positive ones keeps its bound with them.
-TEST_P(RationalMethod, KeepsItsBoundWithWeightsOfZero) {
-  if (!kernel().info->bound) return;  // states none
+TEST_P(BoundedRationalMethod, KeepsItsBoundWithWeightsOfZero) {
   Inputs inputs(24);
   int bounded = 0;
   for (const int degree : {1, 2, 3, 8, 20})
@@ -138,8 +140,7 @@ TEST_P(RationalMethod, KeepsItsBoundWithWeightsOfZero) {
 }
 
 /// Where the denominator may cancel nothing is proved.
-TEST_P(RationalMethod, StatesNoBoundWhereWeightsMayCancel) {
-  if (!kernel().info->bound) return;  // states none
+TEST_P(BoundedRationalMethod, StatesNoBoundWhereWeightsMayCancel) {
   const std::vector<double> c{1, 2, 3};
   const std::vector<double> positive{1, 2, 1};
   const std::vector<double> mixed{1, -0.5, 1};
@@ -170,9 +171,8 @@ TEST_P(RationalMethod, CommonFactorOfTheWeightsChangesNoBit) {
 }
 
 /// With equal weights the curve is the polynomial one: the method of the same id is as near as both bounds allow.
-TEST_P(RationalMethod, EqualWeightsGiveThePolynomialCurve) {
+TEST_P(RationalMethodOfBothForms, EqualWeightsGiveThePolynomialCurve) {
   const auto* polynomial = find_kernel<double>(kernel().info->id, Form::bernstein, 2);
-  if (polynomial == nullptr || !kernel().info->bound) return;  // nothing to compare with
   Inputs inputs(26);
   metric::TrialScale scale;
   for (const int degree : {0, 1, 2, 5, 20}) {
@@ -193,8 +193,7 @@ TEST_P(RationalMethod, EqualWeightsGiveThePolynomialCurve) {
 }
 
 /// w b / w rounds twice; a method without such products passes through its end points exactly.
-TEST_P(RationalMethod, InterpolatesEndPoints) {
-  if (!kernel().info->bound) return;  // does not promise it
+TEST_P(BoundedRationalMethod, InterpolatesEndPoints) {
   Inputs inputs(27);
   const double roundings = kernel().info->bound->positive_weights_only ? 0 : 2;
   for (const int degree : {1, 2, 7, 20, 90}) {
@@ -273,10 +272,28 @@ TEST_P(RationalMethod, RunsAroundTheCircle) {
   EXPECT_THAT(points, testing::Pointwise(testing::DoubleNear(16 * 0x1p-53), expected));
 }
 
-INSTANTIATE_TEST_SUITE_P(Roster, RationalMethod, testing::Range<std::size_t>(0, rational_kernels<double>(2).size()),
-                         [](const auto& parameter) {
-                           return std::string(rational_kernels<double>(2)[parameter.param]->info->id);
-                         });
+/// Where among them those are of which this holds.
+auto rational_methods_that(bool (*holds)(const MethodInfo& info)) {
+  std::vector<std::size_t> places;
+  const auto all = rational_kernels<double>(2);
+  for (std::size_t place = 0; place < all.size(); ++place)
+    if (holds(*all[place]->info)) places.push_back(place);
+  return testing::ValuesIn(places);
+}
+
+std::string name_of(const testing::TestParamInfo<std::size_t>& parameter) {
+  return std::string(rational_kernels<double>(2)[parameter.param]->info->id);
+}
+
+bool is_any(const MethodInfo& /*info*/) { return true; }
+bool is_bounded(const MethodInfo& info) { return info.bound.has_value(); }
+bool is_of_both_forms(const MethodInfo& info) {
+  return is_bounded(info) && find_kernel<double>(info.id, Form::bernstein, 2) != nullptr;
+}
+
+INSTANTIATE_TEST_SUITE_P(Roster, RationalMethod, rational_methods_that(is_any), name_of);
+INSTANTIATE_TEST_SUITE_P(Roster, BoundedRationalMethod, rational_methods_that(is_bounded), name_of);
+INSTANTIATE_TEST_SUITE_P(Roster, RationalMethodOfBothForms, rational_methods_that(is_of_both_forms), name_of);
 
 }  // namespace
 }  // namespace bezierbench

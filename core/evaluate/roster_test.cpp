@@ -38,6 +38,12 @@ class Method : public testing::TestWithParam<std::size_t> {
   }
 };
 
+// Tests of what some methods state only: each runs for those, and says so by its names.
+class BoundedMethod : public Method {};    ///< states a bound
+class BernsteinMethod : public Method {};  ///< power coefficients have no mirror image
+class StableMethod : public Method {};     ///< the bits of others belong to libm
+class EndPointMethod : public Method {};   ///< native, in Bernstein form, with a bound in terms of p~
+
 /// The highest power of n in a text such as "3d n(n+1)/2 + 1": factors n and factors in brackets that hold an n.
 int power_of_n(std::string_view text) {
   int highest = 0;
@@ -98,9 +104,9 @@ TEST_P(Method, StatesWhatItIs) {
   EXPECT_EQ(info.problem, Problem::evaluation);
 }
 
-TEST_P(Method, KeepsItsBound) {
+TEST_P(BoundedMethod, KeepsItsBound) {
   const auto& stated = kernel().info->bound;
-  if (!stated) return;  // states none
+  int bounded = 0;  // with an infinite bound nothing is tested
   Inputs inputs(1);
   reference::ExactCurve exact;
   metric::TrialScale scale;
@@ -121,17 +127,19 @@ TEST_P(Method, KeepsItsBound) {
           const reference::Distance distance(exact.point(curve, ts[k]));
           const auto d = static_cast<std::size_t>(dimension);
           const double error = distance.to(std::span(points).subspan(k * d, d));
-          EXPECT_FALSE(metric::TrialScale::violates(error, scale.bound(*stated, metric::double_arithmetic)))
-              << method.info->id << " degree " << degree << " t " << ts[k] << " error " << error << " bound "
-              << scale.bound(*stated, metric::double_arithmetic);
+          const double bound = scale.bound(*stated, metric::double_arithmetic);
+          bounded += std::isfinite(bound) ? 1 : 0;
+          EXPECT_FALSE(metric::TrialScale::violates(error, bound))
+              << method.info->id << " degree " << degree << " t " << ts[k] << " error " << error << " bound " << bound;
         }
       }
     }
+  EXPECT_GT(bounded, 1000);
 }
 
-TEST_P(Method, KeepsItsBoundInFloat) {
+TEST_P(BoundedMethod, KeepsItsBoundInFloat) {
   const auto& stated = float_kernel().info->bound;
-  if (!stated) return;  // states none
+  int bounded = 0;  // with an infinite bound nothing is tested
   Inputs inputs(2);
   reference::ExactCurve exact;
   metric::TrialScale scale;
@@ -148,16 +156,19 @@ TEST_P(Method, KeepsItsBoundInFloat) {
       scale.set(curve, t);
       const double error =
           reference::Distance(exact.point(curve, t)).to(std::vector<double>(point.begin(), point.end()));
-      EXPECT_FALSE(metric::TrialScale::violates(error, scale.bound(*stated, metric::float_arithmetic)))
+      const double bound = scale.bound(*stated, metric::float_arithmetic);
+      bounded += std::isfinite(bound) ? 1 : 0;
+      EXPECT_FALSE(metric::TrialScale::violates(error, bound))
           << method.info->id << " degree " << degree << " t " << t << " error " << error;
     }
   }
+  EXPECT_GT(bounded, 50);
 }
 
 /// Where whole curves or their errors are subnormal, only the underflow term is left of a bound.
-TEST_P(Method, KeepsItsBoundWhereItUnderflows) {
+TEST_P(BoundedMethod, KeepsItsBoundWhereItUnderflows) {
   const auto& stated = kernel(1).info->bound;
-  if (!stated) return;  // states none
+  int bounded = 0;  // with an infinite bound nothing is tested
   Inputs inputs(10);
   reference::ExactCurve exact;
   metric::TrialScale scale;
@@ -174,12 +185,15 @@ TEST_P(Method, KeepsItsBoundWhereItUnderflows) {
         for (std::size_t k = 0; k < ts.size(); ++k) {
           scale.set(curve, ts[k]);
           const double error = reference::Distance(exact.point(curve, ts[k])).to(std::span(points).subspan(k, 1));
-          EXPECT_FALSE(metric::TrialScale::violates(error, scale.bound(*stated, metric::double_arithmetic)))
+          const double bound = scale.bound(*stated, metric::double_arithmetic);
+          bounded += std::isfinite(bound) ? 1 : 0;
+          EXPECT_FALSE(metric::TrialScale::violates(error, bound))
               << kernel(1).info->id << " 2^" << exponent << " degree " << degree << " t " << ts[k] << " error "
               << error;
         }
       }
     }
+  EXPECT_GT(bounded, 1000);
 }
 
 /// Even a method without a bound is right to first order where nothing is amplified much.
@@ -238,9 +252,7 @@ TEST_P(Method, IsAffinelyInvariant) {
   }
 }
 
-TEST_P(Method, ReversesWithItsControlPoints) {
-  const auto& method = kernel();
-  if (method.info->form != Form::bernstein) return;  // power coefficients have no mirror image
+TEST_P(BernsteinMethod, ReversesWithItsControlPoints) {
   Inputs inputs(9);
   for (const int degree : {1, 2, 3, 6}) {
     const auto c = inputs.coefficients(degree, 1);
@@ -252,10 +264,9 @@ TEST_P(Method, ReversesWithItsControlPoints) {
   }
 }
 
-TEST_P(Method, ScalesWithPowersOfTwo) {
+TEST_P(StableMethod, ScalesWithPowersOfTwo) {
   const auto ts = parameters_for(kernel().info->form);
   const auto& method = kernel();
-  if (!method.info->bit_stable) return;  // its bits belong to libm
   Inputs inputs(4);
   for (const int degree : {0, 1, 3, 8, 20}) {
     const auto coefficients = inputs.coefficients(degree, 2);
@@ -294,11 +305,9 @@ TEST_P(Method, BatchEqualsOneByOne) {
                                   points.begin() + static_cast<std::ptrdiff_t>(2 * k + 2)));
 }
 
-/// A native Bernstein method with a bound in terms of p~ passes through both end points exactly.
-TEST_P(Method, InterpolatesEndPoints) {
+/// Exactly.
+TEST_P(EndPointMethod, InterpolatesEndPoints) {
   const auto& info = *kernel().info;
-  const bool native = info.id.find(':') == std::string_view::npos;
-  if (info.form != Form::bernstein || !native || !info.bound) return;  // does not promise it
   Inputs inputs(7);
   for (const int degree : {1, 2, 7, 20, 90}) {
     const auto coefficients = inputs.coefficients(degree, 2);
@@ -310,14 +319,33 @@ TEST_P(Method, InterpolatesEndPoints) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Roster, Method, testing::Range<std::size_t>(0, kernels<double>(2).size()),
-                         [](const auto& parameter) {
-                           std::string name(kernels<double>(2)[parameter.param].info->id);
-                           for (char& c : name)
-                             if (c == ':') c = '_';
-                           return name + "_" +
-                                  std::string(bezierbench::name(kernels<double>(2)[parameter.param].info->form));
-                         });
+/// Where in the roster the methods are of which this holds.
+auto methods_that(bool (*holds)(const MethodInfo& info)) {
+  std::vector<std::size_t> places;
+  for (std::size_t place = 0; place < kernels<double>(2).size(); ++place)
+    if (holds(*kernels<double>(2)[place].info)) places.push_back(place);
+  return testing::ValuesIn(places);
+}
+
+std::string name_of(const testing::TestParamInfo<std::size_t>& parameter) {
+  const auto& info = *kernels<double>(2)[parameter.param].info;
+  std::string id(info.id);
+  std::ranges::replace(id, ':', '_');
+  return id + "_" + std::string(name(info.form));
+}
+
+bool is_bounded(const MethodInfo& info) { return info.bound.has_value(); }
+bool is_bernstein(const MethodInfo& info) { return info.form == Form::bernstein; }
+bool is_stable(const MethodInfo& info) { return info.bit_stable; }
+bool keeps_end_points(const MethodInfo& info) {
+  return is_bernstein(info) && is_bounded(info) && info.id.find(':') == std::string_view::npos;
+}
+
+INSTANTIATE_TEST_SUITE_P(Roster, Method, testing::Range<std::size_t>(0, kernels<double>(2).size()), name_of);
+INSTANTIATE_TEST_SUITE_P(Roster, BoundedMethod, methods_that(is_bounded), name_of);
+INSTANTIATE_TEST_SUITE_P(Roster, BernsteinMethod, methods_that(is_bernstein), name_of);
+INSTANTIATE_TEST_SUITE_P(Roster, StableMethod, methods_that(is_stable), name_of);
+INSTANTIATE_TEST_SUITE_P(Roster, EndPointMethod, methods_that(keeps_end_points), name_of);
 
 TEST(Roster, HasNoTwoMethodsOfOneName) {
   std::set<std::pair<std::string_view, Form>> seen;

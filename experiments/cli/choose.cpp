@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/aligned.hpp"
@@ -16,6 +18,7 @@
 #include "experiments/metric/pareto.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/choices.hpp"
+#include "experiments/studies/class_choice.hpp"
 #include "experiments/studies/method_choice.hpp"
 #include "experiments/suite/names.hpp"
 
@@ -28,6 +31,8 @@ struct Wish {
   std::string tolerance_text;
   double tolerance = 0;
   std::string unit = "u";
+  std::optional<std::string> range_text;
+  std::optional<double> range;
   std::string form = "bernstein";
   std::string mode = "point";
   std::string scalar = "double";
@@ -37,7 +42,7 @@ struct Wish {
   std::string format = "text";
 
   [[nodiscard]] const studies::LargestError& error_of(const studies::Choice& choice) const {
-    return unit == "u" ? choice.in_u : choice.absolute;
+    return unit == "u" ? choice.errors.in_u : choice.errors.absolute;
   }
 };
 
@@ -46,18 +51,29 @@ std::string form_name(const studies::ChoiceGroup& group) {
   return curve ? std::string(name(studies::form_of(*curve))) : group.curve;
 }
 
-std::vector<studies::ChoiceGroup> groups_of(const Wish& wish) {
+/// What of a bundle a choice rests on.
+struct Evidence {
+  bundle::CsvDocument timing;
+  studies::JudgedTables judged;
+  std::optional<bundle::CsvDocument> methods;
+};
+
+Evidence read_evidence(const Wish& wish) {
   const auto directory = bundle::BundleDirectory::open(wish.bundle);
-  const auto path = [&](const std::string& file) { return (directory.path() / file).string(); };
-  if (!directory.has("timing.csv"))
+  const auto table = [&](const std::string& file) -> std::optional<bundle::CsvDocument> {
+    if (!directory.has(file)) return std::nullopt;
+    return bundle::parse_csv(directory.read(file), (directory.path() / file).string());
+  };
+  auto timing = table("timing.csv");
+  if (!timing)
     throw Failure(Exit::usage,
                   fmt::format("{}: has no times; run a timing suite into it, or choose from another bundle",
                               directory.path().string()));
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
-    if (directory.has(file)) accuracies.push_back(bundle::parse_csv(directory.read(file), path(file)));
-  return studies::choice_groups(bundle::parse_csv(directory.read("timing.csv"), path("timing.csv")), accuracies,
-                                wish.accuracy_study);
+    if (auto found = table(file)) accuracies.push_back(std::move(*found));
+  return {std::move(*timing), studies::JudgedTables(std::move(accuracies), table("reference.csv")),
+          table("methods.csv")};
 }
 
 /// One thing that is asked of a group, and what the groups that meet all the others have of it.
@@ -99,16 +115,45 @@ std::vector<studies::ChoiceGroup> matching(std::vector<studies::ChoiceGroup> gro
   return groups;
 }
 
+/// A heat, and the class of curves that is chosen for.
+struct Heat {
+  studies::ChoiceGroup group;
+  studies::DrawnClass of;
+};
+
+std::string in_words(const studies::DrawnClass& of) {
+  return fmt::format("coordinates in [{0}, {1}], t in [{2}, {3}]", number::decimal(-of.range),
+                     number::decimal(of.range), number::decimal(of.t.min), number::decimal(of.t.max));
+}
+
+/// The heats whose methods were judged on the class that is wished for.
+std::vector<Heat> judged_heats(const std::vector<studies::ChoiceGroup>& groups, const Evidence& evidence,
+                               const Wish& wish) {
+  std::vector<Heat> heats;
+  std::string missing;
+  for (auto group : groups) {
+    const auto of = studies::class_of(group, evidence.judged, wish.range);
+    if (!of) continue;
+    missing = fmt::format("{}: nothing with degree {}, {} was judged; ranges of coordinates that were: {}; see --range",
+                          wish.bundle, wish.degree, in_words(*of),
+                          fmt::join(studies::judged_ranges(group, evidence.judged, wish.accuracy_study), ", "));
+    studies::judge_class(group, *of, evidence.judged, evidence.methods, wish.accuracy_study);
+    if (!group.choices.empty()) heats.push_back({std::move(group), *of});
+  }
+  if (heats.empty()) throw Failure(Exit::usage, missing);
+  return heats;
+}
+
 /// Of several heats the one with most methods; the others are named.
-studies::ChoiceGroup one_of(std::vector<studies::ChoiceGroup> groups) {
-  const auto size = [](const studies::ChoiceGroup& group) { return group.choices.size(); };
-  const auto best = std::ranges::max_element(groups, {}, size);
+Heat one_of(const std::vector<Heat>& heats) {
+  const auto size = [](const Heat& heat) { return heat.group.choices.size(); };
+  const auto best = std::ranges::max_element(heats, {}, size);
   std::vector<std::string> others;
-  for (auto group = groups.begin(); group != groups.end(); ++group)
-    if (group != best) others.push_back(fmt::format("{} ({})", group->study, fmt::join(group->drawn, " ")));
+  for (auto heat = heats.begin(); heat != heats.end(); ++heat)
+    if (heat != best) others.push_back(fmt::format("{} ({})", heat->group.study, fmt::join(heat->group.drawn, " ")));
   if (!others.empty())
-    say(fmt::format("times of study {} ({}); there are also {}: see --study", best->study, fmt::join(best->drawn, " "),
-                    fmt::join(others, ", ")));
+    say(fmt::format("times of study {} ({}); there are also {}: see --study", best->group.study,
+                    fmt::join(best->group.drawn, " "), fmt::join(others, ", ")));
   return *best;
 }
 
@@ -117,53 +162,117 @@ bool is_quick_to_slow(const studies::Choice& a, const studies::Choice& b) { retu
 /// For people: four digits.
 std::string brief(double value) { return fmt::format("{:.4g}", value); }
 
+/// How sure it is that a method keeps the tolerance, and the bound that says so.
+struct Assurance {
+  std::string_view tolerance = "observed";
+  std::optional<double> bound;
+  std::string_view bound_of;
+};
+
+constexpr std::string_view proved = "proved";
+constexpr std::string_view proved_for_trials = "proved for the trials";
+
+Assurance assurance(const studies::LargestError& error, double tolerance) {
+  const bool by_class = error.class_bound && *error.class_bound <= tolerance;
+  if (!by_class && error.bound && *error.bound <= tolerance) return {proved_for_trials, error.bound, "trials"};
+  Assurance given;
+  if (by_class) given.tolerance = proved;
+  given.bound = error.class_bound ? error.class_bound : error.bound;
+  given.bound_of = error.class_bound ? "class" : error.bound ? "trials" : "";
+  return given;
+}
+
 /// Those within the tolerance, best first; `pareto` is among all methods of the group.
-bundle::CsvTable within(const studies::ChoiceGroup& group, const Wish& wish) {
+bundle::CsvTable within(const Heat& heat, const Wish& wish) {
   const auto write = wish.format == "csv" ? number::decimal : brief;
+  const auto& choices = heat.group.choices;
   std::vector<metric::Tradeoff> tradeoffs;
-  for (const auto& choice : group.choices) tradeoffs.push_back({choice.ns, wish.error_of(choice).observed});
+  for (const auto& choice : choices) tradeoffs.push_back({choice.ns, wish.error_of(choice).observed});
   const auto fronts = metric::pareto_front(tradeoffs);
-  bundle::CsvTable table(
-      {"method", "mode", "ns", "ns_low", "ns_high", "observed_max", "bound", "unit", "pareto", "tolerance", "quality"});
-  for (std::size_t m = 0; m < group.choices.size(); ++m) {
-    const auto& choice = group.choices[m];
+  std::vector<std::string> columns{"method", "mode", "ns",     "ns_low",    "ns_high", "observed_max",
+                                   "bound",  "unit", "pareto", "tolerance", "quality", "bound_of"};
+  std::vector<std::string> of;  // for people it is in the heading
+  if (wish.format == "csv") {
+    columns.insert(columns.end(), {"coordinate_range", "t_min", "t_max", "least_p_tilde"});
+    of = {number::decimal(heat.of.range), number::decimal(heat.of.t.min), number::decimal(heat.of.t.max),
+          number::decimal(studies::least_p_tilde(heat.group, heat.of))};
+  }
+  bundle::CsvTable table(columns);
+  for (std::size_t m = 0; m < choices.size(); ++m) {
+    const auto& choice = choices[m];
     const auto& error = wish.error_of(choice);
     if (!(error.observed <= wish.tolerance)) continue;
-    const bool proved = error.bound && *error.bound <= wish.tolerance;
-    table.add_row({choice.method, group.mode, write(choice.ns.median), write(choice.ns.low), write(choice.ns.high),
-                   write(error.observed), error.bound ? write(*error.bound) : "", wish.unit,
-                   std::string(metric::name(fronts[m])), proved ? "proved" : "observed", choice.quality});
+    const auto sure = assurance(error, wish.tolerance);
+    std::vector<std::string> row{choice.method,
+                                 heat.group.mode,
+                                 write(choice.ns.median),
+                                 write(choice.ns.low),
+                                 write(choice.ns.high),
+                                 write(error.observed),
+                                 sure.bound ? write(*sure.bound) : "",
+                                 wish.unit,
+                                 std::string(metric::name(fronts[m])),
+                                 std::string(sure.tolerance),
+                                 choice.quality,
+                                 std::string(sure.bound_of)};
+    row.insert(row.end(), of.begin(), of.end());
+    table.add_row(std::move(row));
   }
   return table;
 }
 
-std::string none_is_right_enough(const studies::ChoiceGroup& group, const Wish& wish) {
+/// What was asked for and where the numbers are from, then what the words of the table mean.
+void print_heading(const Heat& heat, const Wish& wish) {
+  const auto& group = heat.group;
+  fmt::print("degree {}, {} form, {}, {} axes, {}\n", group.degree, wish.form, group.scalar, group.dimension,
+             in_words(heat.of));
+  fmt::print("times of study {}, largest errors of all rows on such curves: {}\n", group.study, group.accuracy_study);
+  fmt::print("{}: for every such curve and t", proved);
+  if (wish.unit == "u") fmt::print(" with p~ of at least {}", brief(studies::least_p_tilde(group, heat.of)));
+  fmt::print("; {}: for the inputs that were judged\n\n", proved_for_trials);
+}
+
+std::string none_is_right_enough(const Heat& heat, const Wish& wish) {
   const auto best = std::ranges::min_element(
-      group.choices, {}, [&](const studies::Choice& choice) { return wish.error_of(choice).observed; });
-  return fmt::format("{}: no method of study {} stays within {} {}; the most accurate is {} with {}", wish.bundle,
-                     group.accuracy_study, wish.tolerance_text, wish.unit, best->method,
+      heat.group.choices, {}, [&](const studies::Choice& choice) { return wish.error_of(choice).observed; });
+  return fmt::format("{}: no method stays within {} {} at degree {}, {}; the most accurate is {} with {}", wish.bundle,
+                     wish.tolerance_text, wish.unit, wish.degree, in_words(heat.of), best->method,
                      number::decimal(wish.error_of(*best).observed));
 }
 
-Exit choose(Wish wish) {
+void read_numbers(Wish& wish) {
   const auto tolerance = number::parse_number(wish.tolerance_text);
   if (!tolerance || !(*tolerance >= 0) || !std::isfinite(*tolerance))
     throw Failure(Exit::usage, fmt::format("--tolerance {}: is not a number from 0; give the largest error that you "
                                            "accept",
                                            wish.tolerance_text));
   wish.tolerance = *tolerance;
-  auto group = one_of(matching(groups_of(wish), wish));
-  std::ranges::stable_sort(group.choices, is_quick_to_slow);
-  const auto table = within(group, wish);
+  if (!wish.range_text) return;
+  wish.range = number::parse_number(*wish.range_text);
+  if (!wish.range || !(*wish.range > 0) || !std::isfinite(*wish.range))
+    throw Failure(Exit::usage, fmt::format("--range {}: is not a number above 0; give the largest coordinate of your "
+                                           "curves",
+                                           *wish.range_text));
+}
+
+Exit choose(Wish wish) {
+  read_numbers(wish);
+  const auto evidence = read_evidence(wish);
+  auto groups = studies::timed_groups(evidence.timing);
+  std::erase_if(groups, [&](const studies::ChoiceGroup& group) {
+    return studies::judged_ranges(group, evidence.judged, wish.accuracy_study).empty();
+  });
+  auto heat = one_of(judged_heats(matching(std::move(groups), wish), evidence, wish));
+  std::ranges::stable_sort(heat.group.choices, is_quick_to_slow);
+  const auto table = within(heat, wish);
   if (wish.format == "csv") {
     fmt::print("{}", table.text());
   } else {
-    fmt::print("degree {}, {} form, {}, {} axes: times of study {}, largest errors of study {}\n\n", group.degree,
-               wish.form, group.scalar, group.dimension, group.study, group.accuracy_study);
+    print_heading(heat, wish);
     fmt::print("{}", aligned_csv(table.text()));
   }
   if (table.row_count() > 0) return Exit::fine;
-  say(none_is_right_enough(group, wish));
+  say(none_is_right_enough(heat, wish));
   return Exit::finding;
 }
 
@@ -182,6 +291,7 @@ void add_choose(Command program, Exit& exit) {
   command.option("--degree", wish->degree, "degree of the curves").required();
   command.option("--tolerance", wish->tolerance_text, "largest error that is accepted").required();
   command.option("--unit", wish->unit, "of the tolerance: u (units of u p~) or coordinate").one_of({"u", "coordinate"});
+  command.option("--range", wish->range_text, "R of coordinates in [-R, R]; left out, that of the timed curves");
   command.option("--form", wish->form, "in which the curves are given").one_of(words_of_forms());
   command.option("--mode", wish->mode, "of the times").one_of(suite::all_words<suite::Mode>());
   command.option("--scalar", wish->scalar, "type that the methods compute in")

@@ -413,8 +413,17 @@ class Bundles(Case):
                 self.assertEqual((result.returncode, result.stdout), (FINDING, b""))
                 self.assertIn(f"b/{name}: checksum differs", result.stderr.decode())
                 path.write_bytes(good)
-        self.assertEqual(self.fine("verify", "b"), "b: fine\n")
+        self.assertEqual(self.fine("verify", "b").splitlines()[0], "b: fine")
         self.refused(INPUT_OUTPUT, ["verify", "absent"], "bezierbench: absent: ")
+
+    def test_verify_says_how_much_the_timed_kernels_judged(self):
+        """direct_pow has no kernel for groups; of de_casteljau the first trial of each block goes through both."""
+        self.bundle(self.suite(degree="[4]", trials="1030", methods='["de_casteljau", "direct_pow"]'))
+        counts = {row["method"]: int(row["own_kernel"]) for row in rows((self.folder / "b/reference.csv").read_text())}
+        self.assertEqual(counts["direct_pow"], 1030)
+        self.assertIn(counts["de_casteljau"], (2, 1030))  # the latter on a processor without kernels for groups
+        told = self.fine("verify", "b").splitlines()[1]
+        self.assertIn(f"of 2060 evaluations that accuracy studies judged, {sum(counts.values())} went through", told)
 
     def test_degrees_beyond_a_method(self):
         self.bundle(self.suite(degree="[170, 171]", trials="5", baseline='["exact", "direct"]'))
@@ -464,7 +473,7 @@ class Bundles(Case):
             self.assertIn(row["verdict"], ("within", "above", "unresolved"))
         counters = json.loads((self.folder / "b/machine.json").read_text())["counters"]
         self.assertEqual(counters.startswith("unavailable: "), timed[0]["cycles"] == "")
-        self.assertEqual(self.fine("verify", "b"), "b: fine\n")
+        self.assertEqual(self.fine("verify", "b").splitlines()[0], "b: fine")
 
     def test_report_scorecard(self):
         self.bundle(REPORT_SUITE, "--only", "2.3.1-bezier", "--trials", "20", "--set", "replicates=20")

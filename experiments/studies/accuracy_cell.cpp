@@ -73,6 +73,7 @@ class ScalarCell final : public AccuracyCell {
 
  private:
   void write_worst(std::size_t method, const Worst& worst, Tables& tables) const;
+  void write_reference(std::size_t method, const CellTally& tally, Tables& tables) const;
 
   const suite::Study& study_;
   sample::Cell cell_;
@@ -82,12 +83,15 @@ class ScalarCell final : public AccuracyCell {
   GroupJudge<Scalar> judge_;
 };
 
-const std::vector<std::string> tier_columns{"study", "curve", "scalar",    "dimension", "degree", "coordinate_range",
-                                            "t_min", "t_max", "generator", "tier",      "trials", "escalated"};
+std::vector<std::string> reference_columns() {
+  std::vector<std::string> columns = cell_columns();
+  columns.insert(columns.end(), {"tier", "trials", "escalated", "own_kernel", "unbounded_trials"});
+  return columns;
+}
 
 const std::vector<std::string> audit_columns{
-    "study", "curve", "tier",      "significand_bits", "dimension",      "degree",       "coordinate_range",
-    "t_min", "t_max", "generator", "trials",           "mean_error_ulp", "max_error_ulp"};
+    "study", "curve",     "tier",   "significand_bits",    "dimension",         "degree", "coordinate_range", "t_min",
+    "t_max", "generator", "trials", "mean_axis_error_ulp", "max_axis_error_ulp"};
 
 std::vector<std::string> worst_columns() {
   std::vector<std::string> columns{"worst_id"};
@@ -120,11 +124,8 @@ void ScalarCell<Scalar>::write(const CellTally& tally, Tables& tables) const {
           .add_row(std::move(row));
     }
   }
-  auto row = cell_fields(study_, cell_, "", ScalarFacts<Scalar>::kind);
-  row.erase(row.begin() + 2);  // whatever the method
-  row.insert(row.end(), {std::string(reference::name(tier_)), std::to_string(study_.trials * study_.replicates),
-                         std::to_string(tally.escalated)});
-  tables.table("reference.csv", tier_columns).add_row(std::move(row));
+  for (std::size_t m = 0; m < methods_.count(); ++m)
+    if (methods_.supported(methods_[m])) write_reference(m, tally, tables);
   if (tally.audit.count() > 0)
     tables.table("audit.csv", audit_columns)
         .add_row({study_.id, std::string(suite::name(study_.curve)), "long_double",
@@ -132,6 +133,24 @@ void ScalarCell<Scalar>::write(const CellTally& tally, Tables& tables) const {
                   std::to_string(cell_.degree), number(cell_.coordinate_range), number(cell_.t_interval.min),
                   number(cell_.t_interval.max), cell_.generator, std::to_string(tally.audit.count()),
                   number(tally.audit.mean()), number(tally.audit.max())});
+}
+
+/// How the trials of a method were judged, whatever it was compared with.
+template <class Scalar>
+void ScalarCell<Scalar>::write_reference(std::size_t method, const CellTally& tally, Tables& tables) const {
+  const std::int64_t trials = study_.trials * study_.replicates;
+  std::uint64_t own_kernel = 0;
+  std::string unbounded;
+  for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
+    if (!methods_.judged(method, k)) continue;
+    const Judgement& judgement = tally.judgements[methods_.index(method, k)];
+    own_kernel = judgement.own_kernel;  // the same of every baseline
+    if (methods_.is_exact(k)) unbounded = std::to_string(trials - static_cast<std::int64_t>(judgement.bounded));
+  }
+  auto row = cell_fields(study_, cell_, methods_.info(method).id, ScalarFacts<Scalar>::kind);
+  row.insert(row.end(), {std::string(reference::name(tier_)), std::to_string(trials), std::to_string(tally.escalated),
+                         std::to_string(own_kernel), unbounded});
+  tables.table("reference.csv", reference_columns()).add_row(std::move(row));
 }
 
 template <class Scalar>

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <random>
 #include <thread>
 
+#include "core/batch/batch.hpp"
 #include "core/evaluate/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
@@ -140,6 +143,32 @@ TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
   EXPECT_EQ(unsupported, 2);
 }
 
+/// accuracy.csv: the Euclidean error over the spacing of doubles at |p|. audit.csv has the largest error of an axis.
+TEST(Accuracy, UlpsAreOfTheLengthOfThePoint) {
+  auto study = small_study();
+  study.degree = {9};
+  study.methods = {"direct"};
+  study.baseline = {"exact"};
+  study.trials = 1;
+  study.replicates = 1;
+  const auto job = accuracy_job(study, {5});
+  run_all(*job);
+  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  sample::Trial trial;
+  sample::draw(5, sample::key(study.id), {suite::CurveKind::bezier, 2, 9, 1, {}, "continuous"}, 0, trial);
+  reference::ExactCurve exact;
+  const auto& truth = exact.point({Form::bernstein, 2, 9, trial.coefficients}, trial.t);
+  const double length = std::hypot(reference::round_to(reference::binary64, truth.coordinate(0)),
+                                   reference::round_to(reference::binary64, truth.coordinate(1)));
+  const double ulp = std::ldexp(1.0, std::ilogb(length) - 52);
+  const double error = *number::parse_number(csv.at(0, "max_error"));
+  EXPECT_GT(error, 0);
+  EXPECT_NEAR(*number::parse_number(csv.at(0, "max_error_ulp")) / (error / ulp), 1, 0x1p-20);
+  const auto audit = bundle::parse_csv(text_of(*job, "audit.csv"), "audit.csv");
+  EXPECT_TRUE(audit.has_column("max_axis_error_ulp"));
+  EXPECT_FALSE(audit.has_column("max_error_ulp"));
+}
+
 TEST(Accuracy, LibmMethodsStayOutOfTheDigest) {
   const auto job = accuracy_job(small_study(), {1});
   run_all(*job);
@@ -199,6 +228,48 @@ TEST(Accuracy, RefusesAMethodOfTheOtherForm) {
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.exit(), Exit::usage);
     EXPECT_NE(std::string(failure.what()).find("horner"), std::string::npos);
+  }
+}
+
+/// wozny_chudy_positive has a bound for t in [0,1] only, the degree and range of double allow every one.
+TEST(Accuracy, CountsTrialsWithoutABound) {
+  auto study = small_study();
+  study.degree = {3};
+  study.methods = {"de_casteljau", "de_casteljau_lerp", "wozny_chudy_positive"};
+  study.baseline = {"exact"};
+  study.t_interval = {{-1, 3}};
+  study.trials = 400;
+  study.replicates = 1;
+  const auto job = accuracy_job(study, {5});
+  run_all(*job);
+  std::int64_t outside = 0;
+  sample::Trial trial;
+  for (std::uint64_t k = 0; k < 400; ++k) {
+    sample::draw(5, sample::key(study.id), {suite::CurveKind::bezier, 2, 3, 1, {-1, 3}, "continuous"}, k, trial);
+    outside += trial.t < 0 || trial.t > 1 ? 1 : 0;
+  }
+  EXPECT_GT(outside, 0);
+  EXPECT_LT(outside, 400);
+  const auto csv = bundle::parse_csv(text_of(*job, "reference.csv"), "reference.csv");
+  std::map<std::string, std::string> counts;
+  for (std::size_t row = 0; row < csv.row_count(); ++row)
+    counts[csv.at(row, "method")] = csv.at(row, "unbounded_trials");
+  EXPECT_EQ(counts, (std::map<std::string, std::string>{{"de_casteljau", "0"},
+                                                        {"de_casteljau_lerp", "400"},  // states none
+                                                        {"wozny_chudy_positive", std::to_string(outside)}}));
+}
+
+/// Groups of trials go through kernels of their own, where a method has them, but for the first of each block.
+TEST(Accuracy, CountsTrialsOfTheKernelThatIsTimed) {
+  auto study = small_study();  // 2 replicates of 3 blocks
+  study.degree = {3};
+  const auto job = accuracy_job(study, {5});
+  run_all(*job);
+  const auto csv = bundle::parse_csv(text_of(*job, "reference.csv"), "reference.csv");
+  ASSERT_EQ(csv.row_count(), 3U);
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    const bool in_groups = csv.at(row, "method") != "direct_pow" && !batch::usable_targets().empty();
+    EXPECT_EQ(csv.at(row, "own_kernel"), in_groups ? "6" : "5000") << csv.at(row, "method");
   }
 }
 

@@ -39,7 +39,7 @@ struct ReplicateStatistic {
 struct CellTally {
   std::int64_t blocks_per_replicate = 1;
   std::vector<Judgement> judgements;
-  metric::Tally audit;          ///< of the long double tier, in ulp
+  metric::Tally audit;          ///< of the long double tier: largest error of an axis, in ulp there
   metric::Tally condition;      ///< p~ over |p|
   std::uint64_t escalated = 0;  ///< trials that a certificate left to the integers
   std::map<std::int64_t, OpenReplicate> open;

@@ -73,7 +73,8 @@ struct GroupJudge<Scalar>::Scratch {
   std::array<Lane, trials_at_once> group;
   GroupPoints<Scalar> points;
   SourceMeter<Scalar> sources;
-  std::vector<PointsOfGroup> computed;  ///< per method
+  std::vector<PointsOfGroup> computed;    ///< per method
+  std::vector<std::uint64_t> own_kernel;  ///< likewise: trials whose point its own kernel gave, alone or as well
   reference::CertifiedBlock truths;
   metric::ScaleLanes scales;
   std::vector<metric::KnownAmplification> amplified;
@@ -89,10 +90,12 @@ void GroupJudge<Scalar>::judge(TrialNumber first, std::int64_t count, bool check
   find_scales(group, scratch);
   find_truth(group, scratch.truths);
   scratch.computed.assign(methods_.count(), {});
+  scratch.own_kernel.assign(methods_.count(), 0);
   for (std::size_t m = 0; m < methods_.count(); ++m) {
     if (!methods_.supported(methods_[m])) continue;
     scratch.points.evaluate(methods_[m], scratch.computed[m]);
     if (check) scratch.points.check_first(methods_[m], scratch.computed[m]);
+    scratch.own_kernel[m] = methods_[m].is_judged_alone() ? group.size() : check ? 1 : 0;
   }
   for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
     if (methods_.is_exact(k)) {
@@ -195,6 +198,7 @@ double GroupJudge<Scalar>::distance(const Origin& from, Lane& lane, std::size_t 
 
 template <class Scalar>
 void GroupJudge<Scalar>::judge_method(std::size_t method, Group group, Scratch& scratch, Judgement& judgement) const {
+  judgement.own_kernel += scratch.own_kernel[method];
   const PointsOfGroup& computed = scratch.computed[method];
   const Origin& from = scratch.from;
   Lanes errors = from.points.distances(computed);

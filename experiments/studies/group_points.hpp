@@ -28,6 +28,9 @@ struct GroupMethod {
   const Kernel<Scalar>* kernel;
   const Kernel<Scalar>* evaluator;  ///< of a path, if it can be had alone; else the method itself
   batch::GroupKernel<Scalar> side_by_side;
+
+  /// True where there are no kernels for groups: every point comes from the method's own.
+  [[nodiscard]] bool is_judged_alone() const { return side_by_side.evaluate == nullptr && evaluator == kernel; }
 };
 
 /// Reusable; keeps its memory.

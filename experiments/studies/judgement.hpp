@@ -36,7 +36,8 @@ struct Judgement {
   std::optional<Worst> worst;
   SourceTallies sources;
   std::uint64_t non_finite = 0;
-  std::uint64_t bounded = 0;  ///< trials for which a bound is proved
+  std::uint64_t own_kernel = 0;  ///< trials whose point is sure to be that of the method's own kernel, which is timed
+  std::uint64_t bounded = 0;     ///< trials for which a bound is proved
   std::uint64_t violations = 0;
   std::int64_t first_violation = std::numeric_limits<std::int64_t>::max();  ///< trial
   double bound = 0;                                                         ///< the largest, in coordinate units
@@ -45,7 +46,7 @@ struct Judgement {
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
     bytes(self.error, self.error_u, self.error_ulp, self.relative, self.worst, self.sources, self.non_finite,
-          self.bounded, self.violations, self.first_violation, self.bound, self.bound_u);
+          self.own_kernel, self.bounded, self.violations, self.first_violation, self.bound, self.bound_u);
   }
 
   void keep_worst(const Worst& candidate) {
@@ -60,6 +61,7 @@ struct Judgement {
     if (other.worst) keep_worst(*other.worst);
     sources.merge(other.sources);
     non_finite += other.non_finite;
+    own_kernel += other.own_kernel;
     bounded += other.bounded;
     violations += other.violations;
     first_violation = std::min(first_violation, other.first_violation);

@@ -109,6 +109,22 @@ void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std
   tables.table("scorecard.csv", columns).add_row(std::move(fields));
 }
 
+/// A time of no more than one step of its clock is met by every machine that is fast enough: it tests nothing.
+bool is_untestable(const PrintedCell& cell) { return cell.value <= clock_quantum_ms; }
+
+/// Whether the printed time is what that clock may show for a time from `low` to `high`, in milliseconds.
+std::string_view timing_verdict(const PrintedCell& cell, double low, double high) {
+  if (is_untestable(cell)) return "untestable";
+  // A reading of k ms means k - 1 < time < k + 1.
+  return low < cell.value + clock_quantum_ms && high > cell.value - clock_quantum_ms ? "inside" : "outside";
+}
+
+std::string timing_note(const PrintedCell& cell) {
+  return fmt::format("{}; {}", cell.note,
+                     is_untestable(cell) ? "no more than one step of the clock: every fast machine meets it"
+                                         : "another machine, compiler and build");
+}
+
 /// Times in milliseconds per 1000 curves, which is microseconds per curve; the series are in nanoseconds.
 void write_timing_cell(const suite::Study& study, const PrintedCell& cell, std::span<const Series> series,
                        Tables& tables) {
@@ -121,11 +137,9 @@ void write_timing_cell(const suite::Study& study, const PrintedCell& cell, std::
   } else {
     const double low = metric::quantile(ours->values, 0.05) / ns_per_unit;
     const double high = metric::quantile(ours->values, 0.95) / ns_per_unit;
-    // A reading of k ms means k - 1 < time < k + 1.
-    const bool inside = low < cell.value + clock_quantum_ms && high > cell.value - clock_quantum_ms;
     fields.insert(fields.end(),
                   {number::decimal(median(*ours) / ns_per_unit), number::decimal(low), number::decimal(high), "", "",
-                   inside ? "inside" : "outside", fmt::format("{}; another machine, compiler and build", cell.note),
+                   std::string(timing_verdict(cell, low, high)), timing_note(cell),
                    prepared == nullptr ? "" : number::decimal(median(*prepared) / ns_per_unit)});
   }
   auto timing_columns = columns;

@@ -119,28 +119,38 @@ TEST(Scorecard, ASlipIsExplainedOnlyByItsCorrection) {
   EXPECT_EQ(verdict(3e-3, 5e-3), "inside");
 }
 
-/// A reading of 1 ms says: more than 0 and less than 2.
-TEST(Scorecard, TimesAreComparedWithTheClockQuantum) {
+/// What the row of a printed time of de Casteljau's says, ours being `ns` in every repetition.
+std::string timing_verdict(const std::string& degree, double ns) {
   suite::Study study;
   study.id = "2.4-bezier";
   study.kind = suite::Kind::timing;
   study.generator = {"report"};
   study.published = "report_tables.csv";
-  const auto verdict = [&](double ns) {
-    Series series = series_of(ns, ns, "report", "");
-    series.study = study.id;
-    series.statistic = "total_time";
-    series.mode = "one_shot";
-    Tables tables;
-    write_scorecards(std::span(&study, 1), std::span(&series, 1), tables);
-    const auto csv = bundle::parse_csv(tables.all().at("scorecard_timing.csv").text(), "scorecard_timing.csv");
-    for (std::size_t row = 0; row < csv.row_count(); ++row)
-      if (csv.at(row, "method") == "de_casteljau" && csv.at(row, "degree") == "4") return csv.at(row, "verdict");
-    return std::string("no such row");
-  };
-  EXPECT_EQ(verdict(40), "inside");    // 0.04 us
-  EXPECT_EQ(verdict(1990), "inside");  // 1.99 us
-  EXPECT_EQ(verdict(2010), "outside");
+  Series series = series_of(ns, ns, "report", "");
+  series.study = study.id;
+  series.statistic = "total_time";
+  series.degree = degree;
+  series.mode = "one_shot";
+  Tables tables;
+  write_scorecards(std::span(&study, 1), std::span(&series, 1), tables);
+  const auto csv = bundle::parse_csv(tables.all().at("scorecard_timing.csv").text(), "scorecard_timing.csv");
+  for (std::size_t row = 0; row < csv.row_count(); ++row)
+    if (csv.at(row, "method") == "de_casteljau" && csv.at(row, "degree") == degree) return csv.at(row, "verdict");
+  return "no such row";
+}
+
+/// A reading of 2 ms, at degree 8, says: more than 1 and less than 3.
+TEST(Scorecard, TimesAreComparedWithTheClockQuantum) {
+  EXPECT_EQ(timing_verdict("8", 990), "outside");  // 0.99 us
+  EXPECT_EQ(timing_verdict("8", 1010), "inside");
+  EXPECT_EQ(timing_verdict("8", 2990), "inside");
+  EXPECT_EQ(timing_verdict("8", 3010), "outside");
+}
+
+/// At degree 4 the report prints 1 ms, one step of its clock.
+TEST(Scorecard, ATimeOfOneStepOfTheClockTestsNothing) {
+  EXPECT_EQ(timing_verdict("4", 40), "untestable");
+  EXPECT_EQ(timing_verdict("4", 2010), "untestable");
 }
 
 }  // namespace

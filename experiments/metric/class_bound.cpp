@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/metric/class_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/basis/amplification.hpp"
+
+namespace bezierbench::metric {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The largest Euclidean norm of a coefficient.
+double largest_norm(const CurveClass& of) { return of.range * std::sqrt(static_cast<double>(of.dimension)); }
+
+/// Where any amplification, and its quotient by p~, is largest over the interval: with all coefficients alike each is
+/// monotone in t between 0 and 1 and beyond either, or has a single minimum there (core/basis/amplification.hpp has the
+/// formulas: powers of |t|, 1 + |t|, |t| + |1 - t|, 3|t| + |1 - t| and 1/2 + |t - 1/2|).
+std::vector<double> extreme_parameters(const CurveClass& of) {
+  std::vector<double> all{of.t_min, of.t_max};
+  for (const double t : {0.0, 1.0})
+    if (of.t_min < t && t < of.t_max) all.push_back(t);
+  return all;
+}
+
+/// Over all members: an amplification grows with each coefficient.
+double largest_amplification(Amplification kind, const CurveClass& of) {
+  const std::vector<double> norms(static_cast<std::size_t>(of.degree) + 1, largest_norm(of));
+  double largest = 0;
+  for (const double t : extreme_parameters(of)) largest = std::max(largest, amplification(kind, norms, t));
+  return largest;
+}
+
+/// Over all members, the largest amplification / p~: that of a curve with a single coefficient, for a quotient of sums
+/// of positive terms is at most the largest quotient of two terms. Those quotients ascend or descend in the index of
+/// the coefficient, so the first or the last is the largest.
+double largest_quotient(Amplification kind, const CurveClass& of) {
+  double largest = 1;  // no amplification is below p~
+  for (const double t : extreme_parameters(of))
+    for (const std::size_t single : {std::size_t{0}, static_cast<std::size_t>(of.degree)}) {
+      std::vector<double> norms(static_cast<std::size_t>(of.degree) + 1, 0);
+      norms[single] = 1;
+      const double amplified = amplification(kind, norms, t);
+      if (amplified > 0) largest = std::max(largest, amplified / amplification(p_tilde_of(of.form), norms, t));
+    }
+  return largest;
+}
+
+/// True where no intermediate result of a method can overflow: with x = |t| and y = |1 - t| each is a sum of at most
+/// (n + 1)^2 products of a coefficient, binomials (together at most 4^n) and powers of t, 1 - t and their quotients by
+/// the larger of both (at most (1 + x + y)^n), so below (n + 1)^2 (4 (1 + x + y))^n (1 + max|c|).
+bool stays_in_range(const CurveClass& of, const Arithmetic& arithmetic) {
+  const double x = std::max(std::abs(of.t_min), std::abs(of.t_max));
+  const double y = std::max(std::abs(1 - of.t_min), std::abs(1 - of.t_max));
+  const double bits =
+      std::log2(1 + largest_norm(of)) + 2 * std::log2(of.degree + 1.0) + of.degree * std::log2(4 * (1 + x + y));
+  return bits <= std::log2(arithmetic.range);
+}
+
+bool is_covered(const ErrorBound& bound, const CurveClass& of, const Arithmetic& arithmetic) {
+  if (of.form != Form::bernstein && of.form != Form::power) return false;
+  if (bound.unit_interval_only && (of.t_min < 0 || of.t_max > 1)) return false;
+  return stays_in_range(of, arithmetic);
+}
+
+/// What underflow adds, in coordinate units.
+double underflow(const BoundAtDegree& at_degree, const CurveClass& of, const Arithmetic& arithmetic) {
+  const double size = at_degree.bound.underflow_scales_with_coefficients ? 1 + largest_norm(of) : 1;
+  double growth = 1;
+  for (const double t : extreme_parameters(of))
+    growth = std::max(growth, integer_power(std::abs(t) + std::abs(1 - t), of.degree));
+  return of.dimension * (arithmetic.smallest_subnormal * size * at_degree.underflow * growth);
+}
+
+}  // namespace
+
+double least_p_tilde(const CurveClass& of, const Arithmetic& arithmetic) {
+  return of.range / std::sqrt(arithmetic.range);
+}
+
+ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const Arithmetic& arithmetic) {
+  const BoundAtDegree at_degree(bound, of.degree, arithmetic);
+  if (!is_covered(bound, of, arithmetic) || !std::isfinite(at_degree.factor)) return {infinite, infinite};
+  const double u = arithmetic.unit_roundoff;
+  const double lost = underflow(at_degree, of, arithmetic);
+  // |p| <= p~
+  const double result =
+      bound.result_roundings == 0 ? 0 : bound.result_roundings * largest_amplification(p_tilde_of(of.form), of);
+  return {(result + at_degree.factor * largest_amplification(bound.amplification, of)) * u + lost,
+          bound.result_roundings + at_degree.factor * largest_quotient(bound.amplification, of) +
+              lost / u / least_p_tilde(of, arithmetic)};
+}
+
+}  // namespace bezierbench::metric

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What a method's proved bound says of a whole class of curves, whatever was drawn from it.
+#pragma once
+
+#include "core/basis/error_bound.hpp"
+#include "core/curve_view.hpp"
+#include "experiments/metric/trial_scale.hpp"
+
+namespace bezierbench::metric {
+
+/// Curves of one form and degree with every coordinate of their coefficients in [-range, range], at t in [t_min,
+/// t_max].
+struct CurveClass {
+  Form form = Form::bernstein;
+  int dimension = 2;
+  int degree = 0;
+  double range = 1;
+  double t_min = 0;
+  double t_max = 1;
+};
+
+/// No error of a member is larger; infinite where that is not proved.
+struct ClassBound {
+  double coordinate = 0;  ///< in coordinate units
+  double in_u = 0;        ///< in units of u p~, for members with p~ of at least least_p_tilde()
+};
+
+/// Below it the class has no bound in units of u p~: what underflow loses does not shrink with p~.
+double least_p_tilde(const CurveClass& of, const Arithmetic& arithmetic);
+
+/// The bound of a method with its worst amplification over the class. Known to a relative 2^-20, as TrialScale::bound.
+/// Infinite for rational curves, whose weights the class does not name, and where an intermediate result might
+/// overflow.
+ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const Arithmetic& arithmetic);
+
+}  // namespace bezierbench::metric
