@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3 -I
 # SPDX-License-Identifier: MIT
 """The parts of README.md that are numbers: filled in from the committed bundles, never typed.
 
