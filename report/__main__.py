@@ -1,23 +1,32 @@
 # SPDX-License-Identifier: MIT
-"""scripts/report BUNDLE [--comparison DIR] [--out DIR] [--summary]: renders tables, figures and pages from a bundle alone."""
+"""scripts/report BUNDLE [--comparison DIR] [--out DIR] [--summary] [--damaged]: renders tables, figures and pages from a bundle
+alone."""
 
 import argparse
 import importlib.util
+import signal
 import sys
 from pathlib import Path
 
-from .bundle import Bundle, BundleError
+from .bundle import Bundle, BundleError, made_of
 from .findings.roster import find_all
+from .foreign import one_line
+from .inline import to_plain
 
 FINE, USAGE, ENVIRONMENT, INPUT, INTERRUPTED = 0, 2, 3, 4, 130
 PACKAGES = {"matplotlib": "python3-matplotlib", "jinja2": "python3-jinja2"}
+USE = "scripts/report BUNDLE [--comparison DIR] [--out DIR] [--summary] [--damaged]"
+
+
+def _complain(message):
+    print(f"report: {one_line(message)}", file=sys.stderr)
 
 
 class _Arguments(argparse.ArgumentParser):
     """One line where argparse would print two."""
 
     def error(self, message):
-        print(f"report: {message}; usage: scripts/report BUNDLE [--comparison DIR] [--out DIR] [--summary]", file=sys.stderr)
+        _complain(f"{message}; usage: {USE}")
         sys.exit(USAGE)
 
 
@@ -27,6 +36,8 @@ def _parse(arguments):
     parser.add_argument("--comparison", metavar="DIR", type=Path, help="the directory that `bezierbench compare --out` wrote")
     parser.add_argument("--out", metavar="DIR", type=Path, help="where to write; default: BUNDLE-report beside the bundle")
     parser.add_argument("--summary", action="store_true", help="print scorecard and findings as plain text, write nothing")
+    parser.add_argument("--damaged", action="store_true",
+                        help="read files, too, that are not as SHA256SUMS lists them; the first line printed and the page say so")
     chosen = parser.parse_args(arguments)
     if chosen.summary and chosen.out:
         parser.error("--summary writes nothing, so --out has no meaning with it")
@@ -40,18 +51,35 @@ def _parse(arguments):
 def _render(bundle, out):
     from . import output, render
     from .chapters.roster import build_all
-    from .inline import to_plain
     chapters, left_out = build_all(bundle, find_all(bundle))
-    files = render.files(bundle, chapters, left_out)
+    with made_of(bundle, "the page"):
+        files = render.files(bundle, chapters, left_out)
     try:
         output.write(out, files)
     except OSError as error:
         raise BundleError(f"{error.filename or out}: {error.strerror}; choose another place with --out or make room") from None
-    for title, lack in left_out:
-        print(f"report: left out '{title}': {to_plain(lack)}", file=sys.stderr)
     kinds = {suffix: sum(name.endswith(suffix) and "/" in name for name in files) for suffix in (".csv", ".tex", ".svg", ".png")}
-    print(f"report: wrote {out / 'report.html'} and report.md, tables ({kinds['.csv']} as CSV and LaTeX) and figures "
-          f"({kinds['.svg']} as SVG and PNG) beside them")
+    without = f"; {len(left_out)} chapters without data are named at the end of the page" if left_out else ""
+    print(one_line(f"report: wrote {out / 'report.html'} and report.md, tables ({kinds['.csv']} as CSV and LaTeX) and figures "
+                   f"({kinds['.svg']} as SVG and PNG) beside them{without}"))
+
+
+def _summarise(bundle):
+    from . import summary
+    found = find_all(bundle)
+    with made_of(bundle, "the summary"):
+        sys.stdout.write(summary.text(bundle, found))
+
+
+def _run(chosen):
+    bundle = Bundle(chosen.bundle, chosen.comparison, chosen.damaged)
+    if bundle.damage:
+        print(one_line(f"report: {bundle.path}: damaged: {'; '.join(map(to_plain, bundle.damage))}"))
+    if chosen.summary:
+        _summarise(bundle)
+    else:
+        _render(bundle, chosen.out)
+    sys.stdout.flush()
 
 
 def main(arguments=None):
@@ -59,25 +87,22 @@ def main(arguments=None):
     chosen = _parse(arguments)
     lacking = [] if chosen.summary else [p for module, p in PACKAGES.items() if importlib.util.find_spec(module) is None]
     if lacking:
-        print(f"report: missing for {sys.executable}: install the Debian packages {' '.join(PACKAGES.values())}",
-              file=sys.stderr)
+        _complain(f"missing for {sys.executable}: install the Debian packages {' '.join(PACKAGES.values())}")
         return ENVIRONMENT
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        bundle = Bundle(chosen.bundle, chosen.comparison)
-        if chosen.summary:
-            from . import summary
-            sys.stdout.write(summary.text(bundle, find_all(bundle)))
-        else:
-            _render(bundle, chosen.out)
-        sys.stdout.flush()
+        _run(chosen)
     except BundleError as error:
-        print(f"report: {error}", file=sys.stderr)
+        _complain(error)
         return INPUT
+    except MemoryError:
+        _complain(f"{chosen.bundle}: not enough memory; run fewer studies into one bundle")
+        return ENVIRONMENT
     except BrokenPipeError:
         sys.stderr.close()
         return FINE
     except KeyboardInterrupt:
-        print("report: interrupted; nothing half-written, run it again", file=sys.stderr)
+        _complain("interrupted; nothing half-written, run it again")
         return INTERRUPTED
     return FINE
 

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The two marks of a text, `code` and **strong**, in each output format."""
+"""The two marks of a text, `code` and **strong**, in each output format, and everything else escaped: one function per format."""
 
 import re
+
+from markupsafe import Markup, escape
+
+from .foreign import restored
 
 _CODE = re.compile(r"`([^`]+)`")
 _STRONG = re.compile(r"\*\*([^*]+)\*\*")
@@ -9,42 +13,64 @@ _HAN = re.compile(r"([\u3400-\u9fff][\u3000-\u303f\u3400-\u9fff\uff00-\uffef]*)"
 _TOGETHER = re.compile(r"\d %|\bR = \S|\bu p~|\d (?:µs|ms|ulp)\b")  # never parted by a line break
 
 
-def escape_html(text):
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
-
-
 def to_html(text):
     """Escaped, marked, and with Chinese words named as such for readers aloud and for fonts."""
-    text = _STRONG.sub(r"<strong>\1</strong>", _CODE.sub(r"<code>\1</code>", escape_html(text)))
+    escaped = str(escape(text)).replace("&#39;", "'")  # between tags and in double quotes it is itself
+    text = _STRONG.sub(r"<strong>\1</strong>", _CODE.sub(r"<code>\1</code>", escaped))
     text = _TOGETHER.sub(lambda m: m[0].replace(" ", "\u00a0"), text)
-    return _HAN.sub(r'<span lang="zh-Hans">\1</span>', text)
+    return Markup(restored(_HAN.sub(r'<span lang="zh-Hans">\1</span>', text)))
 
 
 def to_plain(text):
-    """Without marks: terminals, attributes."""
-    return _STRONG.sub(r"\1", _CODE.sub(r"\1", text))
+    """Without marks: terminals, and attributes, which the template escapes."""
+    return restored(_STRONG.sub(r"\1", _CODE.sub(r"\1", text)))
+
+
+class Markdown(str):
+    """Text that is Markdown already."""
+
+
+# What Markdown, in GitHub's dialect, would take for markup, a table, a formula or a link wherever it stands.
+_MARKDOWN = re.compile(r"[\\`*_\[\]|~#$]|:(?=//)|(?<=www)\.", re.I)
+_MARKDOWN_TAGS = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
+
+
+def _markdown_code(text):
+    """In a fence that is longer than any in it. A bar would end the cell of a table even here."""
+    fence = "`" * (1 + max(map(len, re.findall("`+", text)), default=0))
+    pad = " " if "`" in text else ""
+    return f"{fence}{pad}{text}{pad}{fence}".replace("|", "\\|")
+
+
+def _markdown_words(text):
+    escaped = re.sub("[&<>]", lambda m: _MARKDOWN_TAGS[m[0]], text)
+    return _MARKDOWN.sub(lambda m: "\\" + m[0], escaped)
 
 
 def to_markdown(text):
-    """As it stands, with what a table row or a tag would be taken for escaped outside of code."""
-    parts = re.split(r"(`[^`]+`)", text)
-    return "".join(p.replace("|", "\\|") if p.startswith("`") else
-                   p.replace("|", "\\|").replace("<", "&lt;").replace("_", "\\_").replace("~", "\\~") for p in parts)
+    """Escaped and marked, on one line."""
+    if isinstance(text, Markdown):
+        return text
+    parts = re.split(r"(`[^`]+`|\*\*)", str(text))
+    return Markdown("".join(part if part == "**" else _markdown_code(restored(part[1:-1])) if part[:1] == "`" and len(part) > 1
+                            else _markdown_words(restored(part)) for part in parts))
 
 
 _LATEX = {"\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_", "{": r"\{", "}": r"\}",
           "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}",
           "|": r"\textbar{}", "≤": r"$\le$", "≥": r"$\ge$", "×": r"$\times$", "≈": r"$\approx$", "µ": r"\textmu{}",
           "–": "--", "—": "---", "…": r"\ldots{}", "“": "``", "”": "''", "é": r"\'e", "✓": r"", "✗": r"", "\u3000": r"\quad{}",
-          '"': r"\textquotedbl{}", "[": "{[}", "]": "{]}"}
+          '"': r"\textquotedbl{}", "`": r"\textasciigrave{}",
+          # after a line break these would read as its argument, or as a part of it
+          "[": "{[}", "]": "{]}", "*": "{*}"}
 
 
-def _latex_plain(text):
-    return "".join(_LATEX.get(c, c) for c in text).strip()
+def _latex_words(text):
+    return "".join(_LATEX.get(c, c) for c in restored(text))
 
 
 def to_latex(text):
-    """Escaped, with code in typewriter type. Brackets are protected: after a line break they would read as its argument."""
+    """Escaped, with code in typewriter type."""
     parts = re.split(r"(`[^`]+`)", text.replace("**", ""))
-    return "".join(rf"\texttt{{{_latex_plain(p[1:-1])}}}" if p.startswith("`") and len(p) > 1 else
-                   "".join(_LATEX.get(c, c) for c in p) for p in parts).strip()
+    return "".join(rf"\texttt{{{_latex_words(p[1:-1]).strip()}}}" if p.startswith("`") and len(p) > 1 else _latex_words(p)
+                   for p in parts).strip()

@@ -29,7 +29,7 @@ def _row(texts):
 def _lines(label, texts):
     """A row; a row of bands becomes two, so that the table stays as narrow as a page."""
     if all(BAND in t and "[" not in t for t in texts if t) and any(texts):
-        ends = [t.split(BAND) if t else ("", "") for t in texts]
+        ends = [t.split(BAND, 1) if t else ("", "") for t in texts]
         return [[f"{label}, from", *(low for low, _ in ends)], ["to", *(high for _, high in ends)]]
     return [[label, *texts]]
 

@@ -2,6 +2,7 @@
 """The report's page lists the methods of methods.csv. The CTest `readme` compares README.md with what the program lists."""
 
 import csv
+import html
 import re
 import tempfile
 import unittest
@@ -25,7 +26,7 @@ def cells(markdown, heading):
             break
         found.append(line)
     split = [[c.strip() for c in re.split(r"(?<!\\)\|", line)[1:-1]] for line in found if not re.match(r"\|[-: |]+$", line)]
-    return [[re.sub(r"\\([|_~])", r"\1", c).replace("&lt;", "<") for c in line] for line in split]
+    return [[html.unescape(re.sub(r"\\([^\w\s])", r"\1", c.replace(r"\_", "_"))) for c in line] for line in split]
 
 
 def page(bundle):
@@ -52,6 +53,7 @@ class Methods(unittest.TestCase):
             path = fixture.write(f"{place}/b")
             with open(path / "methods.csv", "a", encoding="utf-8") as file:
                 file.write("direct,evaluation,rational,0,170,,yes,n | n,none\n")
+            fixture.seal(path)
             bundle = Bundle(path)
             rows = [row for row in cells(page(bundle)["report.md"].decode(), "id") if row[0] == "`direct`"]
         self.assertEqual([(row[1], row[3], row[4]) for row in rows],

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Chapters into files: one HTML page, Markdown, and every table and figure by itself."""
+"""Chapters into files: one HTML page, Markdown, and every table and figure by itself.
+
+Whatever a template prints is escaped for its format, asked or not.
+"""
 
 import csv
 import io
@@ -7,29 +10,50 @@ import re
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup, escape
 
 from . import latex
-from .inline import escape_html, to_html, to_markdown, to_plain
+from .file_names import SAFE
+from .foreign import restored
+from .inline import Markdown, to_html, to_markdown, to_plain
 
 TEMPLATES = Path(__file__).parent / "templates"
 
 
+def _environment(**more):
+    return Environment(loader=FileSystemLoader(TEMPLATES), undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
+                       keep_trailing_newline=True, **more)
+
+
+def _checked(name):
+    """An id that may stand in a link: build_all gives no other."""
+    if not SAFE.fullmatch(name):
+        raise ValueError(f"{name!r} is no id")
+    return name
+
+
+def _html():
+    environment = _environment(autoescape=True)
+    environment.filters.update(html=to_html, plain=to_plain, inline_svg=lambda figure: Markup(inline_svg(figure)))
+    return environment.get_template("page.html.j2")
+
+
+def _markdown():
+    environment = _environment(autoescape=False, finalize=to_markdown)
+    environment.filters.update(plain=to_plain, md=to_markdown, code=lambda text: to_markdown(f"`{text}`"), id=lambda name: Markdown(_checked(name)))
+    return environment.get_template("page.md.j2")
+
+
 def files(bundle, chapters, left_out):
     """{path relative to the output directory: bytes}."""
-    environment = Environment(loader=FileSystemLoader(TEMPLATES), undefined=StrictUndefined, trim_blocks=True,
-                              lstrip_blocks=True, keep_trailing_newline=True, autoescape=False)
-    environment.filters.update(html=to_html, plain=to_plain, md=to_markdown, attribute=lambda t: escape_html(to_plain(t)),
-                               inline_svg=inline_svg)
-    context = {"bundle": bundle, "chapters": chapters, "left_out": left_out, "figures": _of_kind(chapters, "figure")}
-    written = {}
-    for template, name in (("page.html.j2", "report.html"), ("page.md.j2", "report.md")):
-        text = environment.get_template(template).render(context)
-        written[name] = (re.sub(r"\n{3,}", "\n\n", text) if name.endswith(".md") else text).encode()
+    context = {"bundle": bundle, "chapters": chapters, "left_out": left_out}
+    written = {"report.html": _html().render(context).encode(),
+               "report.md": re.sub(r"\n{3,}", "\n\n", _markdown().render(context)).encode()}
     for table in _of_kind(chapters, "table"):
         head, rows = table.csv()
         out = io.StringIO()
         writer = csv.writer(out, lineterminator="\n")
-        writer.writerows([head, *rows])
+        writer.writerows([restored(field) for field in row] for row in [head, *rows])
         written[f"tables/{table.id}.csv"] = out.getvalue().encode()
         written[f"tables/{table.id}.tex"] = latex.table(table).encode()
     for figure in _of_kind(chapters, "figure"):
@@ -48,9 +72,10 @@ def inline_svg(figure):
 
     svg = re.sub(r"<metadata>.*?</metadata>", "", figure.svg[figure.svg.index("<svg"):], flags=re.S)
     box = re.search(r'viewBox="([^"]+)"', svg)[1]
-    svg = re.sub(r"^<svg[^>]*>", f'<svg viewBox="{box}" role="img" aria-labelledby="{figure.id}-title" '
-                 f'aria-describedby="{figure.id}-alt"><title id="{figure.id}-title">{escape_html(figure.caption)}</title>'
-                 f'<desc id="{figure.id}-alt">{escape_html(figure.alt)}</desc>', svg)
+    head = (f'<svg viewBox="{box}" role="img" aria-labelledby="{figure.id}-title" aria-describedby="{figure.id}-alt">'
+            f'<title id="{figure.id}-title">{escape(to_plain(figure.caption))}</title>'
+            f'<desc id="{figure.id}-alt">{escape(to_plain(figure.alt))}</desc>')
+    svg = re.sub(r"^<svg[^>]*>", lambda _: head, svg)
     svg = re.sub(r"<style type=\"text/css\">.*?</style>", "", svg, flags=re.S)
     own = f"{figure.id}-"
     svg = re.sub(r'\bid="(?!' + re.escape(own) + r')([^"]+)"', rf'id="{own}\1"', svg)

@@ -79,6 +79,7 @@ class Suites(unittest.TestCase):
         _without(self.place / "b" / "conversion.csv", ("curve", "dimension", "status", "non_finite"))
         for file in ("search.csv", "worst.csv"):
             (self.place / "b" / file).unlink()
+        fixture.seal(self.place / "b")
         bundle = Bundle(self.place / "b")
         chapters, left_out = build_all(bundle, find_all(bundle))
         self.assertIn(conditioning.TITLE, dict(left_out))
@@ -97,6 +98,7 @@ class Suites(unittest.TestCase):
     def test_malformed_search_is_an_error(self):
         path = fixture.write(self.place / "b") / "search.csv"
         path.write_text(path.read_text().replace("s1,", ",", 1))
+        fixture.seal(self.place / "b")
         with self.assertRaisesRegex(BundleError, "search_id"):
             Bundle(self.place / "b")
 
@@ -169,6 +171,7 @@ class Suites(unittest.TestCase):
     def test_malformed_suite_is_an_error(self):
         path = fixture.write(self.place / "b") / "suite.toml"
         path.write_text("[[suites]")
+        fixture.seal(self.place / "b")
         with self.assertRaisesRegex(BundleError, "suite.toml"):
             Bundle(self.place / "b")
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3 -I
 # SPDX-License-Identifier: MIT
 """The parts of README.md that are numbers: filled in from the committed bundles, never typed.
 
@@ -26,17 +26,17 @@ sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True  # the source tree may be read-only
 from report.bundle import Comparison, Folder  # noqa: E402
 from report.chapters import method_list  # noqa: E402
+from report.chapters.scorecard import VERDICTS, counts  # noqa: E402
+from report.wording import listing  # noqa: E402
 RESULTS = ROOT / "results"
 BASELINE = RESULTS / "baseline"
 OTHER_BUILD = RESULTS / "clang"
 README = ROOT / "README.md"
 WIDTH = 118  # of a line of prose
-VERDICTS = ("inside", "explained", "outside")
 WORDING = ("citation",)  # columns of methods.csv that may be worded anew; they say nothing of a bundle's numbers
-
-
-def rows(name):
-    return list(csv.DictReader(io.StringIO((BASELINE / name).read_text(encoding="utf-8"))))
+TIMES = "2.4"  # the table of the report that prints times
+SAID = {"inside": "inside the band that chance allows", "explained": "outside it for a stated cause", "outside": "outside it without a known cause",
+        "untestable": "untestable, since they are no more than one tick of the report's clock"}
 
 
 def table(header, body):
@@ -46,12 +46,19 @@ def table(header, body):
 
 
 def scorecard():
-    cells = rows("scorecard.csv") + rows("scorecard_timing.csv")
-    counts = Counter((cell["table"], cell["verdict"]) for cell in cells)
-    numbers = sorted({cell["table"] for cell in cells})
-    body = [[number, *(counts[number, verdict] for verdict in VERDICTS),
-             sum(counts[number, verdict] for verdict in VERDICTS)] for number in numbers]
+    body = [[number, *(found[verdict] for verdict in VERDICTS), found.total()] for number, found in counts(Bundle(BASELINE)).items()]
     return table(["table of the report", *VERDICTS, "printed cells"], body)
+
+
+def printed():
+    """How many of the printed cells are what, errors and times apart."""
+    tables = counts(Bundle(BASELINE))
+    times = tables.pop(TIMES)
+    lines = [f"Of the {found.total()} {what}, "
+             + listing(f"{found[verdict]} {'is' if found[verdict] == 1 else 'are'} {SAID[verdict]}" for verdict in VERDICTS if found[verdict])
+             for what, found in ((f"errors and counts that it prints (tables {listing(tables)})", sum(tables.values(), Counter())),
+                                 (f"times (table {TIMES}), measured on another machine", times))]
+    return textwrap.fill(". ".join(lines) + ".", WIDTH)
 
 
 def digest_of(bundle):
@@ -128,11 +135,11 @@ def comparison(program):
     one_machine = all(row["machine"] == "same" for row in found.standings.rows)
     ratio, verdict = ("ratio", "verdict") if one_machine else ("normalised", "normalised_verdict")
     unit = "" if one_machine else ", each in units of the sentinel of its own machine"
-    counts = Counter(row[verdict] for row in times)
+    found_of = Counter(row[verdict] for row in times)
     noisy = sum(row["quality"] != "ok" for row in times)
     words = (f"a is {places[BASELINE.name]}, b is {places[OTHER_BUILD.name]}. Accuracy: identical, bit for bit, in all "
              f"{len(judged)} common rows. Time of b over time of a{unit}: "
-             + ", ".join(f"{word} in {counts[word]}" for word in ("faster", "slower", "same", "unresolved"))
+             + ", ".join(f"{word} in {found_of[word]}" for word in ("faster", "slower", "same", "unresolved"))
              + f" of {len(times)}, {noisy} of them from noisy races, marked ~. By degree, where curves are prepared and evaluated "
              "one point at a time:")
     point = [row for row in times if row["mode"] == "point"]
@@ -153,7 +160,7 @@ def differing_method(listed, baseline):
     return next((row["id"] for row in facts(baseline) if row not in known), None)
 
 
-PARTS = {"scorecard": scorecard, "digest": digest}
+PARTS = {"printed": printed, "scorecard": scorecard, "digest": digest}
 PARTS_OF_PROGRAM = {"comparison": comparison, "methods": methods}
 
 

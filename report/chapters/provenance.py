@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What produced the bundle."""
 
+import json
+
 from ..document import Cell, Group, Table, Text
 
 TITLE = "Provenance"
@@ -11,7 +13,7 @@ def _flatten(value, prefix=""):
     if isinstance(value, dict):
         return [pair for key, inner in value.items() for pair in _flatten(inner, f"{prefix}.{key}" if prefix else key)]
     if isinstance(value, list):
-        return [(prefix, ", ".join(map(str, value)))]
+        return [(prefix, ", ".join(one if isinstance(one, str) else json.dumps(one, ensure_ascii=False) for one in value))]
     return [(prefix, {True: "yes", False: "no", None: "unknown"}.get(value, str(value)) if isinstance(value, (bool, type(None)))
              else str(value))]
 

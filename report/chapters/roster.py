@@ -3,8 +3,9 @@
 
 from importlib import import_module
 
-from ..bundle import Missing
+from ..bundle import Missing, decided_by
 from ..document import Chapter
+from ..file_names import with_unique_ids
 
 NAMES = """found scorecard tables figures truth ladder regimes conditioning conversion worst rational derivative arc_length
            inverse_arc_length projection interpolation fitting timing choosing roofline peers comparison audit method_list
@@ -18,7 +19,8 @@ def build_all(bundle, findings):
     for module in ROSTER:
         try:
             name = module.__name__.rsplit(".", 1)[-1].replace("_", "-")
-            chapters.append(Chapter(name, module.TITLE, tuple(module.blocks(bundle, findings))))
+            with decided_by(bundle, f"the chapter '{module.TITLE}'"):
+                chapters.append(Chapter(name, module.TITLE, tuple(module.blocks(bundle, findings))))
         except Missing as lack:
             left_out.append((module.TITLE, str(lack)))
-    return chapters, left_out
+    return with_unique_ids(chapters), left_out

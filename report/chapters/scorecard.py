@@ -10,7 +10,7 @@ from ..tables import MARK, axis_label
 from ..wording import as_printed, general, interval, scientific, shortest
 
 TITLE = "Scorecard"
-VERDICTS = ("inside", "explained", "outside")
+VERDICTS = ("inside", "explained", "untestable", "outside")
 FILES = ("scorecard.csv", "scorecard_timing.csv")
 
 
@@ -30,7 +30,8 @@ def blocks(bundle, _findings):
     tables = counts(bundle)
     yield Text("The band is what the middle 90 % of independent repetitions of the report's experiment give, with its generator "
                "and its yardstick. **inside**: the printed value lies in it. **outside**: it does not, and no cause is known. "
-               "**explained**: it does not, for a stated cause. Times are another machine's and need not match.")
+               "**explained**: it does not, for a stated cause. **untestable**: the printed time is no more than one tick of its "
+               "clock, which almost any time rounds to. Times are another machine's and need not match.")
     groups = []
     for number, verdicts in tables.items():
         total = sum(verdicts.values())

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The look that all figures share, and their deterministic SVG and PNG."""
 
+import contextlib
 import io
 import re
+from pathlib import Path
 
-import matplotlib
+with contextlib.chdir(Path(__file__).parent):  # it reads a file matplotlibrc of the current folder
+    import matplotlib
 
 matplotlib.use("Agg")
 
@@ -14,6 +17,7 @@ from matplotlib.patches import Patch  # noqa: E402
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullLocator  # noqa: E402
 
 from ..document import Figure  # noqa: E402
+from ..foreign import restored  # noqa: E402
 from ..wording import shortest  # noqa: E402
 
 # Ink and paper are replaced by the page's colours where a figure is put into the page.
@@ -32,13 +36,16 @@ STYLE = {
     "xtick.color": INK, "ytick.color": INK, "axes.facecolor": PAPER, "figure.facecolor": PAPER, "savefig.facecolor": PAPER,
     "axes.grid": True, "grid.color": FAINT, "grid.alpha": 0.28, "grid.linewidth": 0.6, "axes.spines.top": False,
     "axes.spines.right": False, "legend.frameon": False, "lines.linewidth": 1.7, "axes.unicode_minus": False,
+    "text.parse_math": False,  # a dollar sign is one
 }
 
 
 def styled(draw):
     """Draws under the common style and leaves the global settings alone."""
     def with_style(bundle):
-        with matplotlib.rc_context(STYLE):
+        with matplotlib.rc_context():
+            matplotlib.rcdefaults()  # a user's own settings change no page
+            matplotlib.rcParams.update(STYLE)
             return draw(bundle)
     with_style.__doc__ = draw.__doc__
     return with_style
@@ -101,7 +108,7 @@ def finish(canvas, figure_id, caption, caption_zh, alt, bottom=0.75):
     svg, png = io.StringIO(), io.BytesIO()
     canvas.savefig(svg, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
     canvas.savefig(png, format="png", dpi=150, metadata={"Software": None})
-    return Figure(id=figure_id, caption=caption, caption_zh=caption_zh, alt=alt, svg=_lean(svg.getvalue()),
+    return Figure(id=figure_id, caption=caption, caption_zh=caption_zh, alt=alt, svg=restored(_lean(svg.getvalue())),
                   png=png.getvalue())
 
 

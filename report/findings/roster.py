@@ -3,7 +3,7 @@
 
 from importlib import import_module
 
-from ..bundle import Missing
+from ..bundle import Missing, decided_by
 
 NAMES = """cells_inside bounds_hold yardstick_ranking common_rounding forward_substitution range_bend round_trip_grid
            de_casteljau_flat factorial_overflow timings_quantised printed_slip via_power_worse growth_with_degree growth_with_t
@@ -17,18 +17,25 @@ NAMES = """cells_inside bounds_hold yardstick_ranking common_rounding forward_su
 ROSTER = tuple(import_module(f".{name}", __package__) for name in NAMES)
 
 
+def _found(module, bundle):
+    try:
+        return module.find(bundle)
+    except ZeroDivisionError:
+        raise Missing("a ratio that it needs divides by an error or time of 0") from None
+
+
 def find_all(bundle):
     """(findings, [(name, what the bundle lacks)]): a finding that cannot be decided is named, never guessed."""
     found, undecided = [], []
     for module in ROSTER:
         if hasattr(module, "SUITE") and not bundle.has_suite(module.SUITE):
             continue  # its chapter says that the suite is not there
+        name = module.__name__.rsplit(".", 1)[-1]
         try:
-            found.append(module.find(bundle))
+            with decided_by(bundle, f"the finding '{name.replace('_', ' ')}'"):
+                found.append(_found(module, bundle))
         except Missing as lack:
-            undecided.append((module.__name__.rsplit(".", 1)[-1], str(lack)))
-        except ZeroDivisionError:
-            undecided.append((module.__name__.rsplit(".", 1)[-1], "a ratio that it needs divides by an error or time of 0"))
+            undecided.append((name, str(lack)))
     return found, undecided
 
 

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: MIT
+"""A bundle in which every text that is free is an attack: no page, table or message does what it says."""
+
+import csv
+import io
+import json
+import re
+import tempfile
+import unittest
+from html.parser import HTMLParser
+from pathlib import Path
+
+from . import fixture, inline, render, summary
+from .bundle import Bundle
+from .chapters.roster import build_all
+from .findings.roster import find_all
+from .foreign import literal, one_line, restored, visible
+
+EVIL = ('"><script>x</script><img src=//x onerror=y><meta http-equiv=refresh content="0;url=//x"><form action=//x><base href=//x>'
+        "</style></title></svg> `c`` <b> ** [t](javascript:x) ![i](//x/y) | https://x.invalid www.x.invalid $\\write18{x}$ "
+        "\\input{/etc/passwd} ^^5c % # _ ~ & \x1b[2J \u202e \u2028 '{{ 7 * 7 }}")
+ALLOWED_META = ["charset", "name", "name", "http-equiv"]
+
+
+def evil_bundle(place):
+    """Hostile wherever a reader of bundles takes any text."""
+    def change(at, row):
+        row.update({c: EVIL.replace("\u2028", "") for c in ("note", "citation", "flops", "bound", "form", "quality", "status", "claimed_by")
+                    if c in row and at in ("scorecard.csv", "scorecard_timing.csv", "methods.csv", "timing.csv", "roofline.csv", "search.csv")})
+        if at == "methods.csv":
+            row["id"] = f"{row['id']}{EVIL}" if row["problem"] == "conversion" else row["id"]
+    bundle = fixture.write(place, change)
+    info = {**fixture.INFO, "seed": EVIL, "state": EVIL, "git_commit": EVIL, EVIL: {EVIL: [EVIL, {EVIL: 1}]}}
+    (bundle / "bundle.json").write_text(json.dumps(info))
+    (bundle / "machine.json").write_text(json.dumps({"cpu": {"model_name": EVIL}, "peers": {EVIL: EVIL}}))
+    (bundle / "suite.toml").write_text(f'[[study]]\nid = "2.4-bezier"\ntitle = {json.dumps(EVIL)}\n')
+    return fixture.seal(bundle)
+
+
+class Tags(HTMLParser):
+    """Every tag with its attributes, and the text between them."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.text = [], ""
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append((tag, attrs))
+
+    handle_startendtag = handle_starttag
+
+    def handle_data(self, data):
+        self.text += data
+
+
+class Escaping(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        place = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(place.cleanup)
+        bundle = Bundle(evil_bundle(Path(place.name) / f"b{EVIL[:60].replace('/', '')}"), fixture.write_comparison(
+            f"{place.name}/c", facts=({**fixture.FACTS[0], "against": EVIL, "fact": EVIL, "a": EVIL},)))
+        found = find_all(bundle)
+        cls.files = render.files(bundle, *build_all(bundle, found))
+        cls.summary = summary.text(bundle, found)
+
+    def test_html_has_no_tag_of_theirs(self):
+        page = Tags(self.files["report.html"].decode())
+        self.assertIn("<script>x</script>", page.text)
+        kinds = {tag for tag, _ in page.tags}
+        self.assertFalse(kinds & {"script", "img", "form", "base", "iframe", "object", "embed", "b", "input", "button"}, kinds)
+        self.assertEqual([attrs[0][0] for tag, attrs in page.tags if tag == "meta"], ALLOWED_META)
+        for tag, attrs in page.tags:
+            for name, value in attrs:
+                self.assertFalse(name.startswith("on") or name in ("src", "srcdoc", "action", "formaction"), (tag, name))
+                if name in ("href", "xlink:href"):
+                    self.assertRegex(value, r"^(#[\w.-]+|data:,)$")
+                if name == "id":
+                    self.assertRegex(value, r"^[A-Za-z0-9][\w.-]*$")
+
+    def test_the_policy_forbids_what_a_slip_could_let_in(self):
+        policy = dict(part.strip().split(" ", 1) for part in re.search(r'Content-Security-Policy" content="([^"]+)"',
+                                                                       self.files["report.html"].decode())[1].split(";"))
+        self.assertEqual(policy, {"default-src": "'none'", "style-src": "'unsafe-inline'", "img-src": "data:", "base-uri": "'none'",
+                                  "form-action": "'none'"})
+
+    def test_html_is_well_formed(self):
+        from .page_test import Page
+        page = Page(self.files["report.html"].decode())
+        self.assertEqual(page.problems + page.open, [])
+        self.assertEqual(len(page.ids), len(set(page.ids)))
+
+    def test_markdown_is_text(self):
+        """Left when all escapes and all code are taken away: nothing that Markdown or HTML reads as markup, but our own."""
+        text = self.files["report.md"].decode()
+        self.assertIn("script", text)
+        left = re.sub(r"\\[^\w\s]", "", text)
+        left = re.sub(r"(?<!`)(`+)(?!`).*?(?<!`)\1(?!`)", "", left)
+        left = re.sub(r'</?sub>|<a id="[\w-]+"></a>', "", left)
+        left = re.sub(r"^(- \[[^\]\[]*\]\(#[\w-]+\)|!\[[^\]\[]*\]\(figures/[\w.-]+\.svg\))$", "", left, flags=re.M)
+        for markup in ("<", "[", "](", "`", "://", "www.", "$"):
+            at = left.find(markup)
+            self.assertEqual(at, -1, left[max(at - 50, 0):at + 50])
+        width = None
+        for line in text.splitlines():
+            cells = len(re.findall(r"(?<!\\)\|", line)) if line.startswith("|") else None
+            if cells is not None and width is not None:
+                self.assertEqual(cells, width, line)
+            width = cells
+
+    def test_latex_runs_nothing(self):
+        known = {*"textbackslash & % $ # _ { } textasciitilde textasciicircum textless textgreater textbar textmu ldots textquotedbl textasciigrave "
+                 r"quad texttt textbf multicolumn hline endhead \ begin end le ge times approx nopagebreak '".split()}
+        for name, data in self.files.items():
+            if not name.endswith(".tex"):
+                continue
+            text = data.decode()
+            body = text[text.index(r"\begin{center}"):text.index(r"\endgroup")]
+            with self.subTest(name):
+                self.assertLessEqual(set(re.findall(r"\\([a-zA-Z]+|[^a-zA-Z])", body)), known)
+                bare = re.sub(r"\\[^a-zA-Z]", "", body)
+                self.assertEqual(bare.count("{"), bare.count("}"))
+                self.assertNotRegex(bare.replace(r"$\le$", "").replace(r"$\approx$", ""), r"[$#~^%]")
+
+    def test_nothing_acts_on_a_terminal_or_ends_a_line(self):
+        for name, data in [*self.files.items(), ("summary", self.summary.encode())]:
+            if not name.endswith(".png"):
+                self.assertIsNone(re.search("[\0-\x08\x0b-\x1f\x7f\u202e\u2028\ue000\ue001]", data.decode()), name)
+
+    def test_csv_files_hold_what_the_bundle_says(self):
+        rows = {row["id"]: row for row in csv.DictReader(io.StringIO(self.files["tables/methods.csv"].decode()))}
+        self.assertEqual(rows["direct"]["flops per point"], visible(EVIL.replace("\u2028", "")))
+
+
+class Functions(unittest.TestCase):
+    def test_foreign_marks_are_no_marks(self):
+        text = f"a `{literal('x`y')}` {literal('**b** `c`')}"
+        self.assertEqual(inline.to_html(text), "a <code>x`y</code> **b** `c`")
+        self.assertEqual(inline.to_plain(text), "a x`y **b** `c`")
+        self.assertEqual(inline.to_markdown(text), r"a `` x`y `` \*\*b\*\* \`c\`")
+        self.assertEqual(inline.to_latex(text), r"a \texttt{x\textasciigrave{}y} {*}{*}b{*}{*} \textasciigrave{}c\textasciigrave{}")
+
+    def test_ours_are(self):
+        self.assertEqual(inline.to_html("**a `b`** <c>"), "<strong>a <code>b</code></strong> &lt;c&gt;")
+        self.assertEqual(inline.to_markdown("**a `b`** <c>"), "**a `b`** &lt;c&gt;")
+
+    def test_a_literal_text_comes_back(self):
+        for text in ("a`b*c", "p~ [0, 1]", "Bézier 曲线"):
+            self.assertEqual(restored(literal(text)), text)
+        self.assertEqual(literal("\ue000"), r"\ue000")
+
+    def test_a_message_is_one_line(self):
+        self.assertEqual(one_line("a\nb\x1b[2J\r\u2028\ud800"), r"a\nb\x1b[2J\r\u2028\ud800")
+
+
+if __name__ == "__main__":
+    unittest.main()

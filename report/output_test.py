@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: MIT
+"""What is written: whole or not at all, into its own directory, under names that nobody else chose."""
+
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from . import fixture, output
+from .bundle import Bundle, BundleError
+from .chapters.roster import build_all
+from .document import Chapter, Table
+from .file_names import SAFE, unique, with_unique_ids
+
+ROOT = Path(__file__).resolve().parent.parent
+# Writes many files, says so, and is killed before it is done.
+SLOW = """import sys, time
+sys.path.append(sys.argv[1])
+from report import output
+class Slow(dict):
+    def items(self):
+        for name, data in super().items():
+            yield name, data
+            print(flush=True)
+            time.sleep(30)
+output.write(sys.argv[2], Slow({"a": b"new", "b": b"new"}))
+"""
+
+
+def names(folder):
+    return sorted(path.name for path in Path(folder).iterdir())
+
+
+class Output(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.place = Path(place.name)
+
+    def test_failure_leaves_the_old_files(self):
+        output.write(self.place, {"a/x": b"old", "y": b"old"})
+        with self.assertRaises(TypeError):
+            output.write(self.place, {"a/x": b"new", "y": None})
+        self.assertEqual((self.place / "a/x").read_bytes(), b"old")
+        self.assertEqual(names(self.place), ["a", "y"])
+
+    def test_failure_makes_no_directory(self):
+        with self.assertRaises(TypeError):
+            output.write(self.place / "out", {"a/x": b"new", "y": None})
+        self.assertEqual(names(self.place), [])
+
+    def killed(self, out, number):
+        process = subprocess.Popen([sys.executable, "-I", "-B", "-c", SLOW, ROOT, out], stdout=subprocess.PIPE)
+        with process:
+            process.stdout.readline()
+            process.send_signal(number)
+            process.wait()
+
+    def test_what_a_killed_writer_left_is_removed_and_nothing_else(self):
+        for out, beside in ((self.place / "new", self.place), (self.place / "old", self.place / "old")):
+            with self.subTest(out):
+                if out.name == "old":
+                    output.write(out, {"a": b"old"})
+                (beside / ".reports").mkdir()
+                before = names(beside)
+                self.killed(out, signal.SIGKILL)
+                self.assertGreater(len(names(beside)), len(before))
+                output.write(out, {"a": b"newer"})
+                self.assertEqual(names(beside), sorted({*before, *(["new"] if out.name == "new" else [])}))
+                self.assertEqual((out / "a").read_bytes(), b"newer")
+
+    def test_a_killed_writer_leaves_the_old_files_or_none(self):
+        output.write(self.place / "old", {"a": b"old", "b": b"old"})
+        self.killed(self.place / "old", signal.SIGKILL)
+        self.killed(self.place / "new", signal.SIGKILL)
+        self.assertEqual([(self.place / "old" / name).read_bytes() for name in "ab"], [b"old", b"old"])
+        self.assertFalse((self.place / "new").exists())
+
+    def test_the_pages_come_last(self):
+        output.write(self.place, {"report.html": b"old"})
+        moved = []
+        with mock.patch.object(output.os, "replace", lambda source, target: moved.append(target.name)):
+            output.write(self.place, {"report.html": b"", "tables/a.csv": b"", "report.md": b"", "figures/a.svg": b""})
+        self.assertEqual(set(moved[:2]), {"a.csv", "a.svg"})
+        self.assertEqual(set(moved[2:]), {"report.html", "report.md"})
+
+    def test_a_name_that_leads_elsewhere_is_refused(self):
+        for name in ("../x", "/x", "a/../x", "a/b/x", ".x", "a/.x", "", "a\nb", "tables/"):
+            with self.assertRaises(ValueError, msg=name):
+                output.write(self.place / "out", {name: b""})
+        self.assertEqual(names(self.place), [])
+
+    def test_two_writers_wait_for_each_other(self):
+        first = subprocess.Popen([sys.executable, "-I", "-B", "-c", SLOW.replace("30", "0.3"), ROOT, self.place / "out"],
+                                 stdout=subprocess.PIPE)
+        with first:
+            first.stdout.readline()
+            began = time.monotonic()
+            output.write(self.place / "out", {"c": b""})
+            self.assertGreater(time.monotonic() - began, 0.2)
+        self.assertEqual((first.returncode, names(self.place / "out")), (0, ["a", "b", "c"]))
+
+
+class Names(unittest.TestCase):
+    def test_are_safe_and_unique(self):
+        taken = set()
+        given = ["a", "a", "A", "a-2", "../a", "/a", "", "...", "a b", "a_b", "é" * 300, "é" * 301, "x" * 500]
+        found = [unique(name, taken) for name in given]
+        self.assertEqual(len({name.casefold() for name in found}), len(given))
+        for name in found:
+            self.assertTrue(SAFE.fullmatch(name) and len(name) < 200, name)
+        self.assertEqual(found[0], "a")
+
+    def test_tables_take_no_name_of_the_page(self):
+        table = Table(id="content", caption="", head=(), groups=())
+        chapter, = with_unique_ids([Chapter("one", "One", (table, table))])
+        ids = [block.id for block in chapter.blocks]
+        self.assertEqual(len({*ids, "content", "one"}), 4)
+
+    def test_studies_that_differ_by_a_number_keep_their_tables(self):
+        """The second table of a study and the first of another once had the same file."""
+        def double_studies(at, row):
+            if row["study"] == "2.4-bezier":
+                row["study"], row["scalar"] = "a", "float" if row["degree"] == 20 else "double"
+            elif row["study"] == "peers-speed":
+                row["study"] = "a-2"
+        with tempfile.TemporaryDirectory() as place:
+            bundle = Bundle(fixture.write(f"{place}/b", double_studies, [f for f in fixture.FILES if f != "timing.csv"]))
+            chapters, _ = build_all(bundle, ([], []))
+        tables = [block for chapter in chapters for block in chapter.blocks if block.kind == "table"]
+        self.assertEqual(len({table.id.casefold() for table in tables}), len(tables))
+        self.assertLessEqual({"timing-a-1", "timing-a-2", "timing-a-2-2"}, {table.id for table in tables})
+
+    def test_an_id_that_no_suite_takes_is_refused(self):
+        for file, column, word in (("accuracy.csv", "study", "x/../../../y"), ("worst.csv", "worst_id", "w1; rm x"), ("timing.csv", "study", "a b"),
+                                   ("pareto.csv", "accuracy_study", "../x"), ("accuracy.csv", "method", "a`b"), ("audit.csv", "study", "é")):
+            def change(at, row):
+                if at == file:
+                    row[column] = word
+            with self.subTest(file=file, word=word), tempfile.TemporaryDirectory() as place:
+                with self.assertRaisesRegex(BundleError, f"{file}:2: `{column}` is .*, which no suite takes"):
+                    Bundle(fixture.write(f"{place}/b", change))
+
+
+if __name__ == "__main__":
+    unittest.main()

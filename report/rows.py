@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: MIT
+"""Rows of a CSV file, read by column name: numbers as floats, words as text, empty fields as None."""
+
+import math
+import re
+from dataclasses import dataclass, field
+
+_DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?inf|nan", re.ASCII)
+_HEX = re.compile(r"[+-]?0[xX][0-9a-fA-F]*\.?[0-9a-fA-F]*([pP][+-]?\d+)?", re.ASCII)
+
+
+class Missing(Exception):
+    """The bundle is sound but does not hold the rows that a finding, figure or chapter needs."""
+
+
+def parse_number(text):
+    """A float from decimal or C hexadecimal notation; None where `text` is neither."""
+    if _DECIMAL.fullmatch(text):
+        return float(text)
+    if _HEX.fullmatch(text):
+        try:
+            return float.fromhex(text)
+        except (ValueError, OverflowError):
+            return None
+    return None
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of a CSV file: numbers as floats, words as text, empty fields as None."""
+
+    file: str
+    line: int
+    values: dict = field(hash=False)
+    texts: dict = field(hash=False)
+
+    def __getitem__(self, column):
+        return self.values.get(column)
+
+    def text(self, column):
+        """The field as it stands in the file."""
+        return self.texts.get(column, "")
+
+    def number(self, column):
+        """A finite number, or Missing: what a sentence can be built on."""
+        value = self.values.get(column)
+        if not isinstance(value, float) or not math.isfinite(value):
+            raise Missing(f"`{column}` is {self.text(column) or 'empty'} in `{self.file}`, line {self.line}")
+        return value
+
+
+class Table:
+    """The rows of one CSV file, in file order."""
+
+    def __init__(self, file, columns, rows):
+        self.file = file
+        self.columns = columns
+        self.rows = rows
+
+    def select(self, **key):
+        """Rows whose columns equal the given values; a tuple, list or set means any of its members."""
+        def fits(row):
+            return all(row[c] in v if isinstance(v, (tuple, list, set, frozenset)) else row[c] == v
+                       for c, v in key.items())
+        return [row for row in self.rows if fits(row)]
+
+    def some(self, **key):
+        """As select, but Missing where there is none."""
+        rows = self.select(**key)
+        if not rows:
+            raise Missing(f"`{self.file}` has no row with {_describe(key)}")
+        return rows
+
+    def one(self, **key):
+        """The only row that fits; Missing where there is none or more than one."""
+        rows = self.some(**key)
+        if len(rows) > 1:
+            raise Missing(f"`{self.file}` has {len(rows)} rows with {_describe(key)} where one is meant")
+        return rows[0]
+
+    def starting(self, prefix):
+        """The rows of the studies whose id starts with `prefix`, or one of a tuple; Missing where there are none."""
+        rows = [row for row in self.rows if (row["study"] or "").startswith(prefix)]
+        if not rows:
+            words = prefix if isinstance(prefix, str) else "` or `".join(prefix)
+            raise Missing(f"`{self.file}` has no study whose id starts with `{words}`")
+        return Table(self.file, self.columns, rows)
+
+    def distinct(self, column, **key):
+        """The different values of a column, in order of first appearance."""
+        return list(dict.fromkeys(row[column] for row in self.select(**key)))
+
+
+def _describe(key):
+    def words(value):
+        if isinstance(value, (tuple, list, set, frozenset)):
+            return " or ".join(map(words, value))
+        return f"{value:g}" if isinstance(value, (int, float)) else f"`{value}`"
+    return ", ".join(f"{column} {words(value)}" for column, value in key.items())
