@@ -96,8 +96,8 @@ TEST(ExactSplit, OfRationalCurvesIsTheSplitInHomogeneousCoordinates) {
     }
 }
 
-/// The blossom of t^n is the product of its arguments (Ramshaw, "Blossoming: a connect-the-dots approach to splines",
-/// 1987), so that all control points of its left half are 0 but the last, t^n, and those of its right half t^(n-i).
+/// The blossom of t^n is the product of its arguments ([Ramshaw 1987]), so that all control points of its left half
+/// are 0 but the last, t^n, and those of its right half t^(n-i).
 TEST(ExactSplit, OfAPowerIsProductsOfTheArguments) {
   for (const double t : {0.0, 1.0, 0.3, -1.7, 0x1p-1074}) {
     const std::vector<double> power{0, 0, 0, 0, 1};

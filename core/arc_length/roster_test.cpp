@@ -290,7 +290,8 @@ TEST(ArcLength, SeesTurnsOfSmallWholeNumbers) {
   }
 }
 
-/// Coordinates of which those of one axis, the same for all points, are 2^2000 times the differences of another.
+/// Coordinates of which those of one axis, the same for all points, are larger than the differences of another by a
+/// factor that no double holds.
 TEST(ArcLength, IsThatOfTheDifferences) {
   const double length = 3e-30;
   for (const double far : {1e300, 1.7e308, -1e300, 1.0, 0.0})

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// left_i = b[0^(n-i), t^i], right_i = b[t^(n-i), 1^i], b[u_1..u_n] the blossom of the curve: each new control point
-// from a triangle of its own, whose level m combines neighbours a, b to (1-u_m) a + u_m b. An argument 0 keeps the
-// first of two neighbours and an argument 1 the second, so what has to be computed is the triangle at t over b_0..b_i,
-// or over b_i..b_n.
-//
-// Source: Ramshaw, "Blossoming: a connect-the-dots approach to splines", DEC SRC report 19, 1987.
+// Formula: left_i = b[0^(n-i), t^i], right_i = b[t^(n-i), 1^i], b[u_1..u_n] the blossom of the curve: each new
+//   control point from a triangle of its own, whose level m combines neighbours a, b to (1-u_m) a + u_m b. An
+//   argument 0 keeps the first of two neighbours and an argument 1 the second, so what has to be computed is the
+//   triangle at t over b_0..b_i, or over b_i..b_n.
+// Source: [Ramshaw 1987], the control points of a part are values of the blossom.
 // Cost: d n(n+1)(n+2) + 1 flops.
 // Bound: as for de_casteljau_split, whose operations are done again for each point: gamma_3k sum |b_j| B_j,k(t) on
 //   [0,1] and 2k eta.
@@ -26,7 +25,7 @@ struct BlossomSplit {
                                    .one_minus_t = OneMinusT::summed,
                                    .flops = "d n(n+1)(n+2) + 1",
                                    .cost_exponent = 3,
-                                   .citation = "Ramshaw 1987"};
+                                   .citation = "[Ramshaw 1987]"};
 
   template <class Scalar, int Dimension, int Degree>
   static Halves<Curve<Form::bernstein, Scalar, Dimension, Degree>> split(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// b_i^k = (1-t) b_i^(k-1) + t b_(i+1)^(k-1); left_k = b_0^k, right_(n-k) = b_(n-k)^k: both halves from one triangle.
-//
-// Source: Farin, Curves and Surfaces for CAGD, 5th ed. (the de Casteljau algorithm; subdivision).
+// Formula: b_i^k = (1-t) b_i^(k-1) + t b_(i+1)^(k-1); left_k = b_0^k, right_(n-k) = b_(n-k)^k: both halves from one
+//   triangle.
+// Source: [Farin 2002], the de Casteljau algorithm, subdivision.
 // Cost: 3 d n(n+1)/2 + 1 flops.
 // Bound: a level costs at most three roundings (1-t, product, sum) and its weights are positive, so by induction a
 //   point of k levels is off by at most gamma_3k sum |b_j| B_j,k(t) on [0,1]. Two products a level may underflow, by
@@ -33,7 +33,7 @@ struct DeCasteljauSplit {
                                    .one_minus_t = OneMinusT::summed,
                                    .flops = "3d n(n+1)/2 + 1",
                                    .cost_exponent = 2,
-                                   .citation = "Farin 2002, subdivision"};
+                                   .citation = "[Farin 2002], subdivision"};
 
   template <class Scalar, int Dimension, int Degree>
   static Halves<Curve<Form::bernstein, Scalar, Dimension, Degree>> split(

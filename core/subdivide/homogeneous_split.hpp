@@ -2,7 +2,7 @@
 // A rational curve is a polynomial one in homogeneous coordinates: split (w_i b_i, w_i), divide by the last one. The
 // ends b_0 and b_n are copied, since (w b) / w may be a rounding away from b.
 //
-// Source: Farin, "Algorithms for rational Bezier curves", Computer-Aided Design 15 (1983) 73-77.
+// Source: [Farin 1983].
 // Cost: the polynomial method's in d + 1 dimensions, d (n+1) products and 2 d (n+1) divisions.
 // Bound, for weights >= 0 and 0 <= t <= 1: of a weight that of the polynomial method; of a point as derived at
 //   split_quotient_bound (core/subdivide/split_bound.hpp), to first order twice the polynomial method's factor and 2.
@@ -39,7 +39,7 @@ requires(Method::info.form == Form::bernstein) struct HomogeneousSplit {
     static constexpr std::string_view text = " with d + 1 for d; 2d(n+1) divisions";
   };
   struct CitationSuffix {
-    static constexpr std::string_view text = "; Farin 1983";
+    static constexpr std::string_view text = "; [Farin 1983]";
   };
   static constexpr MethodInfo info{.id = Method::info.id,
                                    .label = detail::Joined<detail::LabelOf<Method>, LabelSuffix>::text,

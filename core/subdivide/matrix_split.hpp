@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// left_k = sum_(j=0..k) m_kj b_j and right_(n-k) = sum_(j=0..k) m_kj b_(n-k+j) with m_kj = C(k,j) t^j (1-t)^(k-j) from
-// tables of powers: the matrix M^-1 diag(1, t, .., t^n) M, M from Bernstein to power form, multiplied out, so that all
-// its entries are Bernstein values and positive on [0,1]. Applied factor by factor it would amplify errors like 3^n.
-//
-// Source: Pomax, A Primer on Bezier Curves, "Splitting curves using matrices"; Joy, "A Matrix Formulation of the Cubic
-//   Bezier Curve", CAGD notes of UC Davis, for t = 1/2.
+// Formula: left_k = sum_(j=0..k) m_kj b_j and right_(n-k) = sum_(j=0..k) m_kj b_(n-k+j) with m_kj = C(k,j) t^j
+//   (1-t)^(k-j) from tables of powers: the matrix M^-1 diag(1, t, .., t^n) M, M from Bernstein to power form,
+//   multiplied out, so that all its entries are Bernstein values and positive on [0,1]. Applied factor by factor it
+//   would amplify errors like 3^n.
+// Source: [Pomax 2011], splitting curves using matrices; [Joy 2000], the matrix of t = 1/2.
 // Cost: 2 d (n+1)^2 + (n+1)(n+2) + 2n flops, and about 3 n(n+1)/4 for the binomials.
 // Bound: the term of b_j has j-1 roundings in t^j, 2(k-j)-1 in (1-t)^(k-j) through 1-t, two in the products for m_kj
 //   (none for j = 0 and j = k), one in the product with b_j, and k-j+1 additions (k for j = 0); the largest are j = 0
 //   and j = 1 with 3k: gamma_3k sum |b_j| B_j,k(t), and the roundings of C(k,j). Underflow in powers, C(k,j) and
-//   products loses at most k C(k,j) + 1 times eta/2 in an entry, in the sum (k+1) 2^k (1 + max |b_j|) eta/2, magnified
-//   by less than 2.
+//   products loses at most k C(k,j) + 1 times eta/2 in an entry, in the sum (k+1) 2^k (1 + max |b_j|) eta/2,
+//   magnified by less than 2.
 // Fails: t^j and (1-t)^(k-j) underflow for large degrees; C(n,j) overflows past degree 1029 (131 in float).
 #pragma once
 
@@ -42,7 +41,7 @@ struct MatrixSplit {
                                    .one_minus_t = OneMinusT::summed,
                                    .flops = "2d (n+1)(n+1) + (n+1)(n+2) + 2n",
                                    .cost_exponent = 2,
-                                   .citation = "Pomax, splitting curves using matrices; Joy, CAGD notes"};
+                                   .citation = "[Pomax 2011], splitting curves using matrices; [Joy 2000]"};
 
   template <class Scalar, int Dimension, int Degree>
   static Halves<Curve<Form::bernstein, Scalar, Dimension, Degree>> split(

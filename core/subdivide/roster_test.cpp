@@ -49,7 +49,7 @@ TEST_P(Split, GivesTheHalvingMatricesOfACubic) {
   }
 }
 
-/// The blossom of t^n is the product of its arguments (Ramshaw 1987): left is 0, .., 0, t^n, right t^n, .., t, 1.
+/// The blossom of t^n is the product of its arguments ([Ramshaw 1987]): left is 0, .., 0, t^n, right t^n, .., t, 1.
 TEST_P(Split, GivesTheHalvesOfAPower) {
   if (form() != Form::bernstein) return;
   for (const double t : {0.25, 0.5, 0.75}) {  // all powers are exact
