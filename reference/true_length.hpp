@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The true arc length of a Bezier curve, to at least 30 digits.
 //
-// The speed is integrated in 70 digits by Gauss-Legendre rules of 30 and of 44 points, panel by panel: a panel is taken
-// where both rules agree and no control vector of the hodograph points backwards, or where its control polygon, never
-// shorter than the arc, exceeds its chord, never longer, by next to nothing; else it is halved. At a cusp, whose place
-// need not be known, the second rule ends the halving: the length of the panels next to it falls like the square of
-// their width. What all panels left open is summed and stated.
+// How it is integrated, and what it proves, is in length_panels.hpp.
 #pragma once
 
 #include <string>
@@ -18,16 +14,17 @@ namespace bezierbench::reference {
 class TrueLength {
  public:
   /// Of the part of `curve` (Bernstein form, finite, dimension at most 3) between parameters 0 <= from <= to <= 1.
-  /// Throws std::runtime_error should the two levels not agree to 30 digits.
+  /// Throws NotCertain should its length not be certain to 30 digits: every whole curve to degree 64 has one that is.
   TrueLength(const CurveView<double>& curve, double from, double to);
 
   [[nodiscard]] const LongReal& value() const { return value_; }
-  /// How far the two levels are apart, or polygon and chord: the value is right to about this.
+  /// The value is right to this.
   [[nodiscard]] const LongReal& uncertainty() const { return uncertainty_; }
 
   /// In decimal with this many significant digits.
   [[nodiscard]] std::string decimal(int digits) const;
-  /// |length - value|, rounded once; infinite for a length that is not finite.
+  /// |length - value|, rounded once; 0 where it is within the uncertainty, which cannot tell these two apart; infinite
+  /// for a length that is not finite.
   [[nodiscard]] double error_of(double length) const;
 
  private:
