@@ -152,6 +152,23 @@ class Curves(Case):
         self.write("t.csv", "x\n" + "\n".join(map(repr, coefficients)) + "\n")
         self.assertEqual(self.run_program("curve", "length", "--curve", "t.csv", "--method", "gauss_legendre_24").returncode, 0)
 
+    def test_spread_of_coordinates(self):
+        self.write("c.csv", "x,y\n1e300,0\n1e300,1e-30\n1e300,3e-30\n")
+        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
+            self.assertAlmostEqual(float(row["length"]) / 3e-30, 1, 8)
+        for row in rows(self.fine("curve", "at-length", "--curve", "c.csv", "--fraction", "0.5")):
+            self.assertAlmostEqual(float(row["exact_t"]), math.sqrt(2.5) - 1, 8)  # 2t + t^2 = 3/2
+            self.assertAlmostEqual(float(row["t"]), math.sqrt(2.5) - 1, 6)
+        for row in rows(self.fine("curve", "project", "--curve", "c.csv", "--point", "1e300,3e-30")):
+            t = float(row["t"])
+            self.assertAlmostEqual(float(row["error"]) / 3e-30, 1 - (2 * t + t * t) / 3, 8)
+        self.write("c.csv", "x,y\n-1.7e308,0\n1.7e308,0\n")
+        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
+            self.assertEqual((row["length"], row["converged"]), ("inf", "no"))
+        self.write("c.csv", "x,y\n0,0\n5e-323,5e-323\n1e-322,0\n")
+        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
+            self.assertEqual(row["converged"], "no")
+
     def test_at_length(self):
         columns = ["method", "t", "iterations", "converged", "exact_t", "error", "error_estimate", "length_error"]
         self.write("half.csv", "x\n0\n2\n-1\n")  # 4t - 5t^2 turns at 2/5: 4/5 up, 9/5 down; a length of 1 at 3/5
