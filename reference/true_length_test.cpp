@@ -103,7 +103,7 @@ TEST(TrueLength, EndsAtAnyDegree) {
   EXPECT_GT(length_of(chebyshev(200), 1).value(), 1e20);
 }
 
-/// The end of t^64 over a part of 1e-300, which is 1e-19200: 70 digits have that. About 1/3 they do not.
+/// The part of t^64 up to 1e-300 is 1e-19200 long, and 70 digits suffice for it; for (3t - 1)^9 about 1/3 they do not.
 TEST(TrueLength, SaysWhatIsNotCertain) {
   std::vector<double> rests(65, 0.0);
   rests.back() = 1;
@@ -120,7 +120,7 @@ TEST(TrueLength, SaysWhatIsNotCertain) {
   }
 }
 
-/// What is no rounding of 70 digits is no error.
+/// A rounding in the last of 70 digits is no error.
 TEST(TrueLength, HasNoErrorOfItsOwn) {
   EXPECT_EQ(length_of({1, 2}, 1).error_of(1), 0);
   EXPECT_EQ(length_of({1, 2, 4, 6}, 2).error_of(5), 0);

@@ -289,7 +289,7 @@ TEST(ArcLength, SeesTurnsOfSmallWholeNumbers) {
   }
 }
 
-/// Coordinates of which those of one axis, the same for all points, are 2^2000 times the differences of another.
+/// All points have the same coordinate on one axis, which is up to 1e338 times their differences on the other.
 TEST(ArcLength, IsThatOfTheDifferences) {
   const double length = 3e-30;
   for (const double far : {1e300, 1.7e308, -1e300, 1.0, 0.0})
