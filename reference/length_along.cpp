@@ -2,17 +2,13 @@
 #include "reference/length_along.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace bezierbench::reference {
 namespace {
 
 /// The length of the panel's part on its local parameters [0, x].
 LongReal length_within(const LengthPanel& panel, const LongReal& x) {
-  if (x == 0) return 0;
-  auto part = panel.hodograph;
-  part.split(x);
-  return panel.width * x * part.fine_sum();
+  return x == 0 ? LongReal(0) : LongReal(panel.width * x * panel.series.mean_speed_to(2 * x - 1));
 }
 
 /// The x in [0, 1] with that length. The interval [low, high] holds the root; it is halved where a step of Newton's
@@ -27,7 +23,7 @@ LongReal local_parameter(const LengthPanel& panel, const LongReal& length, const
     const LongReal distance = length_within(panel, x) - length;
     if (abs(distance) <= negligible) break;
     (distance < 0 ? low : high) = x;
-    const LongReal speed = panel.width * panel.hodograph.speed(x);
+    const LongReal speed = panel.width * panel.series.speed(2 * x - 1);
     const bool halved = 2 * abs(distance) <= before;
     before = abs(distance);
     if (halved && speed > 0) x -= distance / speed;
@@ -42,10 +38,11 @@ LengthAlong::LengthAlong(const CurveView<double>& curve) {
   const auto h = long_hodograph(curve, 0, 1);
   if (h.polygon() == 0) return;
   const LengthPanels integral(h);
-  if (integral.uncertainty() > integral.length() * LongReal("1e-30"))
-    throw std::runtime_error("the arc length of a curve is not certain to 30 digits");
+  require_certain(integral.length(), integral.uncertainty());
+  uncertainty_ = integral.uncertainty();
   panels_ = integral.panels();
   for (const auto& panel : panels_) cumulative_.push_back(cumulative_.back() + panel.length);
+  cumulative_.back() = integral.length();
 }
 
 LongReal LengthAlong::length_to(const LongReal& t) const {
@@ -57,6 +54,11 @@ LongReal LengthAlong::length_to(const LongReal& t) const {
   const auto& panel = *(behind - 1);
   return cumulative_[static_cast<std::size_t>(behind - panels_.begin()) - 1] +
          length_within(panel, (t - panel.begin) / panel.width);
+}
+
+LongReal LengthAlong::distance(const LongReal& t, const LongReal& length) const {
+  LongReal error = abs(length_to(t) - length);
+  return error <= uncertainty_ ? LongReal(0) : error;
 }
 
 LongReal LengthAlong::parameter_at(const LongReal& length) const {

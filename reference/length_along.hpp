@@ -16,8 +16,8 @@ namespace bezierbench::reference {
 
 class LengthAlong {
  public:
-  /// Measures `curve` (Bernstein form, finite, dimension at most 3). Throws std::runtime_error if 30 digits of its
-  /// length are not certain.
+  /// Of `curve` (Bernstein form, finite, dimension at most 3). Throws NotCertain should the length of the curve not be
+  /// certain to 30 digits.
   explicit LengthAlong(const CurveView<double>& curve);
 
   /// 0 where all control points are equal.
@@ -26,12 +26,16 @@ class LengthAlong {
   /// s(t), the length from the beginning to t; t beyond an end counts as this end.
   [[nodiscard]] LongReal length_to(const LongReal& t) const;
 
-  /// The t in [0, 1] with s(t) = length; a length beyond an end gives this end. 0 where the whole length is 0.
+  /// |s(t) - length|; 0 where it is within what is uncertain of the whole length.
+  [[nodiscard]] LongReal distance(const LongReal& t, const LongReal& length) const;
+
+  /// The t in [0, 1] with s(t) = length; beyond an end that of the end. 0 where the whole length is 0.
   [[nodiscard]] LongReal parameter_at(const LongReal& length) const;
 
  private:
   std::vector<LengthPanel> panels_;
-  std::vector<LongReal> cumulative_{0};  ///< length before each panel, and the whole length
+  LongReal uncertainty_ = 0;
+  std::vector<LongReal> cumulative_{0};  ///< length before each panel, and that of all
 };
 
 }  // namespace bezierbench::reference

@@ -1,109 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "reference/length_panels.hpp"
 
+#include <limits>
+#include <string>
 #include <utility>
 
 namespace bezierbench::reference {
 namespace {
 
-constexpr int coarse_points = 30;
-constexpr int fine_points = 44;
 constexpr int depth_limit = 200;
+constexpr double work_limit = 1.5e8;  // products, some ten seconds; then panels are taken as they are
 
-struct Node {
-  LongReal t;  ///< in [0, 1]
-  LongReal weight;
-};
+constexpr auto unit = std::numeric_limits<LongReal>::epsilon;
 
-/// The rule on [0, 1]: roots of the Legendre polynomial by Newton's method from cos(pi (i + 3/4)/(n + 1/2)).
-std::vector<Node> gauss_rule(int n) {
-  const LongReal pi = acos(LongReal(-1));
-  std::vector<Node> nodes;
-  for (int i = 0; i < n; ++i) {
-    LongReal x = cos(pi * (i + 0.75) / (n + 0.5));
-    LongReal slope;
-    for (int step = 0; step < 9; ++step) {
-      LongReal before = 1;
-      LongReal p = x;
-      for (int k = 2; k <= n; ++k) {
-        const LongReal next = ((2 * k - 1) * x * p - (k - 1) * before) / k;
-        before = p;
-        p = next;
-      }
-      slope = n * (x * p - before) / (x * x - 1);
-      x -= p / slope;
-    }
-    nodes.push_back({(1 + x) / 2, 1 / ((1 - x * x) * slope * slope)});
-  }
-  return nodes;
+LongReal largest(const std::vector<LongReal>& values) {
+  LongReal result = 0;
+  for (const LongReal& x : values)
+    if (abs(x) > result) result = abs(x);
+  return result;
 }
 
-LongReal sum(const LongHodograph& h, const std::vector<Node>& rule) {
-  LongReal total = 0;
-  for (const Node& node : rule) total += node.weight * h.speed(node.t);
-  return total;
+/// Each step of de Casteljau's algorithm changes a coordinate by at most 4 units of what the same steps give of the
+/// sizes of the coordinates, of which the largest is given. from / to, where the second cut is, is rounded too: that
+/// moves the beginning of the part.
+LongReal rounding_of_part(const LongHodograph& h, const LongReal& largest_size, double from, double to) {
+  const auto d = static_cast<double>(h.dimension);
+  LongReal off = 8 * d * static_cast<double>(h.degree() + 1) * unit() * largest_size;
+  if (from > 0 && from < to) off += 4 * d * unit() * largest(h.vectors) * to / (LongReal(to) - LongReal(from));
+  return off;
+}
+
+/// What 70 digits leave open of a length. The values of h that a series is made of are right to 8 (m + 1) units of the
+/// largest control vector, and so its coefficients, of which there are m + 1. Halving a panel and Clenshaw's algorithm
+/// change values by at most 4 (m + 1)^2 units of the sum of the coefficients, and no panel is halved more than 200
+/// times.
+LongReal rounding(const LongHodograph& h, const SpeedSeries& series) {
+  const auto count = static_cast<double>(h.degree() + 1);
+  return unit() * static_cast<double>(h.dimension) * count * count *
+         (8 * largest(h.vectors) + 4 * depth_limit * series.largest());
 }
 
 }  // namespace
-
-LongHodograph LongHodograph::split(const LongReal& t) {
-  LongHodograph right = *this;
-  const std::size_t m = degree();
-  std::vector<LongReal> row = vectors;
-  for (std::size_t level = 0; level <= m; ++level) {
-    for (std::size_t axis = 0; axis < dimension; ++axis) {
-      vectors[level * dimension + axis] = row[axis];
-      right.vectors[(m - level) * dimension + axis] = row[(m - level) * dimension + axis];
-    }
-    for (std::size_t k = 0; k < (m - level) * dimension; ++k) row[k] += t * (row[k + dimension] - row[k]);
-  }
-  return right;
-}
-
-LongReal LongHodograph::speed(const LongReal& t) const {
-  std::vector<LongReal> row = vectors;
-  for (std::size_t left = row.size() - dimension; left > 0; left -= dimension)
-    for (std::size_t k = 0; k < left; ++k) row[k] += t * (row[k + dimension] - row[k]);
-  LongReal square = 0;
-  for (std::size_t axis = 0; axis < dimension; ++axis) square += row[axis] * row[axis];
-  return sqrt(square);
-}
-
-LongReal LongHodograph::polygon() const {
-  LongReal sum = 0;
-  for (std::size_t i = 0; i < vectors.size(); i += dimension) {
-    LongReal square = 0;
-    for (std::size_t axis = 0; axis < dimension; ++axis) square += vectors[i + axis] * vectors[i + axis];
-    sum += sqrt(square);
-  }
-  return sum / (degree() + 1);
-}
-
-LongReal LongHodograph::chord() const {
-  LongReal square = 0;
-  for (std::size_t axis = 0; axis < dimension; ++axis) {
-    LongReal sum = 0;
-    for (std::size_t i = axis; i < vectors.size(); i += dimension) sum += vectors[i];
-    square += sum * sum;
-  }
-  return sqrt(square) / (degree() + 1);
-}
-
-bool LongHodograph::points_forward() const {
-  std::vector<LongReal> mean(dimension, 0);
-  for (std::size_t k = 0; k < vectors.size(); ++k) mean[k % dimension] += vectors[k];
-  for (std::size_t i = 0; i < vectors.size(); i += dimension) {
-    LongReal along = 0;
-    for (std::size_t axis = 0; axis < dimension; ++axis) along += vectors[i + axis] * mean[axis];
-    if (along < 0) return false;
-  }
-  return true;
-}
-
-LongReal LongHodograph::fine_sum() const {
-  static const auto rule = gauss_rule(fine_points);
-  return sum(*this, rule);
-}
 
 LongHodograph long_hodograph(const CurveView<double>& curve, double from, double to) {
   const auto d = static_cast<std::size_t>(curve.dimension);
@@ -111,34 +48,60 @@ LongHodograph long_hodograph(const CurveView<double>& curve, double from, double
   for (std::size_t k = d; k < curve.coefficients.size(); ++k)
     h.vectors.push_back(curve.degree * (LongReal(curve.coefficients[k]) - LongReal(curve.coefficients[k - d])));
   if (h.vectors.empty()) h.vectors.assign(d, 0);
-  if (to < 1) h.split(to);
-  if (from > 0) h = h.split(LongReal(from) / LongReal(to));
+  auto sizes = h;
+  for (LongReal& x : sizes.vectors) x = abs(x);
+  for (auto* cut : {&h, &sizes}) {
+    if (to < 1) cut->split(to);
+    if (from > 0) *cut = cut->split(LongReal(from) / LongReal(to));
+  }
+  h.off = rounding_of_part(h, largest(sizes.vectors), from, to);
   return h;
 }
 
-LengthPanels::LengthPanels(const LongHodograph& hodograph) : negligible_(hodograph.polygon() * LongReal("1e-36")) {
-  add(hodograph, 0, 1, 0);
+LengthPanels::LengthPanels(const LongHodograph& hodograph) : halving_(hodograph.degree()) {
+  const SpeedSeries series(hodograph);
+  negligible_ = series.mean_speed_to(1) * LongReal("1e-36");
+  add(series, 0, 1, 0, 0);
+  uncertainty_ += hodograph.off + rounding(hodograph, series);
+  // Of a straight line that does not turn the chord is the length, without the roundings of a rule.
+  const LongReal chord = hodograph.chord();
+  const LongReal longer = hodograph.polygon() - chord;
+  if (longer > chord * LongReal("1e-60")) return;
+  length_ = chord;
+  uncertainty_ = hodograph.off + chord * LongReal("1e-60");
 }
 
-void LengthPanels::add(LongHodograph h, const LongReal& begin, const LongReal& width, int depth) {
-  static const auto coarse_rule = gauss_rule(coarse_points);
-  const LongReal slack = width * (h.polygon() - h.chord());
-  const LongReal fine = width * h.fine_sum();
-  const bool flat = slack <= negligible_;
-  const LongReal difference = flat ? slack : abs(fine - width * sum(h, coarse_rule));
-  // A turn that is nearer to an end than every node of both rules does not show in their sums: they agree on a wrong
-  // one.
-  const bool certain = flat || (difference <= negligible_ && h.points_forward());
-  if (certain || depth == depth_limit) {
-    length_ += fine;
-    uncertainty_ += certain ? difference : slack;
-    panels_.push_back({begin, width, std::move(h), fine});
+void LengthPanels::add(SpeedSeries series, const LongReal& begin, const LongReal& width, const LongReal& cut_before,
+                       int depth) {
+  const LongReal allowed = negligible_ / width;
+  const LongReal cut = cut_before + series.shorten(allowed / 8);
+  const LongReal chord = series.chord_to(1);
+  const LongReal slack = series.largest() - chord;
+  const LongReal missed = series.proved_miss(allowed);
+  const bool proved = missed >= 0;
+  const auto terms = static_cast<double>((series.degree() + 1) * series.dimension());
+  if (proved || slack <= allowed || depth == depth_limit || work_ > work_limit) {
+    const LongReal speed = proved ? series.mean_speed_to(1) : LongReal(chord + slack / 2);
+    work_ += 44 * terms;
+    length_ += width * speed;
+    uncertainty_ += width * ((proved ? missed : LongReal(slack / 2)) + cut);
+    panels_.push_back({begin, width, std::move(series), width * speed});
     return;
   }
-  const LongHodograph right = h.split(LongReal(0.5));
+  work_ += terms * static_cast<double>(series.degree() + 1);
+  const SpeedSeries right = series.halve(halving_);
   const LongReal half = width / 2;
-  add(std::move(h), begin, half, depth + 1);
-  add(right, begin + half, half, depth + 1);
+  add(std::move(series), begin, half, cut, depth + 1);
+  add(right, begin + half, half, cut, depth + 1);
+}
+
+NotCertain::NotCertain(LongReal length, const LongReal& uncertainty)
+    : std::runtime_error("the true length is not certain to 30 digits, only to " +
+                         (length > 0 ? LongReal(uncertainty / length).str(2) + " of itself" : uncertainty.str(2))),
+      length_(std::move(length)) {}
+
+void require_certain(const LongReal& length, const LongReal& uncertainty) {
+  if (uncertainty > length * LongReal("1e-30")) throw NotCertain(length, uncertainty);
 }
 
 }  // namespace bezierbench::reference

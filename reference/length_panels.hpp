@@ -1,69 +1,66 @@
 // SPDX-License-Identifier: MIT
-// The speed of a Bezier curve in 70 digits, and its integral panel by panel. True lengths are computed from both.
+// The integral of the speed of a Bezier curve in 70 digits, panel by panel: what true lengths are made of.
+//
+// A panel is taken where a Gauss-Legendre rule with 44 points is proved to be right (speed_series.hpp), or where chord
+// and largest speed differ by next to nothing; else it is halved. At a cusp, whose place need not be known, the second
+// of these ends the halving: the length of the panels next to it falls like the square of their width. What is open in
+// all panels, and what roundings and terms that are left out may be, is summed and stated.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include "core/curve_view.hpp"
+#include "reference/speed_series.hpp"
 
 namespace bezierbench::reference {
 
-using LongReal = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<70>>;
-
-/// Control vectors of a hodograph, point by point.
-struct LongHodograph {
-  std::size_t dimension;
-  std::vector<LongReal> vectors;
-
-  [[nodiscard]] std::size_t degree() const { return vectors.size() / dimension - 1; }
-
-  /// Cuts the hodograph at t: this keeps the part on [0, t], the part on [t, 1] is returned.
-  LongHodograph split(const LongReal& t);
-
-  [[nodiscard]] LongReal speed(const LongReal& t) const;
-
-  /// The mean size of the vectors and the size of their mean: the lengths of polygon and chord for width 1 of t.
-  [[nodiscard]] LongReal polygon() const;
-  [[nodiscard]] LongReal chord() const;
-
-  /// True where no vector points away from their mean: then the speed is nowhere 0 inside, and the curve does not turn.
-  [[nodiscard]] bool points_forward() const;
-
-  /// The integral of the speed over [0, 1] by the Gauss-Legendre rule with 44 points.
-  [[nodiscard]] LongReal fine_sum() const;
-};
-
-/// The hodograph of `curve` (Bernstein form, finite, dimension at most 3) over the parameters 0 <= from <= to <= 1,
-/// from differences of the control points in 70 digits.
+/// Of `curve` (Bernstein form, finite, dimension at most 3), over the parameters 0 <= from <= to <= 1: differences of
+/// the control points, exact but for 70 digits.
 LongHodograph long_hodograph(const CurveView<double>& curve, double from, double to);
 
-/// A part of a hodograph that the rule with 44 points integrates to the wanted precision.
+/// A part of the parameters, and its length.
 struct LengthPanel {
   LongReal begin;  ///< begin and width are parameters of the hodograph over [0, 1]
   LongReal width;
-  LongHodograph hodograph;
+  SpeedSeries series;
   LongReal length;
 };
 
-/// The panels of [0, 1], in order, and the sum of their lengths.
+/// The panels of [0, 1], in order, and their length.
 class LengthPanels {
  public:
   explicit LengthPanels(const LongHodograph& hodograph);
 
   [[nodiscard]] const std::vector<LengthPanel>& panels() const { return panels_; }
   [[nodiscard]] const LongReal& length() const { return length_; }
-  /// The difference of the two rules, or of polygon and chord: about the error of the length.
+  /// The length is right to this.
   [[nodiscard]] const LongReal& uncertainty() const { return uncertainty_; }
 
  private:
-  void add(LongHodograph h, const LongReal& begin, const LongReal& width, int depth);
+  void add(SpeedSeries series, const LongReal& begin, const LongReal& width, const LongReal& cut, int depth);
 
-  LongReal negligible_;
+  SpeedSeries::Halving halving_;
   std::vector<LengthPanel> panels_;
+  LongReal negligible_ = 0;  ///< to be off, in each panel
   LongReal length_ = 0;
   LongReal uncertainty_ = 0;
+  double work_ = 0;  ///< products so far
 };
+
+/// A length is not certain to 30 digits. Ends in one line, which says to how many it is.
+class NotCertain : public std::runtime_error {
+ public:
+  NotCertain(LongReal length, const LongReal& uncertainty);
+  /// The length as far as it is known.
+  [[nodiscard]] const LongReal& length() const { return length_; }
+
+ private:
+  LongReal length_;
+};
+
+/// Throws NotCertain for a length that is not known to 30 digits.
+void require_certain(const LongReal& length, const LongReal& uncertainty);
 
 }  // namespace bezierbench::reference

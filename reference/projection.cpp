@@ -2,6 +2,8 @@
 #include "reference/projection.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "reference/integer_polynomial.hpp"
 
@@ -57,12 +59,12 @@ Problem problem_of(const CurveView<double>& curve, std::span<const double> point
 }
 
 /// |C - P|^2 at a dyadic t.
-Rational squared_at(const Problem& problem, const Dyadic& t) {
+Rational squared_at(const IntegerPolynomial& squared, long exponent, const Dyadic& t) {
   Rational value;
-  for (std::size_t i = problem.squared.size(); i-- > 0;)
-    value.numerator = value.numerator * t.k + (problem.squared[i] << (t.shift * (problem.squared.size() - 1 - i)));
-  const auto degree = problem.squared.empty() ? 0 : static_cast<long>(problem.squared.size()) - 1;
-  value.exponent = 2 * problem.exponent - degree * static_cast<long>(t.shift);
+  for (std::size_t i = squared.size(); i-- > 0;)
+    value.numerator = value.numerator * t.k + (squared[i] << (t.shift * (squared.size() - 1 - i)));
+  const auto degree = squared.empty() ? 0 : static_cast<long>(squared.size()) - 1;
+  value.exponent = 2 * exponent - degree * static_cast<long>(t.shift);
   return value;
 }
 
@@ -88,11 +90,22 @@ void refine_root(const IntegerPolynomial& p, RootInterval& root) {
 }
 
 CriticalPoint critical_point(const Problem& problem, const RootInterval& root, const IntegerPolynomial& zeros) {
-  CriticalPoint point{rational(root.t), squared_at(problem, root.t)};
+  CriticalPoint point{rational(root.t), squared_at(problem.squared, problem.exponent, root.t)};
   if (root.exact || zeros.size() < 2) return point;
   const Dyadic other{root.t.k + 1, root.t.shift};
   if (sign_at(zeros, root.t) * sign_at(zeros, other) < 0) point.distance_squared = {};
   return point;
+}
+
+/// The square root of b >= 0, cut to 256 bits.
+Rational root_of(const Rational& b) {
+  if (b.numerator == 0) return b;
+  constexpr long root_bits = 256;
+  const long drop = floor_log2(b) / 2 - root_bits;  // of the root
+  const long shift = b.exponent - 2 * drop;
+  mpz_class integer = shift >= 0 ? mpz_class(b.numerator << static_cast<mp_bitcnt_t>(shift))
+                                 : mpz_class(b.numerator >> static_cast<mp_bitcnt_t>(-shift));
+  return {sqrt(integer), 1, drop};
 }
 
 bool less(const Rational& a, const Rational& b) { return sgn((a - b).numerator) < 0; }
@@ -101,10 +114,10 @@ bool less(const Rational& a, const Rational& b) { return sgn((a - b).numerator) 
 
 ExactProjection projection(const CurveView<double>& curve, std::span<const double> point) {
   const auto problem = problem_of(curve, point);
-  ExactProjection result;
+  ExactProjection result{{}, 0, problem.squared, problem.exponent};
   const auto add_end = [&](unsigned long k) {
     const Dyadic t{k, 0};
-    result.critical.push_back({rational(t), squared_at(problem, t)});
+    result.critical.push_back({rational(t), squared_at(problem.squared, problem.exponent, t)});
   };
   add_end(0);
   if (!problem.slope.empty()) {  // else the curve is one point
@@ -123,17 +136,24 @@ ExactProjection projection(const CurveView<double>& curve, std::span<const doubl
   return result;
 }
 
+Rational ExactProjection::distance_squared_at(double t) const {
+  const Rational place = exactly(t);
+  const bool whole = place.exponent >= 0;
+  return squared_at(squared, exponent,
+                    {whole ? mpz_class(place.numerator << static_cast<mp_bitcnt_t>(place.exponent)) : place.numerator,
+                     whole ? 0 : static_cast<unsigned long>(-place.exponent)});
+}
+
 double distance_error(const Format& format, double a, const Rational& b) {
-  Rational root = b;
-  if (b.numerator != 0) {
-    constexpr long root_bits = 256;
-    const long drop = floor_log2(b) / 2 - root_bits;  // of the root
-    const long shift = b.exponent - 2 * drop;
-    mpz_class integer = shift >= 0 ? mpz_class(b.numerator << static_cast<mp_bitcnt_t>(shift))
-                                   : mpz_class(b.numerator >> static_cast<mp_bitcnt_t>(-shift));
-    root = {sqrt(integer), 1, drop};
-  }
-  return round_to(format, abs(exactly(a) - root));
+  return round_to(format, abs(exactly(a) - root_of(b)));
+}
+
+double foot_error(const Format& format, double t, double distance, const ExactProjection& exact) {
+  if (!std::isfinite(t) || !std::isfinite(distance)) return std::numeric_limits<double>::infinity();
+  const auto& least = exact.foot().distance_squared;
+  const double of_distance = distance_error(format, distance, least);
+  const double of_place = round_to(format, abs(root_of(exact.distance_squared_at(t)) - root_of(least)));
+  return of_place > 2 * of_distance ? of_place : of_distance;
 }
 
 }  // namespace bezierbench::reference

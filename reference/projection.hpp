@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/curve_view.hpp"
+#include "reference/integer_polynomial.hpp"
 #include "reference/rational.hpp"
 
 namespace bezierbench::reference {
@@ -23,12 +24,25 @@ struct ExactProjection {
   std::size_t nearest = 0;              ///< index of the least distance; of equal ones the first
 
   [[nodiscard]] const CriticalPoint& foot() const { return critical[nearest]; }
+
+  /// |C(t) - P|^2 = 2^(2 exponent) sum squared[i] t^i, for any t.
+  IntegerPolynomial squared;
+  long exponent = 0;
+
+  /// At a finite t.
+  [[nodiscard]] Rational distance_squared_at(double t) const;
 };
 
 /// Projects a finite point on a curve of as many dimensions: finite coefficients in Bernstein form, degree >= 1.
 ExactProjection projection(const CurveView<double>& curve, std::span<const double> point);
 
-/// |a - sqrt(b)| for a double a >= 0 and b >= 0, rounded once to `format`; the root is cut to 256 bits before.
+/// How far a foot point is off, at t and with what is said to be its distance, rounded once to `format`: |distance -
+/// d|, d the least distance; or |C(t) - P| - d where that is more than twice as much, more than the rounding of a
+/// distance can make of it: a method to which everything near is 0 says the right distance of the wrong place. Infinite
+/// where t or distance is not finite.
+double foot_error(const Format& format, double t, double distance, const ExactProjection& exact);
+
+/// |a - sqrt(b)| for a double a >= 0 and b >= 0, rounded once to `format`, but that the root is cut to 256 bits.
 double distance_error(const Format& format, double a, const Rational& b);
 
 }  // namespace bezierbench::reference

@@ -117,5 +117,18 @@ TEST(DistanceError, IsRoundedOnce) {
   EXPECT_NEAR(distance_error(binary64, std::sqrt(2.0), {2, 1, 0}), 9.667293313452913e-17, 1e-31);
 }
 
+/// A foot point is off by where it lies, too: 3e-30 next to 1e300 is no distance to a method that scales both alike.
+TEST(Projection, AFootPointIsJudgedByItsPlace) {
+  const std::vector<double> points{1e300, 0, 1e300, 1e-30, 1e300, 3e-30};
+  const std::vector<double> end{1e300, 3e-30};
+  const auto exact = projection({Form::bernstein, 2, 2, points}, end);
+  EXPECT_EQ(foot_error(binary64, 1, 0, exact), 0);
+  EXPECT_EQ(foot_error(binary64, 0, 0, exact), 3e-30);
+  EXPECT_EQ(foot_error(binary64, 1, 5, exact), 5);
+  EXPECT_NEAR(foot_error(binary64, 0.5, 0, exact), 1.75e-30, 1e-45);  // y = 2t + t^2 in 1e-30
+  EXPECT_EQ(foot_error(binary64, std::nan(""), 0, exact), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(foot_error(binary64, 1, std::nan(""), exact), std::numeric_limits<double>::infinity());
+}
+
 }  // namespace
 }  // namespace bezierbench::reference

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace bezierbench::reference {
 
@@ -15,8 +14,7 @@ TrueLength::TrueLength(const CurveView<double>& curve, double from, double to) {
   const LongReal width = LongReal(to) - LongReal(from);
   value_ = width * integral.length();
   uncertainty_ = width * integral.uncertainty();
-  if (uncertainty_ > value_ * LongReal("1e-30"))
-    throw std::runtime_error("the arc length of a curve is not certain to 30 digits");
+  require_certain(value_, uncertainty_);
 }
 
 std::string TrueLength::decimal(int digits) const { return value_.str(digits, std::ios_base::fmtflags{}); }
@@ -24,7 +22,7 @@ std::string TrueLength::decimal(int digits) const { return value_.str(digits, st
 double TrueLength::error_of(double length) const {
   if (!std::isfinite(length)) return std::numeric_limits<double>::infinity();
   const LongReal error = abs(LongReal(length) - value_);
-  return error.convert_to<double>();
+  return error <= uncertainty_ ? 0 : error.convert_to<double>();
 }
 
 }  // namespace bezierbench::reference

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace bezierbench::reference {
@@ -72,6 +73,60 @@ TEST(TrueLength, AddsUp) {
         other[2 * i + axis] = points[2 * (static_cast<std::size_t>(n) - i) + axis] * 0x1p-700;
     expect_digits(length_of(other, 2), ldexp(whole.value(), -700));
   }
+}
+
+/// Bernstein coefficients of the Chebyshev polynomial of this degree, (-1)^(n-i) C(2n, 2i) / C(n, i), each rounded.
+std::vector<double> chebyshev(int n) {
+  std::vector<double> coefficients;
+  for (int i = 0; i <= n; ++i) {
+    LongReal value = (n - i) % 2 == 0 ? 1 : -1;
+    for (int k = 0; k < 2 * i; ++k) value = value * (2 * n - k) / (k + 1);
+    for (int k = 0; k < i; ++k) value = value * (k + 1) / (n - k);
+    coefficients.push_back(value.convert_to<double>());
+  }
+  return coefficients;
+}
+
+/// T_20 goes 20 times from -1 to 1 or back; its coefficients over [0, 1] are whole numbers over 969.
+TEST(TrueLength, OfACurveThatTurnsAsOftenAsItCan) {
+  auto points = chebyshev(20);
+  for (double& x : points) x = std::round(x * 969);
+  expect_digits(length_of(points, 1), 20 * 2 * 969);
+}
+
+/// Rounding moves T_64, whose coefficients reach 1e19, a little; T_200 is lost in it.
+TEST(TrueLength, EndsAtAnyDegree) {
+  EXPECT_GT(length_of(chebyshev(64), 1).value(), 100);
+  std::vector<double> flat;
+  for (const double x : chebyshev(64)) flat.insert(flat.end(), {x, 1e-6 * x});
+  EXPECT_GT(length_of(flat, 2).value(), 100);
+  EXPECT_GT(length_of(chebyshev(200), 1).value(), 1e20);
+}
+
+/// The part of t^64 up to 1e-300 is 1e-19200 long, and 70 digits suffice for it; for (3t - 1)^9 about 1/3 they do not.
+TEST(TrueLength, SaysWhatIsNotCertain) {
+  std::vector<double> rests(65, 0.0);
+  rests.back() = 1;
+  expect_digits(length_of(rests, 1, 0, 1e-300), pow(LongReal(1e-300), 64));
+  // (3t - 1)^9, each of its coefficients a whole number
+  const std::vector<double> inside{-1, 2, -4, 8, -16, 32, -64, 128, -256, 512};
+  expect_digits(length_of(inside, 1), 513);
+  try {
+    static_cast<void>(length_of(inside, 1, 1.0 / 3, std::nextafter(1.0 / 3, 1)));
+    FAIL() << "certain";
+  } catch (const NotCertain& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("not certain to 30 digits"), std::string::npos);
+  }
+}
+
+/// A rounding in the last of 70 digits is no error.
+TEST(TrueLength, HasNoErrorOfItsOwn) {
+  EXPECT_EQ(length_of({1, 2}, 1).error_of(1), 0);
+  EXPECT_EQ(length_of({1, 2, 4, 6}, 2).error_of(5), 0);
+  EXPECT_EQ(length_of({0, 0.5, 2}, 1).error_of(2), 0);
+  EXPECT_EQ(length_of({0, 1, 0}, 1).error_of(1), 0);
+  EXPECT_EQ(length_of({0, 0, 0.5, 0, 2, 0}, 2).error_of(2), 0);
 }
 
 TEST(TrueLength, SaysItInDecimalAndMeasuresErrors) {

@@ -31,8 +31,8 @@ struct AdaptiveSimpson38 {
                                    .label = "Adaptive Simpson 3/8",
                                    .problem = Problem::arc_length,
                                    .form = Form::bernstein,
-                                   .promise = "the tolerance, or converged is no",
-                                   .flops = "per speed (n-1)(1+3d) + 2d + 2",
+                                   .promise = "proved: the tolerance, or converged is no",
+                                   .flops = "per speed 3d n(n-1)/2 + 2d",
                                    .cost_exponent = 2,
                                    .citation = "[Document 000], eq. (13); [Davis and Rabinowitz 1984]"};
 

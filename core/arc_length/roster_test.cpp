@@ -290,8 +290,7 @@ TEST(ArcLength, SeesTurnsOfSmallWholeNumbers) {
   }
 }
 
-/// Coordinates of which those of one axis, the same for all points, are larger than the differences of another by a
-/// factor that no double holds.
+/// All points have the same coordinate on one axis, which is up to 1e338 times their differences on the other.
 TEST(ArcLength, IsThatOfTheDifferences) {
   const double length = 3e-30;
   for (const double far : {1e300, 1.7e308, -1e300, 1.0, 0.0})

@@ -2,9 +2,11 @@
 // `curve at-length`: the parameter at a length from the beginning of a curve by any method, against the true one.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "core/arc_length/inverse/kernel.hpp"
 #include "experiments/bundle/csv.hpp"
@@ -50,6 +52,44 @@ LongReal target_of(const Options& options, const LongReal& whole) {
   return length;
 }
 
+/// The true lengths along a curve, as far as they are known.
+class Truth {
+ public:
+  /// Tells standard error where they are not certain: what the methods say is printed anyhow.
+  Truth(const Options& options, const CurveView<double>& curve) {
+    try {
+      lengths_.emplace(curve);
+      whole_ = lengths_->whole();
+    } catch (const reference::NotCertain& error) {
+      whole_ = error.length();
+      fmt::print(stderr, "bezierbench: {}: {}; exact_t, error and length_error are left empty\n", options.curve.file,
+                 error.what());
+    }
+  }
+
+  [[nodiscard]] const LongReal& whole() const { return whole_; }
+
+  [[nodiscard]] std::optional<LongReal> parameter_at(const LongReal& length) const {
+    if (!lengths_) return std::nullopt;
+    return lengths_->parameter_at(length);
+  }
+
+  /// The fields `error` and `length_error` of a method's t; a t where the length is exact is as exact as exact_t.
+  [[nodiscard]] std::array<std::string, 2> errors(double t, const LongReal& length,
+                                                  const std::optional<LongReal>& exact_t) const {
+    if (!exact_t) return {};
+    if (!std::isfinite(t)) return {"inf", "inf"};
+    const LongReal of_length = lengths_->distance(LongReal(t), length);
+    const bool on_curve = t >= 0 && t <= 1;
+    const LongReal of_t = on_curve && of_length == 0 ? LongReal(0) : LongReal(abs(LongReal(t) - *exact_t));
+    return {number::decimal(of_t.convert_to<double>()), number::decimal(of_length.convert_to<double>())};
+  }
+
+ private:
+  std::optional<reference::LengthAlong> lengths_;
+  LongReal whole_;
+};
+
 void find(const Options& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const double tolerance = tolerance_of(options);
@@ -59,22 +99,17 @@ void find(const Options& options) {
     throw Failure(Exit::usage,
                   fmt::format("{}: the file is in {} form, lengths are those of control points; see `curve convert`",
                               options.curve.file, name(curve.form)));
-  const reference::LengthAlong truth(curve.view());
+  const Truth truth(options, curve.view());
   const LongReal target = target_of(options, truth.whole());
-  const LongReal exact = truth.parameter_at(target);
   bundle::CsvTable table(
       {"method", "t", "iterations", "converged", "exact_t", "error", "error_estimate", "length_error"});
+  const auto exact_t = truth.parameter_at(target);
   for (const auto* method : methods) {
     const auto result = method->solve(curve.view(), target.convert_to<double>(), tolerance);
-    const bool finite = std::isfinite(result.t);
-    const auto field = [finite](const auto& error) {
-      return finite ? number::decimal(error().template convert_to<double>()) : std::string("inf");
-    };
+    const auto [error, length_error] = truth.errors(result.t, target, exact_t);
     table.add_row({std::string(method->info->id), number::decimal(result.t), std::to_string(result.iterations),
-                   result.converged ? "yes" : "no", number::decimal(exact.convert_to<double>()),
-                   field([&] { return LongReal(abs(LongReal(result.t) - exact)); }),
-                   number::decimal(result.error_estimate),
-                   field([&] { return LongReal(abs(truth.length_to(LongReal(result.t)) - target)); })});
+                   result.converged ? "yes" : "no", exact_t ? number::decimal(exact_t->convert_to<double>()) : "",
+                   error, number::decimal(result.error_estimate), length_error});
   }
   fmt::print("{}", table.text());
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve_commands.hpp"
@@ -45,6 +46,17 @@ Task task_of(const Options& options) {
   return task;
 }
 
+/// None where it is not certain, which standard error is told: what the methods say is printed anyhow.
+std::optional<reference::TrueLength> true_length(const Options& options, const CurveView<double>& curve,
+                                                 const Task& task) {
+  try {
+    return reference::TrueLength(curve, task.from, task.to);
+  } catch (const reference::NotCertain& error) {
+    fmt::print(stderr, "bezierbench: {}: {}; exact and error are left empty\n", options.curve.file, error.what());
+    return std::nullopt;
+  }
+}
+
 void measure(const Options& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const auto task = task_of(options);
@@ -54,14 +66,15 @@ void measure(const Options& options) {
     throw Failure(Exit::usage,
                   fmt::format("{}: the file is in {} form, lengths are those of control points; see `curve convert`",
                               options.curve.file, name(curve.form)));
-  const reference::TrueLength truth(curve.view(), task.from, task.to);
+  const auto truth = true_length(options, curve.view(), task);
   bundle::CsvTable table({"method", "length", "error_estimate", "evaluations", "converged", "exact", "error"});
   for (const auto* method : methods) {
     const auto result = method->measure(curve.view(), task.from, task.to, task.tolerance);
     table.add_row({std::string(method->info->id), number::decimal(result.length),
                    std::isnan(result.error_estimate) ? "" : number::decimal(result.error_estimate),
-                   std::to_string(result.evaluations), result.converged ? "yes" : "no", truth.decimal(exact_digits),
-                   number::decimal(truth.error_of(result.length))});
+                   std::to_string(result.evaluations), result.converged ? "yes" : "no",
+                   truth ? truth->decimal(exact_digits) : "",
+                   truth ? number::decimal(truth->error_of(result.length)) : ""});
   }
   fmt::print("{}", table.text());
 }

@@ -50,7 +50,7 @@ void project(const Options& options) {
   bundle::CsvTable table({"method", "t", "distance", "candidates", "exact_t", "exact_distance", "error"});
   for (const auto* kernel : methods) {
     const auto foot = kernel->project(curve.view(), point);
-    const double error = reference::distance_error(reference::binary64, foot.distance, exact.foot().distance_squared);
+    const double error = reference::foot_error(reference::binary64, foot.t, foot.distance, exact);
     table.add_row({std::string(kernel->info->id), number::decimal(foot.t), number::decimal(foot.distance),
                    std::to_string(foot.candidates), t, distance, number::decimal(error)});
     if (!foot.converged)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """`curve` from outside: files, parameters, methods, and what comes out. Usage: curves_test.py BEZIERBENCH"""
 import decimal
+import fractions
+import math
 import unittest
 
 from program_case import EVAL_COLUMNS, INPUT_OUTPUT, PROJECT_COLUMNS, TO_BERNSTEIN, TO_POWER, USAGE, Case, rows
@@ -120,6 +122,52 @@ class Curves(Case):
                 (["--method", "chord_sums"], 'did you mean "chord_sum"?')]:
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, length + arguments, *needles)
+
+    def test_lengths_of_any_finite_curve(self):
+        """What is certain is printed, what is not is said in one line beside what the methods say."""
+        line = rows(self.fine("curve", "length", "--curve", self.write("line.csv", "x\n1\n2\n")))
+        self.assertEqual({(row["exact"], row["error"]) for row in line}, {("1", "0")})
+        # 969 times the Bernstein coefficients of T_20, which goes 20 times from -1 to 1 or back
+        t_20 = [round((-1)**i * 969 * fractions.Fraction(math.comb(40, 2 * i), math.comb(20, i))) for i in range(21)]
+        self.write("t.csv", "x\n" + "\n".join(map(str, t_20)) + "\n")
+        for row in rows(self.fine("curve", "length", "--curve", "t.csv")):
+            self.assertEqual(row["exact"], "38760")
+        for question in (["--length", "19380"], ["--fraction", "0.5"]):
+            found = rows(self.fine("curve", "at-length", "--curve", "t.csv", *question, "--method", "halley", "--tolerance",
+                                   "1e-6"))
+            self.assertEqual((found[0]["exact_t"], found[0]["converged"]), ("0.5", "yes"))
+        # (3t - 1)^9 next to where it stops, over one step of doubles: (1e-16)^9 is nothing to 70 digits
+        self.write("rest.csv", "x\n" + "\n".join(str((-1)**(9 - i) * 2**i) for i in range(10)) + "\n")
+        third = 1 / 3
+        result = self.run_program("curve", "length", "--curve", "rest.csv", "--from", third.hex(), "--to",
+                                  math.nextafter(third, 1).hex())
+        self.assertEqual(result.returncode, 0)
+        self.assert_one_line(result, "rest.csv", "not certain to 30 digits", "left empty")
+        found = rows(result.stdout.decode())
+        self.assertEqual([row["method"] for row in found],
+                         [row["id"] for row in self.our_methods() if row["problem"] == "arc_length"])
+        self.assertEqual({(row["exact"], row["error"], row["converged"]) for row in found}, {("", "", "no")})
+        # T_200, whose coefficients reach 1e60, ends
+        coefficients = [(-1)**i * math.comb(400, 2 * i) / math.comb(200, i) for i in range(201)]
+        self.write("t.csv", "x\n" + "\n".join(map(repr, coefficients)) + "\n")
+        self.assertEqual(self.run_program("curve", "length", "--curve", "t.csv", "--method", "gauss_legendre_24").returncode, 0)
+
+    def test_spread_of_coordinates(self):
+        self.write("c.csv", "x,y\n1e300,0\n1e300,1e-30\n1e300,3e-30\n")
+        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
+            self.assertAlmostEqual(float(row["length"]) / 3e-30, 1, 8)
+        for row in rows(self.fine("curve", "at-length", "--curve", "c.csv", "--fraction", "0.5")):
+            self.assertAlmostEqual(float(row["exact_t"]), math.sqrt(2.5) - 1, 8)  # 2t + t^2 = 3/2
+            self.assertAlmostEqual(float(row["t"]), math.sqrt(2.5) - 1, 6)
+        for row in rows(self.fine("curve", "project", "--curve", "c.csv", "--point", "1e300,3e-30")):
+            t = float(row["t"])
+            self.assertAlmostEqual(float(row["error"]) / 3e-30, 1 - (2 * t + t * t) / 3, 8)
+        self.write("c.csv", "x,y\n-1.7e308,0\n1.7e308,0\n")
+        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
+            self.assertEqual((row["length"], row["converged"]), ("inf", "no"))
+        self.write("c.csv", "x,y\n0,0\n5e-323,5e-323\n1e-322,0\n")
+        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
+            self.assertEqual(row["converged"], "no")
 
     def test_at_length(self):
         columns = ["method", "t", "iterations", "converged", "exact_t", "error", "error_estimate", "length_error"]

@@ -13,6 +13,7 @@
 #include "experiments/sample/integer.hpp"
 #include "experiments/sample/multiple_root.hpp"
 #include "experiments/sample/report.hpp"
+#include "experiments/sample/thin.hpp"
 #include "experiments/sample/weights_mild.hpp"
 #include "experiments/sample/weights_wild.hpp"
 
@@ -28,6 +29,7 @@ using Generators = std::tuple<Continuous,      //
                               ClusteredRoots,  //
                               Cusp,            //
                               Distant,         //
-                              Graded>;
+                              Graded,          //
+                              Thin>;
 
 }  // namespace bezierbench::sample

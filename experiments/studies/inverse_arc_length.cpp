@@ -55,7 +55,7 @@ void judge(const PromiseTrial<InverseArcLengthKernel>& trial, std::vector<Parame
         ++errors.promises.non_finite;
         continue;
       }
-      const double error = rounded(abs(truth.length_to(LongReal(result.t)) - target));
+      const double error = rounded(truth.distance(LongReal(result.t), target));
       errors.error.add(error);
       errors.relative.add(error == 0 ? 0 : metric::to_24_bits(error / length));
       errors.t_error.add(rounded(abs(LongReal(result.t) - exact)));

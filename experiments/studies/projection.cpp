@@ -98,7 +98,7 @@ void ProjectionJob::judge(const ProjectionKernel& kernel, const sample::PlacedPo
     ++tally.non_finite;
     return;
   }
-  const double error = reference::distance_error(reference::error_format, foot.distance, exact.foot().distance_squared);
+  const double error = reference::foot_error(reference::error_format, foot.t, foot.distance, exact);
   const double largest = sample::largest_coordinate(problem);
   tally.error.add(error);
   tally.error_unit.add(error == 0 ? 0 : metric::to_24_bits(error / largest * 0x1p+52));

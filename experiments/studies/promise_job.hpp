@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/failure.hpp"
 #include "experiments/metric/tally.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
@@ -18,6 +19,7 @@
 #include "experiments/studies/interruption.hpp"
 #include "experiments/studies/job.hpp"
 #include "experiments/studies/promises.hpp"
+#include "reference/length_panels.hpp"
 
 namespace bezierbench::studies {
 
@@ -121,7 +123,13 @@ class PromiseJob : public JobOf<PromiseRows<Row>> {
     for (auto trial = first; trial < last && !interrupted(); ++trial) {
       const auto number = static_cast<std::uint64_t>(trial);
       sampler.draw(number, drawn);
-      problem_.judge({part.cell, drawn, number, part.methods, study_.tolerance}, tally.rows);
+      try {
+        problem_.judge({part.cell, drawn, number, part.methods, study_.tolerance}, tally.rows);
+      } catch (const reference::NotCertain& error) {
+        throw Failure(Exit::usage,
+                      fmt::format("{}, trial {}: {}; leave this cell out of the suite",
+                                  describe(study_, part.cell, suite::ScalarKind::float64), trial, error.what()));
+      }
     }
     return tally;
   }

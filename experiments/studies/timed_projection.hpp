@@ -39,7 +39,7 @@ class TimedProjection {
     result = {foot.t, foot.distance};
   }
   [[nodiscard]] bool is_right(const Kernel& /*method*/, std::size_t k, const Result& result) const {
-    return reference::distance_error(reference::error_format, result[1], truths_[k].foot().distance_squared) <=
+    return reference::foot_error(reference::error_format, result[0], result[1], truths_[k]) <=
            missed_tolerance * sample::largest_coordinate(problems_[k]);
   }
 

@@ -176,6 +176,17 @@ def cusp(n, dimension, stream):
     return [[x + offset for x in first], *points]
 
 
+def thin(n, dimension, stream):
+    """Points, in units of R: whole multiples of 1/32 on the first axis, of 2^-s/32 on the others."""
+    s, zigzag = 4 + below(17, stream), below(2, stream)
+    points = []
+    for i in range(n + 1):
+        first = below(33, stream) - (32 if i % 2 == 0 else 0) if zigzag else below(65, stream) - 32
+        others = [Fraction(below(65, stream) - 32, 2**s) for _ in range(dimension - 1)]
+        points.append([Fraction(x) / 32 for x in [first, *others]])
+    return points
+
+
 def power_coefficients(leading, roots):
     """Of leading * prod (t - root), ascending."""
     coefficients = [leading]
@@ -202,6 +213,7 @@ def polynomial(curve, leading, roots):
 
 COORDINATES = {"continuous": continuous, "dyadic": continuous, "integer": integer, "report": report, "distant": distant,
                "graded": graded, "weights_mild": continuous, "weights_wild": continuous}
+CURVES = {"cusp": cusp, "thin": thin}
 POLYNOMIALS = {"multiple_root": multiple_root, "clustered_roots": clustered_roots}
 PARAMETERS = {"dyadic": dyadic_t, "report": report_t}  # the others: as continuous
 WEIGHTS = {"weights_mild": mild, "weights_wild": wild}
@@ -220,10 +232,11 @@ def draw(seed, study, cell, trial):
         leading, roots = POLYNOMIALS[generator](cell["degree"], stream)
         axis = polynomial(cell["curve"], leading * Fraction(cell["coordinate_range"]), roots)
         return t, [c for c in axis for _ in range(cell["dimension"])], []
-    if generator == "cusp":
-        exact = [Fraction(cell["coordinate_range"]) * x for p in cusp(cell["degree"], cell["dimension"], stream) for x in p]
+    if generator in CURVES:
+        points = CURVES[generator](cell["degree"], cell["dimension"], stream)
+        exact = [Fraction(cell["coordinate_range"]) * x for p in points for x in p]
         if any(Fraction(float(x)) != x for x in exact):
-            raise SystemExit("inputs.py: a cusp is not exact in doubles; lower the degree of its generator")
+            raise SystemExit(f"inputs.py: a curve of {generator} is not exact in doubles; lower the degree of its generator")
         return t, [float(x) for x in exact], []
     coefficients = [COORDINATES[generator](cell["coordinate_range"], stream)
                     for _ in points for _ in range(cell["dimension"])]

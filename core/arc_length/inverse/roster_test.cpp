@@ -166,6 +166,37 @@ TEST(InverseArcLength, SizeChangesNothing) {
   }
 }
 
+/// Lengths of 1e-30 along one axis, all points alike at 1e300 on another; s = 2t + t^2 in 1e-30.
+TEST(InverseArcLength, IsThatOfTheDifferences) {
+  const double target = 1.5e-30;
+  for (const double far : {1e300, 1.7e308, 0.0})
+    for (const auto& kernel : inverse_arc_length_kernels(2)) {
+      const auto result = kernel.solve(view({far, 0, far, 1e-30, far, 3e-30}), target, 1e-4);
+      EXPECT_TRUE(result.converged) << kernel.info->id << " " << far;
+      EXPECT_NEAR((2 + result.t) * result.t, 1.5, 3e-4) << kernel.info->id << " " << far;
+    }
+}
+
+/// The curves on which sums that agree were wrong about the length.
+TEST(InverseArcLength, KeepsItsToleranceOnThinCurves) {
+  const std::vector<Case> thin{{"turns", 1, {1, 18, 0, 19}},
+                               {"thin", 2, {-7, .005, 12, -.001, -8, .005, 13, -.001}},
+                               {"thin in space", 3, {1, 0, 0, 18, 1e-4, 0, 0, 1e-4, 1e-3, 19, 0, 0}}};
+  for (const auto& curve : thin) {
+    const auto given = view(curve.points, curve.dimension);
+    const LengthAlong truth(given);
+    for (int part = 1; part < 40; ++part) {
+      const double target = LongReal(truth.whole() * part / 40).convert_to<double>();
+      for (const auto& kernel : inverse_arc_length_kernels(curve.dimension))
+        for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
+          const auto result = kernel.solve(given, target, tolerance);
+          EXPECT_TRUE(!result.converged || length_error(truth, result.t, target) <= tolerance * (1 + 1e-9))
+              << kernel.info->id << ", " << curve.name << ", part " << part << ", tolerance " << tolerance;
+        }
+    }
+  }
+}
+
 /// One curve's lengths and derivatives, for the formulas of [Document 000].
 struct Formula {
   Points points;
