@@ -128,6 +128,21 @@ class Compare(Case):
         self.assertEqual(result.returncode, FINDING)
         self.assert_one_line(result, "slower than in a", "doubtful")
 
+    def test_doubtful_times_fail_nothing(self):
+        """Nor do those whose repetitions do not agree: of an interval that reaches into that of the other bundle."""
+        self.still_times("a")
+        self.still_times("b")
+        self.scale_times(1.25, lambda row: row["method"] == "de_casteljau")
+        self.edit("timing.csv", lambda row: row.update(quality="ok"), "a")
+        self.edit("timing.csv", lambda row: row.update(quality="noisy"))
+        self.assertEqual(self.run_program("compare", "a", "b", "--fail-on", "slower").returncode, FINE)
+        self.edit("timing.csv", lambda row: row.update(quality="ok"))
+        self.assertEqual(self.run_program("compare", "a", "b", "--fail-on", "slower").returncode, FINDING)
+        self.edit("timing.csv", lambda row: row.update(low_ns=repr(float(row["median_ns"]) / 1.2)))
+        self.edit("timing.csv", lambda row: row.update(high_ns=repr(float(row["median_ns"]) * 1.1)), "a")
+        self.assertIn("slower", {row["verdict"] for row in self.table("a", "b") if row["method"] == "de_casteljau"})
+        self.assertEqual(self.run_program("compare", "a", "b", "--fail-on", "slower").returncode, FINE)
+
     def test_a_slower_machine_is_the_same_in_sentinels(self):
         self.scale_times(2)
         for row in self.table("a", "b"):

@@ -214,7 +214,7 @@ class Timings(ResumeCase):
         suite = self.suite(self.TWO)
         self.start_and_stop("b", suite)
         self.pretend_another_machine("b")
-        self.assertIn("blocks       32, 0 of them done", self.fine("run", suite, "--out", "b", "--dry-run"))
+        self.assertIn("blocks       48, 0 of them done", self.fine("run", suite, "--out", "b", "--dry-run"))
         self.bundle(suite, name="b")
         self.assertNotIn("Other", (self.folder / "b/machine.json").read_text())
 

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::string_view few_rounds = "few_rounds";
 constexpr std::string_view unchecked = "unchecked";
-constexpr std::array<std::string_view, 4> qualities{quality_ok, "noisy", few_rounds, unchecked};  // best first
+constexpr std::string_view noisy = "noisy";
+constexpr std::array<std::string_view, 4> qualities{quality_ok, noisy, few_rounds, unchecked};  // best first
 
 double time(const bundle::CsvDocument& table, std::size_t row, std::string_view column) {
   const auto value = number::parse_number(table.at(row, column));
@@ -45,6 +46,27 @@ std::string_view quality(const bundle::CsvDocument& table, std::size_t row) {
 /// The worse one; a word of another program version is worse than any that is known.
 std::string worse(std::string_view a, std::string_view b) {
   return std::string(std::ranges::find(qualities, a) > std::ranges::find(qualities, b) ? a : b);
+}
+
+/// Whether the same build on the same machine took another time for fixed work beside these rows: then the machine was
+/// not as quiet, or not as fast, and a difference says nothing of the methods.
+bool machine_changed(const bundle::CsvDocument& ours, const bundle::CsvDocument& theirs, const RowPair& pair) {
+  const auto differs = [&](std::string_view column) {
+    const auto has = [column](const bundle::CsvDocument& table, std::size_t row) {
+      return table.has_column(column) && !table.at(row, column).empty();
+    };
+    if (!has(ours, pair.a) || !has(theirs, pair.b)) return false;
+    const double a = time(ours, pair.a, column);
+    const double b = time(theirs, pair.b, column);
+    return std::max(a, b) > (1 + metric::tolerated_drift) * std::min(a, b);
+  };
+  return differs("sentinel_ns") || differs("sweep_ns");
+}
+
+/// A sentinel is code as well: other compilers and flags may make it faster or slower.
+bool same_sentinels(const Side& a, const Side& b) {
+  return same_machine(a, b) && a.fact("build.compiler") == b.fact("build.compiler") &&
+         a.fact("build.flags") == b.fact("build.flags");
 }
 
 TimeRatio judged(const metric::Interval& ratio, std::string_view quality) {
@@ -90,6 +112,11 @@ void rank(std::vector<TimingRow>& rows) {
 
 }  // namespace
 
+bool TimingRow::is_certainly_slower() const {
+  const auto slower = [](const TimeRatio& of) { return of.verdict == metric::Verdict::slower; };
+  return is_ok() && slower(raw) && b.low > a.high && (!normalised || slower(*normalised));
+}
+
 TimingComparison compare_timing(const Side& a, const Side& b) {
   TimingComparison comparison;
   const auto* ours = a.table(timing_file);
@@ -99,11 +126,13 @@ TimingComparison compare_timing(const Side& a, const Side& b) {
     comparison.only_b = theirs == nullptr ? 0 : theirs->row_count();
     return comparison;
   }
+  const bool fixed_work_compares = same_sentinels(a, b);
   auto match = match_rows(*ours, *theirs);
   for (auto& pair : match.pairs) {
     const auto time_a = interval(*ours, pair.a);
     const auto time_b = interval(*theirs, pair.b);
-    const auto doubt = worse(quality(*ours, pair.a), quality(*theirs, pair.b));
+    auto doubt = worse(quality(*ours, pair.a), quality(*theirs, pair.b));
+    if (fixed_work_compares && machine_changed(*ours, *theirs, pair)) doubt = worse(doubt, noisy);
     const auto units_a = units(*ours, pair.a);
     const auto units_b = units(*theirs, pair.b);
     comparison.rows.push_back(

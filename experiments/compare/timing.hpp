@@ -31,12 +31,17 @@ struct TimingRow {
   metric::Interval b;
   TimeRatio raw;
   std::optional<TimeRatio> normalised;  ///< in units of the sentinel, where both have it
-  std::string quality;  ///< `ok`, or what the file says of the doubtful side; `unchecked` where timed output was wrong
-  int rank_a = 0;       ///< 1 + how many methods of the same race are certainly faster; 0 for the sentinel
+  /// `ok`, or what the file says of the doubtful side; `unchecked` where timed output was wrong; `noisy` also where one
+  /// build on one machine took other times for the work of a sentinel.
+  std::string quality;
+  int rank_a = 0;  ///< 1 + how many methods of the same race are certainly faster; 0 for the sentinel
   int rank_b = 0;
 
   [[nodiscard]] bool is_sentinel() const { return inputs.field("method") == sentinel; }
   [[nodiscard]] bool is_ok() const { return quality == quality_ok; }
+  /// Whether b may be called slower in all that was measured: every repetition of b took longer than every one of a, as
+  /// far as their intervals say, in units of the sentinel too, and the quality is `ok`.
+  [[nodiscard]] bool is_certainly_slower() const;
 };
 
 struct TimingComparison {

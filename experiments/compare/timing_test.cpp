@@ -84,6 +84,42 @@ TEST(Timing, TheWorseQualityOfBothIsKept) {
   EXPECT_EQ(only_row(row("horner", 10), row("horner", 11, 0.001, "ok", "no")).quality, "unchecked");
 }
 
+/// A time with what the two sentinels took beside it, on one machine with one build.
+Side beside(const std::string& name, double chain_ns, double sweep_ns, const std::string& flags = "-O3") {
+  auto side = side_of(
+      name, {{timing_file, fmt::format("study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,"
+                                       "quality,checked,sentinel_ns,sweep_ns\n"
+                                       "s,bezier,horner,double,2,4,point,10,9.99,10.01,ok,yes,{},{}\n",
+                                       chain_ns, sweep_ns)}});
+  side.facts = {{"cpu.model_name", "x"}, {"build.compiler", "y"}, {"build.flags", flags}};
+  return side;
+}
+
+TEST(Timing, FixedWorkThatTookLongerInOneOfThemMakesTheRowsNoisy) {
+  const auto quality = [](const Side& a, const Side& b) { return compare_timing(a, b).rows.at(0).quality; };
+  const auto a = beside("a", 2, 0.5);
+  EXPECT_EQ(quality(a, beside("b", 2.03, 0.505)), "ok");
+  EXPECT_EQ(quality(a, beside("b", 2.05, 0.5)), "noisy");
+  EXPECT_EQ(quality(beside("b", 2, 0.52), a), "noisy");
+  EXPECT_EQ(quality(a, beside("b", 2, 0.7, "-O0")), "ok") << "another build may take longer";
+  auto other = beside("b", 4, 1);
+  other.facts.front().value = "another processor";
+  EXPECT_EQ(quality(a, other), "ok") << "another machine may";
+}
+
+TEST(Timing, CertainlySlowerIsWhatAllRepetitionsSay) {
+  const auto of = [](double spread_a, double spread_b, const std::string& quality = "ok") {
+    return only_row(row("horner", 10, spread_a), row("horner", 11, spread_b, quality));
+  };
+  EXPECT_TRUE(of(0.001, 0.001).is_certainly_slower());
+  EXPECT_FALSE(of(0.001, 0.001, "noisy").is_certainly_slower());
+  EXPECT_EQ(of(0.055, 0.055).raw.verdict, Verdict::slower);
+  EXPECT_FALSE(of(0.055, 0.055).is_certainly_slower()) << "the intervals overlap";
+  const auto slow_machine = only_row(row("horner", 10) + row("sentinel", 1), row("horner", 11) + row("sentinel", 1.1));
+  EXPECT_EQ(slow_machine.raw.verdict, Verdict::slower);
+  EXPECT_FALSE(slow_machine.is_certainly_slower()) << "not in units of the sentinel";
+}
+
 TEST(Timing, TooFewRoundsDecideNothing) {
   EXPECT_EQ(only_row(row("horner", 10, 0.001, "few_rounds"), row("horner", 20)).raw.verdict, Verdict::unresolved);
 }

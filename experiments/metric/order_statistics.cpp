@@ -15,7 +15,14 @@ std::vector<double> sorted(std::span<const double> sample) {
   return values;
 }
 
+double median_of_sorted(const std::vector<double>& values) {
+  const std::size_t count = values.size();
+  return count % 2 != 0 ? values[count / 2] : (values[count / 2 - 1] + values[count / 2]) / 2;
+}
+
 }  // namespace
+
+double median(std::span<const double> sample) { return median_of_sorted(sorted(sample)); }
 
 double quantile(std::span<const double> sample, double q) {
   const auto values = sorted(sample);
@@ -29,8 +36,7 @@ Interval median_interval(std::span<const double> sample, double confidence) {
   const boost::math::binomial_distribution<double> half(static_cast<double>(count), 0.5);
   std::size_t below = 0;  // order statistics that can be left out at each end
   while (2 * (below + 1) < count && cdf(half, static_cast<double>(below)) <= (1 - confidence) / 2) ++below;
-  const double median = count % 2 != 0 ? values[count / 2] : (values[count / 2 - 1] + values[count / 2]) / 2;
-  return {median, values[below == 0 ? 0 : below - 1], values[count - (below == 0 ? 1 : below)]};
+  return {median_of_sorted(values), values[below == 0 ? 0 : below - 1], values[count - (below == 0 ? 1 : below)]};
 }
 
 bool covers_median(std::size_t count, double confidence) {

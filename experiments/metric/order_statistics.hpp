@@ -10,6 +10,9 @@ namespace bezierbench::metric {
 /// The smallest value with at least q of the sample at or below it (nearest rank). The sample is not empty, 0 < q <= 1.
 double quantile(std::span<const double> sample, double q);
 
+/// The middle value, or half-way between the middle two. The sample is not empty.
+double median(std::span<const double> sample);
+
 struct Interval {
   double median;
   double low;

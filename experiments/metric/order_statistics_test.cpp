@@ -24,6 +24,11 @@ TEST(OrderStatistics, QuantilesAreNearestRanks) {
   EXPECT_EQ(quantile(std::vector<double>{7}, 0.05), 7);
 }
 
+TEST(OrderStatistics, MediansOfEvenSamplesAreHalfWayBetweenTheMiddleTwo) {
+  EXPECT_EQ(median(std::vector<double>{9, 1, 2}), 2);
+  EXPECT_EQ(median(std::vector<double>{9, 1, 2, 4}), 3);
+}
+
 /// Tabulated intervals of the sign test (Conover, Practical Nonparametric Statistics, table A3): for N = 10 at 95 % the
 /// 2nd and 9th, and for N = 20 the 6th and 15th order statistics.
 TEST(OrderStatistics, MedianIntervalsAreTheTabulatedOnes) {

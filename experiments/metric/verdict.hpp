@@ -14,6 +14,10 @@ inline constexpr double timing_confidence = 0.99;
 /// Differences below it are of no practical interest.
 inline constexpr double practical_margin = 0.01;
 
+/// Of fixed work that runs beside: where it takes longer than at other times by more than this, the machine changed its
+/// speed, and times taken then do not compare with those others.
+inline constexpr double tolerated_drift = 2 * practical_margin;
+
 enum class Verdict { same, slower, faster, unresolved };
 
 constexpr std::string_view name(Verdict verdict) {

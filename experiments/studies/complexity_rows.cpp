@@ -37,7 +37,7 @@ std::vector<Ladder> ladders_of(const std::vector<Heat>& heats, Size size) {
       if (is_new) ladders.push_back({&heat, heat.methods[m], {}, {}});
       Ladder& ladder = ladders[place->second];
       ladder.sizes.push_back(size_of(heat, size));
-      ladder.ns.push_back(metric::median_interval(heat.laps[m].sitting_ns, metric::timing_confidence).median);
+      ladder.ns.push_back(metric::median_interval(heat.laps[m].sitting_ns(), metric::timing_confidence).median);
     }
   return ladders;
 }

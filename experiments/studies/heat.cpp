@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -20,18 +21,23 @@ namespace {
 
 constexpr std::string_view no_baseline = "exact";  // what a study has that names none; times are not compared with it
 
-/// All against each other and a sentinel; a rival whose results were wrong is not `checked`.
+/// Of sittings in which the machine is quiet, but for what memory they met.
+constexpr double tolerated_disagreement = 0.05;
+
+/// In the order of timing::sentinels().
+std::array<const HeatLap*, 2> sentinels_of(const std::vector<HeatLap>& laps) {
+  return {&laps[laps.size() - 2], &laps.back()};
+}
+
+/// All against each other and the sentinels; a rival whose results were wrong is not `checked`.
 HeatLaps race_of(const Heat& heat, const suite::Study& study, JudgedRivals contestants, std::size_t sitting,
                  const timing::RaceOptions& options) {
-  contestants.rivals.push_back(timing::sentinel());
+  std::ranges::copy(timing::sentinels(), std::back_inserter(contestants.rivals));
   const auto name = fmt::format("{}/{}/{}", study.id, heat.cell.degree, suite::name(heat.mode));
   auto laps = timing::with_stack_moved(sitting, [&] { return timing::race(name, contestants.rivals, options); });
   for (std::size_t m = 0; m < contestants.right.size(); ++m) laps[m].checked = laps[m].checked && contestants.right[m];
   HeatLaps result;
-  for (auto& lap : laps) {
-    const double median = metric::median_interval(lap.ns_per_point, metric::timing_confidence).median;
-    result.each.push_back({std::move(lap), {median}});
-  }
+  for (auto& lap : laps) result.each.push_back({{std::move(lap)}});
   return result;
 }
 
@@ -39,13 +45,24 @@ HeatLaps race_of(const Heat& heat, const suite::Study& study, JudgedRivals conte
 
 std::vector<Heat> heats_of(const suite::Study& study) { return timed_problem(study).heats(study); }
 
+timing::Lap HeatLap::rounds() const {
+  timing::Lap all;
+  for (const auto& sitting : sittings) all.append(sitting);
+  return all;
+}
+
+std::vector<double> HeatLap::sitting_ns() const {
+  std::vector<double> medians;
+  for (const auto& sitting : sittings) medians.push_back(timing::median_ns(sitting));
+  return medians;
+}
+
 void HeatLaps::merge(const HeatLaps& other) {
   if (each.empty()) each.resize(other.each.size());
   if (other.each.size() != each.size()) throw std::invalid_argument("sittings of different heats");
   for (std::size_t m = 0; m < each.size(); ++m) {
-    each[m].rounds.append(other.each[m].rounds);
-    each[m].sitting_ns.insert(each[m].sitting_ns.end(), other.each[m].sitting_ns.begin(),
-                              other.each[m].sitting_ns.end());
+    const auto& more = other.each[m].sittings;
+    each[m].sittings.insert(each[m].sittings.end(), more.begin(), more.end());
   }
 }
 
@@ -54,19 +71,38 @@ HeatLaps run(const Heat& heat, const suite::Study& study, std::uint64_t seed, st
   return race_of(heat, study, timed_problem(study).rivals(heat, study, seed), sitting, options);
 }
 
-double fastest_sentinel(const std::vector<HeatLap>& laps) {
-  return laps.empty() ? std::numeric_limits<double>::infinity() : std::ranges::min(laps.back().sitting_ns);
+void Pace::speed_up(const Pace& other) {
+  chain_ns = std::min(chain_ns, other.chain_ns);
+  sweep_ns = std::min(sweep_ns, other.sweep_ns);
 }
 
-double fastest_sentinel(const std::vector<Heat>& heats) {
-  double fastest = std::numeric_limits<double>::infinity();
-  for (const auto& heat : heats) fastest = std::min(fastest, fastest_sentinel(heat.laps));
+double Pace::over(const Pace& other) const { return std::max(chain_ns / other.chain_ns, sweep_ns / other.sweep_ns); }
+
+Pace pace(const std::vector<HeatLap>& laps) {
+  const auto [sweep, chain] = sentinels_of(laps);
+  return {metric::median(chain->sitting_ns()), metric::median(sweep->sitting_ns())};
+}
+
+Pace fastest_pace(const std::vector<HeatLap>& laps) {
+  if (laps.empty()) return {};
+  const auto [sweep, chain] = sentinels_of(laps);
+  return {std::ranges::min(chain->sitting_ns()), std::ranges::min(sweep->sitting_ns())};
+}
+
+Pace fastest_pace(const std::vector<Heat>& heats) {
+  Pace fastest;
+  for (const auto& heat : heats) fastest.speed_up(fastest_pace(heat.laps));
   return fastest;
 }
 
-bool drifted(const std::vector<HeatLap>& laps, double fastest) {
-  const auto sentinel = metric::median_interval(laps.back().sitting_ns, metric::timing_confidence);
-  return sentinel.median > (1 + timing::tolerated_drift) * fastest;
+bool drifted(const std::vector<HeatLap>& laps, const Pace& fastest) {
+  return pace(laps).over(fastest) > 1 + metric::tolerated_drift;
+}
+
+bool sittings_disagree(const HeatLap& lap) {
+  constexpr double quarter = 0.25;
+  const auto ns = lap.sitting_ns();
+  return metric::quantile(ns, 1 - quarter) > (1 + tolerated_disagreement) * metric::quantile(ns, quarter);
 }
 
 std::string named_baseline(const suite::Study& study) {

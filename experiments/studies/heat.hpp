@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
-// One cell of a timing study in one scalar type and mode: its methods race each other, with a sentinel beside them, in
+// One cell of a timing study in one scalar type and mode: its methods race each other, with sentinels beside them, in
 // several sittings. They all answer one question, evaluation or that of a companion problem.
 //
-// What rounds of one race share (where the stack and the data lie, how fast the processor happens to be) varies from
-// race to race, and the spread of rounds does not show it: two runs of the same program then differ by more than the
-// intervals of either. So each heat is raced in sittings, spread over the study's time, each with memory allocated anew
-// and the stack elsewhere, and a time's interval is that of the median over sittings. That the place of the stack alone
-// can bias a time more than what is compared: Mytkowicz, Diwan, Hauswirth and Sweeney, Producing wrong data without
-// doing anything obviously wrong (ASPLOS 2009), section 4.
+// Sittings are spread over the time of the whole suite, and intervals are over sittings; timing/sitting.hpp says why.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,24 +17,27 @@
 #include "experiments/suite/suite.hpp"
 #include "experiments/timing/race.hpp"
 #include "experiments/timing/sentinel.hpp"
+#include "experiments/timing/sitting.hpp"
 
 namespace bezierbench::studies {
 
-/// So few that they cover the true median with timing_confidence, from the least to the greatest.
-inline constexpr std::size_t sittings_per_heat = 8;
-
-/// What a method, or the sentinel, has from the sittings of a heat.
+/// What a method, or a sentinel, has from the sittings of a heat.
 struct HeatLap {
-  timing::Lap rounds;              ///< of all sittings; the k-th of all methods of the heat is the same round
-  std::vector<double> sitting_ns;  ///< medians of the sittings; the k-th of all methods of the heat is the same sitting
+  /// The k-th of all methods of the heat is the same sitting, and its rounds are the same rounds.
+  std::vector<timing::Lap> sittings;
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.rounds, self.sitting_ns);
+    bytes(self.sittings);
   }
+
+  /// The rounds of all sittings.
+  [[nodiscard]] timing::Lap rounds() const;
+  /// The median of each sitting.
+  [[nodiscard]] std::vector<double> sitting_ns() const;
 };
 
-/// What sittings of a heat gave: the lap of each method, then of the sentinel.
+/// What sittings of a heat gave: the lap of each method, then of the sentinels.
 struct HeatLaps {
   std::vector<HeatLap> each;
 
@@ -63,19 +62,38 @@ struct Heat {
 /// The heats of a study, none of which ran. Throws Failure(usage) for what cannot be timed.
 std::vector<Heat> heats_of(const suite::Study& study);
 
-/// One sitting, 0 <= sitting < sittings_per_heat: judges the methods, then races them. A method whose points are wrong
-/// is timed all the same, and not `checked`.
+/// One sitting, 0 <= sitting < timing::sittings_per_race: judges the methods, then races them. A method whose points
+/// are wrong is timed all the same, and not `checked`.
 HeatLaps run(const Heat& heat, const suite::Study& study, std::uint64_t seed, std::size_t sitting,
              const timing::RaceOptions& options);
 
-/// The sentinel's fastest sitting; infinite where none ran.
-double fastest_sentinel(const std::vector<HeatLap>& laps);
-/// The same over all heats.
-double fastest_sentinel(const std::vector<Heat>& heats);
+/// How long the sentinels took.
+struct Pace {
+  double chain_ns = std::numeric_limits<double>::infinity();
+  double sweep_ns = std::numeric_limits<double>::infinity();
 
-/// Whether the sentinel's median over sittings is slower than `fastest`, its fastest of the study, by more than is
+  /// Takes over what is faster.
+  void speed_up(const Pace& other);
+  /// The greater of the ratios to `other`.
+  [[nodiscard]] double over(const Pace& other) const;
+};
+
+/// Medians over the sittings that were run; `laps` holds some.
+Pace pace(const std::vector<HeatLap>& laps);
+
+/// Each sentinel's fastest sitting; infinite where none ran.
+Pace fastest_pace(const std::vector<HeatLap>& laps);
+/// The same over all heats.
+Pace fastest_pace(const std::vector<Heat>& heats);
+
+/// Whether a sentinel's median over sittings is slower than `fastest`, its fastest of the study, by more than is
 /// tolerated.
-bool drifted(const std::vector<HeatLap>& laps, double fastest);
+bool drifted(const std::vector<HeatLap>& laps, const Pace& fastest);
+
+/// Whether the sittings of one method disagree: the slowest quarter of them takes longer than the fastest by more than
+/// is tolerated. Then the median says which part of the time was quiet, or where the memory lay, more than what the
+/// method takes.
+bool sittings_disagree(const HeatLap& lap);
 
 /// The method id that a study names as its baseline; empty where it names none.
 std::string named_baseline(const suite::Study& study);

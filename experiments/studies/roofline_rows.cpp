@@ -12,7 +12,6 @@
 #include "experiments/number/number.hpp"
 #include "experiments/studies/cell_fields.hpp"
 #include "experiments/suite/names.hpp"
-#include "experiments/timing/sentinel.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -128,7 +127,7 @@ void add_row(bundle::CsvTable& table, const suite::Study& study, const RooflineR
     const bool met = (!goal.share || used.median >= *goal.share) && (!goal.ns || ns.median <= *goal.ns);
     append({!goal.share && !goal.ns ? "" : met ? "yes" : "no"});
     const double peak_ns = 1 / all.peak(Work::multiply_add, who.target);
-    const bool steady = peak_ns <= (1 + timing::tolerated_drift) * fastest.at({who.target, race.scalar});
+    const bool steady = peak_ns <= (1 + metric::tolerated_drift) * fastest.at({who.target, race.scalar});
     append({steady ? "ok" : "noisy"});
   }
   append({std::to_string(lap.ns_per_point.size()), lap.checked ? "yes" : "no"});

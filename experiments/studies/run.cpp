@@ -12,6 +12,7 @@
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/studies/block_order.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/studies/parallel_ranges.hpp"
 #include "experiments/studies/plan.hpp"
@@ -50,6 +51,7 @@ class Share {
   }
 
   [[nodiscard]] BlockSet::Run blocks(std::size_t job) const { return blocks_[job]; }
+  [[nodiscard]] const std::vector<BlockSet::Run>& blocks() const { return blocks_; }
   [[nodiscard]] std::uint64_t count() const {
     std::uint64_t sum = 0;
     for (std::size_t job = 0; job < jobs_.size(); ++job) sum += blocks(job).second - blocks(job).first;
@@ -147,13 +149,7 @@ void work(const RunRequest& request, const Jobs& jobs, Ledger& ledger) {
     };
     parallel_ranges(ends.empty() ? 0 : ends.back(), run_range);
   }
-  for (std::size_t number = 0; number < jobs.size(); ++number) {
-    const auto [first, end] = share.blocks(number);
-    if (!jobs[number]->exclusive()) continue;
-    const auto each = jobs[number]->blocks_per_part();  // one of every part in turn: a part's are spread over the time
-    for (std::size_t k = 0; k < each; ++k)
-      for (auto block = first + k; block < end; block += each) run_one(number, block);
-  }
+  for (const auto& [number, block] : exclusive_order(jobs, share.blocks())) run_one(number, block);
 }
 
 /// Once the blocks of this process are done: completes the bundle, unless other shards have theirs to do.

@@ -5,29 +5,10 @@
 
 #include <cmath>
 
+#include "experiments/studies/costs_test.hpp"
+
 namespace bezierbench::studies {
 namespace {
-
-/// Parts of unequal cost and nothing to do.
-class Costs final : public Job {
- public:
-  Costs(std::vector<double> costs, std::size_t each, bool timing)
-      : costs_(std::move(costs)), each_(each), timing_(timing) {}
-  [[nodiscard]] std::size_t parts() const override { return costs_.size(); }
-  [[nodiscard]] std::size_t blocks_per_part() const override { return each_; }
-  [[nodiscard]] double cost(std::size_t part) const override { return costs_[part]; }
-  [[nodiscard]] bool exclusive() const override { return timing_; }
-  [[nodiscard]] std::unique_ptr<Result> run_block(std::size_t) const override { return nullptr; }
-  [[nodiscard]] std::unique_ptr<Result> read_result(number::ByteReader&) const override { return nullptr; }
-  [[nodiscard]] Extent extent() const override { return {}; }
-  void write(Tables&) const override {}
-  [[nodiscard]] std::vector<Series> series() const override { return {}; }
-
- private:
-  std::vector<double> costs_;
-  std::size_t each_;
-  bool timing_;
-};
 
 double cost_of(const Job& job, BlockSet::Run run) {
   double sum = 0;

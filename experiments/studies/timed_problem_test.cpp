@@ -146,17 +146,16 @@ TEST(TimedProblem, EveryThingAskedIsAHeat) {
 }
 
 HeatLap lap_of(double ns) {
-  HeatLap lap;
-  lap.rounds.ns_per_point = {ns, ns};
-  lap.sitting_ns = {ns, ns};
-  return lap;
+  timing::Lap sitting;
+  sitting.ns_per_point = {ns, ns};
+  return {{sitting, sitting}};
 }
 
 bundle::CsvDocument written(const suite::Study& study, const std::string& file, double (*ns)(const Heat&)) {
   auto heats = heats_of(study);
   for (auto& heat : heats) {
     heat.laps.assign(heat.methods.size(), lap_of(ns(heat)));
-    heat.laps.push_back(lap_of(1));  // the sentinel
+    heat.laps.insert(heat.laps.end(), 2, lap_of(1));  // the sentinels
   }
   Tables tables;
   write_timing_rows(study, heats, tables);

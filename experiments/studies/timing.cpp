@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "experiments/failure.hpp"
 #include "experiments/studies/complexity_rows.hpp"
@@ -24,16 +23,19 @@ constexpr int most_reruns_per_sitting = 2;
 class TimingJob final : public JobOf<HeatLaps> {
  public:
   TimingJob(const suite::Study& study, std::uint64_t seed)
-      : study_(study), seed_(seed), heats_(heats_of(study)), reruns_left_(heats_.size() * sittings_per_heat / 2) {
+      : study_(study),
+        seed_(seed),
+        heats_(heats_of(study)),
+        reruns_left_(heats_.size() * timing::sittings_per_race / 2) {
     require_racing_baseline();
   }
 
   [[nodiscard]] std::size_t parts() const override { return heats_.size(); }
-  [[nodiscard]] std::size_t blocks_per_part() const override { return sittings_per_heat; }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return timing::sittings_per_race; }
   [[nodiscard]] bool exclusive() const override { return true; }
   [[nodiscard]] double cost(std::size_t part) const override {
     // about the same wall time whatever the degree
-    return 5e7 / sittings_per_heat * static_cast<double>(heats_[part].methods.size());
+    return 5e7 / timing::sittings_per_race * static_cast<double>(heats_[part].methods.size());
   }
   [[nodiscard]] Extent extent() const override {
     Extent sum{heats_.size(), study_.modes.size(), 0, 0};  // a sentinel's row in each mode
@@ -59,11 +61,11 @@ class TimingJob final : public JobOf<HeatLaps> {
     for (std::size_t part = 0; part < heats.size(); ++part) heats[part].laps = state(part).each;
     return heats;
   }
-  /// The sentinel's fastest sitting in all results so far, those of an earlier run included when this one continues it.
-  [[nodiscard]] double fastest_so_far() const {
-    double fastest = std::numeric_limits<double>::infinity();
-    for (std::size_t part = 0; part < heats_.size(); ++part)
-      fastest = std::min(fastest, fastest_sentinel(state(part).each));
+  /// The sentinels' fastest sittings in all results so far, those of an earlier run included when this one continues
+  /// it.
+  [[nodiscard]] Pace fastest_so_far() const {
+    Pace fastest;
+    for (std::size_t part = 0; part < heats_.size(); ++part) fastest.speed_up(fastest_pace(state(part).each));
     return fastest;
   }
   void require_racing_baseline() const;
@@ -73,7 +75,7 @@ class TimingJob final : public JobOf<HeatLaps> {
   std::vector<Heat> heats_;
   // Sittings run one at a time, so these need no lock.
   mutable std::size_t reruns_left_;  ///< of the study: a restless machine lengthens it by half at most
-  mutable double fastest_ = std::numeric_limits<double>::infinity();  ///< sentinel of the study so far
+  mutable Pace fastest_;             ///< sentinels of the study so far
   timing::Counters counters_;
 };
 
@@ -89,35 +91,25 @@ void TimingJob::require_racing_baseline() const {
                                            study_.id, named));
 }
 
-/// What a race may take, divided among the sittings of its heat.
-timing::RaceOptions options_of_a_sitting() {
-  timing::RaceOptions options;
-  options.rounds /= sittings_per_heat;
-  options.least_rounds /= sittings_per_heat;
-  options.rival_seconds /= sittings_per_heat;
-  options.most_seconds /= sittings_per_heat;
-  options.stop = interrupted;
-  return options;
-}
-
-/// A sitting in which the sentinel drifted is run again; the attempt with the quicker sentinel counts.
+/// A sitting in which a sentinel drifted is run again; the attempt in which they were nearer to their fastest counts.
 HeatLaps TimingJob::work(std::size_t block) const {
   const Heat& heat = heats_[part_of(block)];
   if (heat.methods.empty()) return {};  // none supports the degree
-  fastest_ = std::min(fastest_, fastest_so_far());
+  fastest_.speed_up(fastest_so_far());
   const auto race = [&] {
-    auto options = options_of_a_sitting();
+    auto options = timing::options_of_a_sitting();
+    options.stop = interrupted;
     options.counters = &counters_;
-    return run(heat, study_, seed_, block % sittings_per_heat, options);
+    return run(heat, study_, seed_, block % timing::sittings_per_race, options);
   };
   HeatLaps laps = race();
   for (int rerun = 0; rerun < most_reruns_per_sitting && reruns_left_ > 0; ++rerun) {
     if (interrupted()) break;
-    fastest_ = std::min(fastest_, fastest_sentinel(laps.each));
+    fastest_.speed_up(fastest_pace(laps.each));
     if (!drifted(laps.each, fastest_)) break;
     --reruns_left_;
     auto again = race();
-    if (fastest_sentinel(again.each) < fastest_sentinel(laps.each)) laps = std::move(again);
+    if (pace(again.each).over(fastest_) < pace(laps.each).over(fastest_)) laps = std::move(again);
   }
   return laps;
 }
@@ -138,7 +130,7 @@ std::vector<Series> TimingJob::series() const {
                      .generator = heat.cell.generator,
                      .baseline = "",
                      .mode = std::string(suite::name(heat.mode)),
-                     .values = heat.laps[m].rounds.ns_per_point});
+                     .values = heat.laps[m].rounds().ns_per_point});
   return all;
 }
 

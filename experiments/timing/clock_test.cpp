@@ -52,9 +52,7 @@ TEST_F(Clocks, OfThisMachineIsFit) { EXPECT_EQ(clock_fault(steady_ns), std::null
 
 TEST_F(Clocks, ThatStandStillAreRefused) { expect_refused(standing, "clock: stands still"); }
 TEST_F(Clocks, ThatGoBackAreRefused) { expect_refused(backward, "clock: goes back"); }
-TEST_F(Clocks, ThatStepByMoreThanAShareOfATurnAreRefused) {
-  expect_refused(by_milliseconds, "clock: steps by 4000000 ns");
-}
+TEST_F(Clocks, ThatStepByMoreThanAShareOfATurnAreRefused) { expect_refused(by_milliseconds, "clock: steps by "); }
 TEST_F(Clocks, ThatStopLaterAreRefused) { expect_refused(stops_later, "clock: stood still or went back"); }
 TEST_F(Clocks, ThatCreepAreRefused) { expect_refused(creeping, "clock: stands still, or nearly"); }
 TEST_F(Clocks, ThatGoBackLaterAreRefused) { expect_refused(goes_back_later, "back"); }

@@ -3,6 +3,8 @@
 // against itself with 34 batches charged as 33, which must come out `slower`; prints the counts of verdicts.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <new>
@@ -16,6 +18,8 @@
 #include "experiments/suite/names.hpp"
 #include "experiments/timing/kernel_rival.hpp"
 #include "experiments/timing/sentinel.hpp"
+#include "experiments/timing/sitting.hpp"
+#include "experiments/timing/stack_place.hpp"
 
 namespace {
 
@@ -62,12 +66,14 @@ timing::Rival rival_of(const Kernel<double>& kernel, suite::Mode mode, const tim
 /// The verdict on `count` batches against `batches`, as a row of timing.csv would say it.
 metric::Verdict verdict_of(const Kernel<double>& kernel, suite::Mode mode, const timing::Inputs<double>& inputs,
                            std::size_t count) {
-  const std::vector<timing::Rival> rivals{rival_of(kernel, mode, inputs, batches),
-                                          rival_of(kernel, mode, inputs, count), timing::sentinel()};
-  const auto laps = timing::race("honesty", rivals, {});
   std::vector<double> ratios;
-  for (std::size_t round = 0; round < laps[0].ns_per_point.size(); ++round)
-    ratios.push_back(laps[1].ns_per_point[round] / laps[0].ns_per_point[round]);
+  for (std::size_t sitting = 0; sitting < timing::sittings_per_race; ++sitting) {
+    std::vector<timing::Rival> rivals{rival_of(kernel, mode, inputs, batches), rival_of(kernel, mode, inputs, count)};
+    std::ranges::copy(timing::sentinels(), std::back_inserter(rivals));
+    const auto laps = timing::with_stack_moved(
+        sitting, [&] { return timing::race("honesty", rivals, timing::options_of_a_sitting()); });
+    ratios.push_back(timing::median_ratio(laps[1], laps[0]));
+  }
   return metric::verdict(metric::median_interval(ratios, metric::timing_confidence));
 }
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A race is run in sittings, each with memory allocated anew and the stack elsewhere, spread over the time of the whole
+// suite; what is said of a time or a ratio is said of the sittings.
+//
+// What rounds of one sitting share (where the stack and the data lie, how fast the processor happens to be) differs
+// from sitting to sitting, and the spread of rounds does not show it: an interval from all rounds together, as if these
+// were independent, grows ever narrower around what one run happened to meet. So each sitting is one observation: its
+// median over rounds, in which rivals met the same machine. That repetition belongs at the highest level that varies:
+// Kalibera and Jones, Rigorous benchmarking in reasonable time (ISMM 2013), section 4; what counting the lower ones as
+// independent does to intervals: Hurlbert, Pseudoreplication and the design of ecological field experiments (Ecological
+// Monographs 54, 1984, 187-211). That the place of the stack alone can bias a time more than what is compared:
+// Mytkowicz, Diwan, Hauswirth and Sweeney, Producing wrong data without doing anything obviously wrong (ASPLOS 2009),
+// section 4.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "experiments/timing/race.hpp"
+
+namespace bezierbench::timing {
+
+/// So many that the median's interval of metric::timing_confidence leaves out the least and the greatest, in which
+/// others may have been at work: 2 (1 + 12) / 2^12 = 0.6 %. Of 8 to 11 it is the whole range. Nothing is assumed of how
+/// sittings differ; Student's interval on logarithms would be a tenth narrower if they were normal, and they are not.
+inline constexpr std::size_t sittings_per_race = 12;
+
+/// What a race may take, divided among its sittings.
+RaceOptions options_of_a_sitting();
+
+/// Median over the rounds of one sitting.
+double median_ns(const Lap& sitting);
+
+/// Median over the rounds of one sitting of the time over another rival's in the same round.
+double median_ratio(const Lap& sitting, const Lap& base);
+
+/// The same of each sitting; both rivals were in all of them.
+std::vector<double> sitting_ratios(std::span<const Lap> sittings, std::span<const Lap> base);
+
+}  // namespace bezierbench::timing
