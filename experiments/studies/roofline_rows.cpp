@@ -51,25 +51,27 @@ class Race {
     return 1 / interval(lap(work, target)->ns_per_point).median;
   }
 
-  /// In double: Horner is a chain of multiply-adds, which a target can do side by side; Horner-Bernstein's products
-  /// take their place, five for seven operations; where additions have units of their own, a + t (b - a) passes the
-  /// peak. In float powers of t soon fall among the subnormals, on which processors take detours of a hundred cycles:
-  /// the study roofline-middle has the share without them.
-  [[nodiscard]] Goal goal(const Contestant& who) const {
-    if (race_.scalar != suite::ScalarKind::float64) return {};
-    const auto id = who.method->id;
-    if (id == "horner_fma" && race_.cell.degree >= 10) return {0.85, {}};
-    if (id == "horner_bernstein_fma") return {0.6, {}};
-    if (id == "de_casteljau_lerp_fma" &&
-        peak(Work::multiply_add_and_add, who.target) > peak(Work::multiply_add, who.target))
-      return {1.0, {}};
-    const auto* scalar = lap(Work::scalar_points, nullptr, "de_casteljau");
-    if (id == "exact_dd:horner_dd" && race_.cell.degree == 20 && scalar != nullptr)
-      return {{}, interval(scalar->ns_per_point).median};
-    return {};
+  /// Of the study's goals those that are about this row.
+  [[nodiscard]] Goal goal(const Contestant& who, const std::vector<suite::Goal>& goals) const {
+    Goal asked;
+    for (const auto& one : goals) {
+      if (!is_about(one, who)) continue;
+      if (one.share > 0) asked.share = one.share;
+      const auto* rival = lap(Work::scalar_points, nullptr, one.no_slower_than);
+      if (!one.no_slower_than.empty() && rival != nullptr) asked.ns = interval(rival->ns_per_point).median;
+    }
+    return asked;
   }
 
  private:
+  [[nodiscard]] bool is_about(const suite::Goal& goal, const Contestant& who) const {
+    const int degree = race_.cell.degree;
+    if (goal.method != who.method->id || goal.scalar != race_.scalar) return false;
+    if (degree < goal.from_degree || degree > goal.to_degree) return false;
+    return !goal.needs_additions_beside ||
+           peak(Work::multiply_add_and_add, who.target) > peak(Work::multiply_add, who.target);
+  }
+
   const RooflineRace& race_;
 };
 
@@ -119,7 +121,7 @@ void add_row(bundle::CsvTable& table, const suite::Study& study, const RooflineR
     append({"", "", "", "", "", "", "", "", ""});
   } else {
     const auto used = share(lap, *all.lap(Work::multiply_add, who.target), flops);
-    const auto goal = all.goal(who);
+    const auto goal = all.goal(who, study.goals);
     append({number::decimal(all.peak(Work::multiply_add, who.target)),
             number::decimal(all.peak(Work::multiply_add_and_add, who.target))});
     append(fields(used));

@@ -20,6 +20,9 @@ suite::Study roofline_study() {
   study.kind = suite::Kind::roofline;
   study.degree = {20};
   study.methods = {"de_casteljau", "de_casteljau_lerp_fma", "horner_bernstein_fma", "exact_dd:horner_dd"};
+  study.goals = {{.method = "horner_bernstein_fma", .share = 0.6},
+                 {.method = "de_casteljau_lerp_fma", .share = 1, .needs_additions_beside = true},
+                 {.method = "exact_dd:horner_dd", .no_slower_than = "de_casteljau", .from_degree = 20}};
   return study;
 }
 
@@ -110,6 +113,23 @@ TEST_F(Roofline, GoalsAreMetOrNot) {
       roofline_study(), [](const Contestant& who) { return who.work == Work::batch_points ? 200.0 : all_alike(who); });
   for (const auto* id : {"horner_bernstein_fma", "de_casteljau_lerp_fma", "exact_dd:horner_dd"})
     EXPECT_THAT(values(slower, id, "goal_met"), testing::ElementsAre("no")) << id;
+}
+
+TEST_F(Roofline, GoalsAreThoseOfTheStudy) {
+  auto study = roofline_study();
+  study.goals = {};
+  for (const auto& id : study.methods) {
+    EXPECT_THAT(values(written(study), id, "goal_met"), testing::ElementsAre("")) << id;
+    EXPECT_THAT(values(written(study), id, "goal_share"), testing::ElementsAre("")) << id;
+  }
+  study.goals = {{.method = "de_casteljau", .share = 0.7, .from_degree = 10, .to_degree = 20},
+                 {.method = "horner_bernstein_fma", .share = 0.7, .from_degree = 21},
+                 {.method = "de_casteljau_lerp_fma", .share = 0.7, .to_degree = 19},
+                 {.method = "exact_dd:horner_dd", .share = 0.7, .scalar = suite::ScalarKind::float32}};
+  const auto table = written(study);
+  EXPECT_THAT(values(table, "de_casteljau", "goal_share"), testing::ElementsAre("0.7"));
+  for (const auto* id : {"horner_bernstein_fma", "de_casteljau_lerp_fma", "exact_dd:horner_dd"})
+    EXPECT_THAT(values(table, id, "goal_share"), testing::ElementsAre("")) << id;
 }
 
 TEST_F(Roofline, AdditionsMustRunBesideForAGoalAboveThePeak) {

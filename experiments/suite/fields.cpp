@@ -62,6 +62,7 @@ constexpr std::array fields{field<&Study::id>("id", false),
                             field<&Study::order>("order", true),
                             field<&Study::points>("points", true),
                             field<&Study::tolerance>("tolerance", true),
+                            field<&Study::goals>("goals", false),
                             field<&Study::published>("published", false)};
 
 }  // namespace

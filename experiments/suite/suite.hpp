@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/curve_view.hpp"
+
 namespace bezierbench::suite {
 
 enum class Kind {
@@ -39,6 +41,18 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
+/// Asks of a method's batch kernel a share of the peak or the time of another method, in every row that it is about.
+struct Goal {
+  std::string method = {};                  ///< id
+  double share = 0;                         ///< of the target's peak, at least; 0: not asked
+  std::string no_slower_than = {};          ///< id of a method, by its scalar kernel; empty: not asked
+  ScalarKind scalar = ScalarKind::float64;  ///< of the rows, like the degrees
+  int from_degree = 0;
+  int to_degree = max_degree;
+  bool needs_additions_beside = false;  ///< only where additions beside multiply-adds raise the peak
+  friend bool operator==(const Goal&, const Goal&) = default;
+};
+
 /// One [[study]] table. Axes are swept in the cross product.
 struct Study {
   std::string place;  ///< where it is written, FILE:LINE:COLUMN, for messages; empty where it was not read
@@ -61,6 +75,7 @@ struct Study {
   std::vector<Mode> modes;                     ///< timing only
   std::vector<int> order;                      ///< derivative only: of the derivatives
   std::vector<int> points;                     ///< interpolation and fitting only: number of data points
+  std::vector<Goal> goals;                     ///< roofline only: what is asked of batch kernels
   std::vector<double> tolerance;  ///< where a method promises one: relative for lengths, a distance for fits
   std::string published;          ///< file of printed values in reference/published; may be empty
 };

@@ -36,6 +36,7 @@ void read(const Source& source, const toml::node& node, std::int64_t& out);
 void read(const Source& source, const toml::node& node, int& out);
 void read(const Source& source, const toml::node& node, double& out);
 void read(const Source& source, const toml::node& node, Interval& out);
+void read(const Source& source, const toml::node& node, Goal& out);
 
 template <Worded Enum>
 void read(const Source& source, const toml::node& node, Enum& out) {
@@ -67,6 +68,7 @@ std::string to_text(std::string_view value);
 std::string to_text(std::int64_t value);
 std::string to_text(double value);
 std::string to_text(const Interval& value);
+std::string to_text(const Goal& value);
 inline std::string to_text(int value) { return to_text(static_cast<std::int64_t>(value)); }
 inline std::string to_text(const std::string& value) { return to_text(std::string_view(value)); }
 

@@ -13,6 +13,7 @@
 #include "core/curve_view.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/suite/goal.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -298,6 +299,12 @@ Finding check_ids(const Study& study, const Vocabulary& known) {
   return each("methods", study.methods, [&](const std::string& entry) { return method_problem(study, entry, known); });
 }
 
+Finding check_goals(const Study& study, const Vocabulary& known) {
+  if (study.kind != Kind::roofline && !study.goals.empty())
+    return Problem{"goals", 0, "kind", "goals belong to studies of kind \"roofline\"; remove them"};
+  return each("goals", study.goals, [&](const Goal& goal) { return goal_problem(goal, known.methods); });
+}
+
 Finding check_present(const Study& study) {
   const bool on_points_alone =
       study.kind == Kind::interpolation || (study.kind == Kind::timing && !study.points.empty());
@@ -327,6 +334,7 @@ std::optional<Problem> validate(const Study& study, const Vocabulary& known) {
   if (auto found = check_asked(study)) return found;
   if (auto found = check_points(study)) return found;
   if (auto found = check_ids(study, known)) return found;
+  if (auto found = check_goals(study, known)) return found;
   return check_fit(study, known);
 }
 

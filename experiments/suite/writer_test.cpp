@@ -20,7 +20,7 @@ namespace {
 
 auto members(const Study& s) {
   return std::tie(s.id, s.title, s.kind, s.curve, s.degree, s.coordinate_range, s.t_interval, s.generator, s.dimension,
-                  s.scalar, s.methods, s.trials, s.replicates, s.baseline, s.modes, s.published);
+                  s.scalar, s.methods, s.trials, s.replicates, s.baseline, s.modes, s.goals, s.published);
 }
 
 void expect_equal(const std::vector<Suite>& a, const std::vector<Suite>& b) {
@@ -90,6 +90,13 @@ class Random {
     made.baseline = made.kind == Kind::conversion ? some<std::string>({"exact", "factorial"})
                                                   : some<std::string>({"exact", known.methods[0], known.methods[1]});
     if (made.kind == Kind::timing) made.modes = some<Mode>({Mode::one_shot, Mode::latency, Mode::batch});
+    if (made.kind == Kind::roofline && below(2) == 0)
+      made.goals = {{.method = known.methods[0], .share = 0x1p-3 * static_cast<double>(1 + below(9)), .from_degree = 3},
+                    {.method = known.methods[1],
+                     .no_slower_than = known.methods[0],
+                     .scalar = ScalarKind::float32,
+                     .to_degree = 20,
+                     .needs_additions_beside = true}};
     made.published = below(2) == 0 ? "" : known.published_files[0];
     return made;
   }
