@@ -7,7 +7,7 @@ import re
 TEXT = frozenset(
     "study accuracy_study table curve method conversion scalar generator baseline status statistic verdict note tier mode "
     "relative_to target goal_met quality checked pareto id problem form bound bit_stable flops citation worst_id search_id t "
-    "coefficients weights placement spacing data kind bundle against file column fact cpu compiler machine "
+    "coefficients coordinates weights placement spacing data kind bundle against file column fact cpu compiler machine "
     "normalised_verdict".split())
 
 _ACCURACY = ("study curve method scalar dimension degree coordinate_range t_min t_max generator trials baseline status "
@@ -58,6 +58,7 @@ REQUIRED = {
                        "quality normalised normalised_low normalised_high normalised_verdict rank_a rank_b").split(),
     "facts.csv": "against bundle fact a b".split(),
     "standings.csv": "rank bundle cpu compiler machine accuracy_rows_differing timings mean_ratio mean_normalised".split(),
+    "generators.csv": "id coordinates t weights".split(),
     "methods.csv": "id problem form min_degree max_degree bound bit_stable flops citation".split(),
 }
 

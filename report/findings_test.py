@@ -5,7 +5,8 @@ import tempfile
 import unittest
 
 from . import fixture
-from .bundle import Bundle
+from .bundle import Bundle, Row
+from .findings import range_bend
 from .findings.roster import GROUPS, ROSTER, find_all, grouped
 
 
@@ -190,7 +191,39 @@ class Findings(unittest.TestCase):
     def test_repeated_cells_count_once(self):
         cells = [r for r in fixture.scorecard() if r["table"] != "2.2"]
         self.assertIn(f"of the {len(cells) - 8} distinct", self.by_id["cells_inside_band"].headline)
-        self.assertIn("8 repeat others", self.by_id["cells_inside_band"].detail[1])
+        self.assertIn("8 repeat others", self.by_id["cells_inside_band"].detail[2])
+
+    def test_cells_that_share_their_trials_are_one_experiment(self):
+        """2 degrees of each form, 2 more ranges and 3 intervals."""
+        self.assertIn("of 14 independent experiments", self.by_id["cells_inside_band"].detail[1])
+        self.assertIn("0 of these experiments have a cell outside", self.by_id["cells_inside_band"].detail[1])
+
+        def two(at, row):
+            if at == "scorecard.csv" and row["table"] == "2.3.1" and row["curve"] == "bezier" and row["degree"] == 4:
+                row["verdict"] = "outside"
+        found = next(f for f in _findings(two)[0] if f.id == "cells_inside_band")
+        self.assertIn("4 cells lie outside", found.detail[0])
+        self.assertIn("1 of these experiments has a cell outside", found.detail[1])
+
+    def test_a_cause_is_said_where_trials_were_taken_apart(self):
+        """The grid's error at R = 100 is 3e-7 and 1e-3 at 1e6; an eighth is the conversion's and half the evaluation's."""
+        self.assertEqual(len(self.by_id["range_bend"].detail), 2)
+        with tempfile.TemporaryDirectory() as place:
+            bundle = Bundle(fixture.write(f"{place}/b"))
+        table = bundle["accuracy.csv"]
+        for row in [r for r in table.rows if r["study"] == "2.3.2-bezier" and r["generator"] == "report"]:
+            error = row["mean_error"]
+            table.rows.append(Row(row.file, row.line, {**row.values, "baseline": "exact", "mean_conversion_error": error / 8,
+                                                       "mean_evaluation_error": error / 2}, row.texts))
+        self.assertIn("makes a mean error of 3.75e-8 and the evaluation one of 1.50e-7 at R = 100; at R = 1e6 they make 1.25e-4 and 5.00e-4",
+                      range_bend.find(bundle).detail[2])
+
+    def test_printed_errors_are_compared_at_their_own_degrees(self):
+        def beyond(at, row):
+            if at == "accuracy.csv" and row["study"] == "truth-bezier" and row["method"] == "direct" and row["degree"] == 21:
+                row.update(method="de_casteljau", degree=50, mean_error=1.0, mean_error_u=1e9)
+        flat = next(f for f in _findings(beyond)[0] if f.id == "de_casteljau_flat")
+        self.assertEqual(flat.detail, self.by_id["de_casteljau_flat"].detail)
 
     def test_an_error_without_a_bound_is_not_held_against_one(self):
         def outside(at, row):

@@ -242,6 +242,12 @@ def methods():
                  flops="n", citation="none") for i, problem in ids.items()]
 
 
+def generators():
+    """Of some generators that the bundle's rows name; older bundles have no such file."""
+    return [dict(id=i, coordinates=f"what {i} draws", t="as continuous", weights="in [1/2, 2]" if "weights" in i else "")
+            for i in ("continuous", "report", "weights_mild", "unused")]
+
+
 def audit():
     return [dict(study="truth-bezier", curve="bezier", tier="long_double", significand_bits=64, dimension=2, degree=20,
                  coordinate_range=1000000, t_min=0, t_max=1, generator="continuous", trials=1000, mean_axis_error_ulp=0.003,
@@ -367,7 +373,7 @@ FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": sc
          "arc_length_unstable.csv": arc_length_unstable,
          "inverse_arc_length.csv": inverse_arc_length, "spacing.csv": spacing, "projection.csv": projection,
          "projection_unstable.csv": projection_unstable, "interpolation.csv": interpolation, "fitting.csv": fitting,
-         "fitting_example.csv": fitting_example, "search.csv": search, "worst.csv": worst, "methods.csv": methods,
+         "fitting_example.csv": fitting_example, "search.csv": search, "worst.csv": worst, "methods.csv": methods, "generators.csv": generators,
          "audit.csv": audit, "timing.csv": timing, "complexity.csv": complexity, "pareto.csv": pareto, "roofline.csv": roofline}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}

@@ -126,6 +126,11 @@ class TableSchema(unittest.TestCase):
         self.assertEqual(kinds, {kind for kind, _, _ in STUDIES.values()})
         self.assertEqual(set(tables(self.fresh)), set(SCHEMA["properties"]))
 
+    def test_lists_of_the_program_travel_in_a_bundle(self):
+        for topic in ("methods", "generators"):
+            listed = subprocess.run([PROGRAM, "list", topic, "--format", "csv"], capture_output=True, check=True).stdout
+            self.assertEqual((self.fresh / f"{topic}.csv").read_bytes(), listed)
+
     def test_bundles_follow_it(self):
         self.assertTrue(COMMITTED and EARLIER)
         for bundle in [self.fresh, *COMMITTED, *EARLIER]:

@@ -155,8 +155,9 @@ class InWork(DamageCase):
             codes.setdefault(target.name, set()).add(result.returncode)
 
         self.each_damage("s1", check)
-        self.assertEqual({name: codes[name] for name in ("suite.toml", "methods.csv", "machine.json")},
-                         {"suite.toml": {INPUT_OUTPUT}, "methods.csv": {INPUT_OUTPUT}, "machine.json": {FINE}})
+        self.assertEqual({name: codes[name] for name in ("suite.toml", "methods.csv", "generators.csv", "machine.json")},
+                         {"suite.toml": {INPUT_OUTPUT}, "methods.csv": {INPUT_OUTPUT}, "generators.csv": {INPUT_OUTPUT},
+                          "machine.json": {FINE}})
 
     def test_merge_refuses(self):
         def check(target):

@@ -8,7 +8,6 @@
 #include "experiments/cli/aligned.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/vocabulary.hpp"
-#include "experiments/sample/draw.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/reader.hpp"
 #include "shipped_suites.hpp"
@@ -34,14 +33,6 @@ std::string studies_csv() {
       for (const auto& study : one.studies)
         table.add_row({study.id, one.id, std::string(suite::name(study.kind)), std::string(suite::name(study.curve)),
                        study.title});
-  return table.text();
-}
-
-std::string generators_csv() {
-  bundle::CsvTable table({"id", "coordinates", "t", "weights"});
-  for (const auto& generator : sample::generators())
-    table.add_row({std::string(generator.id), std::string(generator.coordinates), std::string(generator.t),
-                   std::string(generator.weights)});
   return table.text();
 }
 

@@ -159,6 +159,12 @@ class Resume(ResumeCase):
         self.change("b", "methods.csv", "id\n")
         self.refused(USAGE, ["run", suite, "--out", "b", "--quiet"], "b/methods.csv", "other methods")
 
+    def test_other_generators_are_refused(self):
+        suite = self.suite(ACCURACY)
+        self.start_and_stop("b", suite, which=signal.SIGINT)
+        self.change("b", "generators.csv", "id,coordinates,t,weights\n")
+        self.refused(USAGE, ["run", suite, "--out", "b", "--quiet"], "b/generators.csv", "other generators")
+
     def test_leftovers_of_a_killed_end(self):
         """Killed between the last write and the removal of blocks/."""
         suite = self.suite()

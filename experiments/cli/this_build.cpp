@@ -16,6 +16,7 @@ studies::RunRequest request_of_this_build() {
   request.git_commit = git_commit;
   request.git_clean = git_clean;
   request.methods_csv = methods_csv();
+  request.generators_csv = generators_csv();
   return request;
 }
 

@@ -63,6 +63,14 @@ std::string methods_csv() {
   return table.text();
 }
 
+std::string generators_csv() {
+  bundle::CsvTable table({"id", "coordinates", "t", "weights"});
+  for (const auto& generator : sample::generators())
+    table.add_row({std::string(generator.id), std::string(generator.coordinates), std::string(generator.t),
+                   std::string(generator.weights)});
+  return table.text();
+}
+
 std::string version_line() {
   return fmt::format("bezierbench {} ({}, {}{})", program_version, compiler, git_commit, git_clean ? "" : ", modified");
 }

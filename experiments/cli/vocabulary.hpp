@@ -17,6 +17,9 @@ suite::Vocabulary vocabulary_of_all_builds();
 /// The table of `list methods --format csv`, which also travels in every bundle.
 std::string methods_csv();
 
+/// The table of `list generators --format csv`, likewise.
+std::string generators_csv();
+
 /// Version, commit and compiler in one line.
 std::string version_line();
 

@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* machine_name = "machine.json";
 constexpr const char* methods_name = "methods.csv";
+constexpr const char* generators_name = "generators.csv";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
   throw Failure(Exit::finding, fmt::format("{}: {}", path.string(), why));
@@ -59,6 +60,8 @@ void require_same(const Source& source, const Plan& plan, const RunRequest& requ
     refuse(source.path, fmt::format("holds results of {}; merge what one program made of one suite", *why));
   if (source.directory.read_listed(methods_name) != request.methods_csv)
     refuse(source.path, "lists other methods than this program has; merge with the program that made it");
+  if (source.directory.read_listed(generators_name) != request.generators_csv)
+    refuse(source.path, "lists other generators than this program has; merge with the program that made it");
   studies::require_same(source.found, plan, Exit::finding);
 }
 
@@ -183,6 +186,7 @@ Findings merge(RunRequest request, const std::vector<fs::path>& bundles) {
   directory.write("suite.toml", plan.suite_text);
   directory.write(machine_name, machine.machine_text);
   directory.write(methods_name, request.methods_csv);
+  directory.write(generators_name, request.generators_csv);
   return assemble(request, plan, directory);
 }
 

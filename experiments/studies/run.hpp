@@ -28,7 +28,8 @@ struct RunRequest {
   std::string git_commit;
   bool git_clean = false;
   bundle::HostName host_name = bundle::HostName::left_out;
-  std::string methods_csv;  ///< the list of methods that goes into the bundle
+  std::string methods_csv;     ///< the list of methods that goes into the bundle
+  std::string generators_csv;  ///< and how their inputs are drawn
 };
 
 /// What a run found; each line is for the user, and any makes the exit code 1.

@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 constexpr auto patience = std::chrono::milliseconds(20);
 constexpr const char* machine_name = "machine.json";
 constexpr const char* methods_name = "methods.csv";
+constexpr const char* generators_name = "generators.csv";
 
 /// Ready for locks and blocks. A complete bundle gets blocks/ for a moment only.
 bundle::BundleDirectory with_blocks(const fs::path& out) {
@@ -111,19 +112,25 @@ bool Workplace::begin() {
       return false;
     }
     (void)directory_.read_listed("suite.toml");
-    if (directory_.read_listed(methods_name) != request_.methods_csv)
-      throw Failure(Exit::usage, fmt::format("{}: lists other methods than this program has; choose another --out",
-                                             (directory_.path() / methods_name).string()));
+    require_list(methods_name, request_.methods_csv);
+    require_list(generators_name, request_.generators_csv);
   } else {
     directory_.write("suite.toml", plan_.suite_text);
     directory_.write(machine_name, machine_now(request_));
     directory_.write(methods_name, request_.methods_csv);
+    directory_.write(generators_name, request_.generators_csv);
     directory_.finish(plan_.manifest);
   }
   found_ = find_blocks(directory_.blocks());
   require_same(found_, plan_, Exit::usage);
   choose_machine();
   return true;
+}
+
+void Workplace::require_list(const char* name, const std::string& ours) const {
+  if (directory_.read_listed(name) == ours) return;
+  throw Failure(Exit::usage, fmt::format("{}: lists other {} than this program has; choose another --out",
+                                         (directory_.path() / name).string(), fs::path(name).stem().string()));
 }
 
 void Workplace::choose_machine() {

@@ -1,44 +1,60 @@
 # SPDX-License-Identifier: MIT
-"""Definitions: what every column means."""
+"""Definitions: words, how inputs are drawn, and what every column means, as the bundle and the schema of its tables have it."""
 
-from ..document import Definitions, Text
+from .. import schema
+from ..document import Cell, Definitions, Group, Table, Text
+from ..wording import listing
 
 TITLE = "How it was measured"
+DRAWN = "generators.csv"
 
 
-def blocks(_bundle, _findings):
-    """Words that hold for every bundle; numbers stand in the suite below."""
+def blocks(bundle, _findings):
+    """Words that hold for every bundle, the generators that it used, and the columns of its tables."""
     yield Text("The true point is computed exactly: control points and t are binary fractions, so the point of a Bézier curve is "
                "one too, and of a polynomial curve likewise. Errors are distances to it unless a yardstick is named.")
     yield Definitions((
         ("error", "Euclidean distance in coordinate units, rounded to 24 significant bits"),
         ("u, ulp", "u = 2^-53 is the unit roundoff of double; an ulp is the spacing of doubles at the exact value"),
         ("p~", "the sum of the absolute terms of the curve at t, over the coefficients in the form in which it is given"),
-        ("`mean_error_u`, `max_error_u`", "error over u p~: what rounding alone would give is of order one"),
-        ("`bound_u`", "the largest of proved bound over u p~ among the trials"),
-        ("`bound_violations`", "trials whose error exceeds the proved bound; anything but none is a mistake in bound or code"),
-        ("relative error", "error over the size of the exact point; `p50_relative` is the median over the trials of a cell"),
-        ("condition number", "p~/|p|: by what relative errors of the coefficients can grow at t; `p50_condition` is its "
-                             "median"),
-        ("conversion, rounding of 1-t, evaluation", "parts of the error of a path, on as many trials as `decomposed_trials`: "
-                                                    "the converted "
-                                                    "curve against the given one, the curve with 1-t rounded against that, "
-                                                    "and the "
-                                                    "computed point against that; they need not add up"),
-        ("searched maximum", "the largest error over u p~ that a climb over control points and t reached from the worst of "
-                             "the sample"),
-        ("`baseline`", "what the error is measured against: `exact`, or the report's yardstick (`direct` for Bézier curves, "
-                       "`power_sum` for polynomial curves)"),
-        ("replicate", "one independent repetition of the report's experiment; the band is over replicates"),
-        ("generator `report`", "the random grid that the printed tables betray: coordinates on a decimal grid, t on a 15-bit grid"),
-        ("generator `continuous`", "coordinates and t use every bit of a double"),
-        ("generator `dyadic`", "as `continuous`, with t rounded so that 1-t is exact"),
-        ("generator `integer`", "whole-number coordinates"),
-        ("generators `multiple_root`, `clustered_roots`", "curves whose coordinates vanish at a multiple root or near a "
-                                                          "cluster, with exact "
-                                                         "coefficients"),
-        ("generator `distant`", "coordinates in [R (1 - 2^-20), R]: small curves far from the origin"),
-        ("generators `weights_mild`, `weights_wild`", "rational curves with weights in [1/2, 2], and over forty powers of two"),
+        ("condition number", "p~/|p|: by what relative errors of the coefficients can grow at t"),
         ("path", "`conversion:evaluator`: convert to the other form, then evaluate there"),
-        ("time", "median over rounds; the report charges the conversion to every curve, `prepared` does it once"),
+        ("replicate", "one independent repetition of the report's experiment; the band is over replicates"),
     ))
+    yield from _generators(bundle)
+    yield from _columns(bundle)
+
+
+def used_generators(bundle):
+    """Their ids, in order of first appearance."""
+    return list(dict.fromkeys(row["generator"] for table in bundle.tables.values() if "generator" in table.columns
+                              for row in table.rows if row["generator"]))
+
+
+def _generators(bundle):
+    used = used_generators(bundle)
+    known = {row["id"]: row for row in bundle[DRAWN].rows} if DRAWN in bundle else {}
+    rows = [known[one] for one in used if one in known]
+    if rows:
+        columns = ("coordinates", "t", "weights")
+        groups = tuple(Group(f"`{row['id']}`", row["id"], (("", [Cell(row.text(c), row.text(c)) for c in columns]),)) for row in rows)
+        yield Table(id="generators", caption="How inputs were drawn, by generator; R is the coordinate range", caption_zh="输入的生成方式",
+                    group_head="generator", head=columns, groups=groups)
+    unknown = [f"`{one}`" for one in used if one not in known]
+    if unknown:
+        yield Text(f"How inputs of {listing(unknown)} are drawn the bundle does not say; `bezierbench list generators` does.")
+
+
+def _columns(bundle):
+    """One group for the files that have the same columns."""
+    alike = {}
+    for file, table in bundle.tables.items():
+        declared = tuple((c, schema.description(file, c)) for c in schema.columns(file) if c in table.columns)
+        if declared:
+            alike.setdefault(declared, []).append(file)
+    groups = tuple(Group(listing(f"`{file}`" for file in files), " ".join(files),
+                         tuple((f"`{column}`", [Cell(meaning, meaning)]) for column, meaning in declared))
+                   for declared, files in alike.items())
+    if groups:
+        yield Table(id="columns", caption="The columns of the bundle's tables", caption_zh="各列的含义", group_head="file",
+                    row_head="column", head=("meaning",), groups=groups)

@@ -1,23 +1,35 @@
 # SPDX-License-Identifier: MIT
 """De Casteljau's error against degree and parameter, once it is held against the truth."""
 
+from ..bundle import Missing
 from ..document import Finding
-from ..wording import general, interval, scientific
+from ..wording import general, interval, scientific, shortest
 from .printed import FLAT, series
 
 
-def find(bundle):
-    """Holds where the error against the exact value varies clearly with the degree or with t."""
+def _against_truth(bundle, printed):
+    """The rows at the printed degrees, in the same order."""
     key = dict(study="truth-bezier", method="de_casteljau", baseline="exact", generator="continuous")
-    grid = sorted((r for r in bundle.judged().some(scalar="double", dimension=2, **key) if r["mean_error_u"] is not None),
-                  key=lambda r: r["degree"])
+    rows = [bundle.accuracy(degree=row["degree"], **key) for row in printed]
+    sizes = {row["coordinate_range"] for row in (*rows, *printed)}
+    if len(sizes) > 1:
+        raise Missing("`accuracy.csv` has the degrees that are printed for another coordinate range")
+    return rows
+
+
+def find(bundle):
+    """Holds where the error against the exact value varies clearly with the degree or with t: in coordinates, over the degrees and
+    the range that are printed."""
+    printed = series(bundle, "degree", table="2.3.1", curve="bezier", method="de_casteljau", statistic="mean_error")
+    truth = _against_truth(bundle, printed)
     by_t = bundle.judged().some(scalar="double", dimension=2, study="2.3.3-bezier", method="de_casteljau", baseline="exact",
                                 generator="continuous")
-    printed = series(bundle, "degree", table="2.3.1", curve="bezier", method="de_casteljau", statistic="mean_error")
-    growth = grid[-1].number("mean_error_u") / grid[0].number("mean_error_u")
+    errors = [r.number("mean_error") for r in truth]
+    growth = max(errors) / min(errors)
     least, most = (f(by_t, key=lambda r: r.number("mean_error")) for f in (min, max))
     ratio = most.number("mean_error") / least.number("mean_error")
-    seen = printed[-1].number("published") / printed[0].number("published")
+    seen = [r.number("published") for r in printed]
+    first, last = (shortest(r["degree"]) for r in (truth[0], truth[-1]))
     holds = growth > FLAT or ratio > FLAT
     return Finding(
         id="de_casteljau_flat", about="correction",
@@ -26,12 +38,10 @@ def find(bundle):
         if growth > FLAT and ratio > FLAT else
         f"Against the exact value de Casteljau's error depends on {'the degree' if growth > FLAT else 't'}." if holds else
         "Against the exact value, too, de Casteljau's error hardly depends on the degree or on t.",
-        detail=(f"From degree {grid[0]['degree']:g} to {grid[-1]['degree']:g} its mean goes from "
-                f"{general(grid[0]['mean_error_u'])} to {general(grid[-1]['mean_error_u'])} times u p~, a factor of "
-                f"{general(growth)}; the printed errors grow by {general(seen)} from degree {printed[0]['degree']:g} to "
-                f"{printed[-1]['degree']:g}.",
+        detail=(f"From degree {first} to {last} its mean error goes from {scientific(errors[0])} to {scientific(errors[-1])} against the "
+                f"exact value, and its extremes are a factor of {general(growth)} apart; the printed ones go from {scientific(seen[0])} to "
+                f"{scientific(seen[-1])}, extremes a factor of {general(max(seen) / min(seen))} apart.",
                 f"Between intervals of t the mean error goes from {scientific(least['mean_error'])} on "
                 f"{interval(least['t_min'], least['t_max'])} to {scientific(most['mean_error'])} on "
-                f"{interval(most['t_min'], most['t_max'])}, a factor of {general(ratio)}"
-                + (": 1-t is exact from one half upwards and rounded below." if ratio > FLAT else ".")),
-        rows=tuple(grid) + tuple(by_t))
+                f"{interval(most['t_min'], most['t_max'])}, a factor of {general(ratio)}."),
+        rows=(*truth, *by_t, *printed))

@@ -15,6 +15,15 @@ def accuracy_cells(bundle):
     return list(cells.values())
 
 
+def experiments(cells):
+    """The cells by the random curves that they are about: the methods and statistics of an experiment share its trials, so that
+    luck moves them together."""
+    found = {}
+    for row in cells:
+        found.setdefault(tuple(row[c] for c in ("curve", "degree", "coordinate_range", "t_min", "t_max")), []).append(row)
+    return list(found.values())
+
+
 def degrees(bundle):
     """The degrees that the source report prints, ascending."""
     rows = bundle["scorecard.csv"].some(table="2.3.1")
