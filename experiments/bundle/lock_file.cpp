@@ -32,11 +32,16 @@ LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
   constexpr int most_tries = 1000;
   for (int tries = 0; tries < most_tries; ++tries) {
     // Network file systems want write access for an exclusive lock.
-    descriptor_ = uninterrupted([&] { return ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666); });
+    descriptor_ = uninterrupted(
+        [&] { return ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY, 0666); });
     if (descriptor_ != -1 || errno != ENOENT) break;
     if (::mkdir(path_.parent_path().c_str(), 0777) == -1 && errno != EEXIST) break;  // somebody removed it just now
   }
   if (descriptor_ == -1) fail(path_, errno);
+  struct stat facts {};
+  if (::fstat(descriptor_, &facts) == 0 && S_ISREG(facts.st_mode)) return;
+  ::close(descriptor_);
+  fail(path_, EINVAL);
 }
 
 LockFile::~LockFile() { ::close(descriptor_); }

@@ -9,9 +9,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/aligned.hpp"
 #include "experiments/cli/commands.hpp"
+#include "experiments/cli/damage.hpp"
 #include "experiments/cli/diagnostics.hpp"
 #include "experiments/metric/pareto.hpp"
 #include "experiments/number/number.hpp"
@@ -35,6 +36,8 @@ struct Wish {
   std::string study;
   std::string accuracy_study;
   std::string format = "text";
+  bool use_damaged = false;
+  std::vector<std::string> damaged;  ///< files of the bundle that were used all the same
 
   [[nodiscard]] const studies::LargestError& error_of(const studies::Choice& choice) const {
     return unit == "u" ? choice.in_u : choice.absolute;
@@ -46,18 +49,19 @@ std::string form_name(const studies::ChoiceGroup& group) {
   return curve ? std::string(name(studies::form_of(*curve))) : group.curve;
 }
 
-std::vector<studies::ChoiceGroup> groups_of(const Wish& wish) {
-  const auto directory = bundle::BundleDirectory::open(wish.bundle);
-  const auto path = [&](const std::string& file) { return (directory.path() / file).string(); };
-  if (!directory.has("timing.csv"))
-    throw Failure(Exit::usage,
-                  fmt::format("{}: has no times; run a timing suite into it, or choose from another bundle",
-                              directory.path().string()));
+std::vector<studies::ChoiceGroup> groups_of(Wish& wish) {
+  bundle::CheckedReader reader(wish.bundle, damage_of(wish.use_damaged));
+  const auto table = [&](const std::string& file) { return bundle::parse_csv(reader.read(file), reader.place(file)); };
+  if (!reader.has("timing.csv"))
+    throw Failure(
+        Exit::usage,
+        fmt::format("{}: has no times; run a timing suite into it, or choose from another bundle", wish.bundle));
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
-    if (directory.has(file)) accuracies.push_back(bundle::parse_csv(directory.read(file), path(file)));
-  return studies::choice_groups(bundle::parse_csv(directory.read("timing.csv"), path("timing.csv")), accuracies,
-                                wish.accuracy_study);
+    if (reader.has(file)) accuracies.push_back(table(file));
+  const auto timing = table("timing.csv");
+  wish.damaged = reader.told();
+  return studies::choice_groups(timing, accuracies, wish.accuracy_study);
 }
 
 /// One thing that is asked of a group, and what the groups that meet all the others have of it.
@@ -152,9 +156,11 @@ Exit choose(Wish wish) {
                                            "accept",
                                            wish.tolerance_text));
   wish.tolerance = *tolerance;
-  auto group = one_of(matching(groups_of(wish), wish));
+  auto groups = groups_of(wish);
+  auto group = one_of(matching(std::move(groups), wish));
   std::ranges::stable_sort(group.choices, is_quick_to_slow);
   const auto table = within(group, wish);
+  print_damage(wish.damaged);
   if (wish.format == "csv") {
     fmt::print("{}", table.text());
   } else {
@@ -190,6 +196,7 @@ void add_choose(Command program, Exit& exit) {
   command.option("--study", wish->study, "whose times to take, where several have some");
   command.option("--accuracy-study", wish->accuracy_study, "whose errors to take, where several have some");
   command.option("--format", wish->format, "text or csv").one_of({"text", "csv"});
+  add_damaged(command, wish->use_damaged);
   command.action([wish, &exit] { exit = choose(*wish); });
 }
 

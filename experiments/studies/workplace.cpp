@@ -10,6 +10,7 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/machine.hpp"
+#include "experiments/bundle/schema.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/timing/counters.hpp"
@@ -60,7 +61,8 @@ bool timings_missing(const Jobs& jobs, const Found& found, const std::string& ma
 std::string machine_of(const RunRequest& request) {
   const auto path = request.out / machine_name;
   std::error_code ignored;
-  return bundle::machine_fingerprint(fs::exists(path, ignored) ? bundle::read_file(path) : machine_now(request));
+  const bool is_there = fs::exists(fs::symlink_status(path, ignored));
+  return bundle::machine_fingerprint(is_there ? bundle::read_bundle_file(path) : machine_now(request));
 }
 
 Workplace::Workplace(const RunRequest& request, const Plan& plan)
@@ -128,7 +130,8 @@ bool Workplace::begin() {
 
 void Workplace::choose_machine() {
   // None where it is damaged, or where a run was killed when it had just taken over from another machine.
-  const auto theirs = directory_.read_if_listed(machine_name);
+  auto theirs = directory_.read_if_listed(machine_name);
+  if (theirs && bundle::machine_fault(*theirs)) theirs.reset();
   machine_ = bundle::machine_fingerprint(theirs.value_or(""));
   const bool times_here = !request_.shard || request_.shard->number == 1;
   if (!theirs)
