@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <system_error>
 
-#include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/verify.hpp"
@@ -24,21 +23,7 @@
 namespace bezierbench::studies {
 namespace {
 
-namespace fs = std::filesystem;
-
 void note(const std::string& line) { std::fputs((line + '\n').c_str(), stderr); }
-
-/// What is in `out` already, if anything; refuses another run's.
-std::optional<bundle::Manifest> existing(const RunRequest& request, const Plan& plan) {
-  const auto path = request.out / "bundle.json";
-  std::error_code ignored;  // a place that cannot be looked at cannot be made either, which says why
-  if (!fs::exists(fs::symlink_status(path, ignored))) return std::nullopt;
-  const auto theirs = bundle::parse_manifest(bundle::read_bundle_file(path), path.string());
-  if (const auto why = difference(theirs, plan.manifest))
-    throw Failure(Exit::usage, fmt::format("{}: holds results of {}; choose another --out or move it away",
-                                           request.out.string(), *why));
-  return theirs;
-}
 
 std::string name_of(const std::optional<Shard>& shard) {
   return shard ? fmt::format("shard {}/{}", shard->number, shard->count) : "run";
@@ -162,7 +147,7 @@ Findings complete(const RunRequest& request, const Plan& plan, Workplace& place,
       note(fmt::format("{}: {} is done, others are not", request.out.string(), name_of(request.shard)));
     return {};
   }
-  return assemble(request, plan, place.directory());
+  return assemble(request, tables_of(request, plan), plan, place.directory());
 }
 
 }  // namespace
@@ -176,8 +161,8 @@ Findings run(const RunRequest& request) {
     return {};
   }
   const auto already_complete = [&] {
-    auto findings = bundle::verify(
-        request.out, [&](const std::string&, const std::string&) { return expected_of(request.suites); });
+    auto findings = bundle::verify(request.out,
+                                   [&](const std::string&, const std::string&) { return expected_of(request.suites); });
     if (!findings.empty())
       findings.push_back(request.out.string() +
                          ": complete, but not as it was written; restore it, or remove it and run the command again");

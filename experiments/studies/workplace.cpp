@@ -9,8 +9,10 @@
 #include <thread>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/machine.hpp"
 #include "experiments/bundle/schema.hpp"
+#include "experiments/bundle/table_schema.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/timing/counters.hpp"
@@ -25,8 +27,6 @@ std::string machine_now(const RunRequest& request) {
 namespace fs = std::filesystem;
 
 constexpr auto patience = std::chrono::milliseconds(20);
-constexpr const char* machine_name = "machine.json";
-constexpr const char* methods_name = "methods.csv";
 
 /// Ready for locks and blocks. A complete bundle gets blocks/ for a moment only.
 bundle::BundleDirectory with_blocks(const fs::path& out) {
@@ -106,20 +106,23 @@ Workplace::Guard Workplace::lock_bundle() {
 
 bool Workplace::begin() {
   const auto lock = lock_bundle();
-  if (directory_.has("bundle.json")) {
+  if (directory_.has(bundle::manifest_name)) {
     const auto theirs = directory_.manifest();
     if (theirs.state == bundle::complete) {
       directory_.clear_away();  // blocks/, which a killed run left
       return false;
     }
-    (void)directory_.read_listed("suite.toml");
-    if (directory_.read_listed(methods_name) != request_.methods_csv)
-      throw Failure(Exit::usage, fmt::format("{}: lists other methods than this program has; choose another --out",
-                                             (directory_.path() / methods_name).string()));
+    refuse_foreign(request_, bundle::is_table_name);
+    (void)directory_.read_listed(suite_name);
+    for (const auto& [name, ours] : lists_of(request_))
+      if (directory_.read_listed(name) != ours)
+        throw Failure(Exit::usage, fmt::format("{}: lists other {} than this program has; choose another --out",
+                                               (directory_.path() / name).string(), fs::path(name).stem().string()));
   } else {
-    directory_.write("suite.toml", plan_.suite_text);
+    refuse_foreign(request_, bundle::is_table_name);
+    directory_.write(suite_name, plan_.suite_text);
     directory_.write(machine_name, machine_now(request_));
-    directory_.write(methods_name, request_.methods_csv);
+    for (const auto& [name, ours] : lists_of(request_)) directory_.write(name, ours);
     directory_.finish(plan_.manifest);
   }
   found_ = find_blocks(directory_.blocks());
