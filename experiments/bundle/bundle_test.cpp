@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -180,6 +181,14 @@ TEST(Bundle, LocksMayComeWhileBlocksAreRemoved) {
   for (int round = 0; round < 1000; ++round) EXPECT_NO_THROW(bundle.clear_away());
   done = true;
   for (auto& shard : shards) shard.join();
+}
+
+TEST(Bundle, LocksAreRegularFiles) {
+  const ScratchFolder folder;
+  fs::create_symlink("away", folder.path() / "link");
+  ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"link", "pipe"}) EXPECT_THROW(LockFile(folder.path() / name), Failure) << name;
+  EXPECT_FALSE(fs::exists(folder.path() / "away"));
 }
 
 // SHA256SUMS cannot be written: the old `complete` must not stand, nor a new one appear.

@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import re
+import shutil
 import socket
 
 # What a field, a value or a piece of a file may be replaced by.
@@ -135,12 +136,10 @@ def add_something(folder, chance):
         (folder / "conversion.csv").unlink(missing_ok=True)
         (folder / "conversion.csv").symlink_to(outside / "kept")
     elif how == 3:
-        for path in sorted((folder / "blocks").glob("*")) if (folder / "blocks").is_dir() else []:
-            path.unlink()
-        if (folder / "blocks").is_dir():
-            (folder / "blocks").rmdir()
-        (folder / "blocks").symlink_to(outside / "folder")
-    else:
+        if not (folder / "blocks").is_symlink():
+            shutil.rmtree(folder / "blocks", ignore_errors=True)
+            (folder / "blocks").symlink_to(outside / "folder")
+    elif not (folder / "blocks").is_symlink():
         (folder / "blocks").mkdir(exist_ok=True)
         lock = folder / "blocks" / chance.choice(["run.lock", "bundle.lock", "whole.000001.blocks"])
         lock.unlink(missing_ok=True)
