@@ -6,10 +6,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <limits>
 #include <system_error>
 
 #include "experiments/bundle/uninterrupted.hpp"
@@ -142,6 +144,41 @@ void replace(const fs::path& path, const fs::path& target, std::string_view byte
   if (const int error = sync_folder(folder)) fail_write(path, error);
 }
 
+[[noreturn]] void fail_size(const fs::path& path, std::string_view advice) {
+  throw Failure(Exit::input_output, fmt::format("{}: larger than the {} MiB that a file of a bundle may have; {}",
+                                                path.string(), largest_bundle_file >> 20, advice));
+}
+
+[[noreturn]] void fail_kind(const fs::path& path, mode_t mode) {
+  std::string_view kind = "device";
+  if (S_ISLNK(mode)) kind = "symbolic link";
+  if (S_ISDIR(mode)) kind = "folder";
+  if (S_ISFIFO(mode)) kind = "pipe";
+  if (S_ISSOCK(mode)) kind = "socket";
+  throw Failure(Exit::input_output, fmt::format("{}: is a {}, not a regular file, which alone is read in a bundle; "
+                                                "restore the file",
+                                                path.string(), kind));
+}
+
+// All that comes, which is at most `most` bytes or a failure.
+std::string read_all(const fs::path& path, int descriptor, std::uintmax_t most) {
+  struct stat facts {};
+  if (::fstat(descriptor, &facts) == -1) fail_read(path, errno);
+  constexpr std::string_view advice = "check that it is what it should be";
+  const auto size = static_cast<std::uintmax_t>(std::max<off_t>(facts.st_size, 0));  // only a hint: it is 0 in /proc
+  if (size > most) fail_size(path, advice);
+  std::string bytes;
+  bytes.reserve(size);
+  std::array<char, 65536> buffer;
+  for (;;) {
+    const ssize_t count = uninterrupted([&] { return ::read(descriptor, buffer.data(), buffer.size()); });
+    if (count == -1) fail_read(path, errno);
+    if (count == 0) return bytes;
+    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+    if (bytes.size() > most) fail_size(path, advice);
+  }
+}
+
 }  // namespace
 
 void write_file(const fs::path& path, std::string_view bytes) {
@@ -162,17 +199,25 @@ void write_file(const fs::path& path, std::string_view bytes) {
 std::string read_file(const fs::path& path) {
   Descriptor descriptor(uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY); }));
   if (descriptor.number() == -1) fail_read(path, errno);
+  return read_all(path, descriptor.number(), std::numeric_limits<std::uintmax_t>::max());
+}
+
+std::string read_bundle_file(const fs::path& path) {
+  // Opening alone can do something, with some devices: what is no regular file is not opened at all.
   struct stat facts {};
+  if (::lstat(path.c_str(), &facts) == -1) fail_read(path, errno);
+  if (!S_ISREG(facts.st_mode)) fail_kind(path, facts.st_mode);
+  Descriptor descriptor(
+      uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NOFOLLOW | O_NONBLOCK); }));
+  if (descriptor.number() == -1) fail_read(path, errno);
   if (::fstat(descriptor.number(), &facts) == -1) fail_read(path, errno);
-  std::string bytes;
-  if (facts.st_size > 0) bytes.reserve(static_cast<std::size_t>(facts.st_size));  // only a hint: it is 0 in /proc
-  std::array<char, 65536> buffer;
-  for (;;) {
-    const ssize_t count = uninterrupted([&] { return ::read(descriptor.number(), buffer.data(), buffer.size()); });
-    if (count == -1) fail_read(path, errno);
-    if (count == 0) return bytes;
-    bytes.append(buffer.data(), static_cast<std::size_t>(count));
-  }
+  if (!S_ISREG(facts.st_mode)) fail_kind(path, facts.st_mode);
+  return read_all(path, descriptor.number(), largest_bundle_file);
+}
+
+void write_bundle_file(const fs::path& path, std::string_view bytes) {
+  if (bytes.size() > largest_bundle_file) fail_size(path, "split the suite (--only) over several bundles");
+  replace(path, path, bytes);
 }
 
 void ignore_file_size_signal() { std::signal(SIGXFSZ, SIG_IGN); }

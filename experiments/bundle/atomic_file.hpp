@@ -2,6 +2,7 @@
 // Whole files, read and written so that a reader sees the old bytes or the new ones and nothing between.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -16,6 +17,17 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// All bytes of a file. Throws Failure(Exit::input_output) with one line.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// The largest file that a bundle may have, in bytes: far more than any table, and little enough for memory.
+inline constexpr std::uintmax_t largest_bundle_file = std::uintmax_t{1} << 30;
+
+/// All bytes of a file of a bundle. Bundles come from strangers: opens nothing but a regular file, follows no link,
+/// waits for nobody, and takes no file beyond largest_bundle_file. Throws Failure(Exit::input_output) with one line.
+[[nodiscard]] std::string read_bundle_file(const std::filesystem::path& path);
+
+/// As write_file, for a file of a bundle: whatever is there under this name, a link or a pipe too, is replaced and
+/// never written through. Throws also for more than largest_bundle_file bytes, which nobody would read again.
+void write_bundle_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// Makes a write beyond the file size limit (`ulimit -f`) fail with EFBIG, which write_file reports, instead of killing
 /// the program. The disposition is the process's: call it first thing in main(), before any thread starts. Programs

@@ -216,5 +216,40 @@ TEST(AtomicFile, UnreadableIsReported) {
   EXPECT_THAT(line_of([&] { (void)read_file(folder.path()); }), HasSubstr("Is a directory"));
 }
 
+TEST(BundleFile, OnlyRegularFilesAreRead) {
+  const ScratchFolder folder;
+  folder.put("file", "x");
+  fs::create_symlink("file", folder.path() / "link");
+  fs::create_symlink("/dev/zero", folder.path() / "endless");
+  fs::create_directory(folder.path() / "folder");
+  ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);  // nobody writes to it
+  EXPECT_EQ(read_bundle_file(folder.path() / "file"), "x");
+  for (const auto& [name, kind] :
+       {std::pair("link", "symbolic link"), {"endless", "symbolic link"}, {"pipe", "pipe"}, {"folder", "folder"}})
+    EXPECT_THAT(line_of([&, name = name] { (void)read_bundle_file(folder.path() / name); }),
+                testing::AllOf(HasSubstr(name), HasSubstr(kind)));
+  EXPECT_THAT(line_of([] { (void)read_bundle_file("/dev/zero"); }), HasSubstr("is a device"));
+}
+
+TEST(BundleFile, HasALargestSize) {
+  const ScratchFolder folder;
+  folder.put("file", "x");
+  fs::resize_file(folder.path() / "file", largest_bundle_file + 1);  // a sparse file
+  EXPECT_THAT(line_of([&] { (void)read_bundle_file(folder.path() / "file"); }), HasSubstr("larger than"));
+}
+
+TEST(BundleFile, WhatIsThereIsReplacedAndNotWrittenThrough) {
+  const ScratchFolder folder;
+  folder.put("far/away", "kept");
+  fs::create_symlink("far/away", folder.path() / "link");
+  ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"link", "pipe", "new"}) {
+    write_bundle_file(folder.path() / name, "ours");
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder.path() / name))) << name;
+    EXPECT_EQ(read_bundle_file(folder.path() / name), "ours");
+  }
+  EXPECT_EQ(read_file(folder.path() / "far/away"), "kept");
+}
+
 }  // namespace
 }  // namespace bezierbench::bundle

@@ -42,11 +42,11 @@ void remove_entry(const fs::path& path) {
 
 bool is_there(const fs::path& path) {
   std::error_code ignored;
-  return fs::exists(path, ignored);
+  return fs::exists(fs::symlink_status(path, ignored));
 }
 
 // blocks/ first: finish() of another process writes bundle.json before it removes blocks/.
-bool is_bundle(const fs::path& path) { return is_there(path / blocks_name) || is_there(path / manifest_name); }
+bool is_bundle(const fs::path& path) { return is_inner_folder(path / blocks_name) || is_there(path / manifest_name); }
 
 }  // namespace
 
@@ -71,10 +71,10 @@ void BundleDirectory::write(std::string_view name, std::string_view bytes) const
     throw std::invalid_argument(fmt::format("'{}' is no name for a bundle's file", name));
   }
   make_partial_before_change();
-  write_file(path_ / name, bytes);
+  write_bundle_file(path_ / name, bytes);
 }
 
-std::string BundleDirectory::read(std::string_view name) const { return read_file(path_ / name); }
+std::string BundleDirectory::read(std::string_view name) const { return read_bundle_file(path_ / name); }
 
 std::optional<std::string> BundleDirectory::read_if_listed(std::string_view name) const {
   if (!has(name) || !has(sums_name)) return std::nullopt;
@@ -94,7 +94,7 @@ std::string BundleDirectory::read_listed(std::string_view name) const {
 
 bool BundleDirectory::has(std::string_view name) const {
   std::error_code ignored;
-  return fs::is_regular_file(path_ / name, ignored);
+  return fs::is_regular_file(fs::symlink_status(path_ / name, ignored));
 }
 
 Manifest BundleDirectory::manifest() const {
@@ -106,13 +106,13 @@ void BundleDirectory::make_partial_before_change() const {
   Manifest current = manifest();
   if (current.state != complete) return;
   current.state = partial;
-  write_file(path_ / manifest_name, manifest_json(current));
+  write_bundle_file(path_ / manifest_name, manifest_json(current));
 }
 
 void BundleDirectory::write_if_different(std::string_view name, std::string_view bytes) const {
   if (has(name) && read(name) == bytes) return;
   make_partial_before_change();
-  write_file(path_ / name, bytes);
+  write_bundle_file(path_ / name, bytes);
 }
 
 void BundleDirectory::finish(Manifest manifest) const {
@@ -121,7 +121,10 @@ void BundleDirectory::finish(Manifest manifest) const {
   (void)parse_manifest(manifest_text, (path_ / manifest_name).string());  // what cannot be read is not written
 
   Folder folder = list_folder(path_);
-  std::erase_if(folder.files, [](const std::string& name) { return name == manifest_name || name == sums_name; });
+  const auto no_own_line = [](const std::string& name) {  // hidden files are the desktop's or the file server's
+    return name == manifest_name || name == sums_name || name.starts_with('.');
+  };
+  std::erase_if(folder.files, no_own_line);
   // bundle.json goes last, for it alone says `complete`; its line is made from the bytes that it will have.
   const auto place = std::ranges::lower_bound(folder.files, manifest_name);
   const auto before = std::span(folder.files.begin(), place);

@@ -45,7 +45,7 @@ class BundleDirectory {
   /// bundle.json. Throws as read_file and parse_manifest.
   [[nodiscard]] Manifest manifest() const;
 
-  /// Fills in the accuracy digest and writes SHA256SUMS, over every regular file but itself and blocks/, then
+  /// Fills in the accuracy digest and writes SHA256SUMS, over every regular file but itself and hidden ones, then
   /// bundle.json: wherever it is cut short, no bundle says `complete` that is not. With state `complete`, removes
   /// blocks/ and what killed writers left. Changes no byte of a bundle that is so already. Throws as write_file.
   void finish(Manifest manifest) const;
@@ -61,12 +61,5 @@ class BundleDirectory {
 
   std::filesystem::path path_;
 };
-
-/// What is wrong with a bundle's files, one line each, in a fixed order; empty where all is well. Looks at bundle.json,
-/// readable and `complete`; at bundle.json, suite.toml, machine.json, readable, and every listed file; the accuracy
-/// digest and the checksums; files and folders that SHA256SUMS does not list; tables that are not CSV. What the tables
-/// say (bound violations) is not looked at. Throws Failure(Exit::input_output) for no folder or a file that cannot be
-/// read.
-[[nodiscard]] std::vector<std::string> verify(const std::filesystem::path& path);
 
 }  // namespace bezierbench::bundle

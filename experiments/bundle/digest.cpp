@@ -38,7 +38,7 @@ std::string sha256sums(const std::filesystem::path& directory, std::span<const s
   std::vector<std::string> sorted(names.begin(), names.end());
   std::ranges::sort(sorted);
   std::string lines;
-  for (const std::string& name : sorted) lines += sha256sum_line(name, read_file(directory / name));
+  for (const std::string& name : sorted) lines += sha256sum_line(name, read_bundle_file(directory / name));
   return lines;
 }
 

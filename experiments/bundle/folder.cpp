@@ -12,6 +12,15 @@
 
 namespace bezierbench::bundle {
 
+bool is_inner_folder(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;  // a place that cannot be looked at cannot be written to either, which says why
+  const auto type = fs::symlink_status(path, ignored).type();
+  if (type == fs::file_type::directory) return true;
+  if (type == fs::file_type::not_found || type == fs::file_type::none || type == fs::file_type::unknown) return false;
+  throw Failure(Exit::input_output, fmt::format("{}: is not a folder; remove it", path.string()));
+}
+
 Folder list_folder(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   Folder folder;

@@ -20,6 +20,10 @@ struct Folder {
   std::vector<std::string> others;       ///< folders, links, devices; blocks/ among them
 };
 
+/// Whether `path`, inside a bundle, is a folder; false where there is nothing. Throws Failure(Exit::input_output) for
+/// anything else, a link to a folder too: what a stranger's bundle says must not lead out of it.
+[[nodiscard]] bool is_inner_folder(const std::filesystem::path& path);
+
 /// Lists `path`, not what is below. Throws Failure(Exit::input_output) where that cannot be done.
 [[nodiscard]] Folder list_folder(const std::filesystem::path& path);
 

@@ -22,6 +22,11 @@ namespace {
                                                 path.string(), std::generic_category().message(error)));
 }
 
+[[noreturn]] void refuse(const std::filesystem::path& path) {
+  throw Failure(Exit::input_output,
+                fmt::format("{}: is not a regular file, as which alone it can be a lock; remove it", path.string()));
+}
+
 int locked(int descriptor, int operation) {
   return uninterrupted([&] { return ::flock(descriptor, operation); });
 }
@@ -29,14 +34,22 @@ int locked(int descriptor, int operation) {
 }  // namespace
 
 LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
+  // Opening alone can do something, with some devices, and bundles come from strangers.
+  struct stat before {};
+  if (::lstat(path_.c_str(), &before) == 0 && !S_ISREG(before.st_mode)) refuse(path_);
   constexpr int most_tries = 1000;
   for (int tries = 0; tries < most_tries; ++tries) {
     // Network file systems want write access for an exclusive lock.
-    descriptor_ = uninterrupted([&] { return ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666); });
+    descriptor_ = uninterrupted(
+        [&] { return ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY, 0666); });
     if (descriptor_ != -1 || errno != ENOENT) break;
     if (::mkdir(path_.parent_path().c_str(), 0777) == -1 && errno != EEXIST) break;  // somebody removed it just now
   }
   if (descriptor_ == -1) fail(path_, errno);
+  struct stat facts {};
+  if (::fstat(descriptor_, &facts) == 0 && S_ISREG(facts.st_mode)) return;
+  ::close(descriptor_);
+  refuse(path_);
 }
 
 LockFile::~LockFile() { ::close(descriptor_); }

@@ -11,9 +11,10 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/aligned.hpp"
 #include "experiments/cli/commands.hpp"
+#include "experiments/cli/damage.hpp"
 #include "experiments/cli/diagnostics.hpp"
 #include "experiments/metric/pareto.hpp"
 #include "experiments/number/number.hpp"
@@ -40,6 +41,8 @@ struct Wish {
   std::string study;
   std::string accuracy_study;
   std::string format = "text";
+  bool use_damaged = false;
+  std::vector<std::string> damaged;  ///< files of the bundle that were used all the same
 
   [[nodiscard]] const studies::LargestError& error_of(const studies::Choice& choice) const {
     return unit == "u" ? choice.errors.in_u : choice.errors.absolute;
@@ -58,22 +61,24 @@ struct Evidence {
   std::optional<bundle::CsvDocument> methods;
 };
 
-Evidence read_evidence(const Wish& wish) {
-  const auto directory = bundle::BundleDirectory::open(wish.bundle);
+Evidence read_evidence(Wish& wish) {
+  bundle::CheckedReader reader(wish.bundle, damage_of(wish.use_damaged));
   const auto table = [&](const std::string& file) -> std::optional<bundle::CsvDocument> {
-    if (!directory.has(file)) return std::nullopt;
-    return bundle::parse_csv(directory.read(file), (directory.path() / file).string());
+    if (!reader.has(file)) return std::nullopt;
+    return bundle::parse_csv(reader.read(file), reader.place(file));
   };
   auto timing = table("timing.csv");
   if (!timing)
-    throw Failure(Exit::usage,
-                  fmt::format("{}: has no times; run a timing suite into it, or choose from another bundle",
-                              directory.path().string()));
+    throw Failure(
+        Exit::usage,
+        fmt::format("{}: has no times; run a timing suite into it, or choose from another bundle", wish.bundle));
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
     if (auto found = table(file)) accuracies.push_back(std::move(*found));
-  return {std::move(*timing), studies::JudgedTables(std::move(accuracies), table("reference.csv")),
-          table("methods.csv")};
+  Evidence evidence{std::move(*timing), studies::JudgedTables(std::move(accuracies), table("reference.csv")),
+                    table("methods.csv")};
+  wish.damaged = reader.told();
+  return evidence;
 }
 
 /// One thing that is asked of a group, and what the groups that meet all the others have of it.
@@ -265,6 +270,7 @@ Exit choose(Wish wish) {
   auto heat = one_of(judged_heats(matching(std::move(groups), wish), evidence, wish));
   std::ranges::stable_sort(heat.group.choices, is_quick_to_slow);
   const auto table = within(heat, wish);
+  print_damage(wish.damaged);
   if (wish.format == "csv") {
     fmt::print("{}", table.text());
   } else {
@@ -300,6 +306,7 @@ void add_choose(Command program, Exit& exit) {
   command.option("--study", wish->study, "whose times to take, where several have some");
   command.option("--accuracy-study", wish->accuracy_study, "whose errors to take, where several have some");
   command.option("--format", wish->format, "text or csv").one_of({"text", "csv"});
+  add_damaged(command, wish->use_damaged);
   command.action([wish, &exit] { exit = choose(*wish); });
 }
 

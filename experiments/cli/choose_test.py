@@ -53,6 +53,7 @@ class Choose(Case):
             writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
             writer.writeheader()
             writer.writerows(rows)
+        self.list_anew("b")
 
     def test_lists_what_is_right_enough_fastest_first(self):
         errors = self.largest("max_error_u")
@@ -156,7 +157,18 @@ class Choose(Case):
         self.refused(USAGE, ["choose", "b", "--degree", "8", "--tolerance", "nan"], "nan")
         self.refused(INPUT_OUTPUT, ["choose", "nowhere", "--degree", "8", "--tolerance", "1"], "nowhere")
         (self.folder / "b/timing.csv").unlink()
+        self.refused(INPUT_OUTPUT, [*asked, "8"], "b/timing.csv: is listed in SHA256SUMS and is missing")
+        self.list_anew("b")
         self.refused(USAGE, [*asked, "8"], "no times")
+
+    def test_damage_is_refused_or_said(self):
+        path = self.folder / "b/accuracy.csv"
+        path.write_text(path.read_text() + path.read_text().splitlines()[-1] + "\n")
+        asked = ["choose", "b", "--degree", "8", "--tolerance", "1e9"]
+        self.refused(INPUT_OUTPUT, asked, "b/accuracy.csv: is not what SHA256SUMS lists", "--damaged")
+        for form in ("text", "csv"):
+            text = self.fine(*asked, "--damaged", "--format", form)
+            self.assertEqual(text.splitlines()[0], "# DAMAGED, not as SHA256SUMS lists: b/accuracy.csv")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@
 #include "experiments/bundle/folder.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/comparison_text.hpp"
+#include "experiments/cli/damage.hpp"
 #include "experiments/cli/diagnostics.hpp"
 #include "experiments/compare/comparison.hpp"
 
@@ -23,6 +24,7 @@ struct Options {
   std::string format = "text";
   std::string fail_on;
   std::string out;
+  bool damaged = false;
 };
 
 struct Compared {
@@ -31,12 +33,12 @@ struct Compared {
   std::vector<compare::Pair> pairs;
 };
 
-Compared compared(const std::vector<std::string>& bundles) {
+Compared compared(const std::vector<std::string>& bundles, bundle::Damage damage) {
   if (bundles.size() < 2)
     throw Failure(Exit::usage, "compare: takes two bundles or more; name the one to compare with first");
-  Compared all{.base = compare::read_side(bundles.front()), .others = {}, .pairs = {}};
+  Compared all{.base = compare::read_side(bundles.front(), damage), .others = {}, .pairs = {}};
   for (std::size_t k = 1; k < bundles.size(); ++k) {
-    all.others.push_back(compare::read_side(bundles[k]));
+    all.others.push_back(compare::read_side(bundles[k], damage));
     all.pairs.push_back(compare::compare_pair(all.base, all.others.back()));
     if (!all.pairs.back().has_common_rows())
       throw Failure(Exit::usage,
@@ -99,7 +101,12 @@ Exit judge(const Compared& all, bool slower_fails) {
 }
 
 Exit run_compare(const Options& options) {
-  const Compared all = compared(options.bundles);
+  if (options.damaged && !options.out.empty())
+    throw Failure(Exit::usage, "--damaged: not with --out, whose tables would not say so; leave one of them out");
+  const Compared all = compared(options.bundles, damage_of(options.damaged));
+  auto damaged = all.base.damaged;
+  for (const auto& other : all.others) damaged.insert(damaged.end(), other.damaged.begin(), other.damaged.end());
+  print_damage(damaged);
   if (!options.out.empty()) write_files(all, options.out);
   if (options.format == "csv")
     fmt::print("{}", compare::comparison_table(all.pairs).text());
@@ -119,6 +126,7 @@ void add_compare(Command program, Exit& exit) {
       .option("--fail-on", options->fail_on, "slower: exit 1 where a method is, in all repetitions and at quality ok")
       .one_of({"slower"});
   command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders");
+  add_damaged(command, options->damaged);
   command.action([options, &exit] { exit = run_compare(*options); });
 }
 

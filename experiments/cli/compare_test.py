@@ -41,6 +41,7 @@ class Compare(Case):
             writer = csv.DictWriter(text, table[0].keys(), lineterminator="\n")
             writer.writeheader()
             writer.writerows(table)
+        self.list_anew(bundle)
         return table
 
     def scale_times(self, factor, only=None):
@@ -85,6 +86,7 @@ class Compare(Case):
         machine = json.loads(path.read_text())
         machine["build"]["compiler"] = "Clang 99"
         path.write_text(json.dumps(machine))
+        self.list_anew("b")
         text = self.fine("compare", "a", "b")
         self.assertIn("Clang 99", text)
         self.assertLess(text.index("build.compiler"), text.index("accuracy: "))
@@ -100,6 +102,7 @@ class Compare(Case):
         other = victim["max_error"][:-6] + "1" + victim["max_error"][-5:]
         self.assertNotEqual(float(other), float(victim["max_error"]))
         path.write_text(path.read_text().replace(line, line.replace(victim["max_error"], other)))
+        self.list_anew("b")
         result = self.run_program("compare", "a", "b")
         self.assertEqual(result.returncode, FINDING)
         self.assert_one_line(result, "b: accuracy differs from a in 1 of ")
@@ -182,6 +185,7 @@ class Compare(Case):
         lines = [line.split(",") for line in path.read_text().splitlines()]
         gone = lines[0].index("p50_error")
         path.write_text("".join(",".join(line[:gone] + line[gone + 1:]) + ",extra\n" for line in lines))
+        self.list_anew("x")
         self.assertIn("accuracy: identical in all 2 ", self.fine("compare", "x", "y"))
 
     # What it refuses.
@@ -192,7 +196,11 @@ class Compare(Case):
         self.refused(USAGE, ["compare", "a", "b", "--fail-on", "faster"], "--fail-on")
         self.refused(USAGE, ["compare", "a", "b", "--out", "a"], "is a bundle itself")
         self.refused(INPUT_OUTPUT, ["compare", "a", "nowhere"], "nowhere: is not a bundle")
+        self.refused(USAGE, ["compare", "a", "b", "--damaged", "--out", "t"], "--damaged: not with --out")
         (self.folder / "b/machine.json").write_text("{")
+        self.refused(INPUT_OUTPUT, ["compare", "a", "b"], "b/machine.json: is not what SHA256SUMS lists")
+        self.refused(INPUT_OUTPUT, ["compare", "a", "b", "--damaged"], "b/machine.json:1:2: ")
+        self.list_anew("b")
         self.refused(INPUT_OUTPUT, ["compare", "a", "b"], "b/machine.json:1:2: ")
         (self.folder / "b/machine.json").unlink()
         self.refused(INPUT_OUTPUT, ["compare", "a", "b"], "machine.json")

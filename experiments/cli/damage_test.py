@@ -96,7 +96,8 @@ class Complete(DamageCase):
         good = rows((self.folder / "whole/worst.csv").read_text())[1]
 
         def check(target):
-            result = self.run_program("replay", "b", good["worst_id"])
+            self.assertEqual(self.run_program("replay", "b", good["worst_id"]).returncode, INPUT_OUTPUT)
+            result = self.run_program("replay", "b", good["worst_id"], "--damaged")
             if result.returncode == FINE:
                 self.assertIn(b"the same\n", result.stdout)
                 found = [row for row in rows(target.read_text(errors="replace")) if row["worst_id"] == good["worst_id"]]

@@ -6,13 +6,13 @@
 
 namespace bezierbench::cli {
 
-void say(const std::string& text) {
-  std::string line = "bezierbench: " + text;
+std::string one_line(std::string text) {
   std::ranges::replace_if(
-      line, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  line.erase(line.find_last_not_of(' ') + 1);
-  line += '\n';
-  std::fputs(line.c_str(), stderr);
+      text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
 }
+
+void say(const std::string& text) { std::fputs((one_line("bezierbench: " + text) + '\n').c_str(), stderr); }
 
 }  // namespace bezierbench::cli

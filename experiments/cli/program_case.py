@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What tests that run the program have and expect. The program is $BEZIERBENCH or the first argument."""
 import csv
+import hashlib
 import io
 import json
 import os
@@ -83,6 +84,13 @@ class Case(unittest.TestCase):
             name = str(path.relative_to(self.folder))
             found[name] = os.readlink(path) if path.is_symlink() else path.is_dir() or path.read_bytes()
         return found
+
+    def list_anew(self, bundle):
+        """Makes SHA256SUMS that of the files as they are, as whoever changes a bundle on purpose can."""
+        folder = self.folder / bundle
+        names = sorted(path.name for path in folder.iterdir() if path.is_file() and path.name != "SHA256SUMS")
+        (folder / "SHA256SUMS").write_text(
+            "".join(f"{hashlib.sha256((folder / name).read_bytes()).hexdigest()}  {name}\n" for name in names))
 
     def manifest(self, bundle):
         return json.loads((self.folder / bundle / "bundle.json").read_text())

@@ -8,6 +8,7 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/coordinate_columns.hpp"
 #include "experiments/cli/curve_file.hpp"
+#include "experiments/cli/damage.hpp"
 #include "experiments/cli/diagnostics.hpp"
 #include "experiments/cli/worst_record.hpp"
 #include "experiments/number/number.hpp"
@@ -94,14 +95,18 @@ void add_replay(Command program, Exit& exit) {
   struct Options {
     std::string bundle;
     std::string id;
+    bool damaged = false;
   };
   auto options = std::make_shared<Options>();
   auto command = program.command("replay", "recompute one recorded worst case, step by step");
   command.option("bundle", options->bundle, "folder of the bundle").required();
   command.option("id", options->id, "worst_id of worst.csv or search_id of search.csv").required();
+  add_damaged(command, options->damaged);
   command.action([options, &exit] {
-    const WorstRecord record = find_worst_record(options->bundle, options->id);
+    bundle::CheckedReader reader(options->bundle, damage_of(options->damaged));
+    const WorstRecord record = find_worst_record(reader, options->id);
     const auto cell = record.cell();
+    print_damage(reader.told());
     exit = record.scalar() == suite::ScalarKind::float32 ? replay<float>(options->id, record, cell)
                                                          : replay<double>(options->id, record, cell);
   });

@@ -44,7 +44,12 @@ class Replay(Case):
         path = self.folder / "b/worst.csv"
         row = next(r for r in self.recorded("worst.csv") if float(r["error"]) > 0)
         path.write_text(path.read_text().replace(row["error"], "1e-30"))
+        self.refused(INPUT_OUTPUT, ["replay", "b", row["worst_id"]], "b/worst.csv: is not what SHA256SUMS lists", "--damaged")
+        result = self.run_program("replay", "b", row["worst_id"], "--damaged")
+        self.assertTrue(result.stdout.startswith(b"# DAMAGED, not as SHA256SUMS lists: b/worst.csv\n"), result)
+        self.list_anew("b")
         result = self.run_program("replay", "b", row["worst_id"])
+        self.assertNotIn(b"DAMAGED", result.stdout)
         self.assertEqual(result.returncode, FINDING)
         self.assertIn(b"DIFFERENT", result.stdout)
 
@@ -52,7 +57,7 @@ class Replay(Case):
         self.refused(USAGE, ["replay", "b", "w0"], "w0: no such worst case")
         self.refused(USAGE, ["replay", "b"], "id")
         (self.folder / "empty").mkdir()
-        self.refused(USAGE, ["replay", "empty", "w1"], "worst.csv")
+        self.refused(INPUT_OUTPUT, ["replay", "empty", "w1"], "empty: is not a bundle")
         path = self.folder / "b/worst.csv"
         good = path.read_text()
         row = self.recorded("worst.csv")[0]
@@ -65,6 +70,7 @@ class Replay(Case):
                     writer = csv.DictWriter(file, row.keys(), lineterminator="\n")
                     writer.writeheader()
                     writer.writerows(rows)
+                self.list_anew("b")
                 self.refused(INPUT_OUTPUT, ["replay", "b", "w1"], "worst.csv:2: ")
                 path.write_text(good)
 

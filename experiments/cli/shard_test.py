@@ -12,7 +12,7 @@ import subprocess
 import time
 import unittest
 
-from program_case import CONVERSION, FINDING, FINE, INPUT_OUTPUT, PATIENCE, PROGRAM, TIMING, USAGE, rows
+from program_case import CONVERSION, FINDING, FINE, INPUT_OUTPUT, PATIENCE, PROGRAM, STUDY, TIMING, USAGE, rows
 from resume_test import ACCURACY, SEARCH, ResumeCase
 
 # What launchers set, and nothing of it may leak from where the tests run.
@@ -168,6 +168,70 @@ class Merge(ShardCase):
         self.refused(FINDING, ["merge", "s1", "s2", "--out", "m"], "m: holds blocks of its own")
         self.write("other/file", "x")
         self.refused(INPUT_OUTPUT, ["merge", "s1", "s2", "--out", "other"], "other: is not empty")
+
+    def test_what_is_there_is_not_written_over(self):
+        self.apart(2)
+        self.bundle(self.everything, "--seed", "7", name="theirs")
+        self.refused(USAGE, ["merge", "s1", "s2", "--out", "theirs"], "theirs: holds results of seed 7, this run has 1")
+        self.fine("run", self.everything, "--seed", "7", "--quiet", "--out", "begun", "--shard", "1/9")
+        self.refused(USAGE, ["merge", "s1", "s2", "--out", "begun"], "begun: holds results of seed 7")
+        self.fine("merge", "s1", "s2", "--out", "m")
+        before = self.snapshot("m")
+        self.fine("merge", "s2", "s1", "--out", "m")  # the very same
+        self.assertEqual(self.snapshot("m"), before)
+        self.pretend_another_machine("m")
+        self.refused(USAGE, ["merge", "s1", "s2", "--out", "m"], "m: is complete already, with another machine.json")
+
+    def test_no_table_of_another_run_gets_into_the_digest(self):
+        self.apart(2)
+        for name in ("fitting.csv", "notes.txt"):
+            with self.subTest(name=name):
+                shutil.copytree(self.folder / "s1", self.folder / "m")
+                self.write(f"m/{name}", "study\nx\n")
+                self.refused(INPUT_OUTPUT, ["merge", "m", "s2", "--out", "m"], f"m/{name}: is nothing that this run writes")
+                self.refused(INPUT_OUTPUT, ["run", self.everything, "--quiet", "--out", "m"], f"m/{name}: is nothing that",
+                             unchanged=False)
+                (self.folder / f"m/{name}").unlink()
+                self.bundle(self.everything, name="m")
+                shutil.rmtree(self.folder / "m")
+
+    def test_a_run_that_has_kept_nothing_yet_is_not_disturbed(self):
+        self.apart(2)
+        suite = self.suite({**ACCURACY, "trials": "2000000000"}, name="long.toml")
+        run = ["run", suite, "--quiet", "--jobs", "1", "--checkpoint", "1000", "--out", "m"]
+        with subprocess.Popen([PROGRAM, *run], cwd=self.folder, stderr=subprocess.PIPE) as process:
+            try:
+                deadline = time.monotonic() + PATIENCE
+                while not (self.folder / "m/bundle.json").exists() and time.monotonic() < deadline:
+                    time.sleep(0.01)
+                (self.folder / "m/bundle.json").unlink()  # or the merge would refuse for its suite
+                self.refused(INPUT_OUTPUT, ["merge", "s1", "s2", "--out", "m"], "m: a run is at work there", alone=False)
+            finally:
+                process.kill()
+                process.communicate()
+
+    def test_a_shard_that_has_every_block(self):
+        """A study of one block: the others have nothing, and that one is complete at once."""
+        one = self.suite({**STUDY, "trials": "5"}, name="one.toml")
+        expected = self.whole(one)
+        states = [self.shard(number, 3, f"s{number}", one) for number in (1, 2, 3)]
+        self.assertEqual(sorted(states), ["complete", "partial", "partial"])
+        for order in itertools.permutations(["s1", "s2", "s3"]):
+            self.fine("merge", *order, "--out", "m")
+            self.assert_complete("m")
+            self.assertEqual(self.results("m"), expected)
+            shutil.rmtree(self.folder / "m")
+        full = f"s{states.index('complete') + 1}"
+        path = self.folder / full / "accuracy.csv"
+        path.write_text(path.read_text() + "\n")
+        self.refused(FINDING, ["merge", "s1", "s2", "s3", "--out", "m"], full, "accuracy digest")
+
+    def test_blocks_of_a_modified_build(self):
+        self.apart(2)
+        manifest = self.manifest("s2")
+        self.write("s2/bundle.json", json.dumps({**manifest, "git_clean": not manifest["git_clean"]}))
+        self.refused(FINDING, ["merge", "s1", "s2", "--out", "m"], "s2: holds results of commit", "modif")
+        self.refused(USAGE, ["run", self.everything, "--quiet", "--out", "s2"], "s2: holds results of commit", "modif")
 
     def test_into_one_of_them(self):
         expected = self.whole()

@@ -7,8 +7,9 @@
 #include <cstdio>
 #include <memory>
 
-#include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/checked_reader.hpp"
 #include "experiments/cli/commands.hpp"
+#include "experiments/cli/damage.hpp"
 #include "experiments/cli/vocabulary.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
@@ -26,6 +27,7 @@ struct Options {
   std::string bundle;
   std::string method;
   suite::Overrides overrides;
+  bool damaged = false;
 };
 
 /// A cell in one scalar type: what a row of accuracy.csv is of, but for the method.
@@ -61,6 +63,7 @@ struct Chosen {
   suite::Study study;
   std::uint64_t seed;
   ScalarCell cell;
+  std::vector<std::string> damaged;  ///< files of the bundle that were used all the same
 };
 
 /// The only study that --only leaves.
@@ -74,9 +77,10 @@ const suite::Study& only_study(const std::vector<suite::Suite>& suites, const st
 }
 
 Chosen chosen(const Options& options) {
-  const auto directory = bundle::BundleDirectory::open(options.bundle);
+  bundle::CheckedReader reader(options.bundle, damage_of(options.damaged));
   const auto known = vocabulary();
-  auto suites = suite::read_suites(directory.path() / "suite.toml", known);
+  constexpr const char* name = "suite.toml";
+  auto suites = suite::parse_suites(reader.read(name), reader.place(name), known);
   suite::apply({.seed = {}, .trials = {}, .set = {}, .only = options.overrides.only}, suites, known);
   const auto there = scalar_cells(only_study(suites, options.overrides.only));
   suite::apply(options.overrides, suites, known);
@@ -91,7 +95,7 @@ Chosen chosen(const Options& options) {
   if (std::ranges::find(there, cells.front()) == there.end())
     throw Failure(Exit::usage, fmt::format("study {}: has no such cell in {}; its cells differ in {}", study.id,
                                            options.bundle, choices(study, there)));
-  return {study, suites.front().seed, cells.front()};
+  return {study, suites.front().seed, cells.front(), reader.told()};
 }
 
 template <class Scalar>
@@ -128,6 +132,7 @@ void print_trials(const Chosen& from, const std::string& method) {
   const sample::Sampler sampler(from.seed, from.study.id, cell);
   studies::TrialInputs<Scalar> inputs(studies::form_of(cell.curve), cell);
   studies::PointJudge<Scalar> judge;
+  print_damage(from.damaged);
   fmt::print("trial,{},value,exact,error,error_u,bound_u\n", fmt::join(studies::input_columns(), ","));
   const auto trials = static_cast<std::uint64_t>(from.study.trials * from.study.replicates);
   for (std::uint64_t trial = 0; trial < trials; ++trial) {
@@ -151,6 +156,7 @@ void add_trials(Command program, Exit& exit) {
   command.option("--study", options->overrides.only, "its study, of kind accuracy").required();
   command.option("--method", options->method, "its method").required();
   command.option("--set", options->overrides.set, "axis=value, where the study has several; intervals as 0:0.2");
+  add_damaged(command, options->damaged);
   command.action([options, &exit] {
     const Chosen from = chosen(*options);
     if (from.cell.scalar == suite::ScalarKind::float32)

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include "experiments/bundle/verify.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <memory>
 #include <string>
 
-#include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/kernel_share.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/diagnostics.hpp"
+#include "experiments/cli/vocabulary.hpp"
+#include "experiments/studies/expected.hpp"
+#include "experiments/suite/reader.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -23,6 +27,11 @@ void print_fine(const std::string& path) {
         share->judged, share->own);
 }
 
+/// A bundle may be of a build with other libraries than this one.
+bundle::Expected expected_of(const std::string& suite_text, const std::string& file_name) {
+  return studies::expected_of(suite::parse_suites(suite_text, file_name, vocabulary_of_all_builds()));
+}
+
 }  // namespace
 
 void add_verify(Command program, Exit& exit) {
@@ -30,7 +39,7 @@ void add_verify(Command program, Exit& exit) {
   auto command = program.command("verify", "check a bundle: checksums, schema, digest");
   command.option("bundle", *path, "folder of the bundle").required();
   command.action([path, &exit] {
-    const auto findings = bundle::verify(*path);
+    const auto findings = bundle::verify(*path, expected_of);
     for (const auto& finding : findings) say(finding);
     if (findings.empty()) print_fine(*path);
     exit = findings.empty() ? Exit::fine : Exit::finding;

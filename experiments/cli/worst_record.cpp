@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/curve_view.hpp"
-#include "experiments/bundle/atomic_file.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/input_fields.hpp"
@@ -17,8 +16,6 @@
 
 namespace bezierbench::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::array files{WorstFile{"worst.csv", "worst_id", "error_u"},
                            WorstFile{"search.csv", "search_id", "searched_error_u"}};
@@ -71,12 +68,11 @@ void WorstRecord::malformed(std::string_view column, std::string_view what) cons
                                                 table_.file_name(), table_.line(row_), column, what));
 }
 
-WorstRecord find_worst_record(const fs::path& bundle, const std::string& id) {
+WorstRecord find_worst_record(bundle::CheckedReader& bundle, const std::string& id) {
   std::vector<std::string> there;
   for (const WorstFile& file : files) {
-    const fs::path path = bundle / file.name;
-    if (!fs::exists(path)) continue;
-    auto table = bundle::parse_csv(bundle::read_file(path), path.string());
+    if (!bundle.has(file.name)) continue;
+    auto table = bundle::parse_csv(bundle.read(file.name), bundle.place(file.name));
     const std::size_t rows = table.row_count();
     for (std::size_t row = 0; row < rows; ++row)
       if (table.at(row, file.id) == id) return {std::move(table), row, file};
@@ -85,9 +81,9 @@ WorstRecord find_worst_record(const fs::path& bundle, const std::string& id) {
   }
   if (there.empty())
     throw Failure(Exit::usage, fmt::format("{}: has no worst cases (worst.csv, search.csv); name a bundle that has",
-                                           bundle.string()));
+                                           bundle.path().string()));
   throw Failure(Exit::usage, fmt::format("{}: no such worst case in {}; there are {}, see worst_id and search_id", id,
-                                         bundle.string(), fmt::join(there, ", ")));
+                                         bundle.path().string(), fmt::join(there, ", ")));
 }
 
 }  // namespace bezierbench::cli

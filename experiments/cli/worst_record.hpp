@@ -2,10 +2,10 @@
 // One row of worst.csv or search.csv, read back.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "experiments/bundle/checked_reader.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/suite/suite.hpp"
@@ -46,6 +46,6 @@ class WorstRecord {
 };
 
 /// Throws Failure(usage) that says which there are where no row has this id.
-WorstRecord find_worst_record(const std::filesystem::path& bundle, const std::string& id);
+WorstRecord find_worst_record(bundle::CheckedReader& bundle, const std::string& id);
 
 }  // namespace bezierbench::cli

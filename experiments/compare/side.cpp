@@ -5,7 +5,6 @@
 #include <array>
 #include <iterator>
 
-#include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
 
@@ -14,14 +13,13 @@ namespace {
 
 constexpr std::string_view unknown = "unknown";
 
-void read_facts(const bundle::BundleDirectory& directory, std::string_view file, Side& side) {
-  std::ranges::move(bundle::facts(directory.read(file), (directory.path() / file).string()),
-                    std::back_inserter(side.facts));
+void read_facts(bundle::CheckedReader& reader, std::string_view file, Side& side) {
+  std::ranges::move(bundle::facts(reader.read(file), reader.place(file)), std::back_inserter(side.facts));
 }
 
-void read_table(const bundle::BundleDirectory& directory, std::string_view file, Side& side) {
-  if (!directory.has(file)) return;
-  side.tables.emplace(file, bundle::parse_csv(directory.read(file), (directory.path() / file).string()));
+void read_table(bundle::CheckedReader& reader, std::string_view file, Side& side) {
+  if (!reader.has(file)) return;
+  side.tables.emplace(file, bundle::parse_csv(reader.read(file), reader.place(file)));
 }
 
 }  // namespace
@@ -36,13 +34,14 @@ const bundle::CsvDocument* Side::table(const std::string& file) const {
   return found == tables.end() ? nullptr : &found->second;
 }
 
-Side read_side(const std::filesystem::path& path) {
-  const auto directory = bundle::BundleDirectory::open(path);
-  Side side{.name = path.string(), .manifest = directory.manifest(), .facts = {}, .tables = {}};
-  read_facts(directory, "machine.json", side);
-  read_facts(directory, bundle::manifest_name, side);
-  for (const auto file : bundle::deterministic_files) read_table(directory, file, side);
-  read_table(directory, timing_file, side);
+Side read_side(const std::filesystem::path& path, bundle::Damage damage) {
+  bundle::CheckedReader reader(path, damage);
+  Side side{.name = path.string(), .manifest = reader.manifest(), .facts = {}, .tables = {}};
+  read_facts(reader, "machine.json", side);
+  read_facts(reader, bundle::manifest_name, side);
+  for (const auto file : bundle::deterministic_files) read_table(reader, file, side);
+  read_table(reader, timing_file, side);
+  side.damaged = reader.told();
   return side;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/bundle/checked_reader.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/facts.hpp"
 #include "experiments/bundle/manifest.hpp"
@@ -19,6 +20,7 @@ struct Side {
   bundle::Manifest manifest;
   std::vector<bundle::Fact> facts;                    ///< of machine.json, then of bundle.json
   std::map<std::string, bundle::CsvDocument> tables;  ///< timing.csv and the deterministic ones, by file name
+  std::vector<std::string> damaged = {};              ///< files that are not as SHA256SUMS lists them
 
   /// The value of a fact; `unknown` where there is none.
   [[nodiscard]] std::string fact(std::string_view fact_name) const;
@@ -28,8 +30,9 @@ struct Side {
 
 inline constexpr const char* timing_file = "timing.csv";
 
-/// Throws Failure(Exit::input_output) where `path` is no bundle or a file of it is damaged.
-[[nodiscard]] Side read_side(const std::filesystem::path& path);
+/// Throws Failure(Exit::input_output) where `path` is no bundle or a file of it is damaged; one that reads nevertheless
+/// only if damage is to be refused.
+[[nodiscard]] Side read_side(const std::filesystem::path& path, bundle::Damage damage = bundle::Damage::refused);
 
 /// A fact whose values are not the same on both sides; `unknown` where a side does not have it.
 struct FactDifference {

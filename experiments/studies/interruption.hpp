@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C and termination: remembered by the signal handler, asked for between blocks.
+// Ctrl-C and termination: they end a program that is only reading; one at work is asked between blocks.
 #pragma once
 
 namespace bezierbench::studies {
 
-/// Installs the handlers of SIGINT and SIGTERM. A second signal ends the program at once.
+/// Installs the handlers of SIGINT and SIGTERM. Until work_begins() a signal ends the program, with exit code 130 and a
+/// line that says so; from then on the first is remembered and the second ends the program.
 void watch_for_interruption();
+
+/// From here on something would be lost with the program: it looks at interrupted() and keeps what is done.
+void work_begins();
 
 /// True once a signal arrived.
 bool interrupted();

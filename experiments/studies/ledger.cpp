@@ -48,11 +48,10 @@ std::uint64_t number_of(const fs::path& path) {
 
 Found find_blocks(const fs::path& folder) {
   Found found;
-  std::error_code ignored;
-  if (!fs::is_directory(folder, ignored)) return found;
+  if (!bundle::is_inner_folder(folder)) return found;
   for (const auto& name : bundle::list_folder(folder).files) {
     if (!name.ends_with(extension)) continue;
-    auto file = bundle::parse_block_file(bundle::read_file(folder / name));
+    auto file = bundle::parse_block_file(bundle::read_bundle_file(folder / name));
     if (file)
       found.readable.push_back({folder / name, std::move(*file)});
     else
@@ -177,8 +176,8 @@ std::vector<bundle::BlockRecord> Ledger::everything() const {
 
 void Ledger::write(std::vector<bundle::BlockRecord> records) {
   const auto path = owner_.folder / fmt::format("{}.{:06}{}", owner_.writer, next_number_++, extension);
-  bundle::write_file(path,
-                     bundle::block_file_bytes({owner_.manifest, owner_.reference, owner_.machine, std::move(records)}));
+  bundle::write_bundle_file(
+      path, bundle::block_file_bytes({owner_.manifest, owner_.reference, owner_.machine, std::move(records)}));
   files_.push_back(path);
 }
 

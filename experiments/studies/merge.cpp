@@ -11,19 +11,24 @@
 #include <tuple>
 
 #include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/checked_reader.hpp"
+#include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/lock_file.hpp"
 #include "experiments/bundle/machine.hpp"
+#include "experiments/bundle/schema.hpp"
+#include "experiments/bundle/sums.hpp"
+#include "experiments/bundle/table_schema.hpp"
+#include "experiments/bundle/verify.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/studies/expected.hpp"
+#include "experiments/studies/merge_target.hpp"
 #include "experiments/studies/plan.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* machine_name = "machine.json";
-constexpr const char* methods_name = "methods.csv";
-constexpr const char* generators_name = "generators.csv";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
   throw Failure(Exit::finding, fmt::format("{}: {}", path.string(), why));
@@ -32,15 +37,9 @@ constexpr const char* generators_name = "generators.csv";
 /// One of the bundles, locked while it is read.
 struct Source {
   explicit Source(const fs::path& folder) : path(folder), directory(bundle::BundleDirectory::open(folder)) {
-    std::error_code ignored;
-    if (fs::is_directory(directory.blocks(), ignored)) {
-      lock = std::make_unique<bundle::LockFile>(directory.blocks() / "run.lock");
-      if (!lock->try_lock(bundle::Sharing::exclusive))
-        throw Failure(Exit::input_output,
-                      fmt::format("{}: a run is at work there; wait for it, or stop it", path.string()));
-    }
+    if (bundle::is_inner_folder(directory.blocks())) lock = lock_of_run(directory);
     manifest = directory.manifest();
-    (void)directory.read_listed("suite.toml");
+    (void)directory.read_listed(suite_name);
     machine_text = directory.read(machine_name);
     machine = bundle::machine_fingerprint(machine_text);
     found = find_blocks(directory.blocks());
@@ -58,10 +57,10 @@ struct Source {
 void require_same(const Source& source, const Plan& plan, const RunRequest& request) {
   if (const auto why = difference(source.manifest, plan.manifest))
     refuse(source.path, fmt::format("holds results of {}; merge what one program made of one suite", *why));
-  if (source.directory.read_listed(methods_name) != request.methods_csv)
-    refuse(source.path, "lists other methods than this program has; merge with the program that made it");
-  if (source.directory.read_listed(generators_name) != request.generators_csv)
-    refuse(source.path, "lists other generators than this program has; merge with the program that made it");
+  for (const auto& [name, ours] : lists_of(request))
+    if (source.directory.read_listed(name) != ours)
+      refuse(source.path, fmt::format("lists other {} than this program has; merge with the program that made it",
+                                      fs::path(name).stem().string()));
   studies::require_same(source.found, plan, Exit::finding);
 }
 
@@ -74,6 +73,9 @@ void refuse_damaged_machines(const std::vector<Source>& sources) {
           return other.machine_text == source.machine_text && listed(other);
         }))
       (void)source.directory.read_listed(machine_name);  // says why
+  for (const auto& source : sources)
+    if (const auto why = bundle::machine_fault(source.machine_text))
+      refuse(source.path / machine_name, fmt::format("{}; restore it", *why));
 }
 
 /// Times of another machine than the bundle's last do not count: they were to be taken again.
@@ -148,9 +150,60 @@ const Source& with_machine(const std::vector<Source>& sources, const Jobs& jobs)
   return *std::ranges::min_element(sources, {}, first_block);
 }
 
-}  // namespace
+/// What a complete bundle consists of, as it was written.
+Files files_of(const Source& source) {
+  if (bundle::accuracy_digest(source.path) != source.manifest.accuracy_digest)
+    refuse(source.path, "is complete, but its accuracy digest is that of other files; see bezierbench verify");
+  bundle::CheckedReader reader(source.path, bundle::Damage::refused);
+  Files files;
+  for (const auto& [name, digest] : bundle::parse_sums(source.directory.read(bundle::sums_name)).digests) {
+    if (name == bundle::manifest_name) continue;
+    if (name != suite_name && name != machine_name && !bundle::is_table_name(name))
+      refuse(source.path / name, "is listed in SHA256SUMS, but no file of a bundle; see bezierbench verify");
+    files.emplace_back(name, reader.read(name));
+  }
+  return files;
+}
 
-Findings merge(RunRequest request, const std::vector<fs::path>& bundles) {
+/// Of the bundles the complete one, which has all blocks: those of few studies may all be in one shard's share. Null
+/// where none is. Refuses blocks that it has as well.
+const Source* the_complete_one(const std::vector<Source>& sources) {
+  const Source* whole = nullptr;
+  for (const auto& source : sources)
+    if (source.manifest.state == bundle::complete) {
+      if (whole != nullptr)
+        refuse(source.path,
+               fmt::format("is complete already, and so is {}; name every shard once", whole->path.string()));
+      whole = &source;
+    }
+  if (whole == nullptr) return nullptr;
+  if (sources.size() == 1) refuse(whole->path, "is complete already; there is nothing to join it with");
+  for (const auto& source : sources)
+    if (&source != whole && !(source.found.readable.empty() && source.found.damaged.empty()))
+      refuse(source.path, fmt::format("holds blocks that {} has as well, which is complete already; name every shard "
+                                      "once",
+                                      whole->path.string()));
+  return whole;
+}
+
+/// The tables of all blocks, with what else belongs to a bundle.
+Files joined(std::vector<Source>& sources, const Plan& plan, const RunRequest& request) {
+  refuse_damaged_machines(sources);
+  for (auto& source : sources) drop_stale_times(source, plan.jobs);
+  refuse_overlaps(sources, request, plan.jobs.size());
+  const Source& machine = with_machine(sources, plan.jobs);
+  Ledger ledger(plan.jobs, {{}, "", plan.manifest, plan.reference, machine.machine});
+  for (const auto& source : sources)
+    for (const auto& line : ledger.load(source.found, Ledger::Whose::all)) std::fputs((line + '\n').c_str(), stderr);
+  refuse_gaps(ledger, plan, request);
+  Files files{{suite_name, plan.suite_text}, {machine_name, machine.machine_text}};
+  for (auto& list : lists_of(request)) files.push_back(std::move(list));
+  const Tables tables = tables_of(request, plan);
+  for (const auto& [file, table] : tables.all()) files.emplace_back(file, table.text());
+  return files;
+}
+
+std::vector<Source> opened(const std::vector<fs::path>& bundles) {
   std::vector<Source> sources;
   for (const auto& path : bundles) {
     std::error_code ignored;
@@ -158,36 +211,29 @@ Findings merge(RunRequest request, const std::vector<fs::path>& bundles) {
       if (fs::equivalent(other.path, path, ignored)) refuse(path, "named twice; name every shard once");
     sources.emplace_back(path);
   }
+  return sources;
+}
+
+}  // namespace
+
+Findings merge(RunRequest request, const std::vector<fs::path>& bundles) {
+  auto sources = opened(bundles);
   const auto with_blocks = std::ranges::find_if(sources, [](const Source& one) { return !one.found.readable.empty(); });
   if (with_blocks != sources.end() &&
       with_blocks->found.readable.front().file.reference == name(reference::Tier::exact))
     request.tier = reference::Tier::exact;
   const Plan plan(request);
-  for (auto& source : sources) {
-    require_same(source, plan, request);
-    if (source.manifest.state == bundle::complete)
-      refuse(source.path, "is complete already; there is nothing to join it with");
-    drop_stale_times(source, plan.jobs);
-  }
-  refuse_damaged_machines(sources);
-  refuse_overlaps(sources, request, plan.jobs.size());
-  const Source& machine = with_machine(sources, plan.jobs);
-  Ledger ledger(plan.jobs, {{}, "", plan.manifest, plan.reference, machine.machine});
-  for (const auto& source : sources)
-    for (const auto& line : ledger.load(source.found, Ledger::Whose::all)) std::fputs((line + '\n').c_str(), stderr);
-  refuse_gaps(ledger, plan, request);
+  for (const auto& source : sources) require_same(source, plan, request);
+  const Source* whole = the_complete_one(sources);
+  const Files files = whole != nullptr ? files_of(*whole) : joined(sources, plan, request);
 
   std::error_code ignored;
-  const bool in_place = std::ranges::any_of(
+  const auto target = std::ranges::find_if(
       sources, [&](const Source& source) { return fs::equivalent(source.path, request.out, ignored); });
-  if (!in_place && !find_blocks(request.out / "blocks").readable.empty())
-    refuse(request.out, "holds blocks of its own; name it among the bundles, or choose another --out");
-  const auto directory = bundle::BundleDirectory::create(request.out);
-  directory.write("suite.toml", plan.suite_text);
-  directory.write(machine_name, machine.machine_text);
-  directory.write(methods_name, request.methods_csv);
-  directory.write(generators_name, request.generators_csv);
-  return assemble(request, plan, directory);
+  const bool is_source = target != sources.end();
+  put_whole(request, plan, files, is_source, is_source && target->lock != nullptr);
+  if (whole == nullptr) return violations_in(plan.jobs);
+  return bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request.suites); });
 }
 
 }  // namespace bezierbench::studies

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/folder.hpp"
 #include "experiments/studies/choices.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/scorecard.hpp"
@@ -31,14 +35,6 @@ bundle::Manifest manifest_of(const RunRequest& request, const std::string& suite
   return manifest;
 }
 
-Findings findings_of(const Jobs& jobs) {
-  Findings findings;
-  for (const auto& job : jobs)
-    for (const auto& violation : job->violations())
-      findings.push_back(fmt::format("bound violated {} times: {}", violation.count, violation.where));
-  return findings;
-}
-
 }  // namespace
 
 Plan::Plan(const RunRequest& request)
@@ -61,8 +57,40 @@ std::optional<std::string> difference(const bundle::Manifest& theirs, const bund
   if (theirs.program_version != ours.program_version)
     return both("program version", theirs.program_version, ours.program_version);
   if (theirs.git_commit != ours.git_commit) return both("commit", theirs.git_commit, ours.git_commit);
+  const auto source = [](const bundle::Manifest& manifest) {
+    return fmt::format("{}{}", manifest.git_commit, manifest.git_clean ? " unmodified" : " with modifications");
+  };
+  if (theirs.git_clean != ours.git_clean) return both("commit", source(theirs), source(ours));
   if (theirs.fp_flags != ours.fp_flags) return both("floating-point flags", theirs.fp_flags, ours.fp_flags);
   return std::nullopt;
+}
+
+std::optional<bundle::Manifest> existing(const RunRequest& request, const Plan& plan) {
+  const auto path = request.out / bundle::manifest_name;
+  std::error_code ignored;  // a place that cannot be looked at cannot be made either, which says why
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) return std::nullopt;
+  const auto theirs = bundle::parse_manifest(bundle::read_bundle_file(path), path.string());
+  if (const auto why = difference(theirs, plan.manifest))
+    throw Failure(Exit::usage, fmt::format("{}: holds results of {}; choose another --out or move it away",
+                                           request.out.string(), *why));
+  return theirs;
+}
+
+std::vector<std::pair<std::string, std::string>> lists_of(const RunRequest& request) {
+  return {{"methods.csv", request.methods_csv}, {"generators.csv", request.generators_csv}};
+}
+
+void refuse_foreign(const RunRequest& request, const std::function<bool(const std::string&)>& is_table) {
+  std::vector<std::string> own{std::string(bundle::manifest_name), std::string(bundle::sums_name),
+                               std::string(bundle::blocks_name), suite_name, machine_name};
+  for (const auto& list : lists_of(request)) own.push_back(list.first);
+  const auto found = bundle::list_folder(request.out);
+  for (const auto* names : {&found.files, &found.others})
+    for (const auto& name : *names)
+      if (!name.starts_with('.') && std::ranges::find(own, name) == own.end() && !is_table(name))
+        throw Failure(Exit::input_output,
+                      fmt::format("{}: is nothing that this run writes; move it away, or choose another --out",
+                                  (request.out / name).string()));
 }
 
 void require_same(const Found& found, const Plan& ours, Exit exit) {
@@ -76,7 +104,15 @@ void require_same(const Found& found, const Plan& ours, Exit exit) {
   }
 }
 
-Findings assemble(const RunRequest& request, const Plan& plan, const bundle::BundleDirectory& directory) {
+Findings violations_in(const Jobs& jobs) {
+  Findings findings;
+  for (const auto& job : jobs)
+    for (const auto& violation : job->violations())
+      findings.push_back(fmt::format("bound violated {} times: {}", violation.count, violation.where));
+  return findings;
+}
+
+Tables tables_of(const RunRequest& request, const Plan& plan) {
   Tables tables;
   std::vector<Series> series;
   for (const auto& job : plan.jobs) {
@@ -85,11 +121,17 @@ Findings assemble(const RunRequest& request, const Plan& plan, const bundle::Bun
   }
   write_scorecards(studies_of(request), series, tables);
   write_pareto(tables);
+  return tables;
+}
+
+Findings assemble(const RunRequest& request, const Tables& tables, const Plan& plan,
+                  const bundle::BundleDirectory& directory) {
+  refuse_foreign(request, [&](const std::string& name) { return tables.all().contains(name); });
   for (const auto& [file, table] : tables.all()) directory.write(file, table.text());
   bundle::Manifest manifest = plan.manifest;
   manifest.state = bundle::complete;
   directory.finish(manifest);
-  return findings_of(plan.jobs);
+  return violations_in(plan.jobs);
 }
 
 }  // namespace bezierbench::studies

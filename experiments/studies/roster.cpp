@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "experiments/failure.hpp"
 #include "experiments/studies/accuracy.hpp"
@@ -25,26 +27,29 @@ namespace {
 struct StudyKind {
   suite::Kind kind;
   std::unique_ptr<Job> (*make)(const suite::Study& study, const JobContext& context);
+  /// Names of the tables that its rows go to, without .csv; `a|b` where the methods decide which.
+  std::array<std::string_view, 2> tables;
 };
 
-constexpr std::array kinds{StudyKind{suite::Kind::accuracy, accuracy_job},      //
-                           StudyKind{suite::Kind::search, search_job},          //
-                           StudyKind{suite::Kind::conversion, conversion_job},  //
-                           StudyKind{suite::Kind::timing, timing_job},          //
-                           StudyKind{suite::Kind::roofline, roofline_job},
-                           StudyKind{suite::Kind::derivative, derivative_job},  //
-                           StudyKind{suite::Kind::arc_length, arc_length_job},  //
-                           StudyKind{suite::Kind::inverse_arc_length, inverse_arc_length_job},
-                           StudyKind{suite::Kind::projection, projection_job},        //
-                           StudyKind{suite::Kind::interpolation, interpolation_job},  //
-                           StudyKind{suite::Kind::fitting, fitting_job}};
+constexpr std::array kinds{
+    StudyKind{suite::Kind::accuracy, accuracy_job, {"accuracy|unstable", "reference"}},
+    StudyKind{suite::Kind::search, search_job, {"search"}},
+    StudyKind{suite::Kind::conversion, conversion_job, {"conversion"}},
+    StudyKind{suite::Kind::timing, timing_job, {"timing"}},
+    StudyKind{suite::Kind::roofline, roofline_job, {"roofline"}},
+    StudyKind{suite::Kind::derivative, derivative_job, {"derivative"}},
+    StudyKind{suite::Kind::arc_length, arc_length_job, {"arc_length|arc_length_unstable"}},
+    StudyKind{suite::Kind::inverse_arc_length, inverse_arc_length_job, {"inverse_arc_length", "spacing"}},
+    StudyKind{suite::Kind::projection, projection_job, {"projection|projection_unstable"}},
+    StudyKind{suite::Kind::interpolation, interpolation_job, {"interpolation"}},
+    StudyKind{suite::Kind::fitting, fitting_job, {"fitting"}}};
 
 }  // namespace
 
 std::unique_ptr<Job> make_job(const suite::Study& study, const JobContext& context) {
   try {
-    for (const auto& [kind, make] : kinds)
-      if (kind == study.kind) return make(study, context);
+    for (const auto& one : kinds)
+      if (one.kind == study.kind) return one.make(study, context);
     throw Failure(Exit::usage,
                   fmt::format("study \"{}\": kind \"{}\" is not available yet; leave the study out (--only)", study.id,
                               suite::name(study.kind)));
@@ -52,6 +57,20 @@ std::unique_ptr<Job> make_job(const suite::Study& study, const JobContext& conte
     if (study.place.empty()) throw;
     throw Failure(failure.exit(), fmt::format("{}: {}", study.place, failure.what()));
   }
+}
+
+std::vector<std::vector<std::string>> tables_of(suite::Kind kind) {
+  std::vector<std::vector<std::string>> all;
+  for (const auto& one : kinds)
+    for (std::string_view rest : one.tables) {
+      if (one.kind != kind || rest.empty()) continue;
+      auto& one_of = all.emplace_back();
+      for (std::size_t bar = 0; bar != std::string_view::npos; rest.remove_prefix(std::min(bar, rest.size() - 1) + 1)) {
+        bar = rest.find('|');
+        one_of.push_back(fmt::format("{}.csv", rest.substr(0, bar)));
+      }
+    }
+  return all;
 }
 
 }  // namespace bezierbench::studies

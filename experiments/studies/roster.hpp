@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "experiments/studies/job.hpp"
 
@@ -10,5 +12,8 @@ namespace bezierbench::studies {
 
 /// The work of one study. Throws Failure(usage) where the kind has no implementation or the methods do not fit.
 std::unique_ptr<Job> make_job(const suite::Study& study, const JobContext& context);
+
+/// The tables that a study of this kind writes wherever it has rows, by file name: one of each list.
+[[nodiscard]] std::vector<std::vector<std::string>> tables_of(suite::Kind kind);
 
 }  // namespace bezierbench::studies

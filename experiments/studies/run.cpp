@@ -9,10 +9,12 @@
 #include <cstdio>
 #include <system_error>
 
-#include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/folder.hpp"
+#include "experiments/bundle/verify.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/block_order.hpp"
+#include "experiments/studies/expected.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/studies/parallel_ranges.hpp"
 #include "experiments/studies/plan.hpp"
@@ -23,21 +25,7 @@
 namespace bezierbench::studies {
 namespace {
 
-namespace fs = std::filesystem;
-
 void note(const std::string& line) { std::fputs((line + '\n').c_str(), stderr); }
-
-/// What is in `out` already, if anything; refuses another run's.
-std::optional<bundle::Manifest> existing(const RunRequest& request, const Plan& plan) {
-  const auto path = request.out / "bundle.json";
-  std::error_code ignored;  // a place that cannot be looked at cannot be made either, which says why
-  if (!fs::exists(path, ignored)) return std::nullopt;
-  const auto theirs = bundle::parse_manifest(bundle::read_file(path), path.string());
-  if (const auto why = difference(theirs, plan.manifest))
-    throw Failure(Exit::usage, fmt::format("{}: holds results of {}; choose another --out or move it away",
-                                           request.out.string(), *why));
-  return theirs;
-}
 
 std::string name_of(const std::optional<Shard>& shard) {
   return shard ? fmt::format("shard {}/{}", shard->number, shard->count) : "run";
@@ -166,7 +154,7 @@ Findings complete(const RunRequest& request, const Plan& plan, Workplace& place,
       note(fmt::format("{}: {} is done, others are not", request.out.string(), name_of(request.shard)));
     return {};
   }
-  return assemble(request, plan, place.directory());
+  return assemble(request, tables_of(request, plan), plan, place.directory());
 }
 
 }  // namespace
@@ -180,7 +168,8 @@ Findings run(const RunRequest& request) {
     return {};
   }
   const auto already_complete = [&] {
-    auto findings = bundle::verify(request.out);
+    auto findings = bundle::verify(request.out,
+                                   [&](const std::string&, const std::string&) { return expected_of(request.suites); });
     if (!findings.empty())
       findings.push_back(request.out.string() +
                          ": complete, but not as it was written; restore it, or remove it and run the command again");
@@ -188,14 +177,14 @@ Findings run(const RunRequest& request) {
       note(request.out.string() + ": already complete, nothing to do");
     return findings;
   };
-  std::error_code ignored;
-  if (is_complete && !fs::exists(request.out / "blocks", ignored)) return already_complete();
+  if (is_complete && !bundle::is_inner_folder(request.out / bundle::blocks_name)) return already_complete();
 
   Workplace place(request, plan);
   if (!place.begin()) return already_complete();
   Ledger ledger(plan.jobs, place.owner());
   for (const auto& line : ledger.load(place.found(), request.shard ? Ledger::Whose::own : Ledger::Whose::all))
     note(line);
+  work_begins();
   work(request, plan.jobs, ledger);
   if (interrupted()) {
     ledger.checkpoint();

@@ -9,7 +9,10 @@
 #include <thread>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/machine.hpp"
+#include "experiments/bundle/schema.hpp"
+#include "experiments/bundle/table_schema.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/timing/counters.hpp"
@@ -24,9 +27,6 @@ std::string machine_now(const RunRequest& request) {
 namespace fs = std::filesystem;
 
 constexpr auto patience = std::chrono::milliseconds(20);
-constexpr const char* machine_name = "machine.json";
-constexpr const char* methods_name = "methods.csv";
-constexpr const char* generators_name = "generators.csv";
 
 /// Ready for locks and blocks. A complete bundle gets blocks/ for a moment only.
 bundle::BundleDirectory with_blocks(const fs::path& out) {
@@ -61,7 +61,8 @@ bool timings_missing(const Jobs& jobs, const Found& found, const std::string& ma
 std::string machine_of(const RunRequest& request) {
   const auto path = request.out / machine_name;
   std::error_code ignored;
-  return bundle::machine_fingerprint(fs::exists(path, ignored) ? bundle::read_file(path) : machine_now(request));
+  const bool is_there = fs::exists(fs::symlink_status(path, ignored));
+  return bundle::machine_fingerprint(is_there ? bundle::read_bundle_file(path) : machine_now(request));
 }
 
 Workplace::Workplace(const RunRequest& request, const Plan& plan)
@@ -105,20 +106,23 @@ Workplace::Guard Workplace::lock_bundle() {
 
 bool Workplace::begin() {
   const auto lock = lock_bundle();
-  if (directory_.has("bundle.json")) {
+  if (directory_.has(bundle::manifest_name)) {
     const auto theirs = directory_.manifest();
     if (theirs.state == bundle::complete) {
       directory_.clear_away();  // blocks/, which a killed run left
       return false;
     }
-    (void)directory_.read_listed("suite.toml");
-    require_list(methods_name, request_.methods_csv);
-    require_list(generators_name, request_.generators_csv);
+    refuse_foreign(request_, bundle::is_table_name);
+    (void)directory_.read_listed(suite_name);
+    for (const auto& [name, ours] : lists_of(request_))
+      if (directory_.read_listed(name) != ours)
+        throw Failure(Exit::usage, fmt::format("{}: lists other {} than this program has; choose another --out",
+                                               (directory_.path() / name).string(), fs::path(name).stem().string()));
   } else {
-    directory_.write("suite.toml", plan_.suite_text);
+    refuse_foreign(request_, bundle::is_table_name);
+    directory_.write(suite_name, plan_.suite_text);
     directory_.write(machine_name, machine_now(request_));
-    directory_.write(methods_name, request_.methods_csv);
-    directory_.write(generators_name, request_.generators_csv);
+    for (const auto& [name, ours] : lists_of(request_)) directory_.write(name, ours);
     directory_.finish(plan_.manifest);
   }
   found_ = find_blocks(directory_.blocks());
@@ -127,15 +131,10 @@ bool Workplace::begin() {
   return true;
 }
 
-void Workplace::require_list(const char* name, const std::string& ours) const {
-  if (directory_.read_listed(name) == ours) return;
-  throw Failure(Exit::usage, fmt::format("{}: lists other {} than this program has; choose another --out",
-                                         (directory_.path() / name).string(), fs::path(name).stem().string()));
-}
-
 void Workplace::choose_machine() {
   // None where it is damaged, or where a run was killed when it had just taken over from another machine.
-  const auto theirs = directory_.read_if_listed(machine_name);
+  auto theirs = directory_.read_if_listed(machine_name);
+  if (theirs && bundle::machine_fault(*theirs)) theirs.reset();
   machine_ = bundle::machine_fingerprint(theirs.value_or(""));
   const bool times_here = !request_.shard || request_.shard->number == 1;
   if (!theirs)

@@ -48,8 +48,6 @@ class Workplace {
 
  private:
   void claim(bundle::LockFile& lock, bundle::Sharing sharing, const std::string& holder);
-  /// Times are all of one machine: if some are missing, they are all taken here.
-  void require_list(const char* name, const std::string& ours) const;
   void choose_machine();
 
   const RunRequest& request_;

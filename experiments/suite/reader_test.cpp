@@ -234,6 +234,19 @@ INSTANTIATE_TEST_SUITE_P(
                 "methods = [\"factorial+forward+factorial\"]",
                 "12:12", "unknown conversion \"forward\""}));
 
+TEST(Reader, RefusesMoreCellsThanMemoryHolds) {
+  const auto numbers = [](int count) {
+    std::string list = "0";
+    for (int k = 1; k < count; ++k) list += ", " + std::to_string(k);
+    return "[" + list + "]";
+  };
+  const auto axes = [&](int ranges) {
+    return minimal + "degree = " + numbers(1000) + "\ncoordinate_range = " + numbers(ranges) + "\n";
+  };
+  EXPECT_EQ(parsed(axes(1000)).studies.front().coordinate_range.size(), 1000U);
+  EXPECT_THAT(refused(axes(1001)), HasSubstr("the axes give 1001000 cells, more than 1000000"));
+}
+
 TEST(Reader, RefusesASeedOutOfRange) {
   const auto with_seed = [](const std::string& seed) {
     return "schema_version = 1\n[suite]\nid = \"s\"\nseed = " + seed +

@@ -305,6 +305,22 @@ Finding check_goals(const Study& study, const Vocabulary& known) {
   return each("goals", study.goals, [&](const Goal& goal) { return goal_problem(goal, known.methods); });
 }
 
+/// A few lines can ask for more cells than memory has room for, and a suite may be a stranger's.
+Finding check_cells(const Study& study) {
+  constexpr double most_cells = 1e6;
+  double cells = 1;
+  for (const std::size_t values :
+       {study.degree.size(), study.coordinate_range.size(), study.t_interval.size(), study.generator.size(),
+        study.dimension.size(), study.scalar.size(), study.order.size(), study.points.size(), study.tolerance.size()})
+    cells *= static_cast<double>(std::max<std::size_t>(values, 1));
+  if (cells <= most_cells) return std::nullopt;
+  return Problem{"degree",
+                 0,
+                 {},
+                 fmt::format("the axes give {:.0f} cells, more than {:.0f}; name fewer values, or make several suites",
+                             cells, most_cells)};
+}
+
 Finding check_present(const Study& study) {
   const bool on_points_alone =
       study.kind == Kind::interpolation || (study.kind == Kind::timing && !study.points.empty());
@@ -321,7 +337,7 @@ Finding check_present(const Study& study) {
   if (study.scalar.empty()) return empty("scalar");
   if (study.baseline.empty()) return empty("baseline");
   if (study.kind == Kind::timing && study.modes.empty()) return empty("modes");
-  return std::nullopt;
+  return check_cells(study);
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Findings about one thing: the first few, and how many more there are. A hostile table has as many as it has fields.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bezierbench::bundle {
+
+class FewLines {
+ public:
+  /// `place` goes before the count of those that are left out.
+  explicit FewLines(std::string place) : place_(std::move(place)) {}
+
+  void add(std::string line) {
+    if (++count_ <= most_) lines_.push_back(std::move(line));
+  }
+
+  /// All that is to be said; nothing is left.
+  std::vector<std::string> take() {
+    if (count_ > most_) lines_.push_back(fmt::format("{}: {} more of that kind", place_, count_ - most_));
+    count_ = 0;
+    return std::exchange(lines_, {});
+  }
+
+ private:
+  static constexpr std::size_t most_ = 5;
+  std::string place_;
+  std::size_t count_ = 0;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace bezierbench::bundle

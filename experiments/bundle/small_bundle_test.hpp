@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// For this folder's tests only: a bundle with two tables of a committed one.
+#pragma once
+
+#include <string>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/verify.hpp"
+
+namespace bezierbench::bundle {
+
+inline std::string committed(const std::string& name) {
+  return read_file(std::string(BEZIERBENCH_SOURCE_DIR "/experiments/bundle/fixtures/schema-1/") + name);
+}
+
+inline Manifest with_state(const char* state) {
+  return {.schema_version = 1,
+          .suites = {"fixture"},
+          .suite_digest = sha256_hex(committed("suite.toml")),
+          .seed = 1,
+          .state = state,
+          .accuracy_digest = "",
+          .program_version = "0.1.0",
+          .git_commit = "unknown",
+          .git_clean = true,
+          .fp_flags = "-f"};
+}
+
+inline BundleDirectory filled(const std::filesystem::path& path) {
+  BundleDirectory bundle = BundleDirectory::create(path);
+  for (const char* name : {"suite.toml", "machine.json", "accuracy.csv", "timing.csv"})
+    bundle.write(name, committed(name));
+  return bundle;
+}
+
+/// What a reader of suite.toml would say of it.
+inline Expected expected(const std::string& /*text*/, const std::string& /*file_name*/) {
+  return {.suites = {"fixture"},
+          .seed = 1,
+          .studies = {"fixture-accuracy", "fixture-timing"},
+          .tables = {{"accuracy.csv", "unstable.csv"}, {"timing.csv"}}};
+}
+
+}  // namespace bezierbench::bundle

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The tables of a bundle against schema/tables.schema.json: which there are, their columns, and what their fields may
+// be.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/bundle/csv.hpp"
+
+namespace bezierbench::bundle {
+
+/// Whether a bundle can have a table of this name.
+[[nodiscard]] bool is_table_name(std::string_view name);
+
+/// What is wrong with the table `name`, one line each with file and line; a few, and how many more there are.
+[[nodiscard]] std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table);
+
+}  // namespace bezierbench::bundle

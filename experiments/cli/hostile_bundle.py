@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""Bundles as an enemy or a bad disk would leave them, from a seed: `damaged(folder, chance)` changes one in place."""
+import hashlib
+import json
+import os
+import re
+import shutil
+import socket
+
+# What a field, a value or a piece of a file may be replaced by.
+NASTY = [b"", b"nan", b"-inf", b"1e999", b"-1", b"0", b"9223372036854775808", b"18446744073709551616", b"1e308", b"0x1p-1074",
+         b"true", b"null", b"[]", b"{}", b"\"", b"'", b"`", b"$(touch outside/x)", b"../../outside/kept", b"/etc/passwd",
+         b"a/../../../outside/kept", b"\x1b]0;title\x07\x1b[31m", b"\r", b"\n", b"\0", b"\xff\xfe", b"<script>alert(1)</script>",
+         b"\\input{/etc/passwd}", b"%s%n", b"=1+1", b",", b"," * 1000, b"[" * 5000, b"(" * 5000, b"A" * 100000, b"0x1p+0 " * 20000]
+MANIFEST, SUMS = "bundle.json", "SHA256SUMS"
+
+
+def deterministic(names):
+    noisy = {"timing.csv", "complexity.csv", "pareto.csv", "roofline.csv", "scorecard_timing.csv", "reference.csv", "audit.csv",
+             "methods.csv"}
+    return [name for name in names if name.endswith(".csv") and "unstable" not in name and name not in noisy]
+
+
+def digest(data):
+    return hashlib.sha256(data).hexdigest()
+
+
+def is_plain(path):
+    return path.is_file() and not path.is_symlink() and path.stat().st_size < 10**8
+
+
+def sign(folder):
+    """Makes the checksums those of what is there, as whoever changes a bundle on purpose can."""
+    names = sorted(path.name for path in folder.iterdir() if is_plain(path) and path.name != SUMS and not path.name.startswith("."))
+    lines = {name: f"{digest((folder / name).read_bytes())}  {name}\n" for name in names if "\n" not in name}
+    manifest = folder / MANIFEST
+    if is_plain(manifest):
+        whole = digest("".join(lines[name] for name in deterministic(lines)).encode())
+        text = re.sub(rb'("accuracy_digest": ")[0-9a-f]{64}', rb"\g<1>" + whole.encode(), manifest.read_bytes())
+        if is_plain(folder / "suite.toml"):
+            suite = digest((folder / "suite.toml").read_bytes())
+            text = re.sub(rb'("digest": ")[0-9a-f]{64}', rb"\g<1>" + suite.encode(), text)
+        manifest.write_bytes(text)
+        lines[MANIFEST] = f"{digest(text)}  {MANIFEST}\n"
+    if is_plain(folder / SUMS):
+        (folder / SUMS).write_text("".join(lines[name] for name in sorted(lines)))
+
+
+def changed_bytes(data, chance):
+    at = chance.randrange(len(data) + 1)
+    length = chance.choice([0, 1, 1, 3, 40, len(data)])
+    return data[:at] + chance.choice([chance.choice(NASTY), data[at:at + 30] * 2, bytes(at % 7)]) + data[at + length:]
+
+
+def changed_field(data, chance):
+    """One field of a table, or one value of a text, becomes another."""
+    pieces = re.split(rb"([,\n:= ])", data)
+    at = chance.randrange(len(pieces))
+    pieces[at] = chance.choice([*NASTY, chance.choice(pieces)])
+    return b"".join(pieces)
+
+
+def changed_lines(data, chance):
+    lines = data.splitlines(keepends=True)
+    if not lines:
+        return data + b"x"
+    at = chance.randrange(len(lines))
+    line = lines[at]
+    lines[at:at + 1] = chance.choice([[], [line] * 2, [line] * 1000, [b"\n"], [chance.choice(lines)]])
+    return b"".join(lines)
+
+
+def changed_json(data, chance):
+    """One key gone, doubled under another name, or with another value."""
+    try:
+        value = json.loads(data)
+    except ValueError:
+        return changed_bytes(data, chance)
+    holder = value
+    while True:
+        key = chance.choice(list(holder))
+        if not isinstance(holder[key], dict) or not holder[key] or chance.random() < 0.2:
+            break
+        holder = holder[key]
+    how = chance.randrange(3)
+    if how == 0:
+        del holder[key]
+    else:
+        holder[key if how == 1 else f"{key}_"] = chance.choice([None, True, -1, 1e300, 2**70, "", "\x1b[2J", [], {}, [[]] * 3, "../x"])
+    return json.dumps(value).encode()
+
+
+def change_content(path, chance):
+    changes = [changed_bytes, changed_field, changed_lines] + [changed_json] * 3 * (path.suffix == ".json")
+    path.write_bytes(chance.choice(changes)(path.read_bytes(), chance))
+
+
+def replace_by_something_else(path, chance):
+    """A link, a pipe, a socket, a folder or a huge file in its place; what links lead to lies in `outside`."""
+    outside = path.parent.parent / "outside"
+    path.unlink(missing_ok=True)
+    how = chance.randrange(8)
+    if how == 0:
+        path.symlink_to(outside / path.name)  # a copy of the very file, so that only following the link gives it away
+    elif how == 1:
+        path.symlink_to("/dev/zero")
+    elif how == 2:
+        path.symlink_to(outside / "not-there")
+    elif how == 3:
+        os.mkfifo(path)
+    elif how == 4:
+        path.mkdir()
+    elif how == 5:
+        with open(path, "wb") as file:
+            file.truncate(chance.choice([2**30 + 1, 2**43]))
+    elif how == 6:
+        with socket.socket(socket.AF_UNIX) as one:
+            here = os.getcwd()
+            os.chdir(path.parent)  # names of sockets are short
+            try:
+                one.bind(path.name[:80])
+            finally:
+                os.chdir(here)
+
+
+def add_something(folder, chance):
+    outside = folder.parent / "outside"
+    how = chance.randrange(5)
+    if how == 0:
+        name = chance.choice(["conversion.csv", "fitting.csv", "spacing.csv", "other.csv", "tomllib.py", "report.py", "sitecustomize.py"])
+        (folder / name).unlink(missing_ok=True)
+        (folder / name).write_bytes(chance.choice([b"study\nx\n", b"raise SystemExit(0)\n", b"\0"]))
+    elif how == 1:
+        (folder / "\x1b[31mred\n.csv").write_bytes(b"a\n")
+    elif how == 2:
+        (folder / "conversion.csv").unlink(missing_ok=True)
+        (folder / "conversion.csv").symlink_to(outside / "kept")
+    elif how == 3:
+        if not (folder / "blocks").is_symlink():
+            shutil.rmtree(folder / "blocks", ignore_errors=True)
+            (folder / "blocks").symlink_to(outside / "folder")
+    elif not (folder / "blocks").is_symlink():
+        (folder / "blocks").mkdir(exist_ok=True)
+        lock = folder / "blocks" / chance.choice(["run.lock", "bundle.lock", "whole.000001.blocks"])
+        lock.unlink(missing_ok=True)
+        chance.choice([lambda: os.mkfifo(lock), lambda: lock.symlink_to(outside / "made"), lambda: lock.symlink_to("/dev/zero")])()
+
+
+def damaged(folder, chance):
+    """Damages the bundle; the names of the files whose content is another one, and whether the checksums say so still."""
+    before = {path.name: path.read_bytes() for path in folder.iterdir() if is_plain(path)}
+    for _ in range(chance.choice([1, 1, 1, 2, 4])):
+        how = chance.random()
+        files = [path for path in sorted(folder.rglob("*")) if is_plain(path) and path.suffix != ".lock"]
+        if how < 0.65:
+            change_content(chance.choice(files), chance)
+        elif how < 0.75:
+            chance.choice(files).unlink()
+        elif how < 0.9:
+            replace_by_something_else(chance.choice(files), chance)
+        else:
+            add_something(folder, chance)
+    signed = chance.random() < 0.5
+    if signed:
+        sign(folder)
+    after = {path.name: path.read_bytes() for path in folder.iterdir() if is_plain(path)}
+    return {name for name in before.keys() | after.keys() if before.get(name) != after.get(name)}, signed

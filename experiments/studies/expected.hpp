@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What a bundle of some suites has, for whoever verifies one.
+#pragma once
+
+#include <vector>
+
+#include "experiments/bundle/verify.hpp"
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::studies {
+
+/// What `verify` is to find in a bundle of these suites. A study with methods that this build does not have asks for no
+/// table: which rows it gives is known where they are.
+[[nodiscard]] bundle::Expected expected_of(const std::vector<suite::Suite>& suites);
+
+}  // namespace bezierbench::studies
