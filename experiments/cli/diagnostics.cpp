@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/cli/diagnostics.hpp"
 
-#include <algorithm>
 #include <cstdio>
+
+#include "experiments/echo.hpp"
 
 namespace bezierbench::cli {
 
 void say(const std::string& text) {
-  std::string line = "bezierbench: " + text;
-  std::ranges::replace_if(
-      line, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  line.erase(line.find_last_not_of(' ') + 1);
-  line += '\n';
+  constexpr std::size_t longest = 2000;  // of what should be one line; a file may have a field of megabytes
+  const auto end = text.find_last_not_of(" \n") + 1;
+  const auto line = "bezierbench: " + shortened(std::string_view(text).substr(0, end), longest) + '\n';
   std::fputs(line.c_str(), stderr);
 }
 

@@ -7,6 +7,7 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/diagnostics.hpp"
+#include "experiments/echo.hpp"
 
 namespace bezierbench::cli {
 
@@ -17,7 +18,7 @@ void add_verify(Command program, Exit& exit) {
   command.action([path, &exit] {
     const auto findings = bundle::verify(*path);
     for (const auto& finding : findings) say(finding);
-    if (findings.empty()) fmt::print("{}: fine\n", *path);
+    if (findings.empty()) fmt::print("{}: fine\n", printable(*path));
     exit = findings.empty() ? Exit::fine : Exit::finding;
   });
 }

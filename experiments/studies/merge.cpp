@@ -14,6 +14,7 @@
 #include "experiments/bundle/lock_file.hpp"
 #include "experiments/bundle/machine.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/studies/notes.hpp"
 #include "experiments/studies/plan.hpp"
 
 namespace bezierbench::studies {
@@ -171,7 +172,7 @@ Findings merge(RunRequest request, const std::vector<fs::path>& bundles) {
   const Source& machine = with_machine(sources, plan.jobs);
   Ledger ledger(plan.jobs, {{}, "", plan.manifest, plan.reference, machine.machine});
   for (const auto& source : sources)
-    for (const auto& line : ledger.load(source.found, Ledger::Whose::all)) std::fputs((line + '\n').c_str(), stderr);
+    for (const auto& line : ledger.load(source.found, Ledger::Whose::all)) note(line);
   refuse_gaps(ledger, plan, request);
 
   std::error_code ignored;
