@@ -41,6 +41,7 @@ TABLE = {
 # Additions to the table: (files, what they may include as well, why).
 ADDITIONS = [
     (r"experiments/", "experiments/failure.hpp", "exit codes are one vocabulary"),
+    (r"experiments/", "experiments/echo.hpp", "what came from a file is shown in one way"),
     (r"experiments/", "experiments/number", "how a number is written is one spelling"),
     (r"core/convert/exact", "Boost.Multiprecision", "exact conversion needs big integers, in prepare only"),
     (r"", "{fmt}", "GCC 12 has no std::format"),

@@ -4,12 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "experiments/bundle/csv.hpp"
+#include "experiments/echo.hpp"
 
 namespace bezierbench::cli {
 
-std::string aligned(const std::vector<std::vector<std::string>>& lines) {
+std::string aligned(std::vector<std::vector<std::string>> lines) {
+  for (auto& line : lines)
+    for (auto& field : line) field = printable(field);
   std::vector<std::size_t> widths;
   for (const auto& line : lines) {
     if (line.size() == 1) continue;
@@ -34,7 +38,7 @@ std::string aligned_csv(std::string_view csv) {
   const auto document = bundle::parse_csv(csv, "table");
   std::vector<std::vector<std::string>> lines{document.header()};
   for (std::size_t row = 0; row < document.row_count(); ++row) lines.push_back(document.row(row));
-  return aligned(lines);
+  return aligned(std::move(lines));
 }
 
 }  // namespace bezierbench::cli

@@ -6,13 +6,14 @@ import json
 import os
 import re
 import resource
+import shlex
 import signal
 import subprocess
 import time
 import unittest
 
 from program_case import (BERNSTEIN, CONVERSION, FINDING, FINE, HAS_THREAD_SANITIZER, HEAD, INPUT_OUTPUT,
-                          INTERRUPTED, METHOD_COLUMNS, PATIENCE, POWER, PROGRAM, REPORT_SUITE, STUDY, TIMING,
+                          INTERRUPTED, METHOD_COLUMNS, PATIENCE, POWER, PROGRAM, REPORT_SUITE, ROOT, STUDY, TIMING,
                           TO_BERNSTEIN, TO_POWER, USAGE, Case, lines_of, rows)
 
 
@@ -25,6 +26,12 @@ class CommandLine(Case):
                 (["curve", "evl"], "did you mean \"eval\"?"), (["--nonsense"], "--help"),
                 (["run"], "suites"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
                 (["run", "--out", "b"], "suites"), (["run", suite, "--out", "b", "--nonsense"], "--nonsense"),
+                (["run", suite, "--oot", "b"], "--oot: unknown option; did you mean \"--out\"?"),
+                (["run", suite, "--oot=b"], "--oot: unknown option; did you mean \"--out\"?"),
+                (["list", "methods", "--fromat", "csv"], "did you mean \"--format\"?"),
+                (["curve", "at-length", "--curve", "c", "--fractoin", "1"], "did you mean \"--fraction\"?"),
+                (["rnu", "--help"], "rnu: unknown; did you mean \"run\"?"), (["--help", "rnu"], "rnu: unknown"),
+                (["curve", "evl", "--help"], "did you mean \"eval\"?"), (["run", "--oot", "b", "--help"], "--oot"),
                 (["run", suite, "--out", ""], "--out"), (["run", suite, "--out", "b", "--out", "c"], "--out"),
                 (["verify"], "bundle"), (["verify", "b", "c"], "c"), (["curve", "eval", "--t", "0"], "--curve"),
                 (["curve", "eval", "--curve", "c"], "--t"), (["curve", "convert", "--curve", "c"], "--method"),
@@ -73,6 +80,18 @@ class CommandLine(Case):
         self.assertIn("run", self.fine("--help"))
         self.assertIn("--out", self.fine("run", "--help"))
         self.assertTrue(self.fine("--version").startswith("bezierbench "))
+
+
+class Examples(Case):
+    def test_of_the_readme(self):
+        """Those on committed bundles work as they stand there."""
+        lines = (ROOT / "README.md").read_text(encoding="utf-8").splitlines()
+        examples = [shlex.split(line, comments=True) for line in lines if line.startswith("    bezierbench ")]
+        whole = [words[1:] for words in examples if "results/baseline" in words and not {"DIR", "&&"} & set(words)]
+        self.assertLessEqual({"trials", "choose"}, {words[0] for words in whole})
+        for words in whole:
+            with self.subTest(words=words):
+                self.assertTrue(self.fine(*(str(ROOT / word) if word.startswith("results/") else word for word in words)))
 
 
 class Suites(Case):

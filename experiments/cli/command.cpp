@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <utility>
 
@@ -13,16 +14,42 @@
 namespace bezierbench::cli {
 namespace {
 
-/// What is wrong with the command line. The parser says only that a subcommand is missing where one is unknown.
-std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
+const CLI::App& chosen_command(const CLI::App& app) {
   const CLI::App* command = &app;
   while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-  const auto words = app.remaining(true);
-  if (command->get_require_subcommand_min() == 0 || words.empty()) return error.what();
+  return *command;
+}
+
+/// The options that `command` takes, those of its groups and parents included.
+std::vector<std::string> options_of(const CLI::App& command) {
   std::vector<std::string> known;
-  for (const auto* subcommand : command->get_subcommands({})) known.push_back(subcommand->get_name());
+  const auto add = [&known](const CLI::App& app) {
+    for (const auto* option : app.get_options())
+      if (option->nonpositional()) known.push_back(option->get_name());
+  };
+  for (const auto* app = &command; app != nullptr; app = app->get_parent()) add(*app);
+  for (const auto* group : command.get_subcommands([](const CLI::App* app) { return app->get_name().empty(); }))
+    add(*group);
+  return known;
+}
+
+/// What is wrong with the first word that the parser could not place. Empty where it placed all, or where the word is
+/// one argument too many. The parser itself says only what is missing, not that a mistyped word stands in its place.
+std::string misplaced_word(const CLI::App& app) {
+  const auto words = app.remaining(true);
+  const auto& command = chosen_command(app);
+  const auto option = std::ranges::find_if(words, [](const auto& word) { return word.starts_with('-'); });
+  if (option != words.end()) {
+    const auto name = option->substr(0, option->find('='));
+    return fmt::format("{}: unknown option{}", name, suite::suggestion(name, options_of(command)));
+  }
+  if (command.get_require_subcommand_min() == 0 || words.empty()) return "";
+  std::vector<std::string> known;
+  for (const auto* subcommand : command.get_subcommands({})) known.push_back(subcommand->get_name());
   return fmt::format("{}: unknown{}", words.front(), suite::suggestion(words.front(), known));
 }
+
+[[noreturn]] void refuse(const std::string& what) { throw Failure(Exit::usage, what + "; see --help"); }
 
 }  // namespace
 
@@ -46,11 +73,6 @@ Option Option::within(int least, int most) {
   return *this;
 }
 
-Option Option::within(double least, double most) {
-  option_->check(CLI::Range(least, most));
-  return *this;
-}
-
 Command Command::command(const std::string& name, const std::string& help) {
   return Command(*app_->add_subcommand(name, help));
 }
@@ -64,7 +86,6 @@ template Option Command::option(const std::string&, std::string&, const std::str
 template Option Command::option(const std::string&, std::optional<std::string>&, const std::string&);
 template Option Command::option(const std::string&, std::vector<std::string>&, const std::string&);
 template Option Command::option(const std::string&, int&, const std::string&);
-template Option Command::option(const std::string&, std::optional<double>&, const std::string&);
 
 Option Command::flag(const std::string& name, bool& value, const std::string& help) {
   return Option(*app_->add_flag(name, value, help));
@@ -90,10 +111,12 @@ Program::~Program() = default;
 void Program::run(int argc, const char* const* argv) {
   try {
     app_->parse(argc, argv);
-  } catch (const CLI::Success& asked) {
+  } catch (const CLI::Success& asked) {  // help or version, of whatever words the parser knows
+    if (const auto what = misplaced_word(*app_); !what.empty()) refuse(what);
     app_->exit(asked, std::cout, std::cerr);
   } catch (const CLI::ParseError& error) {
-    throw Failure(Exit::usage, fmt::format("{}; see --help", complaint(*app_, error)));
+    const auto what = misplaced_word(*app_);
+    refuse(what.empty() ? error.what() : what);
   }
 }
 

@@ -26,7 +26,6 @@ class Option {
   Option once();  ///< of several values
   Option one_of(const std::vector<std::string>& words);
   Option within(int least, int most = std::numeric_limits<int>::max());
-  Option within(double least, double most);
 
  private:
   CLI::Option* option_;
@@ -40,7 +39,8 @@ class Command {
   Command command(const std::string& name, const std::string& help);
 
   /// Its value is written to `value` before the action; what was there is the default. A name without -- is that of an
-  /// argument, which is told by its place.
+  /// argument, which is told by its place. Numbers but small whole ones are read as text, for experiments/number to
+  /// parse: the parser's own reading takes nan for a number and 1e-999 for 0.
   template <class Value>
   Option option(const std::string& name, Value& value, const std::string& help);
   Option flag(const std::string& name, bool& value, const std::string& help);
@@ -60,7 +60,6 @@ extern template Option Command::option(const std::string&, std::string&, const s
 extern template Option Command::option(const std::string&, std::optional<std::string>&, const std::string&);
 extern template Option Command::option(const std::string&, std::vector<std::string>&, const std::string&);
 extern template Option Command::option(const std::string&, int&, const std::string&);
-extern template Option Command::option(const std::string&, std::optional<double>&, const std::string&);
 
 /// The whole command line.
 class Program {

@@ -45,6 +45,7 @@ Compared compared(const std::vector<std::string>& bundles, bundle::Damage damage
                     fmt::format("{}: has no row in common with {}; compare bundles of the same studies and seed",
                                 bundles[k], bundles.front()));
   }
+  compare::rank_in_all(all.pairs);
   return all;
 }
 

@@ -69,7 +69,7 @@ class Compare(Case):
         text = self.fine("compare", "a", "b")
         self.assertIn("no recorded difference", text)
         self.assertIn("accuracy: identical in all", text)
-        self.assertIn("ranks: none changed", text)
+        self.assertIn("ranks: none changed, among the methods of a race that both bundles have", text)
         table = self.table("a", "b")
         self.assertEqual(list(table[0])[:len(CONTRACT)], CONTRACT)
         self.assertEqual({row["kind"] for row in table}, {"accuracy", "timing"})
@@ -158,6 +158,20 @@ class Compare(Case):
         text = self.fine("compare", "a", "b")
         self.assertIn("ranks that changed", text)
         self.assertRegex(text, r"method horner_bernstein, .*: 1 in a, 5 in b")
+
+    def test_ranks_are_among_what_all_bundles_have(self):
+        """A method that one of them lacks has no rank in any pair."""
+        shutil.copytree(BASELINE, self.folder / "c")
+        lacking = self.folder / "c/timing.csv"
+        kept = [line for line in lacking.read_text().splitlines(keepends=True) if line.split(",")[2] != "direct"]
+        lacking.write_text("".join(kept))
+        ranks = {}
+        for row in self.table("a", "b", "c"):
+            if row["kind"] == "timing" and row["method"] != "sentinel":
+                self.assertEqual(row["rank_a"] == "", row["method"] == "direct", row)
+                key = tuple(row[name] for name in ("study", "method", "degree", "mode", "curve"))
+                self.assertEqual(ranks.setdefault(key, row["rank_a"]), row["rank_a"])  # whatever a is compared with
+        self.assertIn("", ranks.values())
 
     def test_many_bundles_give_one_table(self):
         shutil.copytree(BASELINE, self.folder / "c")

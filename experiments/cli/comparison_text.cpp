@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "experiments/cli/aligned.hpp"
+#include "experiments/echo.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -14,8 +15,9 @@ namespace {
 using Lines = std::vector<std::vector<std::string>>;
 
 std::string side_line(std::string_view label, const compare::Side& side) {
-  return fmt::format("{}  {}: {}, {}, {}\n", label, side.name, side.fact("cpu.model_name"), side.fact("build.compiler"),
-                     side.fact("build.flags"));
+  return printable(fmt::format("{}  {}: {}, {}, {}", label, side.name, side.fact("cpu.model_name"),
+                               side.fact("build.compiler"), side.fact("build.flags"))) +
+         "\n";
 }
 
 std::string facts_text(const compare::Pair& pair) {
@@ -32,12 +34,14 @@ std::string recorded_text(const compare::Side& side, std::string_view label, con
   const auto input = compare::recorded_input(side, inputs);
   if (!input) return fmt::format("  {} has recorded no worst input of it\n", label);
   return fmt::format("  {}: worst at trial {}, t {}, coefficients {}\n     bezierbench replay {} {}\n", label,
-                     input->trial, input->t, input->coefficients, side.name, input->id);
+                     printable(input->trial), printable(input->t), printable(input->coefficients), printable(side.name),
+                     printable(input->id));
 }
 
 std::string first_difference_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyRow& row) {
-  return fmt::format("  first: {}, {}\n  a: {} {}, line {}\n  b: {} {}, line {}\n{}{}", row.file, row.inputs.words(),
-                     row.column, row.a, row.line_a, row.column, row.b, row.line_b, recorded_text(a, "a", row.inputs),
+  return fmt::format("  first: {}, {}\n  a: {} {}, line {}\n  b: {} {}, line {}\n{}{}", row.file,
+                     printable(row.inputs.words()), row.column, printable(row.a), row.line_a, row.column,
+                     printable(row.b), row.line_b, recorded_text(a, "a", row.inputs),
                      recorded_text(b, "b", row.inputs));
 }
 
@@ -70,7 +74,7 @@ std::vector<std::string> timing_line(const compare::TimingRow& row) {
                                 ratio_text(row.raw), std::string(metric::name(row.raw.verdict))};
   line.push_back(row.normalised ? ratio_text(*row.normalised) : "");
   line.emplace_back(row.normalised ? metric::name(row.normalised->verdict) : "");
-  line.push_back(row.is_sentinel() ? "" : fmt::format("{} {}", row.rank_a, row.rank_b));
+  line.push_back(row.rank_a == 0 ? "" : fmt::format("{} {}", row.rank_a, row.rank_b));
   if (!row.is_ok()) line.push_back(row.quality);
   return line;
 }
@@ -124,9 +128,11 @@ std::string rank_changes_text(const compare::TimingComparison& timing) {
   std::string text;
   for (const auto& row : timing.rows)
     if (row.rank_a != row.rank_b)
-      text += fmt::format("  {}: {} in a, {} in b{}\n", row.inputs.words(), row.rank_a, row.rank_b,
-                          row.is_ok() ? "" : ", " + row.quality);
-  return text.empty() ? "ranks: none changed\n" : "ranks that changed, 1 + how many are certainly faster\n" + text;
+      text += fmt::format("  {}: {} in a, {} in b{}\n", printable(row.inputs.words()), row.rank_a, row.rank_b,
+                          row.is_ok() ? "" : ", " + printable(row.quality));
+  constexpr std::string_view among = "among the methods of a race that both bundles have";
+  return text.empty() ? fmt::format("ranks: none changed, {}\n", among)
+                      : fmt::format("ranks that changed, 1 + how many are certainly faster, {}\n{}", among, text);
 }
 
 std::string standings_text(const std::vector<compare::Standing>& standings) {

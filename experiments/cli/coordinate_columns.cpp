@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 
@@ -31,16 +32,17 @@ std::vector<std::size_t> axis_columns(const bundle::CsvDocument& csv) {
 
 void refuse_header(const bundle::CsvDocument& csv, const std::string& instead) {
   throw Failure(Exit::input_output, fmt::format("{}:1: header is \"{}\"; write {}", csv.file_name(),
-                                                fmt::join(csv.header(), ","), instead));
+                                                echo(fmt::format("{}", fmt::join(csv.header(), ","))), instead));
 }
 
 double number_at(const bundle::CsvDocument& csv, std::size_t row, std::size_t column) {
   const auto& text = csv.row(row)[column];
   const auto value = number::parse_number(text);
   if (!value || !std::isfinite(*value))
-    throw Failure(Exit::input_output, fmt::format("{}:{}: row {}, column {}: \"{}\" is not a finite number; write a "
-                                                  "decimal or hexadecimal double",
-                                                  csv.file_name(), csv.line(row), row + 1, csv.header()[column], text));
+    throw Failure(Exit::input_output,
+                  fmt::format("{}:{}: row {}, column {}: \"{}\" is not a finite number; write a "
+                              "decimal or hexadecimal double",
+                              csv.file_name(), csv.line(row), row + 1, csv.header()[column], echo(text)));
   return *value;
 }
 

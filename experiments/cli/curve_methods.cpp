@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "experiments/echo.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/suite/nearest.hpp"
@@ -47,7 +48,7 @@ double finite_option(const std::string& option, const std::string& text) {
   const auto value = number::parse_number(text);
   if (!value || !std::isfinite(*value))
     throw Failure(Exit::usage,
-                  fmt::format("{} {}: not a finite number; write a decimal or hexadecimal double", option, text));
+                  fmt::format("{} {}: not a finite number; write a decimal or hexadecimal double", option, echo(text)));
   return *value;
 }
 

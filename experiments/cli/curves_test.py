@@ -56,6 +56,21 @@ class Curves(Case):
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, arguments, *needles)
 
+    def test_conversions_to_what_no_file_holds(self):
+        self.write("c.csv", "x\n1\n2\n3\n")
+        for method, path, what in (("exact_dd", "exact_dd:horner_dd", "pairs of doubles"),
+                                   ("exact_centered", "exact_centered:horner_centered", "powers of t - 1/2")):
+            with self.subTest(method=method):
+                self.refused(USAGE, ["curve", "convert", "--curve", "c.csv", "--method", method], method, what, path)
+                self.fine("curve", "eval", "--curve", "c.csv", "--t", "0.25", "--method", path)  # as the message says
+
+    def test_conversion_that_overflows(self):
+        """A curve file of infinities could not be read."""
+        self.write("c.csv", "x,y\n1,1e308\n2,-1e308\n3,1e308\n")
+        self.refused(INPUT_OUTPUT, ["curve", "convert", "--curve", "c.csv", "--method", "exact"], "c.csv: coefficient 1 of axis y")
+        self.write("c.csv", "x,y\n1,1e307\n2,-1e307\n3,1e307\n")
+        self.fine("curve", "convert", "--curve", "c.csv", "--method", "exact")
+
     def test_degree_beyond_a_method(self):
         self.write("c.csv", "x\n" + "1\n" * 172)
         evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.5"]

@@ -6,13 +6,13 @@
 
 #include <cstdio>
 
-#include "experiments/cli/diagnostics.hpp"
+#include "experiments/echo.hpp"
 
 namespace bezierbench::cli {
 
 void print_damage(const std::vector<std::string>& files) {
   if (!files.empty())
-    fmt::print("{}\n", one_line(fmt::format("# DAMAGED, not as SHA256SUMS lists: {}", fmt::join(files, ", "))));
+    fmt::print("{}\n", printable(fmt::format("# DAMAGED, not as SHA256SUMS lists: {}", fmt::join(files, ", "))));
 }
 
 }  // namespace bezierbench::cli

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/cli/diagnostics.hpp"
 
-#include <algorithm>
 #include <cstdio>
+
+#include "experiments/echo.hpp"
 
 namespace bezierbench::cli {
 
-std::string one_line(std::string text) {
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text;
+void say(const std::string& text) {
+  constexpr std::size_t longest = 2000;  // of what should be one line; a file may have a field of megabytes
+  const auto end = text.find_last_not_of(" \n") + 1;
+  const auto line = "bezierbench: " + shortened(std::string_view(text).substr(0, end), longest) + '\n';
+  std::fputs(line.c_str(), stderr);
 }
-
-void say(const std::string& text) { std::fputs((one_line("bezierbench: " + text) + '\n').c_str(), stderr); }
 
 }  // namespace bezierbench::cli

@@ -6,11 +6,9 @@
 
 namespace bezierbench::cli {
 
-/// `text` as one line without its end: control characters, which a damaged file may bring along, become spaces.
-std::string one_line(std::string text);
-
 /// One line on standard error, whatever `text` holds: line ends and other control characters, which a damaged file may
-/// bring along, become spaces. Never throws for a standard error that cannot be written.
+/// bring along, are escaped, and of megabytes the middle is left out. Never throws for a standard error that cannot be
+/// written.
 void say(const std::string& text);
 
 }  // namespace bezierbench::cli

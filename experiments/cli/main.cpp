@@ -12,6 +12,7 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/diagnostics.hpp"
 #include "experiments/cli/floating_point.hpp"
+#include "experiments/cli/limits.hpp"
 #include "experiments/cli/vocabulary.hpp"
 
 namespace {
@@ -62,6 +63,8 @@ int run_program(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     occupy_closed_streams();
+    bezierbench::cli::require_stack();
+    bezierbench::cli::report_exhausted_memory();
     bezierbench::bundle::ignore_file_size_signal();
     const auto faults = bezierbench::cli::floating_point_faults();
     if (!faults.empty())
@@ -72,7 +75,7 @@ int main(int argc, char** argv) {
   } catch (const Failure& failure) {
     return fail(failure.exit(), failure.what());
   } catch (const std::bad_alloc&) {
-    return fail(Exit::environment, "out of memory; use fewer --jobs or a smaller suite");
+    bezierbench::cli::end_without_memory();
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) return standard_output_failed();
     return fail(Exit::input_output, error.what());

@@ -11,6 +11,7 @@
 #include "experiments/cli/damage.hpp"
 #include "experiments/cli/diagnostics.hpp"
 #include "experiments/cli/worst_record.hpp"
+#include "experiments/echo.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/error_sources.hpp"
 #include "experiments/studies/method_choice.hpp"
@@ -71,8 +72,9 @@ Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell
   studies::PointJudge<Scalar> judge;
   const auto verdict = judge.judge(*kernel, inputs);
   const auto& truth = judge.truth(inputs);
-  fmt::print("{}: study {}, method {}, {} {}, degree {}\n", id, record.text("study"), record.text("method"),
-             record.text("scalar"), record.text("curve"), cell.degree);
+  fmt::print("{}\n",
+             printable(fmt::format("{}: study {}, method {}, {} {}, degree {}", id, record.text("study"),
+                                   record.text("method"), record.text("scalar"), record.text("curve"), cell.degree)));
   print_input(inputs);
   print_converted(*kernel, inputs);
   if (verdict.finite) {

@@ -31,12 +31,29 @@ struct Options {
   std::optional<std::string> trials;
   std::string reference = "certified";
   std::optional<std::string> shard;
-  std::optional<double> checkpoint;
+  std::optional<std::string> checkpoint;
   bool dry_run = false;
   bool quiet = false;
   bool host_name = false;
   suite::Overrides overrides;
 };
+
+/// The parser of the command line would take a number beyond the type for the largest of the type.
+std::int64_t whole_number(std::string_view option, const std::string& text) {
+  const auto number = number::parse_integer(text);
+  if (!number || *number < 0)
+    throw Failure(Exit::usage, fmt::format("{} {}: not a whole number from 0 to 2^63-1", option, text));
+  return *number;
+}
+
+std::chrono::milliseconds pause(const std::string& text) {
+  constexpr double day = 86400;
+  constexpr double milliseconds = 1000;
+  const auto seconds = number::parse_number(text);
+  if (!seconds || !(*seconds >= 0 && *seconds <= day))
+    throw Failure(Exit::usage, fmt::format("--checkpoint {}: must be seconds, a number from 0 to {}", text, day));
+  return std::chrono::milliseconds(std::llround(*seconds * milliseconds));
+}
 
 Exit run(const Options& options) {
   const auto known = vocabulary();
@@ -51,9 +68,7 @@ Exit run(const Options& options) {
   request.jobs = options.jobs;
   request.tier = options.reference == "exact" ? reference::Tier::exact : reference::Tier::certified;
   if (options.shard) request.shard = shard_of(*options.shard, [](const char* name) { return std::getenv(name); });
-  constexpr double milliseconds = 1000;
-  if (options.checkpoint)
-    request.checkpoint = std::chrono::milliseconds(std::llround(*options.checkpoint * milliseconds));
+  if (options.checkpoint) request.checkpoint = pause(*options.checkpoint);
   request.dry_run = options.dry_run;
   request.quiet = options.quiet;
   if (options.host_name) request.host_name = bundle::HostName::told;
@@ -61,14 +76,6 @@ Exit run(const Options& options) {
   const auto findings = studies::run(request);
   for (const auto& finding : findings) say(finding);
   return findings.empty() ? Exit::fine : Exit::finding;
-}
-
-/// The parser of the command line would take a number beyond the type for the largest of the type.
-std::int64_t whole_number(std::string_view option, const std::string& text) {
-  const auto number = number::parse_integer(text);
-  if (!number || *number < 0)
-    throw Failure(Exit::usage, fmt::format("{} {}: not a whole number from 0 to 2^63-1", option, text));
-  return *number;
 }
 
 }  // namespace
@@ -85,10 +92,8 @@ void add_run(Command program, Exit& exit) {
   command.option("--only", options->overrides.only, "only studies whose id matches this glob");
   command.option("--reference", options->reference, "how the truth is computed").one_of({"certified", "exact"});
   command.option("--shard", options->shard, "i/N: do one part of N; auto: ask Open MPI, PMI or Slurm which");
-  command
-      .option("--checkpoint", options->checkpoint,
-              "seconds between two files of finished blocks; default: by cost, 2 at most")
-      .within(0.0, 86400.0);
+  command.option("--checkpoint", options->checkpoint,
+                 "seconds between two files of finished blocks; default: by cost, 2 at most");
   command.flag("--dry-run", options->dry_run, "say what would be done");
   command.flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
   command.flag("--host-name", options->host_name, "let machine.json say the host's name");

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 
@@ -13,6 +14,8 @@ namespace bezierbench::cli {
 namespace {
 
 using studies::Shard;
+
+constexpr std::uint64_t most_shards = 1'000'000;
 
 /// Where a launcher says which of how many processes this is, from 0.
 struct Launcher {
@@ -33,6 +36,9 @@ std::uint64_t number_in(const Environment& environment, const char* name) {
 
 /// `rank` from 0.
 Shard checked(std::uint64_t rank, std::uint64_t size, std::string_view where) {
+  if (size > most_shards)
+    throw Failure(Exit::usage, fmt::format("--shard auto: {} give {} shards; {} at most can be told apart, start fewer",
+                                           where, size, most_shards));
   if (rank >= size)
     throw Failure(Exit::usage,
                   fmt::format("--shard auto: {} give number {} of {}, from 0; give --shard i/N", where, rank, size));
@@ -69,7 +75,8 @@ Shard automatic_shard(const Environment& environment) {
                   "--shard auto: started neither by Open MPI, nor with PMI, nor by Slurm; give --shard i/N");
   const Shard inner = process.value_or(Shard());
   const Shard outer = array.value_or(Shard());
-  return {(outer.number - 1) * inner.count + inner.number, outer.count * inner.count};
+  return checked((outer.number - 1) * inner.count + inner.number - 1, outer.count * inner.count,
+                 "array and processes together");
 }
 
 }  // namespace
@@ -79,9 +86,9 @@ Shard shard_of(std::string_view text, const Environment& environment) {
   const auto slash = text.find('/');
   const auto number = number::parse_integer(text.substr(0, slash));
   const auto count = number::parse_integer(slash == std::string_view::npos ? "" : text.substr(slash + 1));
-  constexpr std::int64_t most = 1'000'000;
-  if (!number || !count || *number < 1 || *number > *count || *count > most)
-    throw Failure(Exit::usage, fmt::format("--shard {}: must be i/N with 1 <= i <= N <= {}, or auto", text, most));
+  if (!number || !count || *number < 1 || *number > *count || static_cast<std::uint64_t>(*count) > most_shards)
+    throw Failure(Exit::usage,
+                  fmt::format("--shard {}: must be i/N with 1 <= i <= N <= {}, or auto", echo(text), most_shards));
   return {static_cast<std::uint64_t>(*number), static_cast<std::uint64_t>(*count)};
 }
 

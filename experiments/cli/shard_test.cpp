@@ -29,8 +29,8 @@ TEST(Shard, AsGiven) {
 }
 
 TEST(Shard, RefusesWhatIsNone) {
-  for (const char* text :
-       {"", "0/4", "5/4", "-1/4", "1", "/", "1/", "/4", "a/b", "1/0", "1.5/4", "1/4/2", "1/1e9", "automatic", "2 / 4"})
+  for (const char* text : {"", "0/4", "5/4", "-1/4", "1", "/", "1/", "/4", "a/b", "1/0", "1.5/4", "1/4/2", "1/1e9",
+                           "1/4294967298", "4294967297/4294967298", "1/99999999999999999999999", "automatic", "2 / 4"})
     EXPECT_THROW(shard(text), Failure) << text;
 }
 
@@ -72,6 +72,14 @@ TEST(Shard, AutoRefusesWhatMakesNoSense) {
   EXPECT_THROW(shard("auto", {{"PMI_RANK", "x"}, {"PMI_SIZE", "4"}}), Failure);
   const Variables gap{{"SLURM_ARRAY_TASK_ID", "9"}, {"SLURM_ARRAY_TASK_MIN", "1"}, {"SLURM_ARRAY_TASK_COUNT", "5"}};
   EXPECT_THROW(shard("auto", gap), Failure);
+  // Numbers whose product does not fit 64 bits.
+  const Variables many{{"SLURM_ARRAY_TASK_ID", "1"},
+                       {"SLURM_ARRAY_TASK_MIN", "1"},
+                       {"SLURM_ARRAY_TASK_COUNT", "4294967296"},
+                       {"SLURM_PROCID", "0"},
+                       {"SLURM_NTASKS", "4294967296"}};
+  EXPECT_THROW(shard("auto", many), Failure);
+  EXPECT_THROW(shard("auto", {{"PMI_RANK", "4294967297"}, {"PMI_SIZE", "4294967298"}}), Failure);
 }
 
 }  // namespace

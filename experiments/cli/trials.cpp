@@ -17,6 +17,8 @@
 #include "experiments/studies/input_fields.hpp"
 #include "experiments/studies/method_choice.hpp"
 #include "experiments/studies/point_judge.hpp"
+#include "experiments/suite/fields.hpp"
+#include "experiments/suite/nearest.hpp"
 #include "experiments/suite/overrides.hpp"
 #include "experiments/suite/reader.hpp"
 
@@ -25,10 +27,29 @@ namespace {
 
 struct Options {
   std::string bundle;
+  std::string study;
   std::string method;
-  suite::Overrides overrides;
+  std::vector<std::string> set;
   bool damaged = false;
 };
+
+/// What the options leave of a suite: one study, at the values of `set`.
+suite::Overrides narrowing(const Options& options, std::vector<std::string> set) {
+  return {.seed = {}, .trials = {}, .set = std::move(set), .only = options.study, .only_option = "--study"};
+}
+
+/// Every trial is judged as the run judged it, against the exact reference: --set can choose a cell and nothing else.
+void check_that_cells_are_set(const std::vector<std::string>& settings) {
+  std::vector<std::string> axes;
+  for (const auto& field : suite::study_fields())
+    if (field.of_cells) axes.emplace_back(field.key);
+  for (const auto& setting : settings) {
+    const auto key = setting.substr(0, setting.find('='));
+    if (std::ranges::find(axes, key) == axes.end())
+      throw Failure(Exit::usage, fmt::format("--set {}: {} is no axis that tells cells apart{}", setting, key,
+                                             suite::suggestion(key, axes)));
+  }
+}
 
 /// A cell in one scalar type: what a row of accuracy.csv is of, but for the method.
 struct ScalarCell {
@@ -66,7 +87,7 @@ struct Chosen {
   std::vector<std::string> damaged;  ///< files of the bundle that were used all the same
 };
 
-/// The only study that --only leaves.
+/// The only study that --study leaves.
 const suite::Study& only_study(const std::vector<suite::Suite>& suites, const std::string& wanted) {
   if (suites.size() > 1 || suites.front().studies.size() > 1)
     throw Failure(Exit::usage, fmt::format("--study {}: matches more than one study; name one", wanted));
@@ -77,13 +98,14 @@ const suite::Study& only_study(const std::vector<suite::Suite>& suites, const st
 }
 
 Chosen chosen(const Options& options) {
+  check_that_cells_are_set(options.set);
   bundle::CheckedReader reader(options.bundle, damage_of(options.damaged));
   const auto known = vocabulary();
   constexpr const char* name = "suite.toml";
   auto suites = suite::parse_suites(reader.read(name), reader.place(name), known);
-  suite::apply({.seed = {}, .trials = {}, .set = {}, .only = options.overrides.only}, suites, known);
-  const auto there = scalar_cells(only_study(suites, options.overrides.only));
-  suite::apply(options.overrides, suites, known);
+  suite::apply(narrowing(options, {}), suites, known);
+  const auto there = scalar_cells(only_study(suites, options.study));
+  suite::apply(narrowing(options, options.set), suites, known);
   const auto& study = suites.front().studies.front();
   const auto cells = scalar_cells(study);
   if (cells.size() > 1)
@@ -153,9 +175,9 @@ void add_trials(Command program, Exit& exit) {
   auto options = std::make_shared<Options>();
   auto command = program.command("trials", "every trial of one cell of a bundle, as CSV");
   command.option("bundle", options->bundle, "folder of the bundle").required();
-  command.option("--study", options->overrides.only, "its study, of kind accuracy").required();
+  command.option("--study", options->study, "its study, of kind accuracy").required();
   command.option("--method", options->method, "its method").required();
-  command.option("--set", options->overrides.set, "axis=value, where the study has several; intervals as 0:0.2");
+  command.option("--set", options->set, "axis=value, where the study has several; intervals as 0:0.2");
   add_damaged(command, options->damaged);
   command.action([options, &exit] {
     const Chosen from = chosen(*options);

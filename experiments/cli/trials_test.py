@@ -83,7 +83,13 @@ class Trials(Case):
         self.refused(USAGE, [*study, *method, *one, "--set", "degree=5"], "no such cell in b", "degree (0, 6)")
         self.refused(USAGE, [*study, "--method", "de_castlejau", *one, "--set", "degree=6"], "de_castlejau")
         self.refused(USAGE, [*study, "--method", "*horner*", *one, "--set", "degree=6"], "name one")
-        self.refused(USAGE, ["trials", "b", "--study", "b", *method], "no study matches")
+        self.refused(USAGE, ["trials", "b", "--study", "b", *method], "--study b: no study matches")
+        self.refused(USAGE, ["trials", "b", "--study", "", *method], "--study: is empty")
+        for setting in ("baseline=direct", "trials=5", "replicates=1", "methods=direct", "decomposed_trials=1"):
+            with self.subTest(setting=setting):  # every trial is judged as the run did: a cell is all there is to choose
+                self.refused(USAGE, [*study, *method, *one, "--set", "degree=6", "--set", setting],
+                             f"--set {setting}", "no axis that tells cells apart", "degree")
+        self.refused(USAGE, [*study, *method, *one, "--set", "degre=6"], 'did you mean "degree"?')
         self.refused(USAGE, ["trials", "b", "--study", "*", *method], "more than one study")
         self.refused(USAGE, ["trials", "b", "--study", "c", *method], "kind accuracy")
         self.refused(USAGE, ["trials", "b", *method], "--study")

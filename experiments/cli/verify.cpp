@@ -13,13 +13,14 @@
 #include "experiments/cli/vocabulary.hpp"
 #include "experiments/studies/expected.hpp"
 #include "experiments/suite/reader.hpp"
+#include "experiments/echo.hpp"
 
 namespace bezierbench::cli {
 namespace {
 
 void print_fine(const std::string& path) {
   const auto share = bundle::kernel_share(path);
-  fmt::print("{}: fine\n", path);
+  fmt::print("{}: fine\n", printable(path));
   if (share)
     fmt::print(
         "of {} evaluations that accuracy studies judged, {} went through the kernels that are timed, the others "

@@ -50,7 +50,7 @@ std::vector<std::string> timing_fields(const Pair& pair, const TimingRow& row) {
     append_ratio(fields, *row.normalised);
   else
     append(fields, {"", "", "", ""});
-  if (row.is_sentinel())
+  if (row.rank_a == 0)
     append(fields, {"", ""});
   else
     append(fields, {std::to_string(row.rank_a), std::to_string(row.rank_b)});

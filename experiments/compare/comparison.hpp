@@ -28,6 +28,10 @@ struct Pair {
 
 [[nodiscard]] Pair compare_pair(const Side& a, const Side& b);
 
+/// Ranks the methods of each race among those that every bundle has which has any in common with the first: ranks of
+/// several pairs are then ranks among the same methods.
+void rank_in_all(std::vector<Pair>& pairs);
+
 /// One bundle among all of them, over the timings that all have which have any in common with the first.
 struct Standing {
   std::optional<int> rank;  ///< by mean_ratio; none without it

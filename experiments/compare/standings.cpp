@@ -10,13 +10,6 @@
 namespace bezierbench::compare {
 namespace {
 
-std::set<Inputs> timed_methods(const TimingComparison& timing) {
-  std::set<Inputs> methods;
-  for (const auto& row : timing.rows)
-    if (!row.is_sentinel()) methods.insert(row.inputs);
-  return methods;
-}
-
 /// The timings that every bundle has which has any in common with the first.
 std::set<Inputs> common_timings(const std::vector<Pair>& pairs) {
   std::optional<std::set<Inputs>> common;
@@ -77,6 +70,11 @@ Standing standing(const Side& side, const Pair& pair, const std::set<Inputs>& co
 double place(const Standing& one) { return one.timings > 0 ? one.mean_ratio : std::numeric_limits<double>::infinity(); }
 
 }  // namespace
+
+void rank_in_all(std::vector<Pair>& pairs) {
+  const auto common = common_timings(pairs);
+  for (auto& pair : pairs) rank(pair.timing, common);
+}
 
 std::vector<Standing> standings(const Side& base, const std::vector<Side>& others, const std::vector<Pair>& pairs) {
   const auto common = common_timings(pairs);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "experiments/compare/ratio.hpp"
 #include "experiments/failure.hpp"
@@ -96,10 +97,21 @@ void normalise(std::vector<TimingRow>& rows) {
   }
 }
 
-void rank(std::vector<TimingRow>& rows) {
+}  // namespace
+
+std::set<Inputs> timed_methods(const TimingComparison& timing) {
+  std::set<Inputs> methods;
+  for (const auto& row : timing.rows)
+    if (!row.is_sentinel()) methods.insert(row.inputs);
+  return methods;
+}
+
+void rank(TimingComparison& timing, const std::set<Inputs>& counted) {
   std::map<Inputs, std::vector<TimingRow*>> races;
-  for (auto& row : rows)
-    if (!row.is_sentinel()) races[row.inputs.without_method()].push_back(&row);
+  for (auto& row : timing.rows) {
+    row.rank_a = row.rank_b = 0;
+    if (!row.is_sentinel() && counted.contains(row.inputs)) races[row.inputs.without_method()].push_back(&row);
+  }
   for (const auto& [inputs, rivals] : races)
     for (auto* row : rivals) {
       const auto faster_in = [row](metric::Interval TimingRow::*side) {
@@ -109,8 +121,6 @@ void rank(std::vector<TimingRow>& rows) {
       row->rank_b = 1 + static_cast<int>(std::ranges::count_if(rivals, faster_in(&TimingRow::b)));
     }
 }
-
-}  // namespace
 
 bool TimingRow::is_certainly_slower() const {
   const auto slower = [](const TimeRatio& of) { return of.verdict == metric::Verdict::slower; };
@@ -146,7 +156,7 @@ TimingComparison compare_timing(const Side& a, const Side& b) {
   comparison.only_a = match.only_a;
   comparison.only_b = match.only_b;
   normalise(comparison.rows);
-  rank(comparison.rows);
+  rank(comparison, timed_methods(comparison));
   return comparison;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ struct TimingRow {
   /// `ok`, or what the file says of the doubtful side; `unchecked` where timed output was wrong; `noisy` also where one
   /// build on one machine took other times for the work of a sentinel.
   std::string quality;
-  int rank_a = 0;  ///< 1 + how many methods of the same race are certainly faster; 0 for the sentinel
+  int rank_a = 0;  ///< 1 + how many methods of the same race are certainly faster; 0 for what is not ranked
   int rank_b = 0;
 
   [[nodiscard]] bool is_sentinel() const { return inputs.field("method") == sentinel; }
@@ -51,8 +52,14 @@ struct TimingComparison {
 };
 
 /// Verdicts are those of metric::verdict, but `unresolved` where a race had too few rounds for an interval. Ranks are
-/// among the methods that both have; one method is certainly faster where its interval ends before the other's begins.
-/// Throws Failure(Exit::input_output) for a time that is no number.
+/// among the methods that both have. Throws Failure(Exit::input_output) for a time that is no number.
 [[nodiscard]] TimingComparison compare_timing(const Side& a, const Side& b);
+
+/// The rows of methods, without those of sentinels.
+[[nodiscard]] std::set<Inputs> timed_methods(const TimingComparison& timing);
+
+/// Ranks the rows of `counted` among each other, and no others; sentinels have no rank. One method is certainly faster
+/// where its interval ends before the other's begins.
+void rank(TimingComparison& timing, const std::set<Inputs>& counted);
 
 }  // namespace bezierbench::compare

@@ -146,6 +146,19 @@ TEST(Timing, RanksAreOfTheCertainlyFaster) {
   EXPECT_EQ(ranks, (std::vector<int>{1, 3, 2, 1, 2, 2, 0, 0}));
 }
 
+// c has no y: neither pair ranks it, so that x has the same rank in a, whichever bundle a is compared with.
+TEST(Timing, RanksOfSeveralBundlesAreAmongWhatAllHave) {
+  const auto a = timed("a", row("x", 20) + row("y", 10) + row("z", 15));
+  std::vector<Pair> pairs{compare_pair(a, timed("b", row("x", 20) + row("y", 10) + row("z", 15))),
+                          compare_pair(a, timed("c", row("x", 20) + row("z", 15)))};
+  EXPECT_EQ(pairs[0].timing.rows[0].rank_a, 3);
+  rank_in_all(pairs);
+  std::vector<int> ranks;
+  for (const auto& pair : pairs)
+    for (const auto& one : pair.timing.rows) ranks.push_back(one.rank_a);
+  EXPECT_EQ(ranks, (std::vector<int>{2, 0, 1, 2, 1}));
+}
+
 TEST(Timing, ATimeThatIsNoNumberNamesItsLine) {
   try {
     (void)compare_timing(timed("a", row("horner", 10)), timed("b", "s,bezier,horner,double,2,4,point,,1,1,ok,yes\n"));

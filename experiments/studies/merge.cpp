@@ -23,6 +23,7 @@
 #include "experiments/failure.hpp"
 #include "experiments/studies/expected.hpp"
 #include "experiments/studies/merge_target.hpp"
+#include "experiments/studies/notes.hpp"
 #include "experiments/studies/plan.hpp"
 
 namespace bezierbench::studies {
@@ -194,7 +195,7 @@ Files joined(std::vector<Source>& sources, const Plan& plan, const RunRequest& r
   const Source& machine = with_machine(sources, plan.jobs);
   Ledger ledger(plan.jobs, {{}, "", plan.manifest, plan.reference, machine.machine});
   for (const auto& source : sources)
-    for (const auto& line : ledger.load(source.found, Ledger::Whose::all)) std::fputs((line + '\n').c_str(), stderr);
+    for (const auto& line : ledger.load(source.found, Ledger::Whose::all)) note(line);
   refuse_gaps(ledger, plan, request);
   Files files{{suite_name, plan.suite_text}, {machine_name, machine.machine_text}};
   for (auto& list : lists_of(request)) files.push_back(std::move(list));

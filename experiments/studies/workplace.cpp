@@ -15,6 +15,7 @@
 #include "experiments/bundle/table_schema.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/interruption.hpp"
+#include "experiments/studies/notes.hpp"
 #include "experiments/timing/counters.hpp"
 
 namespace bezierbench::studies {
@@ -80,10 +81,8 @@ Workplace::Workplace(const RunRequest& request, const Plan& plan)
           fmt::format("the same shard {}/{}", request.shard->number, request.shard->count));
   }
   if (run_lock_.unsupported())
-    std::fputs(fmt::format("{}: this file system has no locks; see to it that no other run does the same work here\n",
-                           request.out.string())
-                   .c_str(),
-               stderr);
+    note(fmt::format("{}: this file system has no locks; see to it that no other run does the same work here",
+                     request.out.string()));
 }
 
 void Workplace::claim(bundle::LockFile& lock, bundle::Sharing sharing, const std::string& holder) {
@@ -138,9 +137,7 @@ void Workplace::choose_machine() {
   machine_ = bundle::machine_fingerprint(theirs.value_or(""));
   const bool times_here = !request_.shard || request_.shard->number == 1;
   if (!theirs)
-    std::fputs(
-        fmt::format("{}: damaged or unfinished; written anew\n", (directory_.path() / machine_name).string()).c_str(),
-        stderr);
+    note(fmt::format("{}: damaged or unfinished; written anew", (directory_.path() / machine_name).string()));
   else if (!times_here || !timings_missing(plan_.jobs, found_, machine_))
     return;
   const std::string ours = machine_now(request_);

@@ -35,6 +35,11 @@ constexpr Field field(std::string_view key, bool settable) {
   return {key, &read_member<Member>, &write_member<Member>, settable, is_count<Member>};
 }
 
+template <auto Member>
+constexpr Field axis_of_cells(std::string_view key) {
+  return {key, &read_member<Member>, &write_member<Member>, true, false, true};
+}
+
 /// One baseline may be written without brackets.
 void read_baseline(std::string_view source, std::string_view key, const toml::node& node, Study& out) {
   if (!node.is_string()) return read({source, key}, node, out.baseline);
@@ -46,12 +51,12 @@ constexpr std::array fields{field<&Study::id>("id", false),
                             field<&Study::title>("title", false),
                             field<&Study::kind>("kind", false),
                             field<&Study::curve>("curve", false),
-                            field<&Study::dimension>("dimension", true),
-                            field<&Study::degree>("degree", true),
-                            field<&Study::coordinate_range>("coordinate_range", true),
-                            field<&Study::t_interval>("t_interval", true),
-                            field<&Study::generator>("generator", true),
-                            field<&Study::scalar>("scalar", true),
+                            axis_of_cells<&Study::dimension>("dimension"),
+                            axis_of_cells<&Study::degree>("degree"),
+                            axis_of_cells<&Study::coordinate_range>("coordinate_range"),
+                            axis_of_cells<&Study::t_interval>("t_interval"),
+                            axis_of_cells<&Study::generator>("generator"),
+                            axis_of_cells<&Study::scalar>("scalar"),
                             field<&Study::methods>("methods", true),
                             field<&Study::trials>("trials", true),
                             field<&Study::replicates>("replicates", true),

@@ -18,6 +18,7 @@ struct Field {
   std::string (*write)(const Study& study);  ///< TOML text of the value; empty where the key is to be left out
   bool settable;                             ///< with `--set key=v1,v2`
   bool single = false;                       ///< one value, not a list of them to be swept
+  bool of_cells = false;                     ///< its values tell the cells of a study apart
 };
 
 /// All keys of a study, in the order in which they are written.

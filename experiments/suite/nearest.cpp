@@ -36,6 +36,8 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
   std::size_t best = std::numeric_limits<std::size_t>::max();
   std::string found;
   for (const std::string& candidate : candidates) {
+    const std::size_t longer = std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size());
+    if (longer > furthest) continue;  // so many insertions at least; a word of megabytes would take minutes
     const std::size_t d = distance(word, candidate);
     // A distance as long as the candidate shares no letter with it.
     if (d <= furthest && d < best && d < candidate.size()) {

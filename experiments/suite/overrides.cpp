@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/fields.hpp"
 #include "experiments/suite/nearest.hpp"
@@ -50,7 +51,7 @@ toml::array values_of(std::string_view key, std::string_view text) {
 }
 
 Setting parse_set(const std::string& text) {
-  std::string option = "--set " + text;
+  std::string option = "--set " + echo(text);
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) throw Failure(Exit::usage, option + ": write it as axis=v1,v2");
   const std::string key = text.substr(0, equals);
@@ -60,7 +61,7 @@ Setting parse_set(const std::string& text) {
     for (const Field& known : study_fields()) {
       if (known.settable) keys.emplace_back(known.key);
     }
-    throw Failure(Exit::usage, fmt::format("{}: unknown axis \"{}\"{}", option, key, suggestion(key, keys)));
+    throw Failure(Exit::usage, fmt::format("{}: unknown axis \"{}\"{}", option, echo(key), suggestion(key, keys)));
   }
   if (equals + 1 == text.size()) throw Failure(Exit::usage, option + ": no value; write it as axis=v1,v2");
   return {std::move(option), field, values_of(key, std::string_view(text).substr(equals + 1))};
@@ -76,19 +77,21 @@ void set(const Setting& setting, Study& study) {
 }
 
 void keep_chosen(const Overrides& overrides, std::vector<Suite>& suites) {
+  if (overrides.only == "")
+    throw Failure(Exit::usage, overrides.only_option + ": is empty; name a study, or leave the option out");
   std::vector<std::string> ids;
   bool found = false;
   for (Suite& suite : suites) {
     std::erase_if(suite.studies, [&](const Study& study) {
       ids.push_back(study.id);
-      const bool chosen = overrides.only.empty() || matches(overrides.only, study.id);
+      const bool chosen = !overrides.only || matches(*overrides.only, study.id);
       found = found || chosen;
       return !chosen || (overrides.no_timing && is_timed(study.kind));
     });
   }
   if (!found) {
-    throw Failure(Exit::usage,
-                  fmt::format("--only {}: no study matches{}", overrides.only, suggestion(overrides.only, ids)));
+    throw Failure(Exit::usage, fmt::format("{} {}: no study matches{}", overrides.only_option, echo(*overrides.only),
+                                           suggestion(*overrides.only, ids)));
   }
   std::erase_if(suites, [](const Suite& suite) { return suite.studies.empty(); });
   if (suites.empty()) throw Failure(Exit::usage, "--no-timing: only timing studies were chosen; choose others");

@@ -15,8 +15,9 @@ namespace bezierbench::suite {
 struct Overrides {
   std::optional<std::uint64_t> seed;
   std::optional<std::int64_t> trials;
-  std::vector<std::string> set;  ///< "axis=v1,v2", intervals as 0:0.2
-  std::string only;              ///< glob over study ids; empty: all
+  std::vector<std::string> set;        ///< "axis=v1,v2", intervals as 0:0.2
+  std::optional<std::string> only;     ///< glob over study ids; left out: all
+  std::string only_option = "--only";  ///< which option that was, for messages
   bool no_timing = false;
 };
 

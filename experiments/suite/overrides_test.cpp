@@ -125,6 +125,10 @@ TEST(Overrides, ErrorsNameTheOption) {
   overrides = {};
   overrides.only = "a_1";
   EXPECT_THAT(refused(overrides), StartsWith("--only a_1: no study matches; did you mean \"a-1\"?"));
+  overrides.only_option = "--study";
+  EXPECT_THAT(refused(overrides), StartsWith("--study a_1: no study matches; did you mean \"a-1\"?"));
+  overrides.only = "";  // which `--only "$STUDY"` is where the variable is not set
+  EXPECT_EQ(refused(overrides), "--study: is empty; name a study, or leave the option out");
   overrides = {};
   overrides.only = "t*";
   overrides.no_timing = true;

@@ -15,6 +15,7 @@
 #include <system_error>
 #include <utility>
 
+#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/fields.hpp"
 #include "experiments/suite/nearest.hpp"
@@ -71,7 +72,7 @@ class Reader {
     for (const auto& [key, node] : table) {
       if (std::find(allowed.begin(), allowed.end(), key.str()) != allowed.end()) continue;
       suite::fail(file_, key.source().begin,
-                  fmt::format("unknown key \"{}\"{}", key.str(), suggestion(key.str(), allowed)));
+                  fmt::format("unknown key \"{}\"{}", echo(key.str()), suggestion(key.str(), allowed)));
     }
   }
 
@@ -172,6 +173,31 @@ void refuse_deep_keys(std::string_view text, std::string_view file_name) {
   }
 }
 
+/// What stands at a place of the document, to its end. Columns count characters.
+std::string_view text_at(std::string_view text, const toml::source_position& at) {
+  for (toml::source_index line = 1; line < at.line; ++line) text.remove_prefix(text.find('\n') + 1);
+  const auto is_inner = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; };
+  for (toml::source_index column = 1; column < at.column && !text.empty(); ++column) {
+    text.remove_prefix(1);
+    while (!text.empty() && is_inner(text.front())) text.remove_prefix(1);
+  }
+  return text;
+}
+
+/// The parser takes 1e-999 for 0, which is another number.
+void refuse_vanished_numbers(const toml::node& node, std::string_view text, std::string_view file_name) {
+  if (const auto* table = node.as_table())
+    for (const auto& [key, value] : *table) refuse_vanished_numbers(value, text, file_name);
+  if (const auto* array = node.as_array())
+    for (const auto& element : *array) refuse_vanished_numbers(element, text, file_name);
+  if (node.value_exact<double>() != 0.0) return;
+  const auto at = node.source().begin;
+  const auto literal = text_at(text, at);
+  const auto digits = literal.substr(0, std::min(literal.find_first_not_of("+-._0123456789"), literal.size()));
+  if (digits.find_first_of("123456789") != std::string_view::npos)
+    fail(file_name, at, "this number is too small for a double; write 0, or a larger one");
+}
+
 std::string contents(const std::filesystem::path& file) {
   const auto refuse = [&](int error) {
     throw Failure(Exit::usage, fmt::format("{}: cannot be read ({}); name a suite file that can, or see `bezierbench "
@@ -194,7 +220,9 @@ std::string contents(const std::filesystem::path& file) {
 std::vector<Suite> parse_suites(std::string_view text, std::string_view file_name, const Vocabulary& known) {
   refuse_deep_keys(text, file_name);
   try {
-    return Reader(file_name, known).document(toml::parse(text));
+    const auto document = toml::parse(text);
+    refuse_vanished_numbers(document, text, file_name);
+    return Reader(file_name, known).document(document);
   } catch (const toml::parse_error& error) {
     std::string what(error.description());
     std::replace_if(

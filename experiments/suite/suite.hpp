@@ -2,6 +2,7 @@
 // What a suite file says, as values: which studies, over which axes.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -38,7 +39,7 @@ enum class Mode { one_shot, point, latency, batch };
 struct Interval {
   double min = 0;
   double max = 1;
-  friend bool operator==(const Interval&, const Interval&) = default;
+  friend auto operator<=>(const Interval&, const Interval&) = default;
 };
 
 /// Asks of a method's batch kernel a share of the peak or the time of another method, in every row that it is about.

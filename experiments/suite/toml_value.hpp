@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/echo.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/suite.hpp"
@@ -45,7 +46,7 @@ void read(const Source& source, const toml::node& node, Enum& out) {
   const auto value = parse<Enum>(word);
   if (!value) {
     fail(source.name, node.source().begin,
-         "unknown " + std::string(source.key) + " \"" + word + "\"" + suggestion(word, all_words<Enum>()));
+         "unknown " + std::string(source.key) + " \"" + echo(word) + "\"" + suggestion(word, all_words<Enum>()));
   }
   out = *value;
 }

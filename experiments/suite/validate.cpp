@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/curve_view.hpp"
+#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/goal.hpp"
@@ -31,18 +32,18 @@ bool contains(std::span<const std::string> ids, std::string_view id) {
 }
 
 Finding unknown(std::string_view key, std::size_t i, std::string_view word, std::span<const std::string> known) {
-  return Problem{key, i, {}, fmt::format("unknown {} \"{}\"{}", key, word, suggestion(word, known))};
+  return Problem{key, i, {}, fmt::format("unknown {} \"{}\"{}", key, echo(word), suggestion(word, known))};
 }
 
 /// Applies `check(value) -> std::string` to every element, and looks for equal ones.
+/// The time grows as the number of elements, but for a logarithm: an axis may have any number of them.
 template <class T, class Check>
 Finding each(std::string_view key, const std::vector<T>& values, Check check) {
+  std::set<T> before;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::string what = check(values[i]); !what.empty()) return Problem{key, i, {}, std::move(what)};
-    if (std::find(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(i), values[i]) !=
-        values.begin() + static_cast<std::ptrdiff_t>(i)) {
+    if (!before.insert(values[i]).second)
       return Problem{key, i, {}, fmt::format("{} has this value twice; remove one", key)};
-    }
   }
   return std::nullopt;
 }
@@ -254,8 +255,8 @@ std::string missing_method(std::string_view entry, const Vocabulary& known) {
                                    [&](const AbsentMethod& method) { return means(entry, method.id); });
   if (absent != known.absent_methods.end())
     return fmt::format("method \"{}\" is not in this build; {}", absent->id, absent->remedy);
-  if (is_pattern(entry)) return fmt::format("no method matches \"{}\"; see `bezierbench list methods`", entry);
-  return fmt::format("unknown method \"{}\"{}", entry, suggestion(entry, known.methods));
+  if (is_pattern(entry)) return fmt::format("no method matches \"{}\"; see `bezierbench list methods`", echo(entry));
+  return fmt::format("unknown method \"{}\"{}", echo(entry), suggestion(entry, known.methods));
 }
 
 /// What `entry` of `methods` is wrong about, else empty. A conversion is a chain of one or more parts.
@@ -268,8 +269,9 @@ std::string method_problem(const Study& study, std::string_view entry, const Voc
     const std::string_view part = rest.substr(0, plus);
     if (std::none_of(ids.begin(), ids.end(), [&](const std::string& id) { return means(part, id); })) {
       if (!conversion) return missing_method(part, known);
-      if (is_pattern(part)) return fmt::format("no conversion matches \"{}\"; see `bezierbench list methods`", part);
-      return fmt::format("unknown conversion \"{}\"{}", part, suggestion(part, ids));
+      if (is_pattern(part))
+        return fmt::format("no conversion matches \"{}\"; see `bezierbench list methods`", echo(part));
+      return fmt::format("unknown conversion \"{}\"{}", echo(part), suggestion(part, ids));
     }
     if (plus == std::string_view::npos) return {};
     rest.remove_prefix(plus + 1);
@@ -360,7 +362,9 @@ std::string seed_problem(std::uint64_t seed) {
 
 std::string id_problem(std::string_view id) {
   constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
+  constexpr std::size_t longest = 100;  // files of reports are named after studies, and a name ends at 255 bytes
   if (id.empty()) return "id is missing or empty; give it a name";
+  if (id.size() > longest) return fmt::format("id has {} characters; shorten it to {} at most", id.size(), longest);
   if (id.find_first_not_of(allowed) == std::string_view::npos) return {};
   return "id may have letters, digits, \".\", \"_\" and \"-\" only; rename it";
 }
