@@ -11,9 +11,9 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/diagnostics.hpp"
 #include "experiments/cli/vocabulary.hpp"
+#include "experiments/echo.hpp"
 #include "experiments/studies/expected.hpp"
 #include "experiments/suite/reader.hpp"
-#include "experiments/echo.hpp"
 
 namespace bezierbench::cli {
 namespace {
