@@ -16,6 +16,7 @@
 #include "experiments/studies/block_order.hpp"
 #include "experiments/studies/expected.hpp"
 #include "experiments/studies/interruption.hpp"
+#include "experiments/studies/notes.hpp"
 #include "experiments/studies/parallel_ranges.hpp"
 #include "experiments/studies/plan.hpp"
 #include "experiments/studies/progress.hpp"
@@ -24,8 +25,6 @@
 
 namespace bezierbench::studies {
 namespace {
-
-void note(const std::string& line) { std::fputs((line + '\n').c_str(), stderr); }
 
 std::string name_of(const std::optional<Shard>& shard) {
   return shard ? fmt::format("shard {}/{}", shard->number, shard->count) : "run";
