@@ -96,8 +96,9 @@ void LengthPanels::add(SpeedSeries series, const LongReal& begin, const LongReal
 }
 
 NotCertain::NotCertain(LongReal length, const LongReal& uncertainty)
-    : std::runtime_error("the true length is not certain to 30 digits, only to " +
-                         (length > 0 ? LongReal(uncertainty / length).str(2) + " of itself" : uncertainty.str(2))),
+    : std::runtime_error("the true length is not certain to 30 digits, " +
+                         (uncertainty < length ? "only to " + LongReal(uncertainty / length).str(2) + " of itself"
+                                               : std::string("nor to one"))),
       length_(std::move(length)) {}
 
 void require_certain(const LongReal& length, const LongReal& uncertainty) {

@@ -19,6 +19,25 @@ TEST(ArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
   for (std::size_t row = 0; row < csv.row_count(); ++row) expect_kept(csv, row);
 }
 
+/// (t - 3/4)^9 over one step of doubles from 3/4 is too short a curve for 70 digits: the trial is named.
+TEST(ArcLengthStudy, SaysWhichTruthIsNotCertain) {
+  auto study = small_study();
+  study.dimension = {1};
+  study.degree = {9};
+  study.generator = {"multiple_root"};
+  study.t_interval = {{0.75, 0.75 + 0x1p-53}};
+  const auto job = arc_length_job(study, {1});
+  try {
+    static_cast<void>(job->run_block(0));
+    FAIL() << "certain";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit(), Exit::usage);
+    for (const char* needle :
+         {"study small", "multiple_root", "trial 0", "not certain to 30 digits", "leave this cell out"})
+      EXPECT_NE(std::string(failure.what()).find(needle), std::string::npos) << needle << ": " << failure.what();
+  }
+}
+
 TEST(ArcLengthStudy, RefusesWhatItCannotDo) { expect_refusals(arc_length_job, small_study()); }
 
 }  // namespace
