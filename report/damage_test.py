@@ -92,6 +92,12 @@ class Damage(unittest.TestCase):
             os.truncate(self.bundle / "audit.csv", size)
             self.refused("is larger than 64 MiB")
 
+    def test_more_studies_than_any_suite_has_are_refused(self):
+        """Tables are made study by study, so that their time grows with the square of the studies."""
+        (self.bundle / "extra.csv").write_text("study\n" + "".join(f"s{i}\n" for i in range(1001)))
+        fixture.seal(self.bundle)
+        self.refused("extra.csv: more than 1000 studies")
+
     def test_a_message_repeats_the_beginning_of_a_field_only(self):
         path = self.bundle / "audit.csv"
         path.write_text(path.read_text().replace("1.25", "\x1b[2J" + "9" * 100_000 + "x"))

@@ -12,6 +12,7 @@ from .foreign import literal, literal_json, shown
 from .rows import Row, Table, parse_number
 
 MOST_ROWS = 200_000
+MOST_STUDIES = 1000  # of a table; each has tables and lines of its own on the page
 _SPAN = re.compile(r"\d{1,4}\.\.\d{1,4}", re.ASCII)  # of degrees: a count of table 2.2 is over all of them
 
 
@@ -20,7 +21,7 @@ class BundleError(Exception):
 
 
 class Folder:
-    """A directory of data files. Those that wrote it are named by the subclass."""
+    """A directory of data files; a subclass names the command that writes such."""
 
     writer = ""  # the command
 
@@ -90,6 +91,8 @@ class Folder:
                 rows.append(self._row(name, reader.line_num, dict(zip(columns, fields))))
         except csv.Error as error:
             self.fail(name, str(error), reader.line_num)
+        if len({row["study"] for row in rows}) > MOST_STUDIES:
+            self.fail(name, f"more than {MOST_STUDIES} studies")
         return Table(name, columns, rows)
 
     def _check_header(self, name, columns):

@@ -20,14 +20,26 @@ WORDS = ('"><script>alert(1)</script>', "'><img src=x onerror=alert(1)>", '</p><
 VALUES = (None, True, -1, 0, 1e308, [], {}, [[]], {"a": {"b": []}}, "", "\x1b[2J", '<script>"', [1, "x"])
 
 
+def _files(bundle, pattern="*"):
+    """What another change has not made a link or without end."""
+    return sorted(path for path in bundle.glob(pattern) if path.name != "SHA256SUMS" and path.is_file() and not path.is_symlink()
+                  and path.stat().st_size < 1 << 30)
+
+
+def _put(path, text):
+    """A new file, whatever another change left there: nothing is written through a link or into a pipe."""
+    path.rmdir() if path.is_dir() and not path.is_symlink() else path.unlink(missing_ok=True)
+    path.write_text(text, encoding="utf-8", newline="")
+
+
 def _table(rng, bundle, change):
     """Takes a table apart, lets `change(header, rows)` alter it, and writes it."""
-    path = rng.choice(sorted(path for path in bundle.glob("*.csv") if path.is_file()))
+    path = rng.choice(_files(bundle, "*.csv"))
     header, *rows = csv.reader(io.StringIO(path.read_text(encoding="utf-8"), newline=""))
     said = change(header, rows)
     out = io.StringIO(newline="")
     csv.writer(out, lineterminator="\n").writerows([header, *rows])
-    path.write_text(out.getvalue(), encoding="utf-8", newline="")
+    _put(path, out.getvalue())
     return f"{path.name}: {said}"
 
 
@@ -92,13 +104,9 @@ def dropped_rows(rng, bundle):
     return _table(rng, bundle, change)
 
 
-def _any_file(rng, bundle):
-    return rng.choice(sorted(path for path in bundle.iterdir() if path.is_file() and path.name != "SHA256SUMS"))
-
-
 def raw_bytes(rng, bundle):
     """Bytes put somewhere into a file."""
-    path = _any_file(rng, bundle)
+    path = rng.choice(_files(bundle))
     data, put = path.read_bytes(), rng.choice((b"\0", b"\xff", b'"', b"\n", b",", b"\r", b"\xef\xbb\xbf", b"[" * 100_000))
     at = rng.randint(0, len(data))
     path.write_bytes(data[:at] + put + data[at:])
@@ -107,7 +115,7 @@ def raw_bytes(rng, bundle):
 
 def truncated(rng, bundle):
     """The beginning of a file, which may be nothing."""
-    path = _any_file(rng, bundle)
+    path = rng.choice(_files(bundle))
     keep = rng.choice((0, rng.randint(0, path.stat().st_size)))
     os.truncate(path, keep)
     return f"{path.name}: {keep} bytes"
@@ -117,14 +125,14 @@ def json_value(rng, bundle):
     """A value of another type in bundle.json or machine.json."""
     path = bundle / rng.choice(("bundle.json", "machine.json"))
     try:
-        whole = inner = json.loads(path.read_text(encoding="utf-8"))
+        whole = inner = json.loads(path.read_text(encoding="utf-8") if path in _files(bundle) else "")
         key = rng.choice(sorted(whole))
         if isinstance(whole[key], dict) and whole[key] and rng.random() < 0.7:
             inner, key = whole[key], rng.choice(sorted(whole[key]))
         inner[key] = rng.choice((*VALUES, *WORDS))
     except (OSError, ValueError, LookupError, AttributeError, TypeError):
         return f"{path.name}: as another change left it"
-    path.write_text(json.dumps(whole), encoding="utf-8")
+    _put(path, json.dumps(whole))
     return f"{path.name}: {key!r} is {str(inner[key])[:40]!r}"
 
 
@@ -133,15 +141,15 @@ def suite_text(rng, bundle):
     word = json.dumps(rng.choice(WORDS))
     text = rng.choice((f"[[study]]\nid = {word}\n", f'[[study]]\nid = "a"\ntitle = {word}\n', '[[study]]\nid = 1\n', "study = 1\n",
                        "suites = [1]\n", f"x = {'[' * 3000}", "a = 1979-05-27\n[[study]]\n", f'[[study]]\nid = "2.4-bezier"\ntitle = {word}\n'))
-    (bundle / "suite.toml").write_text(text, encoding="utf-8")
+    _put(bundle / "suite.toml", text)
     return f"suite.toml: {text[:50]!r}"
 
 
 def no_regular_file(rng, bundle):
     """A pipe, a device, a folder or a link where a file was; or nothing, or too much."""
-    path = _any_file(rng, bundle)
+    path = rng.choice(_files(bundle))
     path.unlink()
-    kind = rng.choice(("pipe", "folder", "/dev/zero", "/etc/passwd", "loop", "large", "nothing"))
+    kind = rng.choice(("pipe", "folder", "/dev/zero", "/proc/self/environ", "loop", "large", "nothing"))
     if kind == "pipe":
         os.mkfifo(path)
     elif kind == "folder":
@@ -159,7 +167,7 @@ def no_regular_file(rng, bundle):
 def foreign_file(rng, bundle):
     """A file that no run writes, code among them."""
     name = rng.choice(("extra.csv", "tomllib.py", "report.py", "matplotlibrc", "sitecustomize.py", "a b.csv", "-x.csv", ".hidden.csv"))
-    (bundle / name).write_text("study\nx\n", encoding="utf-8")
+    _put(bundle / name, "study\nx\n")
     return f"{name} is there"
 
 
