@@ -21,7 +21,7 @@ constexpr double long_enough = 0.01 * second;  // of one sample: clocks and firs
 constexpr double enough = 0.4 * second;        // of all samples of a study
 /// Trials that are judged together by lane kernels, and show how widely errors are spread.
 constexpr std::int64_t enough_to_stand_for_all = 64;
-constexpr std::size_t least_samples = 3;
+constexpr std::size_t least_samples = 2;
 constexpr std::size_t most_samples = 16;
 
 /// Of this thread: what others do on the machine does not count.
@@ -129,8 +129,8 @@ class Pilot {
     for (trials_ = 1;; trials_ *= 4) {
       job_ = make_job(cut_to(study, trials_, 1), context);
       if (job_->parts() == 0 || interrupted()) return;
-      if (trials_ == 1) (void)first_sample();  // takes along what is done once only
-      const auto sample = first_sample();
+      auto sample = first_sample();
+      if (trials_ == 1 && sample.nanoseconds < long_enough) sample = first_sample();  // without what is done only once
       const Duration now{.trials = static_cast<double>(trials_),
                          .blocks = static_cast<double>(job_->blocks_per_part()),
                          .nanoseconds = sample.nanoseconds,
@@ -150,8 +150,6 @@ class Pilot {
   /// How results grow as bytes: by this power of the number of trials, where that is the pilot's. Of a histogram the
   /// bins count in which anything is; the more of them are taken, the more rarely a trial takes another.
   [[nodiscard]] double exponent() const { return exponent_; }
-  /// How long a part took, half-way through the costs.
-  [[nodiscard]] double nanoseconds() const { return first_sample().nanoseconds; }
 
   [[nodiscard]] std::vector<Sample> samples() const {
     std::vector<Sample> all;
@@ -168,9 +166,12 @@ class Pilot {
   /// Of parts at equal distances, whatever they cost: what their results are.
   [[nodiscard]] std::vector<Sample> results() const {
     std::vector<Sample> all;
-    for (unsigned k = 1; k <= least_samples && job_->parts() > 0 && !interrupted(); ++k) {
+    double taken = 0;
+    for (unsigned k = 1; k <= most_samples && (k <= least_samples || taken < enough) && !interrupted(); ++k) {
+      if (job_->parts() == 0) break;
       const auto part = static_cast<std::size_t>(spread(k) * static_cast<double>(job_->parts()));
       all.push_back(sample_of(*job_, part, job_->exclusive() ? 1 : job_->blocks_per_part()));
+      taken += all.back().nanoseconds;
     }
     return all;
   }
@@ -192,24 +193,30 @@ double growth(std::int64_t before, double trials) {
   return (binades + std::log2(trials)) / (binades + std::log2(static_cast<double>(before)));
 }
 
-/// How much larger results are where trials are enough to show how widely errors are spread, than after the few of a
-/// pilot: by a part half-way through the costs or, where that would take too long, by the one that costs least.
-Sample broadening(const suite::Study& study, const JobContext& context, const Pilot& pilot) {
-  const auto few = pilot.trials();
-  if (few >= std::min(enough_to_stand_for_all, study.trials)) return {.bytes = 1, .memory = 1};
-  const bool affordable =
-      pilot.nanoseconds() * static_cast<double>(enough_to_stand_for_all) < enough * static_cast<double>(few);
+/// What results grow by, from the few trials of a pilot to so many.
+struct Broadening {
+  std::int64_t trials = 1;
+  double bytes = 1;
+  double memory = 1;
+};
+
+/// To as many as show how widely errors are spread, or as many as there is time for: by the part that costs least.
+Broadening broadening(const suite::Study& study, const JobContext& context, std::int64_t few) {
   const auto of = [&](std::int64_t trials) {
     const auto job = make_job(cut_to(study, trials, 1), context);
-    std::size_t chosen = affordable && job->parts() > 0 ? part_at(*job, 0.5) : 0;
-    for (std::size_t part = 1; part < job->parts() && !affordable; ++part)
-      if (job->cost(part) < job->cost(chosen)) chosen = part;
-    return job->parts() == 0 ? Sample{} : sample_of(*job, chosen, job->blocks_per_part());
+    std::size_t cheapest = 0;
+    for (std::size_t part = 1; part < job->parts(); ++part)
+      if (job->cost(part) < job->cost(cheapest)) cheapest = part;
+    return job->parts() == 0 ? Sample{} : sample_of(*job, cheapest, job->blocks_per_part());
   };
+  const auto most = std::min(enough_to_stand_for_all, study.trials);
+  if (few >= most) return {.trials = few};
   const Sample before = of(few);
-  const Sample after = of(enough_to_stand_for_all);
+  const double affordable = static_cast<double>(few) * std::max(1.0, enough / std::max(1.0, before.nanoseconds));
+  const auto many = static_cast<std::int64_t>(std::min(static_cast<double>(most), affordable));
+  const Sample after = of(many);
   const auto ratio = [](double a, double b) { return a > 0 ? std::max(1.0, b / a) : 1; };
-  return {.bytes = ratio(before.bytes, after.bytes), .memory = ratio(before.memory, after.memory)};
+  return {many, ratio(before.bytes, after.bytes), ratio(before.memory, after.memory)};
 }
 
 /// What each replicate adds to what is kept of a part: few trials are made of many of them, and of twice as many.
@@ -247,12 +254,11 @@ StudyEstimate estimate(const suite::Study& study, const JobContext& context) {
     const auto blocks = static_cast<double>(pilot.job().blocks());
     return {sum.per_cost, bytes * blocks, memory * blocks};
   }
-  const auto seen = std::min(study.trials, std::max(pilot.trials(), enough_to_stand_for_all));
-  const double larger = growth(seen, static_cast<double>(study.trials) * replicates);
-  const auto broader = broadening(study, context, pilot);
+  const auto broader = broadening(study, context, pilot.trials());
+  const double larger = growth(broader.trials, static_cast<double>(study.trials) * replicates);
   const auto each = per_replicate(study, context);
-  const double fuller =
-      std::pow(static_cast<double>(study.trials) * replicates / static_cast<double>(seen), pilot.exponent() / 2);
+  const double fuller = std::pow(static_cast<double>(study.trials) * replicates / static_cast<double>(broader.trials),
+                                 pilot.exponent() / 2);
   sum.result_bytes = parts * (bytes * broader.bytes * fuller + each.bytes * replicates);
   sum.result_memory = parts * (memory * broader.memory * larger + each.memory * replicates);
   return sum;
