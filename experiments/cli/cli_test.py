@@ -383,11 +383,40 @@ class Bundles(Case):
 
     def test_dry_run_counts_the_time_of_races(self):
         """Few evaluations, repeated until they can be timed."""
-        def seconds(study):
-            return int(re.search(r"estimated +(\d+) s", self.fine("run", self.suite(study), "--out", "b", "--dry-run"))[1])
         degrees = str(list(range(1, 11)))
-        self.assertEqual(seconds({**STUDY, "degree": degrees, "trials": "1"}), 0)
-        self.assertGreater(seconds({**TIMING, "degree": degrees}), 0)
+        self.assertLess(self.estimated(self.suite({**STUDY, "degree": degrees, "trials": "1"}))[0], 0.5)
+        self.assertGreater(self.estimated(self.suite({**TIMING, "degree": degrees, "methods": '["direct", "de_casteljau"]'}))[0], 1)
+
+    def estimated(self, suite, *options):
+        """Seconds, megabytes of disk and of memory."""
+        text = self.fine("run", suite, "--out", "dry", "--dry-run", *options)
+        found = re.search(r"estimated +([\d.]+) s on one thread, ([\d.]+) MB of disk, ([\d.]+) MB of memory", text)
+        return [float(number) for number in found.groups()]
+
+    def test_dry_run_says_what_a_run_takes(self):
+        """Within a factor of 2 on a machine at rest (scripts/check estimate); here of 4, for others may be at work."""
+        suite = self.suite({**STUDY, "degree": "[4, 20, 60]", "methods": None, "trials": "3000"},
+                           {**CONVERSION, "degree": "[5, 30]", "trials": "400", "methods": None},
+                           {**TIMING, "modes": '["point"]', "methods": '["direct", "de_casteljau"]'})
+        estimated = self.estimated(suite)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.bundle(suite, "--jobs", "1")
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        self.assertLess(estimated[0] / seconds, 4)
+        self.assertGreater(estimated[0] / seconds, 1 / 4)
+        bundle = sum(path.stat().st_size for path in (self.folder / "b").iterdir()) / 1e6
+        self.assertGreater(estimated[1], bundle / 2)  # files of blocks come on top
+
+    def test_estimates_grow_with_trials(self):
+        """Also where nothing could wait for the run that they speak of."""
+        suite = self.suite({**STUDY, "degree": "[20]"})
+        few, many = (self.estimated(suite, "--trials", str(trials))[0] for trials in (10**8, 10**12))
+        self.assertGreater(many / few, 10**4 / 4)
+        self.assertLess(many / few, 10**4 * 4)
+        alone, repeated = (self.estimated(suite, "--trials", "1", "--set", f"replicates={n}")[2] for n in (1, 10**6))
+        self.assertGreater(repeated - alone, 30)  # two methods, two statistics of 8 bytes each, a million times
+        self.assertLess(repeated - alone, 500)
 
     def test_no_timing(self):
         self.bundle(self.suite(STUDY, TIMING), "--no-timing")

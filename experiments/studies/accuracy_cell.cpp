@@ -46,10 +46,8 @@ class ScalarCell final : public AccuracyCell {
   }
   [[nodiscard]] Extent extent() const override {
     const auto trials = static_cast<std::uint64_t>(study_.trials * study_.replicates);
-    const auto replicates = static_cast<std::size_t>(study_.replicates);
-    constexpr std::size_t tallies = 200'000;  // two histograms of some fifty binades
-    return {1, methods_.judgement_count(), trials * methods_.count(),
-            methods_.judgement_count() * (tallies + 2 * replicates * sizeof(double))};
+    const auto rows = methods_.judgement_count();
+    return {1, 2 * rows, trials * methods_.count(), rows * bytes_of_input(cell_)};  // of accuracy.csv and worst.csv
   }
 
   [[nodiscard]] CellTally run_block(std::size_t block) const override {

@@ -130,9 +130,7 @@ class ConversionJob final : public JobOf<RowTally> {
     return static_cast<double>(study_.trials) * n * n * 200;
   }
   [[nodiscard]] Extent extent() const override {
-    constexpr std::size_t tally = 100'000;
-    return {sample::cells(study_).size(), rows_.size(), blocks() * static_cast<std::uint64_t>(study_.trials),
-            rows_.size() * tally};
+    return {sample::cells(study_).size(), rows_.size(), blocks() * static_cast<std::uint64_t>(study_.trials)};
   }
   void write(Tables& tables) const override;
   [[nodiscard]] std::vector<Series> series() const override;

@@ -83,10 +83,8 @@ class DerivativeJob final : public JobOf<DerivativeTally> {
   }
   [[nodiscard]] Extent extent() const override {
     Extent sum;
-    constexpr std::size_t tallies = 200'000;  // two histograms of some fifty binades
     for (const Part& part : parts_)
-      sum += {1, part.methods.size(), static_cast<std::uint64_t>(trials()) * part.methods.size(),
-              part.methods.size() * tallies};
+      sum += {1, part.methods.size(), static_cast<std::uint64_t>(trials()) * part.methods.size()};
     return sum;
   }
   void write(Tables& tables) const override;

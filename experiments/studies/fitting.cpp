@@ -105,10 +105,9 @@ class FittingJob final : public JobOf<FittingTally> {
   }
   [[nodiscard]] Extent extent() const override {
     Extent sum;
-    constexpr std::size_t tallies = 200'000;  // two histograms of some fifty binades
     for (const Part& part : parts_) {
       const std::size_t rows = part.methods.size() * study_.tolerance.size();
-      sum += {1, rows, static_cast<std::uint64_t>(trials()) * rows, rows * tallies};
+      sum += {1, rows, static_cast<std::uint64_t>(trials()) * rows};
     }
     return sum;
   }

@@ -53,6 +53,12 @@ std::vector<std::string> input_fields(const sample::Trial& trial, int dimension)
   return {number::hexadecimal(trial.t), coefficients, weights};
 }
 
+std::size_t bytes_of_input(const sample::Cell& cell) {
+  constexpr std::size_t number = 23;  // -0x1.23456789abcdep+12, and a blank
+  const auto axes = static_cast<std::size_t>(cell.dimension) + (cell.curve == suite::CurveKind::rational ? 1 : 0);
+  return number * (1 + axes * (static_cast<std::size_t>(cell.degree) + 1));
+}
+
 std::optional<sample::Trial> parse_input(const InputTexts& texts, const sample::Cell& cell) {
   const auto d = static_cast<std::size_t>(cell.dimension);
   const std::size_t count = static_cast<std::size_t>(cell.degree) + 1;

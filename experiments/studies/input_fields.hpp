@@ -18,6 +18,9 @@ const std::vector<std::string>& input_columns();
 /// likewise, none but for rational curves.
 std::vector<std::string> input_fields(const sample::Trial& trial, int dimension);
 
+/// About how many bytes they have.
+std::size_t bytes_of_input(const sample::Cell& cell);
+
 /// What those columns hold of one input.
 struct InputTexts {
   std::string_view t;

@@ -67,9 +67,8 @@ class InterpolationJob final : public JobOf<InterpolationTally> {
     return static_cast<double>(std::min(trials(), block_trials)) * k * parts_[part].cell.dimension * per_point;
   }
   [[nodiscard]] Extent extent() const override {
-    constexpr std::size_t tallies = 300'000;  // seven histograms of a few binades
     const std::size_t rows = parts_.size() * methods_.size();
-    return {parts_.size(), rows, static_cast<std::uint64_t>(trials()) * rows, rows * tallies};
+    return {parts_.size(), rows, static_cast<std::uint64_t>(trials()) * rows};
   }
   void write(Tables& tables) const override;
   [[nodiscard]] std::vector<Series> series() const override { return {}; }

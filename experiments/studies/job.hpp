@@ -56,13 +56,13 @@ struct Extent {
   std::size_t cells = 0;
   std::size_t rows = 0;           ///< of CSV
   std::uint64_t evaluations = 0;  ///< of methods or conversions
-  std::size_t memory = 0;         ///< bytes, about
+  std::size_t input_bytes = 0;    ///< about, of the inputs that rows record in full
 
   Extent& operator+=(const Extent& other) {
     cells += other.cells;
     rows += other.rows;
     evaluations += other.evaluations;
-    memory += other.memory;
+    input_bytes += other.input_bytes;
     return *this;
   }
 };
@@ -116,8 +116,8 @@ class Job {
     return part < totals_.size() ? totals_[part].get() : nullptr;
   }
 
-  /// Nanoseconds of one thread for a block of this part, to an order of magnitude: shares the blocks out among shards
-  /// and estimates the time left.
+  /// Nanoseconds of one thread for a block of this part, to an order of magnitude, and the same on every machine:
+  /// shares the blocks out among shards, and says how far a run is. What --dry-run says is measured; see estimate.hpp.
   [[nodiscard]] virtual double cost(std::size_t part) const = 0;
   [[nodiscard]] double total_cost() const;
   /// True for timings: nothing else may run beside them.

@@ -137,6 +137,10 @@ void Ledger::add(std::size_t job, std::uint64_t block, std::unique_ptr<Result> r
   if (lock && Clock::now() >= next_checkpoint_) write_checkpoint();
 }
 
+double Ledger::files_after(double seconds) {
+  return std::min(static_cast<double>(most_files), seconds / std::chrono::duration<double>(longest_interval).count());
+}
+
 void Ledger::checkpoint() {
   const std::lock_guard lock(mutex_);
   write_checkpoint();

@@ -69,6 +69,9 @@ class Ledger {
   /// most. Throws as write_file.
   void add(std::size_t job, std::uint64_t block, std::unique_ptr<Result> result);
 
+  /// About how many files of blocks a run of so many seconds has written at most when it has not yet gathered them.
+  [[nodiscard]] static double files_after(double seconds);
+
   /// Writes what is in no file yet. Throws as write_file.
   void checkpoint();
   /// Adds to the jobs what was not added yet, and writes nothing.

@@ -61,9 +61,8 @@ class ProjectionJob final : public JobOf<ProjectionTallies> {
     return static_cast<double>(std::min(trials(), block_trials)) * 20'000 * n * n;
   }
   [[nodiscard]] Extent extent() const override {
-    constexpr std::size_t tally = 300'000;
     const auto rows = parts_.size() * infos_.size();
-    return {parts_.size(), rows, rows * static_cast<std::uint64_t>(trials()), rows * tally};
+    return {parts_.size(), rows, rows * static_cast<std::uint64_t>(trials())};
   }
   void write(Tables& tables) const override;
   [[nodiscard]] std::vector<Series> series() const override { return {}; }

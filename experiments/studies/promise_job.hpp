@@ -79,10 +79,9 @@ class PromiseJob : public JobOf<PromiseRows<Row>> {
   }
   [[nodiscard]] Extent extent() const override {
     Extent sum;
-    constexpr std::size_t tallies = 300'000;  // histograms of some fifty binades
     for (const Part& part : parts_) {
       const std::size_t rows = part.methods.size() * study_.tolerance.size();
-      sum += {1, rows, static_cast<std::uint64_t>(trials()) * rows, rows * tallies};
+      sum += {1, rows, static_cast<std::uint64_t>(trials()) * rows};
     }
     return sum;
   }

@@ -4,16 +4,20 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <system_error>
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/verify.hpp"
+#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/block_order.hpp"
+#include "experiments/studies/estimate.hpp"
 #include "experiments/studies/expected.hpp"
 #include "experiments/studies/interruption.hpp"
 #include "experiments/studies/notes.hpp"
@@ -55,7 +59,6 @@ class Share {
     return sum;
   }
 
- private:
   [[nodiscard]] double cost_left(std::size_t number) const {
     const Job& job = *jobs_[number];
     const auto each = job.blocks_per_part();
@@ -70,10 +73,56 @@ class Share {
     return sum;
   }
 
+ private:
   const Jobs& jobs_;
   const Ledger& ledger_;
   std::vector<BlockSet::Run> blocks_;  ///< per job
 };
+
+/// What is left of a run takes.
+struct Needs {
+  double seconds = 0;  ///< of processor time
+  double disk = 0;     ///< bytes at most: files of blocks, and beside them the bundle
+  double memory = 0;   ///< bytes at most
+};
+
+rusage used_so_far() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return used;
+}
+
+double seconds_of(const timeval& time) {
+  constexpr double microsecond = 1e-6;
+  return static_cast<double>(time.tv_sec) + microsecond * static_cast<double>(time.tv_usec);
+}
+
+Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, const Extent& extent) {
+  constexpr double bytes_per_row = 300;
+  constexpr double nanosecond = 1e-9;
+  constexpr double kilobyte = 1024;
+  const auto used = used_so_far();  // for the plan, which a run makes as well
+  Needs needs{.seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
+              .disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
+                      bytes_per_row * static_cast<double>(extent.rows)};
+  double result_bytes = 0;
+  double parts = 0;
+  std::size_t job = 0;
+  for (const auto& one : request.suites)
+    for (const auto& study : one.studies) {
+      const auto estimated = estimate(study, {one.seed, request.tier});
+      needs.seconds += nanosecond * estimated.per_cost * share.cost_left(job);
+      needs.memory += estimated.result_memory;
+      result_bytes += estimated.result_bytes;
+      parts += static_cast<double>(plan.jobs[job++]->parts());
+    }
+  // Every file of blocks begins or ends within a part, which is then in two. Gathered into one, all is there twice.
+  const double files = Ledger::files_after(needs.seconds);
+  const bool gathered = files == Ledger::files_after(std::numeric_limits<double>::infinity());
+  needs.disk += result_bytes * (1 + files / std::max(1.0, parts) + (gathered ? 1 : 0));
+  needs.memory += kilobyte * static_cast<double>(used_so_far().ru_maxrss);  // of pilots: what a trial takes meanwhile
+  return needs;
+}
 
 void describe(const RunRequest& request, const Plan& plan, bool already_complete) {
   Extent extent;
@@ -83,17 +132,15 @@ void describe(const RunRequest& request, const Plan& plan, bool already_complete
   require_same(found, plan, Exit::usage);
   for (const auto& line : ledger.load(found, Ledger::Whose::all)) note(line);
   const Share share(plan.jobs, ledger, request.shard.value_or(Shard()));
-  constexpr std::size_t bytes_per_row = 300;
+  const Needs needs = already_complete ? Needs{} : needs_of(request, plan, share, extent);
   constexpr double megabyte = 1e6;
-  constexpr double second = 1e9;  // in nanoseconds
-  const double left = already_complete ? 0 : share.cost_left() / second;
   fmt::print("studies      {}\ncells        {}\nevaluations  {}\n", plan.jobs.size(), extent.cells, extent.evaluations);
   fmt::print("blocks       {}{}, {} of them done\n", share.count(),
              request.shard ? fmt::format(" of {}", name_of(request.shard)) : "",
              already_complete ? share.count() : share.count_done());
-  fmt::print("estimated    {:.0f} s on one thread, {:.1f} MB of disk, {:.0f} MB of memory\nout          {}{}\n", left,
-             static_cast<double>(extent.rows * bytes_per_row) / megabyte, static_cast<double>(extent.memory) / megabyte,
-             request.out.string(), already_complete ? " (already complete)" : "");
+  fmt::print("estimated    {:.1f} s on one thread, {:.2f} MB of disk, {:.0f} MB of memory\nout          {}{}\n",
+             needs.seconds, needs.disk / megabyte, needs.memory / megabyte, printable(request.out.string()),
+             already_complete ? " (already complete)" : "");
 }
 
 /// Before anything is done rather than after hours of it: times need a clock that is fit for them.

@@ -52,7 +52,7 @@ class Search {
   [[nodiscard]] virtual Outcome run() const = 0;
   virtual void write(const Outcome& outcome, Tables& tables) const = 0;
   virtual void collect(const Outcome& outcome, std::vector<Violation>& violations) const = 0;
-  [[nodiscard]] virtual int degree() const = 0;
+  [[nodiscard]] virtual const sample::Cell& cell() const = 0;
 };
 
 template <class Scalar>
@@ -99,7 +99,7 @@ class ScalarSearch final : public Search {
                           outcome.violations});
   }
 
-  [[nodiscard]] int degree() const override { return cell_.degree; }
+  [[nodiscard]] const sample::Cell& cell() const override { return cell_; }
 
  private:
   static std::vector<std::string> columns() {
@@ -183,12 +183,14 @@ class SearchJob final : public JobOf<Outcome> {
 
   [[nodiscard]] std::size_t parts() const override { return searches_.size(); }
   [[nodiscard]] double cost(std::size_t part) const override {
-    const double n = searches_[part]->degree() + 1.0;
+    const double n = searches_[part]->cell().degree + 1.0;
     return static_cast<double>(study_.trials + study_.budget) * (200 + 150 * n + 4 * n * n);
   }
   [[nodiscard]] Extent extent() const override {
     const auto evaluations = static_cast<std::uint64_t>(study_.trials + study_.budget);
-    return {searches_.size(), searches_.size(), evaluations * searches_.size(), searches_.size() * sizeof(Outcome)};
+    Extent sum;
+    for (const auto& search : searches_) sum += {1, 1, evaluations, bytes_of_input(search->cell())};
+    return sum;
   }
   void write(Tables& tables) const override {
     for (std::size_t part = 0; part < searches_.size(); ++part) searches_[part]->write(state(part), tables);

@@ -51,7 +51,7 @@ struct Goal {
   int from_degree = 0;
   int to_degree = max_degree;
   bool needs_additions_beside = false;  ///< only where additions beside multiply-adds raise the peak
-  friend bool operator==(const Goal&, const Goal&) = default;
+  friend auto operator<=>(const Goal&, const Goal&) = default;
 };
 
 /// One [[study]] table. Axes are swept in the cross product.
