@@ -24,7 +24,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True  # the source tree may be read-only
-from report.bundle import Comparison, Folder  # noqa: E402
+from report.bundle import Bundle, Comparison, Folder  # noqa: E402
 from report.chapters import method_list  # noqa: E402
 from report.chapters.scorecard import VERDICTS, counts  # noqa: E402
 from report.wording import listing  # noqa: E402
@@ -101,7 +101,7 @@ class Listing(Folder):
         return self._csv(self.path / name)
 
 
-def listing(program):
+def method_list_of(program):
     """The methods of our own, as CSV; peers depend on what a machine has installed."""
     text = subprocess.run([program, "list", "methods", "--format", "csv"], check=True, capture_output=True, text=True).stdout
     return "".join(line for line in text.splitlines(keepends=True) if not line.startswith("peer_"))
@@ -110,7 +110,7 @@ def listing(program):
 def methods(program):
     """The program's methods in the columns of the report's chapter."""
     with tempfile.TemporaryDirectory() as place:
-        (Path(place) / "methods.csv").write_text(listing(program), encoding="utf-8")
+        (Path(place) / "methods.csv").write_text(method_list_of(program), encoding="utf-8")
         listed = method_list.listed(Listing(place))
     body = [[write(row).replace("|", "\\|") for _, write in method_list.COLUMNS] for row in listed]
     return table([heading for heading, _ in method_list.COLUMNS], body)
@@ -151,13 +151,23 @@ def comparison(program):
     return textwrap.fill(words, WIDTH) + "\n\n" + table(["curve", "method", *(f"n = {n:.0f}" for n in degrees)], body)
 
 
-def differing_method(listed, baseline):
-    """The first line of `baseline` for which `listed` has no line of the same facts; None where there is none."""
+def judged_methods():
+    """The ids of evaluators and conversions whose errors are in the baseline's tables."""
+    ids = set()
+    for name, column in (("accuracy.csv", "method"), ("conversion.csv", "conversion")):
+        with open(BASELINE / name, newline="", encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                ids.update(re.split("[:+]", row[column]))
+    return ids
+
+
+def differing_method(listed, baseline, judged):
+    """The first of the `judged` methods in `baseline` for which `listed` has no line of the same facts; None without one."""
     def facts(text):
         return [{column: field for column, field in row.items() if column not in WORDING}
                 for row in csv.DictReader(io.StringIO(text))]
     known = facts(listed)
-    return next((row["id"] for row in facts(baseline) if row not in known), None)
+    return next((row["id"] for row in facts(baseline) if row["id"] in judged and row not in known), None)
 
 
 PARTS = {"printed": printed, "scorecard": scorecard, "digest": digest}
@@ -192,7 +202,8 @@ def main():
         for bundle in committed_bundles():
             if subprocess.run([options.program, "verify", bundle], stdout=subprocess.DEVNULL, check=False).returncode != 0:
                 sys.exit(f"{bundle.relative_to(ROOT)}: not as it was written; restore it")
-        differing = differing_method(listing(options.program), (BASELINE / "methods.csv").read_text(encoding="utf-8"))
+        differing = differing_method(method_list_of(options.program), (BASELINE / "methods.csv").read_text(encoding="utf-8"),
+                                     judged_methods())
         if differing:
             sys.exit(f"results/baseline/methods.csv: {differing} is not as the program lists it; run scripts/check golden "
                      "--update")

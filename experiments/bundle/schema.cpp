@@ -187,7 +187,8 @@ constexpr std::array keywords{Keyword{"$ref", reference},
                               Keyword{"$schema", nothing},
                               Keyword{"$defs", nothing},
                               Keyword{"title", nothing},
-                              Keyword{"description", nothing}};
+                              Keyword{"description", nothing},
+                              Keyword{"deprecated", nothing}};
 
 const Keyword& keyword_of(std::string_view name) {
   const auto found = std::ranges::find(keywords, name, &Keyword::name);

@@ -36,7 +36,11 @@ class GeometricMean {
 };
 
 Standing standing(const Side& side) {
-  return {.bundle = side.name, .cpu = side.fact("cpu.model_name"), .compiler = side.fact("build.compiler")};
+  Standing standing;
+  standing.bundle = side.name;
+  standing.cpu = side.fact("cpu.model_name");
+  standing.compiler = side.fact("build.compiler");
+  return standing;
 }
 
 /// Times over its own are 1.
