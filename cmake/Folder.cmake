@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
-# bezierbench_folder(NAME DEPENDS target...): the sources of this folder become the library NAME, its *_test.cpp the
-# test program NAME_test. Files are globbed so that adding a method or a study needs no second list.
+# bezierbench_folder(NAME [SUBFOLDERS] DEPENDS target...): the sources of this folder, and with SUBFOLDERS those of the
+# folders in it, become the library NAME, their *_test.cpp the test program NAME_test. Files are globbed so that adding a method or a study needs no second list.
 function(bezierbench_folder name)
-  cmake_parse_arguments(FOLDER "" "" "DEPENDS;TEST_DEPENDS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  cmake_parse_arguments(FOLDER "SUBFOLDERS" "" "DEPENDS;TEST_DEPENDS" ${ARGN})
+  set(patterns *.cpp)
+  if(FOLDER_SUBFOLDERS)
+    list(APPEND patterns */*.cpp)
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   set(tests ${sources})
-  list(FILTER sources EXCLUDE REGEX "(_test|_fuzz|/main)\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "(_test|_fuzz|/main|/failing_calls)\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
   if(sources)
     add_library(${name} STATIC ${sources})

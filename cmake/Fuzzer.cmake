@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: MIT
-# bezierbench_fuzzer(NAME DEPENDS target... CORPUS file... [SOURCES file...]): NAME_fuzz.cpp becomes a fuzzer. Under the
+# bezierbench_fuzzer(PATH DEPENDS target... CORPUS file... [SOURCES file...]): PATH_fuzz.cpp becomes a fuzzer, which
+# has the name of the file. Under the
 # preset `fuzz` that is libFuzzer's, for scripts/check fuzz; elsewhere a test gives it the files of the corpus and some
 # thousand changed ones.
 option(BEZIERBENCH_LIBFUZZER "link the fuzzers with libFuzzer (Clang)" OFF)
 add_custom_target(fuzzers)
 
-function(bezierbench_fuzzer name)
+function(bezierbench_fuzzer path)
+  get_filename_component(name ${path} NAME)
   cmake_parse_arguments(FUZZER "" "" "DEPENDS;CORPUS;SOURCES" ${ARGN})
   if(NOT BEZIERBENCH_TESTS)
     return()
   endif()
-  add_executable(${name}_fuzzer ${name}_fuzz.cpp ${FUZZER_SOURCES})
+  add_executable(${name}_fuzzer ${path}_fuzz.cpp ${FUZZER_SOURCES})
   target_link_libraries(${name}_fuzzer PRIVATE ${FUZZER_DEPENDS})
   set_target_properties(${name}_fuzzer PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/fuzzers)
   add_dependencies(fuzzers ${name}_fuzzer)

@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/check/verify.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/lock_file.hpp"
 #include "experiments/bundle/scratch_folder_test.hpp"
 #include "experiments/bundle/small_bundle_test.hpp"
-#include "experiments/bundle/verify.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {

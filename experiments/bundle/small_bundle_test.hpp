@@ -6,8 +6,8 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/check/verify.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/bundle/verify.hpp"
 
 namespace bezierbench::bundle {
 

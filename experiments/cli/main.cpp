@@ -9,11 +9,11 @@
 #include <string>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/cli/commands.hpp"
-#include "experiments/cli/diagnostics.hpp"
-#include "experiments/cli/floating_point.hpp"
-#include "experiments/cli/limits.hpp"
-#include "experiments/cli/vocabulary.hpp"
+#include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/floating_point.hpp"
+#include "experiments/cli/startup/limits.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
 
 namespace {
 

@@ -10,8 +10,8 @@
 //     [x - y - sqrt(log(b/b_low)^2 + log(a_high/a)^2),  x - y + sqrt(log(b_high/b)^2 + log(a/a_low)^2)]
 //
 // at the confidence of the two intervals. It covers what varied within the runs, which is why each time is taken in
-// several sittings (experiments/timing/sitting.hpp): what two races of one run do not share, two runs do not share
-// either.
+// several repetitions (experiments/timing/repetition.hpp): what two races of one run do not share, two runs do not
+// share either.
 #pragma once
 
 #include "experiments/metric/order_statistics.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/bundle/checked_reader.hpp"
+#include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/facts.hpp"
 #include "experiments/bundle/manifest.hpp"

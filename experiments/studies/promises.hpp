@@ -52,7 +52,7 @@ struct Promises {
 /// What blocks of trials gave in one cell: a Row for each tolerance and, within it, each method as the study chose
 /// them.
 template <class Row>
-struct PromiseRows {
+struct ToleranceRows {
   std::vector<Row> rows;
 
   template <class Bytes, class Self>
@@ -60,7 +60,7 @@ struct PromiseRows {
     bytes(self.rows);
   }
 
-  void merge(const PromiseRows& other) {
+  void merge(const ToleranceRows& other) {
     if (other.rows.size() != rows.size()) throw std::invalid_argument("tallies of different cells");
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].merge(other.rows[k]);
   }

@@ -8,17 +8,17 @@
 #include <string_view>
 
 #include "experiments/failure.hpp"
-#include "experiments/studies/accuracy.hpp"
-#include "experiments/studies/arc_length.hpp"
-#include "experiments/studies/conversion.hpp"
-#include "experiments/studies/derivative.hpp"
-#include "experiments/studies/fitting.hpp"
-#include "experiments/studies/interpolation.hpp"
-#include "experiments/studies/inverse_arc_length.hpp"
-#include "experiments/studies/projection.hpp"
-#include "experiments/studies/roofline.hpp"
-#include "experiments/studies/search.hpp"
-#include "experiments/studies/timing.hpp"
+#include "experiments/studies/accuracy/accuracy.hpp"
+#include "experiments/studies/arc_length/arc_length.hpp"
+#include "experiments/studies/conversion/conversion.hpp"
+#include "experiments/studies/derivative/derivative.hpp"
+#include "experiments/studies/fitting/fitting.hpp"
+#include "experiments/studies/interpolation/interpolation.hpp"
+#include "experiments/studies/inverse_arc_length/inverse_arc_length.hpp"
+#include "experiments/studies/projection/projection.hpp"
+#include "experiments/studies/roofline/roofline.hpp"
+#include "experiments/studies/search/search.hpp"
+#include "experiments/studies/timing/timing.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::studies {
@@ -26,7 +26,7 @@ namespace {
 
 struct StudyKind {
   suite::Kind kind;
-  std::unique_ptr<Job> (*make)(const suite::Study& study, const JobContext& context);
+  std::unique_ptr<run::Job> (*make)(const suite::Study& study, const run::JobContext& context);
   /// Names of the tables that its rows go to, without .csv; `a|b` where the methods decide which.
   std::array<std::string_view, 2> tables;
 };
@@ -46,7 +46,7 @@ constexpr std::array kinds{
 
 }  // namespace
 
-std::unique_ptr<Job> make_job(const suite::Study& study, const JobContext& context) {
+std::unique_ptr<run::Job> make_job(const suite::Study& study, const run::JobContext& context) {
   try {
     for (const auto& one : kinds)
       if (one.kind == study.kind) return one.make(study, context);

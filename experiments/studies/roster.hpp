@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "experiments/studies/job.hpp"
+#include "experiments/run/job.hpp"
 
 namespace bezierbench::studies {
 
 /// The work of one study. Throws Failure(usage) where the kind has no implementation or the methods do not fit.
-std::unique_ptr<Job> make_job(const suite::Study& study, const JobContext& context);
+std::unique_ptr<run::Job> make_job(const suite::Study& study, const run::JobContext& context);
 
 /// The tables that a study of this kind writes wherever it has rows, by file name: one of each list.
 [[nodiscard]] std::vector<std::vector<std::string>> tables_of(suite::Kind kind);

@@ -42,7 +42,8 @@ struct Interval {
   friend auto operator<=>(const Interval&, const Interval&) = default;
 };
 
-/// Asks of a method's batch kernel a share of the peak or the time of another method, in every row that it is about.
+/// CaseAxes of a method's batch kernel a share of the peak or the time of another method, in every row that it is
+/// about.
 struct Goal {
   std::string method = {};                  ///< id
   double share = 0;                         ///< of the target's peak, at least; 0: not asked

@@ -122,7 +122,7 @@ Finding check_points(const Study& study) {
 }
 
 /// What only studies of some kinds have, and need. A timing study may have what its problem is asked.
-Finding check_asked(const Study& study) {
+Finding check_cases(const Study& study) {
   const bool derivative = study.kind == Kind::derivative;
   if (study.order.empty() == derivative && study.kind != Kind::timing) {
     return Problem{"order", 0, "kind",
@@ -349,7 +349,7 @@ std::optional<Problem> validate(const Study& study, const Vocabulary& known) {
   if (auto found = check_present(study)) return found;
   if (auto found = check_axes(study)) return found;
   if (auto found = check_counts(study)) return found;
-  if (auto found = check_asked(study)) return found;
+  if (auto found = check_cases(study)) return found;
   if (auto found = check_points(study)) return found;
   if (auto found = check_ids(study, known)) return found;
   if (auto found = check_goals(study, known)) return found;

@@ -4,7 +4,7 @@
 import math
 
 from ..bundle import Missing
-from ..findings.choosing import ON, heat
+from ..findings.choosing import ON, race_cell
 from ..methods import FORM
 from ..wording import general
 from .canvas import COLOURS, FAINT, finish, log_axis, panels, styled
@@ -20,7 +20,7 @@ def draw(bundle):
     """A panel for the lowest, a middle and the highest degree of the first form; filled marks are on the front."""
     rows = bundle["pareto.csv"].rows
     curve = rows[0]["curve"] if rows else None
-    degrees = heat(rows, curve)
+    degrees = race_cell(rows, curve)
     if not degrees:
         raise Missing("`pareto.csv` has no times in double, mode `point`")
     values = list(degrees)

@@ -10,7 +10,7 @@ SUITE = "speed"
 ON, OFF = "yes", "no"
 
 
-def heat(rows, curve, mode="point", scalar="double"):
+def race_cell(rows, curve, mode="point", scalar="double"):
     """{degree: rows, fastest first} of one form, mode and scalar type, in the plane."""
     degrees = {}
     for row in rows:
@@ -22,7 +22,7 @@ def heat(rows, curve, mode="point", scalar="double"):
 def find(bundle):
     """Holds where at every degree at least half of the methods are never worth choosing."""
     table = bundle["pareto.csv"].starting("speed-")
-    degrees = heat(table.rows, "bezier")
+    degrees = race_cell(table.rows, "bezier")
     if not degrees:
         raise Missing("`pareto.csv` has no Bézier curves in double, mode `point`")
     off = {n: [r for r in rows if r["pareto"] == OFF] for n, rows in degrees.items()}

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/check/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <optional>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/check/few_lines.hpp"
+#include "experiments/bundle/check/schema.hpp"
+#include "experiments/bundle/check/sums.hpp"
+#include "experiments/bundle/check/table_schema.hpp"
+#include "experiments/bundle/csv.hpp"
+#include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/folder.hpp"
+#include "experiments/bundle/json_object.hpp"
+#include "experiments/bundle/manifest.hpp"
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+namespace {
+
+namespace fs = std::filesystem;
+using Findings = std::vector<std::string>;
+
+constexpr std::string_view machine_name = "machine.json";
+constexpr std::string_view suite_name = "suite.toml";
+
+// Every bundle has them, whatever its suites.
+constexpr std::array<std::string_view, 3> required_files{manifest_name, suite_name, machine_name};
+
+bool contains(const auto& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
+
+void append(Findings& findings, const Findings& more) { findings.insert(findings.end(), more.begin(), more.end()); }
+
+/// What `check` throws as a Failure is a finding.
+template <class Check>
+void or_finding(Findings& findings, Check check) {
+  try {
+    check();
+  } catch (const Failure& failure) {
+    findings.emplace_back(failure.what());
+  }
+}
+
+class Verification {
+ public:
+  Verification(const fs::path& path, Folder folder) : path_(path), folder_(std::move(folder)) {}
+
+  Findings findings(const SuiteReader& read_suites) {
+    if (folder_has(suite_name)) check_suites(read_suites);
+    for (const auto& name : folder_.files) check_file(name);
+    Findings all;
+    if (folder_has(manifest_name)) or_finding(all, [&] { check_manifest(all); });
+    for (const std::string_view name : required_files)
+      if (!folder_has(name)) add(all, name, "is missing");
+    if (complete_) check_tables_there(all);
+    if (folder_has(sums_name))
+      check_sums(all);
+    else
+      add(all, sums_name, "is missing");
+    append(all, suite_findings_);
+    if (folder_has(machine_name)) or_finding(all, [&] { check_machine(all); });
+    check_strays(all);
+    append(all, table_findings_);
+    return all;
+  }
+
+ private:
+  [[nodiscard]] bool folder_has(std::string_view name) const { return contains(folder_.files, name); }
+  [[nodiscard]] std::string place(std::string_view name) const { return (path_ / name).string(); }
+  void add(Findings& to, std::string_view name, std::string_view what) const {
+    to.push_back(fmt::format("{}: {}", place(name), what));
+  }
+  static bool is_known(std::string_view name) {
+    return contains(required_files, name) || name == sums_name || is_table_name(name);
+  }
+
+  void check_suites(const SuiteReader& read_suites) {
+    or_finding(suite_findings_, [&] {
+      const std::string text = read_bundle_file(path_ / suite_name);
+      suite_digest_ = sha256_hex(text);
+      expected_ = read_suites(text, place(suite_name));
+    });
+  }
+
+  /// Reads each file once: what its checksum is, and what it says, if it is a table.
+  void check_file(const std::string& name) {
+    const std::string bytes = read_bundle_file(path_ / name);
+    digests_[name] = sha256_hex(bytes);
+    if (is_table_name(name))
+      or_finding(table_findings_, [&] {
+        const auto table = parse_csv(bytes, place(name));
+        append(table_findings_, table_faults(name, table));
+        check_rows(table);
+      });
+  }
+
+  /// A row that broke a proved bound is a finding, in whichever table it stands; likewise one whose time is not of what
+  /// was judged, and one of a study that is not this bundle's.
+  void check_rows(const CsvDocument& table) {
+    each_field(table, "bound_violations", [](const std::string& count) {
+      return count.empty() || count == "0" ? "" : count + " bound violations";
+    });
+    each_field(table, "checked", [](const std::string& checked) {
+      return checked == "no" ? "what was timed did not give what was judged" : "";
+    });
+    if (!expected_) return;
+    each_field(table, "study", [&](const std::string& study) {
+      return contains(expected_->studies, study) ? "" : "its study is not one of those of suite.toml";
+    });
+  }
+
+  template <class Fault>
+  void each_field(const CsvDocument& table, std::string_view column, Fault fault) {
+    if (!table.has_column(column)) return;
+    const std::size_t place = table.column(column);
+    FewLines lines(table.file_name());
+    for (std::size_t row = 0; row < table.row_count(); ++row)
+      if (const std::string what = fault(table.row(row)[place]); !what.empty())
+        lines.add(fmt::format("{}:{}: {}", table.file_name(), table.line(row), what));
+    append(table_findings_, lines.take());
+  }
+
+  void check_manifest(Findings& all) {
+    const std::string text = read_bundle_file(path_ / manifest_name);
+    const Manifest manifest = parse_manifest(text, place(manifest_name));
+    if (const auto fault = manifest_schema().fault(parse_json_object(text, place(manifest_name))))
+      add(all, manifest_name, *fault);
+    complete_ = manifest.state == complete;
+    if (!complete_) add(all, manifest_name, "state is partial; continue with bezierbench run");
+    if (const std::string digest = accuracy_digest_of_files(); digest != manifest.accuracy_digest)
+      add(all, manifest_name,
+          fmt::format("accuracy_digest is {}, the files give {}", manifest.accuracy_digest, digest));
+    if (suite_digest_ && *suite_digest_ != manifest.suite_digest)
+      add(all, manifest_name,
+          fmt::format("its digest of suites is {}, suite.toml gives {}", manifest.suite_digest, *suite_digest_));
+    if (!expected_) return;
+    if (expected_->seed != manifest.seed)
+      add(all, manifest_name, fmt::format("seed is {}, in suite.toml {}", manifest.seed, expected_->seed));
+    if (expected_->suites != manifest.suites) add(all, manifest_name, "its suites are not those of suite.toml");
+  }
+
+  [[nodiscard]] std::string accuracy_digest_of_files() const {
+    std::string lines;
+    for (const auto& [name, digest] : digests_)  // a map is sorted by name
+      if (contains(deterministic_files, name)) lines += fmt::format("{}  {}\n", digest, name);
+    return sha256_hex(lines);
+  }
+
+  void check_tables_there(Findings& all) const {
+    if (!expected_) return;
+    for (const auto& one_of : expected_->tables)
+      if (std::ranges::none_of(one_of, [&](const auto& name) { return folder_has(name); }))
+        add(all, one_of.front(), "is missing, a study of suite.toml gives it");
+  }
+
+  void check_sums(Findings& all) {
+    const Sums sums = parse_sums(read_bundle_file(path_ / sums_name));
+    for (const auto line : sums.malformed)
+      add(all, fmt::format("{}:{}", sums_name, line), "not a line of sha256sum, or its name occurs twice");
+    for (const auto& [name, digest] : sums.digests) {
+      if (!folder_has(name)) {
+        // Required ones were named already.
+        if (!contains(required_files, name)) add(all, name, "is listed in SHA256SUMS and is missing");
+      } else if (digests_.at(name) != digest) {
+        add(all, name, "checksum differs from SHA256SUMS");
+      }
+    }
+    for (const std::string& name : folder_.files)
+      if (name != sums_name && is_known(name) && !sums.digests.contains(name)) add(all, name, "is not in SHA256SUMS");
+  }
+
+  void check_machine(Findings& all) const {
+    const std::string file = place(machine_name);
+    if (const auto fault = machine_schema().fault(parse_json_object(read_bundle_file(file), file)))
+      add(all, machine_name, *fault);
+  }
+
+  void check_strays(Findings& all) const {
+    for (const std::string& name : folder_.files)
+      if (!is_known(name)) add(all, name, "does not belong to a bundle; remove it");
+    for (const std::string& name : folder_.temporaries) add(all, name, "left by an interrupted write; remove it");
+    for (const std::string& name : folder_.others) {
+      if (name != blocks_name || fs::is_symlink(path_ / name))
+        add(all, name, "does not belong to a bundle; remove it");
+      else if (complete_)
+        add(all, name, "left in a complete bundle; continue with bezierbench run or remove it");
+    }
+  }
+
+  fs::path path_;
+  Folder folder_;
+  bool complete_ = false;
+  std::optional<Expected> expected_;
+  std::optional<std::string> suite_digest_;
+  std::map<std::string, std::string> digests_;  ///< by name of the file
+  Findings suite_findings_;
+  Findings table_findings_;
+};
+
+/// One file alone of those that a bundle has may have been lost, or be in any folder.
+bool looks_like_a_bundle(const Folder& folder) {
+  const auto count = std::ranges::count_if(required_files, [&](auto name) { return contains(folder.files, name); });
+  return contains(folder.files, manifest_name) || count + contains(folder.files, sums_name) >= 2 ||
+         (count >= 1 && contains(folder.others, blocks_name));
+}
+
+}  // namespace
+
+Findings verify(const fs::path& path, const SuiteReader& read_suites) {
+  Folder folder = list_folder(path);
+  if (!looks_like_a_bundle(folder))
+    return {fmt::format("{}: is not a bundle; give a folder that bezierbench run wrote", path.string())};
+  return Verification(path, std::move(folder)).findings(read_suites);
+}
+
+}  // namespace bezierbench::bundle

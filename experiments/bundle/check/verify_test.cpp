@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/check/verify.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "experiments/bundle/scratch_folder_test.hpp"
+#include "experiments/bundle/small_bundle_test.hpp"
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto place = text.find(from);
+  if (place == std::string::npos) throw std::invalid_argument("nothing to replace: " + from);
+  return text.replace(place, from.size(), to);
+}
+
+class Verify : public testing::Test {
+ protected:
+  Verify() : bundle_(filled(folder_.path() / "b")) { bundle_.finish(with_state("complete")); }
+
+  void put(const std::string& name, std::string_view bytes) { folder_.put("b/" + name, bytes); }
+  void remove(const std::string& name) { fs::remove(bundle_.path() / name); }
+  /// Another content of a file, with the checksum that belongs to it.
+  void change(const std::string& name, const std::string& from, const std::string& to) {
+    bundle_.write(name, replaced(bundle_.read(name), from, to));
+    bundle_.finish(with_state("complete"));
+  }
+  [[nodiscard]] std::vector<std::string> findings() const { return verify(bundle_.path(), expected); }
+
+  ScratchFolder folder_;
+  BundleDirectory bundle_;
+};
+
+TEST_F(Verify, AGoodBundle) { EXPECT_THAT(findings(), IsEmpty()); }
+
+TEST_F(Verify, ChangedNoisyFile) {
+  put("timing.csv", replaced(bundle_.read("timing.csv"), "yes\n", "yes\r\n"));
+  EXPECT_THAT(findings(), ElementsAre(EndsWith("timing.csv: checksum differs from SHA256SUMS")));
+}
+
+TEST_F(Verify, ChangedDeterministicFileShowsInTheDigestToo) {
+  put("accuracy.csv", replaced(bundle_.read("accuracy.csv"), ",100,", ",101,"));
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("accuracy_digest"), EndsWith("accuracy.csv: checksum differs from "
+                                                                             "SHA256SUMS")));
+}
+
+TEST_F(Verify, MissingFiles) {
+  remove("timing.csv");
+  remove("machine.json");
+  EXPECT_THAT(findings(),
+              ElementsAre(EndsWith("machine.json: is missing"), HasSubstr("timing.csv: is missing, a study"),
+                          EndsWith("timing.csv: is listed in SHA256SUMS and is missing")));
+  remove("bundle.json");
+  EXPECT_THAT(findings(), Contains(EndsWith("bundle.json: is missing")));
+}
+
+TEST_F(Verify, TablesThatItsStudiesAskFor) {
+  remove("timing.csv");
+  bundle_.finish(with_state("complete"));
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv: is missing, a study of suite.toml gives it")));
+}
+
+TEST_F(Verify, UnknownFilesFoldersAndLeftovers) {
+  put("notes.txt", "x");
+  put("folder/x", "x");
+  put("blocks/x", "x");
+  put(".bezierbench-1-2.tmp", "x");
+  fs::create_symlink("accuracy.csv", bundle_.path() / "link.csv");
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("notes.txt: does not belong"), HasSubstr("interrupted write"),
+                                      HasSubstr("b/blocks: left"), HasSubstr("b/folder: "), HasSubstr("b/link.csv: ")));
+}
+
+TEST_F(Verify, ListedFilesThatNoBundleHas) {
+  put("other.csv", "a\n1\n");
+  bundle_.finish(with_state("complete"));
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("other.csv: does not belong to a bundle")));
+}
+
+TEST_F(Verify, AFolderThatIsNoBundleIsOneLine) {
+  for (const char* name : {"thesis/a.tex", "thesis/b.tex", "thesis/blocks/c", "iso/SHA256SUMS", "iso/d"})
+    folder_.put(name, "x");
+  for (const char* name : {"thesis", "iso"})
+    EXPECT_THAT(verify(folder_.path() / name, expected), ElementsAre(HasSubstr("is not a bundle; give a folder that")));
+}
+
+TEST_F(Verify, DamagedManifest) {
+  put("bundle.json", "{\"schema_version\": 1");
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("malformed JSON"), EndsWith("bundle.json: checksum differs from "
+                                                                            "SHA256SUMS")));
+}
+
+TEST_F(Verify, ManifestOfAnotherSuite) {
+  Manifest other = with_state("complete");
+  other.suite_digest = std::string(64, '0');
+  other.seed = 2;
+  other.suites = {"another"};
+  bundle_.finish(other);
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("its digest of suites is 000"), HasSubstr("seed is 2, in suite.toml 1"),
+                                      HasSubstr("its suites are not those")));
+}
+
+TEST_F(Verify, ManifestAgainstItsSchema) {
+  Manifest other = with_state("complete");
+  other.git_commit = "main";
+  bundle_.finish(other);
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("bundle.json: git_commit is \"main\"")));
+}
+
+TEST_F(Verify, SuiteThatDoesNotRead) {
+  EXPECT_THAT(
+      verify(bundle_.path(),
+             [](const auto&, const std::string& file) -> Expected { throw Failure(Exit::usage, file + ":1:1: what"); }),
+      ElementsAre(HasSubstr("suite.toml:1:1: what")));
+}
+
+TEST_F(Verify, MachineThatIsNotJson) {
+  bundle_.write("machine.json", "{\"cpu\": \n");
+  bundle_.finish(with_state("complete"));
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("machine.json:2:1: malformed JSON")));
+}
+
+TEST_F(Verify, MachineAgainstItsSchema) {
+  change("machine.json", "\"smt\": ", "\"smt\": 3, \"smtx\": ");
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("machine.json: cpu.smt")));
+}
+
+TEST_F(Verify, CutOrDoubledSums) {
+  const std::string sums = bundle_.read("SHA256SUMS");
+  put("SHA256SUMS", std::string_view(sums).substr(0, sums.size() - 1));
+  EXPECT_THAT(findings(), Contains(HasSubstr("SHA256SUMS:5: ")));
+  put("SHA256SUMS", sums + sums.substr(0, sums.find('\n') + 1));
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("SHA256SUMS:6: ")));
+}
+
+TEST_F(Verify, TableThatIsNotCsv) {
+  bundle_.write("audit.csv", "a,b\n1\n");
+  bundle_.finish(with_state("complete"));
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("audit.csv:2: row has 1 field")));
+}
+
+TEST_F(Verify, ColumnsOfTables) {
+  change("accuracy.csv", "mean_error,", "mean,");
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("accuracy.csv:1: column 'mean' does not belong"),
+                                      HasSubstr("accuracy.csv:1: column 'mean_error' is missing")));
+}
+
+TEST_F(Verify, TypesOfFields) {
+  change("accuracy.csv", ",2,3,1,0,1,", ",two,3.5,1,0,1e,");
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("accuracy.csv:2: dimension is \"two\""),
+                                      HasSubstr("accuracy.csv:2: degree is \"3.5\""),
+                                      HasSubstr("accuracy.csv:2: t_max is \"1e\"")));
+}
+
+TEST_F(Verify, AHostileTableIsAFewLines) {
+  std::string table = bundle_.read("accuracy.csv");
+  const auto header = table.substr(0, table.find('\n') + 1);
+  const auto columns = static_cast<std::size_t>(std::ranges::count(header, ',')) + 1;
+  std::string row = "?";
+  for (std::size_t k = 1; k < columns; ++k) row += ",?";
+  table = header;
+  for (int k = 0; k < 1000; ++k) table += row + '\n';
+  bundle_.write("accuracy.csv", table);
+  bundle_.finish(with_state("complete"));
+  EXPECT_THAT(findings(), AllOf(SizeIs(testing::Lt(20U)), Contains(HasSubstr("more of that kind"))));
+}
+
+TEST_F(Verify, LongFieldsDoNotOverflowTheStack) {
+  bundle_.write("worst.csv", "coefficients\n0x1p+0" + std::string(5'000'000, ' ') + "\n");
+  bundle_.finish(with_state("complete"));
+  EXPECT_THAT(findings(), Contains(HasSubstr("worst.csv:2: coefficients is \"0x1p+0")));
+  std::string many = "0x1p+0";
+  while (many.size() < 5'000'000) many += " -0x1.8p-3";
+  bundle_.write("worst.csv", "coefficients\n" + many + "\n");
+  bundle_.finish(with_state("complete"));
+  EXPECT_THAT(findings(), testing::Each(testing::Not(HasSubstr("coefficients"))));
+}
+
+TEST_F(Verify, RowsThatAccuse) {
+  change("timing.csv", ",yes", ",no");
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv:2: what was timed did not give what was judged")));
+  change("timing.csv", ",no", ",yes");
+  change("timing.csv", "\nfixture-timing,", "\nother,");
+  EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv:2: its study is not one of those of suite.toml")));
+}
+
+/// Nothing but regular files is opened: this would wait for ever, or fill the memory.
+TEST_F(Verify, PipesAndLinks) {
+  remove("timing.csv");
+  ASSERT_EQ(mkfifo((bundle_.path() / "timing.csv").c_str(), 0600), 0);
+  remove("accuracy.csv");
+  fs::create_symlink("/dev/zero", bundle_.path() / "accuracy.csv");
+  EXPECT_THAT(findings(), AllOf(Contains(HasSubstr("timing.csv: does not belong")),
+                                Contains(HasSubstr("accuracy.csv: does not belong"))));
+  remove("bundle.json");
+  fs::create_symlink("/dev/zero", bundle_.path() / "bundle.json");
+  EXPECT_THAT(findings(), Contains(HasSubstr("bundle.json: is missing")));
+}
+
+TEST_F(Verify, FilesBeyondEveryUse) {
+  fs::resize_file(bundle_.path() / "timing.csv", largest_bundle_file + 1);  // a sparse file
+  EXPECT_THROW((void)findings(), Failure);
+}
+
+TEST_F(Verify, NoFolder) { EXPECT_THROW((void)verify(folder_.path() / "absent", expected), Failure); }
+
+}  // namespace
+}  // namespace bezierbench::bundle

@@ -1,0 +1,178 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""`choose` from outside, and pareto.csv beside it. Usage: choose_test.py BEZIERBENCH"""
+import csv
+import io
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from program_case import FINDING, HEAD, INPUT_OUTPUT, USAGE, Case  # noqa: E402
+
+METHODS = ["de_casteljau", "compensated_de_casteljau", "horner_bernstein", "differences:horner"]
+# No error in units of u p~ is proved for all curves that go through rounded power coefficients, up to t = 1.
+NO_CLASS_BOUND = ("differences:horner", "differences:estrin")
+ELSEWHERE = "differences:estrin"  # timed with the others, judged in a study of its own
+STUDIES = ['[[study]]', 'id = "truth"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [8]', 'trials = 300',
+           f'methods = {METHODS}'.replace("'", '"'),
+           '[[study]]', 'id = "more"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [8]', 'trials = 900',
+           'coordinate_range = [0.5, 1, 8]', 't_interval = [[0, 1], [-10, 10]]', 'methods = ["de_casteljau"]',
+           '[[study]]', 'id = "small"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [8]', 'trials = 20',
+           f'methods = ["{ELSEWHERE}"]',
+           '[[study]]', 'id = "race"', 'kind = "timing"', 'curve = "bezier"', 'degree = [8]', 'modes = ["point"]',
+           f'methods = {[*METHODS, ELSEWHERE]}'.replace("'", '"')]
+COLUMNS = ["method", "mode", "ns", "ns_low", "ns_high", "observed_max", "bound", "unit", "pareto"]
+
+
+class Choose(Case):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "suite.toml").write_text("\n".join(HEAD + STUDIES) + "\n")
+        self.fine("run", "suite.toml", "--out", "b", "--quiet")
+
+    def table(self, name):
+        with open(self.folder / "b" / name, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def largest(self, column):
+        """The largest error of each method on the curves that were timed: coordinates in [-1, 1], t in [0, 1]."""
+        errors = {}
+        for row in self.table("accuracy.csv"):
+            if float(row["coordinate_range"]) <= 1 and (row["t_min"], row["t_max"]) == ("0", "1"):
+                errors[row["method"]] = max(errors.get(row["method"], 0), float(row[column]))
+        return errors
+
+    def chosen(self, *more):
+        return list(csv.DictReader(io.StringIO(self.fine("choose", "b", "--degree", "8", "--format", "csv", *more))))
+
+    def retime(self, ns):
+        """Puts other times into timing.csv: choose reads that file."""
+        rows = self.table("timing.csv")
+        for row in rows:
+            if row["method"] in ns:
+                row.update(zip(["median_ns", "low_ns", "high_ns"], map(str, ns[row["method"]])))
+        with open(self.folder / "b/timing.csv", "w", newline="") as file:
+            writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+        self.list_anew("b")
+
+    def test_lists_what_is_right_enough_fastest_first(self):
+        errors = self.largest("max_error_u")
+        self.assertGreater(errors["differences:horner"], 30)
+        found = self.chosen("--tolerance", "30")
+        self.assertEqual(list(found[0])[:len(COLUMNS)], COLUMNS)
+        self.assertEqual({row["method"] for row in found}, {m for m in errors if errors[m] <= 30})
+        self.assertEqual([float(row["ns"]) for row in found], sorted(float(row["ns"]) for row in found))
+        for row in found:
+            self.assertEqual(float(row["observed_max"]), errors[row["method"]])
+            self.assertEqual((row["unit"], row["mode"]), ("u", "point"))
+            kept = float(row["bound"]) <= 30
+            self.assertEqual(row["bound_of"], "trials" if row["method"] in NO_CLASS_BOUND else "class")
+            self.assertEqual(row["tolerance"], "observed" if not kept else "proved" if row["bound_of"] == "class" else
+                             "proved for the trials")
+
+    def test_proved_is_said_of_the_class_only(self):
+        """With a bound for each of the trials, another input of the class may be as wrong as one likes."""
+        rows = {row["method"]: row for row in self.chosen("--tolerance", "1e300")}
+        self.assertEqual({method for method, row in rows.items() if row["tolerance"] == "proved for the trials"}, set(NO_CLASS_BOUND))
+        self.assertEqual({row["tolerance"] for method, row in rows.items() if method not in NO_CLASS_BOUND}, {"proved"})
+        self.assertAlmostEqual(float(rows["de_casteljau"]["bound"]), 3 * 8, places=9)  # gamma_3n p~
+        told = self.fine("choose", "b", "--degree", "8", "--tolerance", "1e300")
+        self.assertIn("coordinates in [-1, 1], t in [0, 1]", told)
+        self.assertIn("proved for the trials", told)
+
+    def test_takes_every_row_of_the_class(self):
+        """Of both studies, with ranges up to that of the class and intervals in its own."""
+        def largest(*ranges):
+            return max(float(row["max_error_u"]) for row in self.table("accuracy.csv") if row["method"] == "de_casteljau"
+                       and row["coordinate_range"] in ranges and (row["t_min"], row["t_max"]) == ("0", "1"))
+        rows = {row["method"]: row for row in self.chosen("--tolerance", "1e300")}
+        self.assertEqual(float(rows["de_casteljau"]["observed_max"]), largest("0.5", "1"))
+        [wide] = self.chosen("--tolerance", "1e300", "--range", "8")  # nobody judged the others there
+        self.assertEqual(float(wide["observed_max"]), largest("0.5", "1", "8"))
+        self.assertEqual([wide[c] for c in ("method", "coordinate_range", "t_min", "t_max")], ["de_casteljau", "8", "0", "1"])
+
+    def test_no_bound_where_a_trial_has_none(self):
+        """What is proved of some of the trials is nothing that pareto.csv or choose may state."""
+        method = "wozny_chudy_positive"  # proved for t in [0, 1] only
+        both = f'methods = ["de_casteljau", "{method}"]\nt_interval = [[-10, 10]]\n'
+        (self.folder / "partly.toml").write_text("\n".join(HEAD + [
+            '[[study]]', 'id = "truth"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [8]', 'trials = 300', both,
+            '[[study]]', 'id = "race"', 'kind = "timing"', 'curve = "bezier"', 'degree = [8]', 'modes = ["point"]', both]))
+        self.fine("run", "partly.toml", "--out", "b2", "--quiet")
+        with open(self.folder / "b2/pareto.csv", newline="") as file:
+            stated = {row["method"]: row["bound_u"] for row in csv.DictReader(file)}
+        self.assertEqual(stated[method], "")
+        self.assertNotEqual(stated["de_casteljau"], "")
+        with open(self.folder / "b2/accuracy.csv", newline="") as file:
+            self.assertTrue(all(row["bound_u"] for row in csv.DictReader(file)))  # of the trials that have one
+        chosen = self.fine("choose", "b2", "--degree", "8", "--tolerance", "1e300", "--format", "csv")
+        rows = {row["method"]: row for row in csv.DictReader(io.StringIO(chosen))}
+        self.assertEqual((rows[method]["bound"], rows[method]["tolerance"]), ("", "observed"))
+        self.assertEqual(rows["de_casteljau"]["tolerance"], "proved")
+
+    def test_knows_what_is_not_worth_choosing(self):
+        self.retime({"de_casteljau": (50, 49, 51), "compensated_de_casteljau": (90, 89, 91),
+                     "horner_bernstein": (10, 9, 11), "differences:horner": (60, 59, 61)})
+        pareto = {row["method"]: row["pareto"] for row in self.chosen("--tolerance", "1e9")}
+        self.assertEqual(pareto["horner_bernstein"], "yes")  # the fastest
+        self.assertEqual(pareto["compensated_de_casteljau"], "yes")  # the most accurate
+        self.assertEqual(pareto["differences:horner"], "no")  # slower and less accurate
+        self.retime({"de_casteljau": (58, 50, 66)})
+        self.assertEqual({row["method"]: row["pareto"] for row in self.chosen("--tolerance", "1e9")}
+                         ["differences:horner"], "no")  # horner_bernstein still beats it
+
+    def test_coordinate_units(self):
+        errors = self.largest("max_error")
+        tolerance = sorted(errors.values())[1]
+        found = self.chosen("--tolerance", repr(tolerance), "--unit", "coordinate")
+        self.assertEqual({row["method"] for row in found}, {m for m in errors if errors[m] <= tolerance})
+        self.assertEqual({row["unit"] for row in found}, {"coordinate"})
+
+    def test_pareto_file_says_the_same(self):
+        rows = {row["method"]: row for row in self.table("pareto.csv")}
+        self.assertEqual(set(rows), set(METHODS))
+        for row in self.chosen("--tolerance", "1e9", "--accuracy-study", "truth"):
+            for ours, theirs in [("ns", "ns"), ("ns_low", "ns_low"), ("observed_max", "observed_max_u"),
+                                 ("pareto", "pareto")]:
+                self.assertEqual(row[ours], rows[row["method"]][theirs])
+            if row["bound_of"] == "trials":
+                self.assertEqual(row["bound"], rows[row["method"]]["bound_u"])
+
+    def test_none_is_right_enough(self):
+        result = self.run_program("choose", "b", "--degree", "8", "--tolerance", "1e-9", "--format", "csv")
+        self.assertEqual(result.returncode, FINDING)
+        self.assertEqual(len(result.stdout.splitlines()), 1)  # the header
+        self.assert_one_line(result, "most accurate is compensated_de_casteljau")
+
+    def test_refusals(self):
+        asked = ["choose", "b", "--tolerance", "30", "--degree"]
+        self.refused(USAGE, [*asked, "9"], "degree 9 ")
+        self.refused(USAGE, [*asked, "8", "--mode", "batch"], "there is point")
+        self.refused(USAGE, [*asked, "8", "--form", "power"], "there is bernstein")
+        self.refused(USAGE, [*asked, "8", "--study", "other"], "there is race")
+        self.refused(USAGE, [*asked, "8", "--accuracy-study", "other"], "other")
+        self.refused(USAGE, [*asked, "8", "--unit", "ulp"], "--unit")
+        self.refused(USAGE, [*asked, "8", "--range", "3"], "0.5, 1, 8")
+        self.refused(USAGE, [*asked, "8", "--range", "-1"], "--range -1")
+        self.refused(USAGE, ["choose", "b", "--degree", "8", "--tolerance", "nan"], "nan")
+        self.refused(INPUT_OUTPUT, ["choose", "nowhere", "--degree", "8", "--tolerance", "1"], "nowhere")
+        (self.folder / "b/timing.csv").unlink()
+        self.refused(INPUT_OUTPUT, [*asked, "8"], "b/timing.csv: is listed in SHA256SUMS and is missing")
+        self.list_anew("b")
+        self.refused(USAGE, [*asked, "8"], "no times")
+
+    def test_damage_is_refused_or_said(self):
+        path = self.folder / "b/accuracy.csv"
+        path.write_text(path.read_text() + path.read_text().splitlines()[-1] + "\n")
+        asked = ["choose", "b", "--degree", "8", "--tolerance", "1e9"]
+        self.refused(INPUT_OUTPUT, asked, "b/accuracy.csv: is not what SHA256SUMS lists", "--damaged")
+        for form in ("text", "csv"):
+            text = self.fine(*asked, "--damaged", "--format", form)
+            self.assertEqual(text.splitlines()[0], "# DAMAGED, not as SHA256SUMS lists: b/accuracy.csv")
+
+
+if __name__ == "__main__":
+    unittest.main()

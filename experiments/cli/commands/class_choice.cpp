@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/cli/commands/class_choice.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
+#include "experiments/judge/scalar_facts.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/suite/names.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+bool is_of_kind(const tables::TableRow& row, const tables::ChoiceGroup& group) {
+  return row.text("curve") == group.curve && row.text("scalar") == group.scalar &&
+         row.text("dimension") == group.dimension && row.text("degree") == group.degree;
+}
+
+DrawnClass drawn_class(const tables::TableRow& row) {
+  return {row.number("coordinate_range"), {row.number("t_min"), row.number("t_max")}};
+}
+
+bool lies_within(const DrawnClass& part, const DrawnClass& whole) {
+  return part.range <= whole.range && part.t.min >= whole.t.min && part.t.max <= whole.t.max;
+}
+
+bool is_same(const DrawnClass& a, const DrawnClass& b) { return a.range == b.range && a.t == b.t; }
+
+std::optional<DrawnClass> widest_judged(const tables::ChoiceGroup& group, const tables::JudgedTables& judged) {
+  std::optional<DrawnClass> widest;
+  judged.each_row("", [&](const tables::TableRow& row) {
+    if (!is_of_kind(row, group)) return;
+    if (const auto one = drawn_class(row); !widest || !lies_within(one, *widest)) widest = one;
+  });
+  return widest;
+}
+
+/// What was seen of one method.
+struct Seen {
+  tables::LargestErrors errors;
+  bool of_the_class = false;  ///< one row at least is, none is of a part of it only
+};
+
+int whole(const std::string& text) { return static_cast<int>(number::parse_integer(text).value_or(-1)); }
+
+/// The class as drawn numbers of the scalar type lie in it: its ends are rounded as well.
+template <class Scalar>
+metric::CurveClass curve_class(const tables::ChoiceGroup& group, const DrawnClass& of) {
+  const auto rounded = [](double end) { return static_cast<double>(static_cast<Scalar>(end)); };
+  const auto curve = suite::parse<suite::CurveKind>(group.curve);
+  return {curve ? judge::form_of(*curve) : Form::rational,  // of which no class has a bound
+          whole(group.dimension),
+          whole(group.degree),
+          std::max(of.range, rounded(of.range)),
+          std::min(of.t.min, rounded(of.t.min)),
+          std::max(of.t.max, rounded(of.t.max))};
+}
+
+/// What methods.csv says; nothing where it does not name the method.
+std::optional<std::string> stated_bound(const bundle::CsvDocument& methods, const std::string& id, Form form) {
+  for (std::size_t at = 0; at < methods.row_count(); ++at)
+    if (methods.at(at, "id") == id && methods.at(at, "problem") == name(Problem::evaluation) &&
+        methods.at(at, "form") == name(form))
+      return methods.at(at, "bound");
+  return std::nullopt;
+}
+
+template <class Scalar>
+void add_class_bounds(tables::ChoiceGroup& group, const DrawnClass& of, const bundle::CsvDocument& methods) {
+  const auto curves = curve_class<Scalar>(group, of);
+  if (curves.degree < 0 || curves.dimension < 1 || curves.dimension > reference::max_dimension) return;
+  for (auto& choice : group.choices) {
+    const auto* method = judge::find_method<Scalar>(choice.method, curves.form, curves.dimension);
+    if (method == nullptr || !method->info->bound || !method->info->template supports<Scalar>(curves.degree)) continue;
+    if (stated_bound(methods, choice.method, curves.form) != method->info->bound->text) continue;
+    const auto bound = metric::class_bound(*method->info->bound, curves, judge::ScalarFacts<Scalar>::arithmetic);
+    if (std::isfinite(bound.in_u)) choice.errors.in_u.class_bound = bound.in_u;
+    if (std::isfinite(bound.coordinate)) choice.errors.absolute.class_bound = bound.coordinate;
+  }
+}
+
+bool is_float(const tables::ChoiceGroup& group) { return group.scalar == suite::name(suite::ScalarKind::float32); }
+
+}  // namespace
+
+std::optional<DrawnClass> class_of(const tables::ChoiceGroup& group, const tables::JudgedTables& judged,
+                                   std::optional<double> range) {
+  std::optional<DrawnClass> of;
+  if (group.drawn.empty()) {
+    of = widest_judged(group, judged);
+  } else {
+    const auto number = [&](std::size_t at) { return number::parse_number(group.drawn.at(at)); };
+    if (const auto r = number(0), low = number(1), high = number(2); r && low && high) of = {*r, {*low, *high}};
+  }
+  if (of && range) of->range = *range;
+  return of;
+}
+
+std::vector<double> judged_ranges(const tables::ChoiceGroup& group, const tables::JudgedTables& judged,
+                                  const std::string& accuracy_study) {
+  std::set<double> ranges;
+  judged.each_row(accuracy_study, [&](const tables::TableRow& row) {
+    if (is_of_kind(row, group) &&
+        std::ranges::find(group.choices, row.text("method"), &tables::Choice::method) != group.choices.end())
+      ranges.insert(row.number("coordinate_range"));
+  });
+  return {ranges.begin(), ranges.end()};
+}
+
+void judge_class(tables::ChoiceGroup& group, const DrawnClass& of, const tables::JudgedTables& judged,
+                 const std::optional<bundle::CsvDocument>& methods, const std::string& accuracy_study) {
+  std::map<std::string, Seen> seen;
+  for (const auto& choice : group.choices) seen[choice.method];
+  std::vector<std::string> studies;
+  judged.each_row(accuracy_study, [&](const tables::TableRow& row) {
+    const auto method = seen.find(row.text("method"));
+    if (method == seen.end() || !is_of_kind(row, group)) return;
+    const auto drawn = drawn_class(row);
+    if (!lies_within(drawn, of)) return;
+    method->second.errors.add(judged, row);
+    method->second.of_the_class = method->second.of_the_class || is_same(drawn, of);
+    if (std::ranges::find(studies, row.text("study")) == studies.end()) studies.push_back(row.text("study"));
+  });
+  std::erase_if(group.choices, [&](const tables::Choice& one) { return !seen.at(one.method).of_the_class; });
+  for (auto& choice : group.choices) choice.errors = seen.at(choice.method).errors;
+  group.accuracy_study = fmt::format("{}", fmt::join(studies, ", "));
+  if (!methods) return;
+  is_float(group) ? add_class_bounds<float>(group, of, *methods) : add_class_bounds<double>(group, of, *methods);
+}
+
+double least_p_tilde(const tables::ChoiceGroup& group, const DrawnClass& of) {
+  return is_float(group) ? metric::least_p_tilde(curve_class<float>(group, of), metric::float_arithmetic)
+                         : metric::least_p_tilde(curve_class<double>(group, of), metric::double_arithmetic);
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/cli/commands/class_choice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/basis/error_bound.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct JudgedRow {
+  std::string study, method, drawn, numbers;
+};
+
+/// Curves of degree 5 in Bernstein form on one axis; `drawn` is range, t_min and t_max, `numbers` max_error,
+/// max_error_u, bound_u and max_bound.
+tables::JudgedTables judged(const std::vector<JudgedRow>& rows, const std::string& unbounded = "0") {
+  std::string accuracy =
+      "study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
+      "max_error_u,bound_u,max_bound,non_finite\n";
+  std::string reference =
+      "study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,unbounded_trials\n";
+  for (const auto& row : rows) {
+    const auto cell = row.study + ",bezier," + row.method + ",double,1,5," + row.drawn + ",continuous,";
+    accuracy += cell + "exact,ok," + row.numbers + ",0\n";
+    reference += cell + unbounded + "\n";
+  }
+  std::vector<bundle::CsvDocument> accuracies;
+  accuracies.push_back(bundle::parse_csv(accuracy, "accuracy.csv"));
+  return {std::move(accuracies), bundle::parse_csv(reference, "reference.csv")};
+}
+
+/// The methods timed on curves of range 10 with t in [0,1].
+tables::ChoiceGroup timed(const std::vector<std::string>& methods) {
+  tables::ChoiceGroup group{"race", "", "bezier", "double", "1", "5", "point", {"10", "0", "1", "continuous"}, {}};
+  for (const auto& method : methods) group.choices.push_back({method, {1, 1, 1}, "ok", {}});
+  return group;
+}
+
+bundle::CsvDocument methods_csv(const std::string& rows) {
+  return bundle::parse_csv("id,problem,form,bound\n" + rows, "methods.csv");
+}
+
+constexpr auto own_methods = "de_casteljau,evaluation,bernstein,gamma_3n p~\n";
+
+TEST(ClassChoice, TakesEveryRowWithinTheClass) {
+  auto group = timed({"de_casteljau"});
+  const auto tables = judged({{"truth", "de_casteljau", "10,0,1", "1,3,15,20"},
+                              {"table", "de_casteljau", "10,0,1", "2,5,15,20"},
+                              {"table", "de_casteljau", "1,0.2,0.8", "0.1,7,15,2"},
+                              {"other", "de_casteljau", "100,0,1", "30,11,15,200"},
+                              {"other", "de_casteljau", "10,-1,1", "40,12,15,900"}});
+  judge_class(group, {10, {0, 1}}, tables, std::nullopt, "");
+  ASSERT_EQ(group.choices.size(), 1U);
+  EXPECT_EQ(group.choices[0].errors.in_u.observed, 7);
+  EXPECT_EQ(group.choices[0].errors.absolute.observed, 2);
+  EXPECT_EQ(group.choices[0].errors.in_u.bound, 15);
+  EXPECT_FALSE(group.choices[0].errors.in_u.class_bound);  // no methods.csv: who knows which methods these were
+  EXPECT_EQ(group.accuracy_study, "truth, table");
+  judge_class(group, {10, {0, 1}}, tables, std::nullopt, "truth");
+  EXPECT_EQ(group.choices[0].errors.in_u.observed, 3);
+}
+
+TEST(ClassChoice, LeavesOutWhatWasJudgedOnAPartOfTheClassOnly) {
+  auto group = timed({"de_casteljau", "direct"});
+  judge_class(group, {10, {0, 1}},
+              judged({{"s", "de_casteljau", "10,0,1", "1,3,15,20"}, {"s", "direct", "1,0,1", "1,2,17,20"}}),
+              std::nullopt, "");
+  ASSERT_EQ(group.choices.size(), 1U);
+  EXPECT_EQ(group.choices[0].method, "de_casteljau");
+}
+
+/// de Casteljau: gamma_3n p~. The detour through rounded power coefficients has no bound in units of u p~ up to t = 1.
+TEST(ClassChoice, KnowsTheBoundOfTheClass) {
+  auto group = timed({"de_casteljau", "exact_dd:horner_dd"});
+  const auto tables =
+      judged({{"s", "de_casteljau", "10,0,1", "1,3,15,20"}, {"s", "exact_dd:horner_dd", "10,0,1", "1,0.9,0.99,20"}});
+  const auto detour =
+      std::string("exact_dd:horner_dd,evaluation,bernstein,\"") +
+      "conversion u^2 sum |b_i| C(n,i) t^i (1+t)^(n-i); evaluation u p~ + gamma_(2n+3)^2 sum |q_j| t^j\"\n";
+  judge_class(group, {10, {0, 1}}, tables, methods_csv(own_methods + detour), "");
+  ASSERT_EQ(group.choices.size(), 2U);
+  const auto& direct = group.choices[0].errors;
+  ASSERT_TRUE(direct.in_u.class_bound);
+  EXPECT_NEAR(*direct.in_u.class_bound, gamma_over_u(15, 0x1p-53), 1e-12);
+  EXPECT_NEAR(*direct.absolute.class_bound / (15 * 0x1p-53 * 10), 1, 1e-12);
+  const auto& converted = group.choices[1].errors;
+  EXPECT_EQ(converted.in_u.bound, 0.99);  // of the trials
+  EXPECT_FALSE(converted.in_u.class_bound);
+  EXPECT_TRUE(converted.absolute.class_bound);
+}
+
+TEST(ClassChoice, TrustsNoBoundOfAnotherVersionOfTheMethod) {
+  auto group = timed({"de_casteljau"});
+  judge_class(group, {10, {0, 1}}, judged({{"s", "de_casteljau", "10,0,1", "1,3,15,20"}}),
+              methods_csv("de_casteljau,evaluation,bernstein,gamma_2n p~\n"), "");
+  EXPECT_FALSE(group.choices.at(0).errors.in_u.class_bound);
+}
+
+TEST(ClassChoice, TakesTheClassFromTheRaceCellOrTheWidestRow) {
+  const auto tables =
+      judged({{"s", "de_casteljau", "1,0,1", "1,3,15,20"}, {"s", "de_casteljau", "7,0,1", "1,3,15,20"}});
+  auto group = timed({"de_casteljau"});
+  EXPECT_EQ(class_of(group, tables, {})->range, 10);
+  EXPECT_EQ(class_of(group, tables, 7.0)->range, 7);
+  EXPECT_EQ(judged_ranges(group, tables, ""), (std::vector<double>{1, 7}));
+  EXPECT_TRUE(judged_ranges(timed({"direct"}), tables, "").empty());
+  EXPECT_TRUE(judged_ranges(group, tables, "other").empty());
+  group.drawn.clear();  // as in older bundles
+  EXPECT_EQ(class_of(group, tables, {})->range, 7);
+  group.degree = "6";
+  EXPECT_FALSE(class_of(group, tables, {}));
+}
+
+}  // namespace
+}  // namespace bezierbench::cli

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// `compare`: what differs between bundles, in machine and build, in accuracy, in time.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/folder.hpp"
+#include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/commands/comparison_text.hpp"
+#include "experiments/cli/startup/damage.hpp"
+#include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/compare/comparison.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> bundles;
+  std::string format = "text";
+  std::string fail_on;
+  std::string out;
+  bool damaged = false;
+};
+
+struct Compared {
+  compare::Side base;
+  std::vector<compare::Side> others;
+  std::vector<compare::Pair> pairs;
+};
+
+Compared compared(const std::vector<std::string>& bundles, bundle::Damage damage) {
+  if (bundles.size() < 2)
+    throw Failure(Exit::usage, "compare: takes two bundles or more; name the one to compare with first");
+  Compared all{.base = compare::read_side(bundles.front(), damage), .others = {}, .pairs = {}};
+  for (std::size_t k = 1; k < bundles.size(); ++k) {
+    all.others.push_back(compare::read_side(bundles[k], damage));
+    all.pairs.push_back(compare::compare_pair(all.base, all.others.back()));
+    if (!all.pairs.back().has_common_rows())
+      throw Failure(Exit::usage,
+                    fmt::format("{}: has no row in common with {}; compare bundles of the same studies and seed",
+                                bundles[k], bundles.front()));
+  }
+  compare::rank_in_all(all.pairs);
+  return all;
+}
+
+void print_text(const Compared& all) {
+  const bool two = all.pairs.size() == 1;
+  for (std::size_t k = 0; k < all.pairs.size(); ++k) {
+    const auto& pair = all.pairs[k];
+    fmt::print("{}\n{}", differences_text(all.base, all.others[k], pair), timing_summary(pair));
+    if (two && !pair.timing.rows.empty())
+      fmt::print("{}\n{}", timing_text(pair.timing), rank_changes_text(pair.timing));
+    fmt::print("{}", two ? "" : "\n");
+  }
+  if (!two) fmt::print("{}", standings_text(compare::standings(all.base, all.others, all.pairs)));
+}
+
+void write_files(const Compared& all, const std::filesystem::path& out) {
+  if (std::filesystem::exists(out / bundle::manifest_name))
+    throw Failure(Exit::usage, fmt::format("{}: is a bundle itself; choose another --out", out.string()));
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (error)
+    throw Failure(Exit::input_output,
+                  fmt::format("{}: cannot be created: {}; choose another --out", out.string(), error.message()));
+  bundle::write_file(out / "facts.csv", compare::facts_table(all.pairs).text());
+  bundle::write_file(out / "comparison.csv", compare::comparison_table(all.pairs).text());
+  bundle::write_file(out / "standings.csv",
+                     compare::standings_table(compare::standings(all.base, all.others, all.pairs)).text());
+}
+
+/// Methods that are slower, or those of them in which all that was measured agrees.
+std::size_t count_slower(const compare::TimingComparison& timing, bool certainly) {
+  return static_cast<std::size_t>(std::ranges::count_if(timing.rows, [&](const compare::TimingRow& row) {
+    return !row.is_sentinel() && row.raw.verdict == metric::Verdict::slower &&
+           (!certainly || row.is_certainly_slower());
+  }));
+}
+
+Exit judge(const Compared& all, bool slower_fails) {
+  Exit exit = Exit::fine;
+  for (const auto& pair : all.pairs) {
+    if (pair.accuracy.differing > 0) {
+      say(fmt::format("{}: accuracy differs from {} in {} of {} rows", pair.bundle, all.base.name,
+                      pair.accuracy.differing, pair.accuracy.rows.size()));
+      exit = Exit::finding;
+    }
+    if (const auto slower = count_slower(pair.timing, true); slower_fails && slower > 0) {
+      say(fmt::format(
+          "{}: {} timings are slower than in {}, and {} more that are doubtful; see their verdict and quality",
+          pair.bundle, slower, all.base.name, count_slower(pair.timing, false) - slower));
+      exit = Exit::finding;
+    }
+  }
+  return exit;
+}
+
+Exit run_compare(const Options& options) {
+  if (options.damaged && !options.out.empty())
+    throw Failure(Exit::usage, "--damaged: not with --out, whose tables would not say so; leave one of them out");
+  const Compared all = compared(options.bundles, damage_of(options.damaged));
+  auto damaged = all.base.damaged;
+  for (const auto& other : all.others) damaged.insert(damaged.end(), other.damaged.begin(), other.damaged.end());
+  print_damage(damaged);
+  if (!options.out.empty()) write_files(all, options.out);
+  if (options.format == "csv")
+    fmt::print("{}", compare::comparison_table(all.pairs).text());
+  else
+    print_text(all);
+  return judge(all, options.fail_on == "slower");
+}
+
+}  // namespace
+
+void add_compare(Command program, Exit& exit) {
+  auto options = std::make_shared<Options>();
+  auto command = program.command("compare", "machines, accuracy and times of bundles, against the first");
+  command.option("bundles", options->bundles, "folders that run wrote; two or more").required();
+  command.option("--format", options->format, "text or csv").one_of({"text", "csv"});
+  command
+      .option("--fail-on", options->fail_on, "slower: exit 1 where a method is, in all repetitions and at quality ok")
+      .one_of({"slower"});
+  command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders");
+  add_damaged(command, options->damaged);
+  command.action([options, &exit] { exit = run_compare(*options); });
+}
+
+}  // namespace bezierbench::cli

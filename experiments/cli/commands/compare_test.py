@@ -1,0 +1,243 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""`compare` from outside: what it finds, in which order, and what it refuses. Usage: compare_test.py BEZIERBENCH"""
+import csv
+import json
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from program_case import FINDING, FINE, INPUT_OUTPUT, PROGRAM, ROOT, STUDY, USAGE, Case, rows  # noqa: E402
+
+CONTRACT = "kind,study,method,scalar,dimension,degree,mode,a,b,ratio,ratio_low,ratio_high,verdict".split(",")
+BASELINE = ROOT / "results/baseline"
+TIMES = ("median_ns", "low_ns", "high_ns")
+UNITS = ("sentinel_units", "sentinel_units_low", "sentinel_units_high")
+
+
+def verdict(low, high):
+    """The rule of verdicts, from the interval alone."""
+    if low > 1.01:
+        return "slower"
+    if high < 0.99:
+        return "faster"
+    return "same" if low >= 0.99 and high <= 1.01 else "unresolved"
+
+
+class Compare(Case):
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(BASELINE, self.folder / "a")
+        shutil.copytree(BASELINE, self.folder / "b")
+
+    def edit(self, file, change, bundle="b"):
+        """Applies `change` to every row of a CSV file of a bundle."""
+        path = self.folder / bundle / file
+        with open(path, newline="", encoding="utf-8") as text:
+            table = list(csv.DictReader(text))
+        for row in table:
+            change(row)
+        with open(path, "w", newline="", encoding="utf-8") as text:
+            writer = csv.DictWriter(text, table[0].keys(), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(table)
+        self.list_anew(bundle)
+        return table
+
+    def scale_times(self, factor, only=None):
+        """As if the machine were slower or, in units of its sentinel too, some methods only."""
+        def change(row):
+            if only is None or only(row):
+                row.update({column: repr(float(row[column]) * factor) for column in (TIMES if only is None else TIMES + UNITS)})
+        self.edit("timing.csv", change)
+
+    def still_times(self, bundle):
+        """As if nothing had varied, so that what the committed times were taken beside decides nothing."""
+        def change(row):
+            for median, *limits in (TIMES, UNITS):
+                row.update({limit: row[median] for limit in limits})
+        self.edit("timing.csv", change, bundle)
+
+    def table(self, *arguments, code=FINE):
+        result = self.run_program("compare", *arguments, "--format", "csv")
+        self.assertEqual(result.returncode, code, result.stderr)
+        return rows(result.stdout.decode())
+
+    # What it says.
+
+    def test_a_bundle_is_itself(self):
+        text = self.fine("compare", "a", "b")
+        self.assertIn("no recorded difference", text)
+        self.assertIn("accuracy: identical in all", text)
+        self.assertIn("ranks: none changed, among the methods of a race that both bundles have", text)
+        table = self.table("a", "b")
+        self.assertEqual(list(table[0])[:len(CONTRACT)], CONTRACT)
+        self.assertEqual({row["kind"] for row in table}, {"accuracy", "timing"})
+        self.assertEqual({row["verdict"] for row in table if row["kind"] == "accuracy"}, {"identical"})
+        times = [row for row in table if row["kind"] == "timing"]
+        with open(BASELINE / "timing.csv", newline="", encoding="utf-8") as text:
+            self.assertEqual(len(times), len(list(csv.DictReader(text))))
+        for row in times:
+            self.assertEqual(float(row["ratio"]), 1)
+            self.assertEqual(row["verdict"], verdict(float(row["ratio_low"]), float(row["ratio_high"])))
+
+    def test_machines_first_then_accuracy_then_times(self):
+        path = self.folder / "b/machine.json"
+        machine = json.loads(path.read_text())
+        machine["build"]["compiler"] = "Clang 99"
+        path.write_text(json.dumps(machine))
+        self.list_anew("b")
+        text = self.fine("compare", "a", "b")
+        self.assertIn("Clang 99", text)
+        self.assertLess(text.index("build.compiler"), text.index("accuracy: "))
+        self.assertLess(text.index("accuracy: "), text.index("timing, b over a"))
+
+    def test_one_bit_of_accuracy(self):
+        """The last digit of one value: its cell, both values, and an input that replays."""
+        with open(self.folder / "a/accuracy.csv", newline="", encoding="utf-8") as text:
+            victim = next(row for row in csv.DictReader(text)
+                          if row["baseline"] == "exact" and row["method"] == "de_casteljau" and row["degree"] == "20")
+        line = ",".join(victim.values())
+        path = self.folder / "b/accuracy.csv"
+        other = victim["max_error"][:-6] + "1" + victim["max_error"][-5:]
+        self.assertNotEqual(float(other), float(victim["max_error"]))
+        path.write_text(path.read_text().replace(line, line.replace(victim["max_error"], other)))
+        self.list_anew("b")
+        result = self.run_program("compare", "a", "b")
+        self.assertEqual(result.returncode, FINDING)
+        self.assert_one_line(result, "b: accuracy differs from a in 1 of ")
+        text = result.stdout.decode()
+        for needle in (victim["study"], "max_error " + victim["max_error"], "max_error " + other):
+            self.assertIn(needle, text)
+        replay = next(line for line in text.splitlines() if "bezierbench replay a " in line).split()
+        self.assertIn("the same\n", self.fine(*replay[1:]))
+        different = [row for row in self.table("a", "b", code=FINDING) if row["verdict"] == "different"]
+        self.assertEqual([(row["a"], row["b"], row["column"]) for row in different],
+                         [(victim["max_error"], other, "max_error")])
+
+    def test_slower_and_faster(self):
+        self.still_times("a")
+        self.still_times("b")
+        self.scale_times(1.25, lambda row: row["method"] == "de_casteljau")
+        self.scale_times(0.8, lambda row: row["method"] == "power_sum")
+        self.assertEqual(self.run_program("compare", "a", "b").returncode, FINE)
+        for row in self.table("a", "b"):
+            expected = {"de_casteljau": "slower", "power_sum": "faster"}.get(row["method"])
+            if row["kind"] != "timing" or not expected:
+                continue
+            self.assertEqual((row["verdict"], row["normalised_verdict"]), (expected, expected))
+            self.assertAlmostEqual(float(row["ratio"]), 1.25 if expected == "slower" else 0.8)
+        result = self.run_program("compare", "a", "b", "--fail-on", "slower")
+        self.assertEqual(result.returncode, FINDING)
+        self.assert_one_line(result, "slower than in a", "doubtful")
+
+    def test_doubtful_times_fail_nothing(self):
+        """Nor do those whose repetitions do not agree: of an interval that reaches into that of the other bundle."""
+        self.still_times("a")
+        self.still_times("b")
+        self.scale_times(1.25, lambda row: row["method"] == "de_casteljau")
+        self.edit("timing.csv", lambda row: row.update(quality="ok"), "a")
+        self.edit("timing.csv", lambda row: row.update(quality="noisy"))
+        self.assertEqual(self.run_program("compare", "a", "b", "--fail-on", "slower").returncode, FINE)
+        self.edit("timing.csv", lambda row: row.update(quality="ok"))
+        self.assertEqual(self.run_program("compare", "a", "b", "--fail-on", "slower").returncode, FINDING)
+        self.edit("timing.csv", lambda row: row.update(low_ns=repr(float(row["median_ns"]) / 1.2)))
+        self.edit("timing.csv", lambda row: row.update(high_ns=repr(float(row["median_ns"]) * 1.1)), "a")
+        self.assertIn("slower", {row["verdict"] for row in self.table("a", "b") if row["method"] == "de_casteljau"})
+        self.assertEqual(self.run_program("compare", "a", "b", "--fail-on", "slower").returncode, FINE)
+
+    def test_a_slower_machine_is_the_same_in_sentinels(self):
+        self.scale_times(2)
+        for row in self.table("a", "b"):
+            if row["kind"] == "timing" and row["method"] != "sentinel":
+                self.assertEqual(row["verdict"], "slower")
+                self.assertAlmostEqual(float(row["normalised"]), 1, places=12)
+
+    def test_rank_changes(self):
+        self.scale_times(100, lambda row: row["method"] == "horner_bernstein")
+        text = self.fine("compare", "a", "b")
+        self.assertIn("ranks that changed", text)
+        self.assertRegex(text, r"method horner_bernstein, .*: 1 in a, 5 in b")
+
+    def test_ranks_are_among_what_all_bundles_have(self):
+        """A method that one of them lacks has no rank in any pair."""
+        shutil.copytree(BASELINE, self.folder / "c")
+        lacking = self.folder / "c/timing.csv"
+        kept = [line for line in lacking.read_text().splitlines(keepends=True) if line.split(",")[2] != "direct"]
+        lacking.write_text("".join(kept))
+        self.list_anew("c")
+        ranks = {}
+        for row in self.table("a", "b", "c"):
+            if row["kind"] == "timing" and row["method"] != "sentinel":
+                self.assertEqual(row["rank_a"] == "", row["method"] == "direct", row)
+                key = tuple(row[name] for name in ("study", "method", "degree", "mode", "curve"))
+                self.assertEqual(ranks.setdefault(key, row["rank_a"]), row["rank_a"])  # whatever a is compared with
+        self.assertIn("", ranks.values())
+
+    def test_many_bundles_give_one_table(self):
+        shutil.copytree(BASELINE, self.folder / "c")
+        self.scale_times(0.5)
+        text = self.fine("compare", "a", "b", "c")
+        ranks = [line.split()[:2] for line in text[text.index("  rank "):].splitlines()[1:]]
+        self.assertEqual(ranks, [["1", "b"], ["2", "a"], ["2", "c"]])
+        self.assertEqual({row["bundle"] for row in self.table("a", "b", "c")}, {"b", "c"})
+
+    def test_tables_for_the_report(self):
+        text = self.fine("compare", "a", "b", "--format", "csv", "--out", "tables/new")
+        self.assertEqual((self.folder / "tables/new/comparison.csv").read_text(), text)
+        self.assertEqual({path.name for path in (self.folder / "tables/new").iterdir()},
+                         {"comparison.csv", "facts.csv", "standings.csv"})
+
+    def test_part_of_a_suite_and_other_columns(self):
+        """Rows are found by column name, whatever else an older or newer program writes."""
+        suite = self.suite()
+        self.bundle(suite, name="x")
+        self.bundle(self.suite(STUDY, {**STUDY, "id": '"more"'}, name="more.toml"), name="y")
+        text = self.fine("compare", "x", "y")
+        self.assertIn("0 rows only in a, 2 only in b", text)
+        self.assertIn("worst.csv left out", text)
+        path = self.folder / "x/accuracy.csv"
+        lines = [line.split(",") for line in path.read_text().splitlines()]
+        gone = lines[0].index("p50_error")
+        path.write_text("".join(",".join(line[:gone] + line[gone + 1:]) + ",extra\n" for line in lines))
+        self.list_anew("x")
+        self.assertIn("accuracy: identical in all 2 ", self.fine("compare", "x", "y"))
+
+    # What it refuses.
+
+    def test_refusals(self):
+        self.refused(USAGE, ["compare", "a"], "two bundles")
+        self.refused(USAGE, ["compare"], "bundles")
+        self.refused(USAGE, ["compare", "a", "b", "--fail-on", "faster"], "--fail-on")
+        self.refused(USAGE, ["compare", "a", "b", "--out", "a"], "is a bundle itself")
+        self.refused(INPUT_OUTPUT, ["compare", "a", "nowhere"], "nowhere: is not a bundle")
+        self.refused(USAGE, ["compare", "a", "b", "--damaged", "--out", "t"], "--damaged: not with --out")
+        (self.folder / "b/machine.json").write_text("{")
+        self.refused(INPUT_OUTPUT, ["compare", "a", "b"], "b/machine.json: is not what SHA256SUMS lists")
+        self.refused(INPUT_OUTPUT, ["compare", "a", "b", "--damaged"], "b/machine.json:1:2: ")
+        self.list_anew("b")
+        self.refused(INPUT_OUTPUT, ["compare", "a", "b"], "b/machine.json:1:2: ")
+        (self.folder / "b/machine.json").unlink()
+        self.refused(INPUT_OUTPUT, ["compare", "a", "b"], "machine.json")
+
+    def test_nothing_in_common(self):
+        for name, seed in (("x", 1), ("y", 2)):
+            self.bundle(self.suite(), "--seed", seed, name=name)
+        self.refused(USAGE, ["compare", "x", "y"], "y: has no row in common with x")
+        self.refused(USAGE, ["compare", "a", "x"], "no row in common")
+
+    def test_damaged_times(self):
+        self.edit("timing.csv", lambda row: row.update(low_ns="quick"))
+        self.refused(INPUT_OUTPUT, ["compare", "a", "b"], "b/timing.csv:2: low_ns")
+
+    def test_a_reader_that_leaves(self):
+        shell = subprocess.run(["bash", "-c", f"'{PROGRAM}' compare a b | head -n 1"], cwd=self.folder, check=True,
+                               capture_output=True, text=True)
+        self.assertEqual((shell.stdout.count("\n"), shell.stderr), (1, ""))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/cli/commands/comparison_text.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+
+#include "experiments/cli/commands/aligned.hpp"
+#include "experiments/echo.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+using Lines = std::vector<std::vector<std::string>>;
+
+std::string side_line(std::string_view label, const compare::Side& side) {
+  return printable(fmt::format("{}  {}: {}, {}, {}", label, side.name, side.fact("cpu.model_name"),
+                               side.fact("build.compiler"), side.fact("build.flags"))) +
+         "\n";
+}
+
+std::string facts_text(const compare::Pair& pair) {
+  if (pair.facts.empty()) return "machines and builds: no recorded difference\n";
+  Lines lines;
+  for (const auto& fact : pair.facts) {
+    lines.push_back({"  " + fact.name, "a", fact.a});
+    lines.push_back({"", "b", fact.b});
+  }
+  return fmt::format("machines and builds differ in\n{}", aligned(lines));
+}
+
+std::string recorded_text(const compare::Side& side, std::string_view label, const compare::Inputs& inputs) {
+  const auto input = compare::recorded_input(side, inputs);
+  if (!input) return fmt::format("  {} has recorded no worst input of it\n", label);
+  return fmt::format("  {}: worst at trial {}, t {}, coefficients {}\n     bezierbench replay {} {}\n", label,
+                     printable(input->trial), printable(input->t), printable(input->coefficients), printable(side.name),
+                     printable(input->id));
+}
+
+std::string first_difference_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyRow& row) {
+  return fmt::format("  first: {}, {}\n  a: {} {}, line {}\n  b: {} {}, line {}\n{}{}", row.file,
+                     printable(row.inputs.words()), row.column, printable(row.a), row.line_a, row.column,
+                     printable(row.b), row.line_b, recorded_text(a, "a", row.inputs),
+                     recorded_text(b, "b", row.inputs));
+}
+
+std::string accuracy_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyComparison& accuracy) {
+  std::string text;
+  if (accuracy.rows.empty())
+    text = "accuracy: no common rows\n";
+  else if (accuracy.differing == 0)
+    text = fmt::format("accuracy: identical in all {} common rows\n", accuracy.rows.size());
+  else
+    text = fmt::format("accuracy: {} of {} common rows differ\n{}", accuracy.differing, accuracy.rows.size(),
+                       first_difference_text(a, b, *accuracy.first_difference()));
+  if (a.manifest.seed != b.manifest.seed)
+    text += fmt::format("  seeds {} and {}: other inputs, so nothing to compare\n", a.manifest.seed, b.manifest.seed);
+  if (accuracy.only_a + accuracy.only_b > 0)
+    text += fmt::format("  {} rows only in a, {} only in b\n", accuracy.only_a, accuracy.only_b);
+  for (const auto& file : accuracy.left_out)
+    text += fmt::format("  {} left out: the suites differ, and its rows do not say of how many trials\n", file);
+  return text;
+}
+
+std::string time_text(const metric::Interval& ns) { return fmt::format("{:.4g}", ns.median); }
+
+std::string ratio_text(const compare::TimeRatio& of) {
+  return fmt::format("{:.3f} [{:.3f}, {:.3f}]", of.ratio.median, of.ratio.low, of.ratio.high);
+}
+
+std::vector<std::string> timing_line(const compare::TimingRow& row) {
+  std::vector<std::string> line{"  " + row.inputs.field("method"), time_text(row.a), time_text(row.b),
+                                ratio_text(row.raw), std::string(metric::name(row.raw.verdict))};
+  line.push_back(row.normalised ? ratio_text(*row.normalised) : "");
+  line.emplace_back(row.normalised ? metric::name(row.normalised->verdict) : "");
+  line.push_back(row.rank_a == 0 ? "" : fmt::format("{} {}", row.rank_a, row.rank_b));
+  if (!row.is_ok()) line.push_back(row.quality);
+  return line;
+}
+
+}  // namespace
+
+std::string differences_text(const compare::Side& a, const compare::Side& b, const compare::Pair& pair) {
+  return side_line("a", a) + side_line("b", b) + "\n" + facts_text(pair) + "\n" + accuracy_text(a, b, pair.accuracy);
+}
+
+std::string timing_summary(const compare::Pair& pair) {
+  if (pair.timing.rows.empty()) return "timing: no common rows\n";
+  std::map<metric::Verdict, std::size_t> counts;
+  std::size_t doubtful = 0;
+  std::size_t methods = 0;
+  for (const auto& row : pair.timing.rows) {
+    if (row.is_sentinel()) continue;
+    ++methods;
+    ++counts[row.raw.verdict];
+    doubtful += row.is_ok() ? 0 : 1;
+  }
+  using metric::Verdict;
+  std::string text =
+      fmt::format("timing, b over a: {} slower, {} same, {} faster, {} unresolved of {}", counts[Verdict::slower],
+                  counts[Verdict::same], counts[Verdict::faster], counts[Verdict::unresolved], methods);
+  if (doubtful > 0) text += fmt::format("; {} doubtful, marked", doubtful);
+  text +=
+      pair.same_machine
+          ? "\n  the same kind of machine: b/a compares the builds; in sentinels, a change of its clock is taken out\n"
+          : "\n  different machines: b/a compares them; in sentinels, steps of fixed work timed beside, it compares "
+            "the methods\n";
+  if (pair.timing.only_a + pair.timing.only_b > 0)
+    text += fmt::format("  {} rows only in a, {} only in b\n", pair.timing.only_a, pair.timing.only_b);
+  return text;
+}
+
+std::string timing_text(const compare::TimingComparison& timing) {
+  Lines lines{{"  method", "a ns", "b ns", "b/a", "", "in sentinels", "", "rank a b"}};
+  std::optional<compare::Inputs> race;
+  for (const auto& row : timing.rows) {
+    if (auto inputs = row.inputs.without_method(); inputs != race) {
+      lines.push_back({inputs.words()});
+      race = std::move(inputs);
+    }
+    lines.push_back(timing_line(row));
+  }
+  return aligned(lines);
+}
+
+std::string rank_changes_text(const compare::TimingComparison& timing) {
+  std::string text;
+  for (const auto& row : timing.rows)
+    if (row.rank_a != row.rank_b)
+      text += fmt::format("  {}: {} in a, {} in b{}\n", printable(row.inputs.words()), row.rank_a, row.rank_b,
+                          row.is_ok() ? "" : ", " + printable(row.quality));
+  constexpr std::string_view among = "among the methods of a race that both bundles have";
+  return text.empty() ? fmt::format("ranks: none changed, {}\n", among)
+                      : fmt::format("ranks that changed, 1 + how many are certainly faster, {}\n{}", among, text);
+}
+
+std::string standings_text(const std::vector<compare::Standing>& standings) {
+  Lines lines{{"  rank", "bundle", "cpu", "compiler", "accuracy", "time", "in sentinels"}};
+  for (const auto& one : standings) {
+    const auto mean = [&](double value) { return one.rank ? fmt::format("{:.3f}", value) : ""; };
+    lines.push_back({one.rank ? fmt::format("  {}", *one.rank) : "", one.bundle, one.cpu, one.compiler,
+                     one.differing == 0 ? "identical" : fmt::format("{} rows differ", one.differing),
+                     mean(one.mean_ratio), mean(one.mean_normalised)});
+  }
+  return fmt::format("geometric mean of time over the first bundle's, {} common timings\n{}", standings.front().timings,
+                     aligned(lines));
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "build_facts.hpp"
+#include "experiments/bundle/machine.hpp"
+#include "experiments/bundle/timing_fitness.hpp"
+#include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/startup/floating_point.hpp"
+#include "experiments/race/clock.hpp"
+#include "experiments/race/counters.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+void print(std::string_view aspect, std::string_view state, std::string_view text) {
+  fmt::print("{:<15} {:<8} {}\n", aspect, state, text);
+}
+
+}  // namespace
+
+void add_doctor(Command program, Exit& exit) {
+  program.command("doctor", "is this machine fit to measure on?").action([&exit] {
+    const auto faults = floating_point_faults();
+    for (const auto& fault : faults) print("floating point", "unfit", fault);
+    if (faults.empty()) print("floating point", "fine", "IEEE 754 double, to nearest, no contraction, subnormals kept");
+    const auto machine =
+        bundle::machine_json({compiler, all_flags, build_type, fp_flags, program_version}, race::Counters().state());
+    const auto clock_fault = race::clock_fault(race::steady_ns);
+    for (const auto& concern : bundle::timing_fitness(machine)) {
+      if (concern.aspect == bundle::clock_aspect && clock_fault)
+        print(concern.aspect, "unfit", *clock_fault + "; no times can be taken here");
+      else
+        print(concern.aspect, concern.warning ? "warning" : "fine", concern.text);
+    }
+    exit = faults.empty() && !clock_fault ? Exit::fine : Exit::environment;
+  });
+}
+
+}  // namespace bezierbench::cli

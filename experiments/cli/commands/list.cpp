@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/commands/aligned.hpp"
+#include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/suite/names.hpp"
+#include "experiments/suite/reader.hpp"
+#include "shipped_suites.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+std::string suites_csv() {
+  const auto known = vocabulary_of_all_builds();
+  bundle::CsvTable table({"id", "file", "seed", "studies", "title"});
+  for (const auto& [file_name, text] : shipped_suites)
+    for (const auto& one : suite::parse_suites(text, file_name, known))
+      table.add_row(
+          {one.id, std::string(file_name), std::to_string(one.seed), std::to_string(one.studies.size()), one.title});
+  return table.text();
+}
+
+std::string studies_csv() {
+  const auto known = vocabulary_of_all_builds();
+  bundle::CsvTable table({"id", "suite", "kind", "curve", "title"});
+  for (const auto& [file_name, text] : shipped_suites)
+    for (const auto& one : suite::parse_suites(text, file_name, known))
+      for (const auto& study : one.studies)
+        table.add_row({study.id, one.id, std::string(suite::name(study.kind)), std::string(suite::name(study.curve)),
+                       study.title});
+  return table.text();
+}
+
+void add_topic(Command list, const std::string& topic, const std::string& help, std::string (*csv)(),
+               const std::shared_ptr<std::string>& format) {
+  auto command = list.command(topic, help);
+  command.takes_options_of_its_parent();
+  command.action([csv, format] {
+    const auto text = csv();
+    fmt::print("{}", *format == "csv" ? text : aligned_csv(text));
+  });
+}
+
+}  // namespace
+
+void add_list(Command program, Exit& /*exit*/) {
+  auto format = std::make_shared<std::string>("text");
+  auto list = program.command("list", "what there is to run");
+  list.option("--format", *format, "text or csv").one_of({"text", "csv"});
+  list.needs_command();
+  add_topic(list, "methods", "evaluators, converted paths and conversions", methods_csv, format);
+  add_topic(list, "suites", "the suites that come with the program", suites_csv, format);
+  add_topic(list, "studies", "their studies", studies_csv, format);
+  add_topic(list, "generators", "how random inputs are drawn", generators_csv, format);
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/run/merge.hpp"
+
+#include <memory>
+
+#include "experiments/bundle/bundle.hpp"
+#include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/this_build.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/run/interruption.hpp"
+#include "experiments/suite/reader.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> bundles;
+  std::string out;
+};
+
+Exit merge(const Options& options) {
+  if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
+  const std::vector<std::filesystem::path> bundles(options.bundles.begin(), options.bundles.end());
+  auto request = request_of_this_build();
+  const auto first = bundle::BundleDirectory::open(bundles.front());
+  constexpr const char* name = "suite.toml";
+  request.suites = suite::parse_suites(first.read_listed(name), (first.path() / name).string(), vocabulary());
+  request.out = options.out;
+  const auto findings = run::merge(std::move(request), bundles);
+  for (const auto& finding : findings) say(finding);
+  return findings.empty() ? Exit::fine : Exit::finding;
+}
+
+}  // namespace
+
+void add_merge(Command program, Exit& exit) {
+  auto options = std::make_shared<Options>();
+  auto command = program.command("merge", "join the shards of a run");
+  command.option("bundles", options->bundles, "folders that run --shard wrote").required();
+  command.option("--out", options->out, "folder of the whole bundle").required();
+  command.action([options, &exit] { exit = merge(*options); });
+}
+
+}  // namespace bezierbench::cli

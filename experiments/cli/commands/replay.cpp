@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// `replay`: a recorded worst case, recomputed from its bits and taken apart.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/commands/worst_record.hpp"
+#include "experiments/cli/curve/coordinate_columns.hpp"
+#include "experiments/cli/curve/curve_file.hpp"
+#include "experiments/cli/startup/damage.hpp"
+#include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/echo.hpp"
+#include "experiments/judge/error_sources.hpp"
+#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
+#include "experiments/judge/point_judge.hpp"
+#include "experiments/number/number.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+std::string both(double value) { return fmt::format("{} ({})", number::hexadecimal(value), number::decimal(value)); }
+
+template <class Scalar>
+void print_input(const judge::TrialInputs<Scalar>& inputs) {
+  const auto curve = inputs.curve();
+  fmt::print("\ninput\n  t          {}\n", both(inputs.true_t()));
+  for (int i = 0; i <= curve.degree; ++i)
+    for (int axis = 0; axis < curve.dimension; ++axis)
+      fmt::print("  {}[{}]{:<7}{}\n", axis_name(axis), i, "", both(static_cast<double>(curve(axis, i))));
+  for (std::size_t i = 0; i < curve.weights.size(); ++i)
+    fmt::print("  w[{}]{:<7}{}\n", i, "", both(static_cast<double>(curve.weights[i])));
+}
+
+template <class Scalar>
+void print_converted(const Kernel<Scalar>& kernel, const judge::TrialInputs<Scalar>& inputs) {
+  if (kernel.converted == nullptr) return;
+  std::vector<Scalar> coefficients;
+  kernel.converted(inputs.curve(), coefficients);
+  fmt::print("\nconverted to {} form, point by point\n", name(kernel.evaluated_form));
+  for (const Scalar value : coefficients) fmt::print("  {}\n", both(static_cast<double>(value)));
+}
+
+void print_sources(const judge::ErrorSources& sources) {
+  fmt::print(
+      "\nwhere the error comes from, distances between exact points\n  conversion         {}\n  rounding of 1-t    {}\n"
+      "  evaluation         {}\n",
+      number::decimal(sources.conversion), number::decimal(sources.one_minus_t), number::decimal(sources.evaluation));
+}
+
+void print_result(const judge::PointVerdict& verdict, const reference::ExactPoint& truth) {
+  fmt::print("\nresult\n");
+  for (int axis = 0; axis < truth.dimension; ++axis)
+    fmt::print("  {} computed {}\n    exact    {}\n", axis_name(axis),
+               both(verdict.point[static_cast<std::size_t>(axis)]),
+               both(reference::round_to(reference::binary64, truth.coordinate(axis))));
+  fmt::print("  error      {}\n  in u p~    {}\n", number::decimal(verdict.error), number::decimal(verdict.error_u));
+  if (verdict.bound_u) fmt::print("  bound      {}\n", number::decimal(*verdict.bound_u));
+}
+
+template <class Scalar>
+Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
+  const auto* kernel = judge::find_method<Scalar>(record.text("method"), judge::form_of(cell.curve), cell.dimension);
+  if (kernel == nullptr) record.malformed("method", "is not one that this program knows");
+  judge::TrialInputs<Scalar> inputs(judge::form_of(cell.curve), cell);
+  inputs.assign(record.input(cell));
+  const double recorded = record.number("error");
+  const double recorded_u = record.error_u();
+  judge::PointJudge<Scalar> judge;
+  const auto verdict = judge.judge(*kernel, inputs);
+  const auto& truth = judge.truth(inputs);
+  fmt::print("{}\n",
+             printable(fmt::format("{}: study {}, method {}, {} {}, degree {}", id, record.text("study"),
+                                   record.text("method"), record.text("scalar"), record.text("curve"), cell.degree)));
+  print_input(inputs);
+  print_converted(*kernel, inputs);
+  if (verdict.finite) {
+    judge::SourceMeter<Scalar> meter;
+    const std::span<const double> point(verdict.point.data(), static_cast<std::size_t>(cell.dimension));
+    if (const auto sources = meter.measure(*kernel, inputs.curve(), inputs.t(), point, truth)) print_sources(*sources);
+  }
+  print_result(verdict, truth);
+  const bool same = verdict.finite && verdict.error == recorded && verdict.error_u == recorded_u;
+  fmt::print("  recorded   {}, {} u p~: {}\n", number::decimal(recorded), number::decimal(recorded_u),
+             same ? "the same" : "DIFFERENT");
+  if (!same)
+    say("the recorded error is not what this program computes; compare the builds with `bezierbench --version`");
+  return same ? Exit::fine : Exit::finding;
+}
+
+}  // namespace
+
+void add_replay(Command program, Exit& exit) {
+  struct Options {
+    std::string bundle;
+    std::string id;
+    bool damaged = false;
+  };
+  auto options = std::make_shared<Options>();
+  auto command = program.command("replay", "recompute one recorded worst case, step by step");
+  command.option("bundle", options->bundle, "folder of the bundle").required();
+  command.option("id", options->id, "worst_id of worst.csv or search_id of search.csv").required();
+  add_damaged(command, options->damaged);
+  command.action([options, &exit] {
+    bundle::CheckedReader reader(options->bundle, damage_of(options->damaged));
+    const WorstRecord record = find_worst_record(reader, options->id);
+    const auto cell = record.cell();
+    print_damage(reader.told());
+    exit = record.scalar() == suite::ScalarKind::float32 ? replay<float>(options->id, record, cell)
+                                                         : replay<double>(options->id, record, cell);
+  });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+#include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/commands/shard.hpp"
+#include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/this_build.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/run/interruption.hpp"
+#include "experiments/suite/overrides.hpp"
+#include "experiments/suite/reader.hpp"
+#include "experiments/suite/validate.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> suites;
+  std::string out;
+  int jobs = 0;
+  std::optional<std::string> seed;
+  std::optional<std::string> trials;
+  std::string reference = "certified";
+  std::optional<std::string> shard;
+  std::optional<std::string> checkpoint;
+  bool dry_run = false;
+  bool quiet = false;
+  bool host_name = false;
+  suite::Overrides overrides;
+};
+
+/// The parser of the command line would take a number beyond the type for the largest of the type.
+std::int64_t whole_number(std::string_view option, const std::string& text) {
+  const auto number = number::parse_integer(text);
+  if (!number || *number < 0)
+    throw Failure(Exit::usage, fmt::format("{} {}: not a whole number from 0 to 2^63-1", option, text));
+  return *number;
+}
+
+std::chrono::milliseconds pause(const std::string& text) {
+  constexpr double day = 86400;
+  constexpr double milliseconds = 1000;
+  const auto seconds = number::parse_number(text);
+  if (!seconds || !(*seconds >= 0 && *seconds <= day))
+    throw Failure(Exit::usage, fmt::format("--checkpoint {}: must be seconds, a number from 0 to {}", text, day));
+  return std::chrono::milliseconds(std::llround(*seconds * milliseconds));
+}
+
+Exit run(const Options& options) {
+  const auto known = vocabulary();
+  auto request = request_of_this_build();
+  if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
+  for (const auto& file : options.suites) {
+    for (auto& one : suite::read_suites(file, known)) request.suites.push_back(std::move(one));
+    suite::check_unique_ids(request.suites, file);
+  }
+  suite::apply(options.overrides, request.suites, known);
+  request.out = options.out;
+  request.jobs = options.jobs;
+  request.tier = options.reference == "exact" ? reference::Tier::exact : reference::Tier::certified;
+  if (options.shard) request.shard = shard_of(*options.shard, [](const char* name) { return std::getenv(name); });
+  if (options.checkpoint) request.checkpoint = pause(*options.checkpoint);
+  request.dry_run = options.dry_run;
+  request.quiet = options.quiet;
+  if (options.host_name) request.host_name = bundle::HostName::told;
+  run::watch_for_interruption();
+  const auto findings = run::run(request);
+  for (const auto& finding : findings) say(finding);
+  return findings.empty() ? Exit::fine : Exit::finding;
+}
+
+}  // namespace
+
+void add_run(Command program, Exit& exit) {
+  auto options = std::make_shared<Options>();
+  auto command = program.command("run", "run suites into a bundle");
+  command.option("suites", options->suites, "suite files (TOML)").required();
+  command.option("--out", options->out, "folder of the bundle").required();
+  command.option("--jobs", options->jobs, "threads; default: all cores").within(1, 4096);
+  command.option("--seed", options->seed, "another seed than the suite's");
+  command.option("--trials", options->trials, "trials per cell and replicate");
+  command.option("--set", options->overrides.set, "axis=v1,v2 for every study; intervals as 0:0.2");
+  command.option("--only", options->overrides.only, "only studies whose id matches this glob");
+  command.option("--reference", options->reference, "how the truth is computed").one_of({"certified", "exact"});
+  command.option("--shard", options->shard, "i/N: do one part of N; auto: ask Open MPI, PMI or Slurm which");
+  command.option("--checkpoint", options->checkpoint,
+                 "seconds between two files of finished blocks; default: by cost, 2 at most");
+  command.flag("--dry-run", options->dry_run, "say what would be done");
+  command.flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
+  command.flag("--host-name", options->host_name, "let machine.json say the host's name");
+  command.flag("--quiet", options->quiet, "no progress");
+  command.action([options, &exit] {
+    if (options->seed) options->overrides.seed = static_cast<std::uint64_t>(whole_number("--seed", *options->seed));
+    if (options->trials) options->overrides.trials = whole_number("--trials", *options->trials);
+    exit = run(*options);
+  });
+}
+
+}  // namespace bezierbench::cli

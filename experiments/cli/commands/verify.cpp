@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/check/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "experiments/bundle/check/kernel_share.hpp"
+#include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/echo.hpp"
+#include "experiments/run/expected.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/reader.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+void print_fine(const std::string& path) {
+  const auto share = bundle::kernel_share(path);
+  fmt::print("{}: fine\n", printable(path));
+  if (share)
+    fmt::print(
+        "of {} evaluations that accuracy studies judged, {} went through the kernels that are timed, the others "
+        "through kernels for many curves at once\n",
+        share->judged, share->own);
+}
+
+/// A bundle may be of a build with other libraries than this one.
+bundle::Expected expected_of(const std::string& suite_text, const std::string& file_name) {
+  return run::expected_of(suite::parse_suites(suite_text, file_name, vocabulary_of_all_builds()),
+                          {studies::make_job, studies::tables_of});
+}
+
+}  // namespace
+
+void add_verify(Command program, Exit& exit) {
+  auto path = std::make_shared<std::string>();
+  auto command = program.command("verify", "check a bundle: checksums, schema, digest");
+  command.option("bundle", *path, "folder of the bundle").required();
+  command.action([path, &exit] {
+    const auto findings = bundle::verify(*path, expected_of);
+    for (const auto& finding : findings) say(finding);
+    if (findings.empty()) print_fine(*path);
+    exit = findings.empty() ? Exit::fine : Exit::finding;
+  });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// One row of worst.csv or search.csv, read back.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "experiments/bundle/check/checked_reader.hpp"
+#include "experiments/bundle/csv.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::cli {
+
+/// A file of worst cases.
+struct WorstFile {
+  std::string_view name;
+  std::string_view id;       ///< column
+  std::string_view error_u;  ///< column
+};
+
+/// A row whose fields are checked as they are asked for: all throw Failure(input_output) that names file, line and
+/// column.
+class WorstRecord {
+ public:
+  WorstRecord(bundle::CsvDocument table, std::size_t row, const WorstFile& file);
+
+  [[nodiscard]] const std::string& text(std::string_view column) const;
+  [[nodiscard]] double number(std::string_view column) const;
+  [[nodiscard]] suite::ScalarKind scalar() const;
+  /// Curve kind, dimension and degree; the rest of a cell does not matter to a single input.
+  [[nodiscard]] sample::Cell cell() const;
+  [[nodiscard]] sample::Trial input(const sample::Cell& cell) const;
+  [[nodiscard]] double error_u() const { return number(file_.error_u); }
+
+  [[noreturn]] void malformed(std::string_view column, std::string_view what) const;
+
+ private:
+  template <class Word>
+  [[nodiscard]] Word word(std::string_view column) const;
+  [[nodiscard]] int count(std::string_view column, int least, int most) const;
+
+  bundle::CsvDocument table_;
+  std::size_t row_;
+  WorstFile file_;
+};
+
+/// Throws Failure(usage) that says which there are where no row has this id.
+WorstRecord find_worst_record(bundle::CheckedReader& bundle, const std::string& id);
+
+}  // namespace bezierbench::cli

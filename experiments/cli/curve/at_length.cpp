@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// `curve at-length`: the parameter at a length from the beginning of a curve by any method, against the true one.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "core/arc_length/inverse/kernel.hpp"
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/curve/curve_commands.hpp"
+#include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/number/number.hpp"
+#include "reference/length_along.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+using reference::LongReal;
+
+struct Options {
+  CurveOptions curve;
+  std::string length;
+  std::string fraction;
+  std::string tolerance = "1e-9";
+  std::vector<std::string> methods;
+};
+
+double tolerance_of(const Options& options) {
+  const double tolerance = finite_option("--tolerance", options.tolerance);
+  if (tolerance <= 0)
+    throw Failure(Exit::usage, fmt::format("--tolerance {}: must be above 0; it is relative to the length of the curve",
+                                           options.tolerance));
+  return tolerance;
+}
+
+/// The length that is meant, exactly; one that is a rounded length of the whole curve is that of the whole curve.
+LongReal target_of(const Options& options, const LongReal& whole) {
+  if (!options.fraction.empty()) {
+    const double fraction = finite_option("--fraction", options.fraction);
+    if (fraction < 0 || fraction > 1)
+      throw Failure(Exit::usage, fmt::format("--fraction {}: must be within 0 and 1", options.fraction));
+    return fraction * whole;
+  }
+  const double length = finite_option("--length", options.length);
+  if (length < 0 || LongReal(length) > whole * (1 + LongReal(0x1p-52)))
+    throw Failure(Exit::usage,
+                  fmt::format("--length {}: must be within 0 and {}, the length of the curve in {}", options.length,
+                              whole.str(17, std::ios_base::fmtflags{}), options.curve.file));
+  return length;
+}
+
+/// The true lengths along a curve, as far as they are known.
+class Truth {
+ public:
+  /// Tells standard error where they are not certain: what the methods say is printed anyhow.
+  Truth(const Options& options, const CurveView<double>& curve) {
+    try {
+      lengths_.emplace(curve);
+      whole_ = lengths_->whole();
+    } catch (const reference::NotCertain& error) {
+      whole_ = error.length();
+      fmt::print(stderr, "bezierbench: {}: {}; exact_t, error and length_error are left empty\n", options.curve.file,
+                 error.what());
+    }
+  }
+
+  [[nodiscard]] const LongReal& whole() const { return whole_; }
+
+  [[nodiscard]] std::optional<LongReal> parameter_at(const LongReal& length) const {
+    if (!lengths_) return std::nullopt;
+    return lengths_->parameter_at(length);
+  }
+
+  /// The fields `error` and `length_error` of a method's t; a t where the length is exact is as exact as exact_t.
+  [[nodiscard]] std::array<std::string, 2> errors(double t, const LongReal& length,
+                                                  const std::optional<LongReal>& exact_t) const {
+    if (!exact_t) return {};
+    if (!std::isfinite(t)) return {"inf", "inf"};
+    const LongReal of_length = lengths_->distance(LongReal(t), length);
+    const bool on_curve = t >= 0 && t <= 1;
+    const LongReal of_t = on_curve && of_length == 0 ? LongReal(0) : LongReal(abs(LongReal(t) - *exact_t));
+    return {number::decimal(of_t.convert_to<double>()), number::decimal(of_length.convert_to<double>())};
+  }
+
+ private:
+  std::optional<reference::LengthAlong> lengths_;
+  LongReal whole_;
+};
+
+void find(const Options& options) {
+  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+  const double tolerance = tolerance_of(options);
+  const auto methods =
+      chosen(inverse_arc_length_kernels(curve.dimension), options.methods, curve, ids_of(inverse_arc_length_infos()));
+  if (methods.empty())
+    throw Failure(Exit::usage,
+                  fmt::format("{}: the file is in {} form, lengths are those of control points; see `curve convert`",
+                              options.curve.file, name(curve.form)));
+  const Truth truth(options, curve.view());
+  const LongReal target = target_of(options, truth.whole());
+  bundle::CsvTable table(
+      {"method", "t", "iterations", "converged", "exact_t", "error", "error_estimate", "length_error"});
+  const auto exact_t = truth.parameter_at(target);
+  for (const auto* method : methods) {
+    const auto result = method->solve(curve.view(), target.convert_to<double>(), tolerance);
+    const auto [error, length_error] = truth.errors(result.t, target, exact_t);
+    table.add_row({std::string(method->info->id), number::decimal(result.t), std::to_string(result.iterations),
+                   result.converged ? "yes" : "no", exact_t ? number::decimal(exact_t->convert_to<double>()) : "",
+                   error, number::decimal(result.error_estimate), length_error});
+  }
+  fmt::print("{}", table.text());
+}
+
+}  // namespace
+
+void add_curve_at_length(Command curve) {
+  auto options = std::make_shared<Options>();
+  auto command = curve.command("at-length", "the parameter at a length from the beginning of a curve");
+  options->curve.add_to(command);
+  auto target = command.alternatives("target", "where");
+  target.option("--length", options->length, "length from the beginning, in coordinate units");
+  target.option("--fraction", options->fraction, "of the length of the curve, from 0 to 1");
+  command.option("--tolerance", options->tolerance, "relative to the length of the curve; default: 1e-9");
+  command.option("--method", options->methods, "method id; may be repeated; default: all");
+  command.action([options] { find(*options); });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// `curve convert`: the coefficients of one curve in another form.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string_view>
+
+#include "core/evaluate/kernel.hpp"
+#include "experiments/cli/curve/coordinate_columns.hpp"
+#include "experiments/cli/curve/curve_commands.hpp"
+#include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct Options {
+  CurveOptions curve;
+  std::vector<std::string> methods;
+};
+
+/// What its coefficients are where `id` is a conversion to a form that only paths know, and no curve file holds.
+std::string_view inner_coefficients(Form form) {
+  return form == Form::power_centered ? "those of powers of t - 1/2" : "pairs of doubles";
+}
+
+void refuse_inner_conversion(const std::string& id, int dimension) {
+  for (const auto& kernel : kernels<double>(dimension))
+    if (kernel.info->id.starts_with(id + ":") && kernel.evaluated_form != Form::power &&
+        kernel.evaluated_form != Form::bernstein)
+      throw Failure(Exit::usage,
+                    fmt::format("--method {}: its coefficients are {}, which a curve file does not hold; see `curve "
+                                "eval --method {}`, or convert with another of `list methods`",
+                                id, inner_coefficients(kernel.evaluated_form), kernel.info->id));
+}
+
+/// Nothing is printed where a coefficient overflows: the reader of a curve file refuses what is not finite.
+void require_finite(const CurveFile& converted, const Options& options) {
+  for (int i = 0; i <= converted.degree(); ++i)
+    for (int axis = 0; axis < converted.dimension; ++axis)
+      if (!std::isfinite(converted.view()(axis, i)))
+        throw Failure(Exit::input_output,
+                      fmt::format("{}: coefficient {} of axis {} is beyond the largest double after conversion by {}; "
+                                  "scale the coordinates down, by a power of two to keep their digits",
+                                  options.curve.file, i, axis_name(axis), options.methods.front()));
+}
+
+void convert(const Options& options) {
+  auto curve = read_curve(options.curve.file, options.curve.form_value());
+  refuse_inner_conversion(options.methods.front(), curve.dimension);
+  const auto methods =
+      chosen(conversion_kernels<double>(curve.dimension), options.methods, curve, vocabulary().conversions);
+  std::vector<double> converted(curve.coefficients.size());
+  methods.front()->convert(curve.view(), converted.data());
+  curve.coefficients = converted;
+  require_finite(curve, options);
+  fmt::print("{}", curve_csv(curve));
+}
+
+}  // namespace
+
+void add_curve_convert(Command curve) {
+  auto options = std::make_shared<Options>();
+  auto command = curve.command("convert", "coefficients in the other form");
+  options->curve.add_to(command);
+  command.option("--method", options->methods, "conversion id").required().once();
+  command.action([options] { convert(*options); });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Which methods a `curve` command means by its --method options.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/method.hpp"
+#include "experiments/cli/curve/curve_file.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/suite/pattern.hpp"
+
+namespace bezierbench::cli {
+
+/// Whether the method takes the curve: form and degree.
+bool applies(const MethodInfo& info, const CurveFile& curve);
+
+/// Why it does not, for a person.
+std::string why_not(const MethodInfo& info, const CurveFile& curve);
+
+/// Their ids, in their order.
+std::vector<std::string> ids_of(std::span<const MethodInfo* const> infos);
+
+/// Those of a table's entries, in its order. `Table` holds entries with an `info`.
+template <class Table>
+std::vector<std::string> ids_in(const Table& table) {
+  std::vector<std::string> ids;
+  for (const auto& entry : table) ids.emplace_back(entry.info->id);
+  return ids;
+}
+
+/// Throws the Failure(usage) that `id` is no method, or none of this build; `known` are those that it could have meant.
+[[noreturn]] void unknown_method(const std::string& id, const std::vector<std::string>& known);
+
+/// A finite parameter from the text of an option. Throws Failure(usage) that names the option.
+double finite_option(const std::string& option, const std::string& text);
+
+/// The named entries as named, or all that apply in the order of the roster. `Table` holds entries with an `info`.
+template <class Table>
+std::vector<const typename Table::element_type*> chosen(Table table, const std::vector<std::string>& ids,
+                                                        const CurveFile& curve, const std::vector<std::string>& known) {
+  std::vector<const typename Table::element_type*> result;
+  for (const auto& id : ids) {
+    const typename Table::element_type* candidate = nullptr;
+    for (const auto& entry : table)  // an id may exist for several forms
+      if (entry.info->id == id && (candidate == nullptr || applies(*entry.info, curve))) candidate = &entry;
+    if (candidate == nullptr) unknown_method(id, known);
+    if (!applies(*candidate->info, curve))
+      throw Failure(Exit::usage, fmt::format("--method {}: {}", id, why_not(*candidate->info, curve)));
+    result.push_back(candidate);
+  }
+  if (!ids.empty()) return result;
+  for (const auto& entry : table)
+    if (applies(*entry.info, curve) && !suite::is_peer(entry.info->id)) result.push_back(&entry);
+  return result;
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,363 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""`curve` from outside: files, parameters, methods, and what comes out. Usage: curves_test.py BEZIERBENCH"""
+import decimal
+import fractions
+import math
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from program_case import EVAL_COLUMNS, INPUT_OUTPUT, PROJECT_COLUMNS, TO_BERNSTEIN, TO_POWER, USAGE, Case, rows  # noqa: E402
+
+
+class Curves(Case):
+    def setUp(self):
+        super().setUp()
+        self.curve = self.write("c.csv", "x,y\n0,0\n1,2\n3,1\n")
+
+    def test_files_that_are_no_curve(self):
+        for content, *needles in [
+                ("", "c.csv:1: ", "empty"), ("x,y\n", "no coefficients"), ("x,y\n1,2\n3\n", "c.csv:3: ", "1 field"),
+                ("x\n1,2\n", "c.csv:2: ", "2 fields"), ("x,y\n1,nan\n", "c.csv:2: ", "row 1, column y", '"nan"'),
+                ("x,y\n1,2\ninf,1\n", "c.csv:3: ", "row 2, column x"), ("x\n-inf\n", "c.csv:2: ", '"-inf"'),
+                ("x,y\n1,two\n", "c.csv:2: ", '"two"'), ("x\n1e999\n", "c.csv:2: "), ("x,y\n1,\n", "c.csv:2: ", "column y"),
+                ("x\n 1\n", "c.csv:2: "), ("x\n1\n\n", "c.csv:3: "), ("a,b\n1,2\n", "c.csv:1: ", "a,b"),
+                ("1,2\n3,4\n", "c.csv:1: "), ("y\n1\n", "c.csv:1: "), ("w\n1\n", "c.csv:1: "), ("x,x\n1,2\n", "c.csv:1: ", "twice"),
+                ("x,y,z,v\n1,2,3,4\n", "c.csv:1: "), ("x,\n1,2\n", "c.csv:1: "), ("x\n1\0\n", "c.csv:2: ", "NUL"),
+                ("x\n\x1b[31m\n", "c.csv:2: "), ('x\n"1\n', "c.csv:2: "), ('x\n"a\nb"\n', "c.csv:2: "),
+                ("x\n" + "1\n" * 1025, "c.csv", "1025"), ("x,w,v\n1,1,1\n", "c.csv:1: "), ("x,z,w\n1,1,1\n", "c.csv:1: "),
+                ("x,y,w\n1,2,3\n1,2,nan\n", "c.csv:3: ", "row 2, column w"), ("x,w\n1,inf\n", "c.csv:2: ", "column w"),
+                ("x,w\n1,\n", "c.csv:2: ", "column w"), ("x,w\n1,0\n2,-0\n", "c.csv:2: ", "rows 1 to 2, column w", "0")]:
+            with self.subTest(content=content[:30]):
+                self.write("c.csv", content)
+                self.refused(INPUT_OUTPUT, ["curve", "eval", "--curve", "c.csv", "--t", "0.5"], *needles)
+                self.refused(INPUT_OUTPUT, ["curve", "convert", "--curve", "c.csv", "--method", "exact"], *needles)
+
+    def test_files_that_cannot_be_read(self):
+        for name in ("absent.csv", ".", "c.csv/c.csv"):
+            with self.subTest(name=name):
+                self.refused(INPUT_OUTPUT, ["curve", "eval", "--curve", name, "--t", "0"], f"bezierbench: {name}: ")
+
+    def test_parameters(self):
+        for t in ("nan", "inf", "-inf", "1e999", "half", "", "0.5x", "0,5"):
+            with self.subTest(t=t):
+                self.refused(USAGE, ["curve", "eval", "--curve", "c.csv", f"--t={t}"], "--t")
+
+    def test_methods_that_do_not_apply(self):
+        evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.5"]
+        convert = ["curve", "convert", "--curve", "c.csv"]
+        for arguments, *needles in [
+                (evaluate + ["--method", "hroner"], 'did you mean "horner"?'), (evaluate + ["--method", "zzz"], "zzz"),
+                (evaluate + ["--method", "horner"], "horner", "bernstein form"),
+                (evaluate + ["--form", "power", "--method", "direct"], "direct", "power form"),
+                (evaluate + ["--method", "direct", "--method", "horner"], "horner"),
+                (evaluate + ["--method", "factorial"], "factorial"), (convert + ["--method", "exat"], '"exact"'),
+                (convert + ["--method", "direct"], "direct"), (convert + ["--method", "triangle"], "bernstein form"),
+                (convert + ["--form", "power", "--method", "differences"], "power form")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, arguments, *needles)
+
+    def test_conversions_to_what_no_file_holds(self):
+        self.write("c.csv", "x\n1\n2\n3\n")
+        for method, path, what in (("exact_dd", "exact_dd:horner_dd", "pairs of doubles"),
+                                   ("exact_centered", "exact_centered:horner_centered", "powers of t - 1/2")):
+            with self.subTest(method=method):
+                self.refused(USAGE, ["curve", "convert", "--curve", "c.csv", "--method", method], method, what, path)
+                self.fine("curve", "eval", "--curve", "c.csv", "--t", "0.25", "--method", path)  # as the message says
+
+    def test_conversion_that_overflows(self):
+        """A curve file of infinities could not be read."""
+        self.write("c.csv", "x,y\n1,1e308\n2,-1e308\n3,1e308\n")
+        self.refused(INPUT_OUTPUT, ["curve", "convert", "--curve", "c.csv", "--method", "exact"], "c.csv: coefficient 1 of axis y")
+        self.write("c.csv", "x,y\n1,1e307\n2,-1e307\n3,1e307\n")
+        self.fine("curve", "convert", "--curve", "c.csv", "--method", "exact")
+
+    def test_degree_beyond_a_method(self):
+        self.write("c.csv", "x\n" + "1\n" * 172)
+        evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.5"]
+        self.refused(USAGE, evaluate + ["--method", "direct"], "direct", "170", "171")
+        self.refused(USAGE, ["curve", "convert", "--curve", "c.csv", "--method", "factorial"], "170", "171")
+        found = [row["method"] for row in rows(self.fine(*evaluate))]  # without --method: all that apply
+        self.assertIn("de_casteljau", found)
+        self.assertNotIn("direct", found)
+        self.write("c.csv", "x\n" + "1\n" * 171)
+        self.assertEqual(rows(self.fine(*evaluate, "--method", "direct"))[0]["exact"], "1")
+
+    def test_output(self):
+        text = self.fine("curve", "eval", "--curve", "c.csv", "--t", "-0.5", "0x1p-1", "--t", "1e-3", "--method",
+                         "direct", "--method", "de_casteljau")
+        found = rows(text)
+        self.assertEqual(list(found[0]), EVAL_COLUMNS)
+        self.assertEqual([(row["method"], float(row["t"]), row["axis"]) for row in found],
+                         [(method, t, axis) for method in ("direct", "de_casteljau") for t in (-0.5, 0.5, 1e-3)
+                          for axis in "xy"])
+        for row in found:
+            for column in EVAL_COLUMNS[3:8]:
+                self.assertEqual(repr(float(row[column])), repr(float(row[column]) + 0.0))
+        self.assertEqual([float(row["value"]) for row in found[2:4]], [1.25, 1.25])
+
+    def test_derivative(self):
+        self.write("w.csv", "x,y\n1,1\n3,1\n4,2\n6,3\n")  # the worked example of [Document 000]
+        text = self.fine("curve", "derivative", "--curve", "w.csv", "--order", "2", "--t", "0", "--t", "0.5")
+        found = rows(text)
+        self.assertEqual(list(found[0]), EVAL_COLUMNS[:2] + ["order"] + EVAL_COLUMNS[2:])
+        for row in found:
+            truth = {("0", "x"): -6, ("0", "y"): 6, ("0.5", "x"): 0, ("0.5", "y"): 3}[row["t"], row["axis"]]
+            self.assertEqual((float(row["exact"]), row["order"]), (truth, "2"))
+            self.assertEqual(row["value"] == row["exact"], row["method"] != "seed_000" or row["t"] == "0")
+        self.write("r.csv", "x,w\n0,1\n1,2\n")
+        derivative = ["curve", "derivative", "--t", "0.5", "--curve"]
+        for arguments, *needles in [
+                (["w.csv", "--order", "-1"], "--order"), (["w.csv", "--order", "1.5"], "--order"), (["w.csv"], "--order"),
+                (["r.csv", "--order", "1"], "r.csv", "column w"),
+                (["w.csv", "--order", "1", "--method", "seed_00"], 'did you mean "seed_000"?'),
+                (["w.csv", "--order", "1", "--method", "power_derivative"], "bernstein form")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, derivative + arguments, *needles)
+
+    def test_length(self):
+        columns = ["method", "length", "error_estimate", "evaluations", "converged", "exact", "error"]
+        self.write("cusp.csv", "x,y\n3,-3\n-1,3\n-1,-3\n3,3\n")  # 3 (u^2, u^3), u = 2t - 1: (13 sqrt(13) - 8) 2/9
+        truth = decimal.Decimal("8.63825924022930240234")
+        length = ["curve", "length", "--curve", "cusp.csv"]
+        found = rows(self.fine(*length, "--tolerance", "1e-6"))
+        self.assertEqual(list(found[0]), columns)
+        self.assertEqual([row["converged"] for row in found], ["yes", "no", "yes", "yes"])
+        for row in found:
+            self.assertLess(abs(decimal.Decimal(row["exact"]) - truth), 1e-19)
+            error = abs(decimal.Decimal(row["length"]) - decimal.Decimal(row["exact"]))
+            self.assertLess(abs(float(error) - float(row["error"])), 1e-15)
+            if row["converged"] == "yes":
+                self.assertLessEqual(float(row["error"]), float(row["error_estimate"]))
+                self.assertLessEqual(float(row["error"]), 1e-6 * float(row["exact"]))
+        half = rows(self.fine(*length, "--to", "0.5", "--method", "gauss_legendre_adaptive"))
+        self.assertLess(abs(decimal.Decimal(half[0]["exact"]) - truth / 2), 1e-19)
+        for arguments, *needles in [
+                (["--from", "0.6", "--to", "0.5"], "--from 0.6"), (["--to", "1.5"], "--to 1.5"), (["--tolerance", "0"], "--tolerance"),
+                (["--form", "power"], "power form", "curve convert"),
+                (["--method", "chord_sums"], 'did you mean "chord_sum"?')]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, length + arguments, *needles)
+
+    def test_lengths_of_any_finite_curve(self):
+        """What is certain is printed, what is not is said in one line beside what the methods say."""
+        line = rows(self.fine("curve", "length", "--curve", self.write("line.csv", "x\n1\n2\n")))
+        self.assertEqual({(row["exact"], row["error"]) for row in line}, {("1", "0")})
+        # 969 times the Bernstein coefficients of T_20, which goes 20 times from -1 to 1 or back
+        t_20 = [round((-1)**i * 969 * fractions.Fraction(math.comb(40, 2 * i), math.comb(20, i))) for i in range(21)]
+        self.write("t.csv", "x\n" + "\n".join(map(str, t_20)) + "\n")
+        for row in rows(self.fine("curve", "length", "--curve", "t.csv")):
+            self.assertEqual(row["exact"], "38760")
+        for question in (["--length", "19380"], ["--fraction", "0.5"]):
+            found = rows(self.fine("curve", "at-length", "--curve", "t.csv", *question, "--method", "halley", "--tolerance",
+                                   "1e-6"))
+            self.assertEqual((found[0]["exact_t"], found[0]["converged"]), ("0.5", "yes"))
+        # (3t - 1)^9 next to where it stops, over one step of doubles: (1e-16)^9 is nothing to 70 digits
+        self.write("rest.csv", "x\n" + "\n".join(str((-1)**(9 - i) * 2**i) for i in range(10)) + "\n")
+        third = 1 / 3
+        result = self.run_program("curve", "length", "--curve", "rest.csv", "--from", third.hex(), "--to",
+                                  math.nextafter(third, 1).hex())
+        self.assertEqual(result.returncode, 0)
+        self.assert_one_line(result, "rest.csv", "not certain to 30 digits", "left empty")
+        found = rows(result.stdout.decode())
+        self.assertEqual([row["method"] for row in found],
+                         [row["id"] for row in self.our_methods() if row["problem"] == "arc_length"])
+        self.assertEqual({(row["exact"], row["error"], row["converged"]) for row in found}, {("", "", "no")})
+        # T_200, whose coefficients reach 1e60, ends
+        coefficients = [(-1)**i * math.comb(400, 2 * i) / math.comb(200, i) for i in range(201)]
+        self.write("t.csv", "x\n" + "\n".join(map(repr, coefficients)) + "\n")
+        self.assertEqual(self.run_program("curve", "length", "--curve", "t.csv", "--method", "gauss_legendre_24").returncode, 0)
+
+    def test_spread_of_coordinates(self):
+        self.write("c.csv", "x,y\n1e300,0\n1e300,1e-30\n1e300,3e-30\n")
+        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
+            self.assertAlmostEqual(float(row["length"]) / 3e-30, 1, 8)
+        for row in rows(self.fine("curve", "at-length", "--curve", "c.csv", "--fraction", "0.5")):
+            self.assertAlmostEqual(float(row["exact_t"]), math.sqrt(2.5) - 1, 8)  # 2t + t^2 = 3/2
+            self.assertAlmostEqual(float(row["t"]), math.sqrt(2.5) - 1, 6)
+        for row in rows(self.fine("curve", "project", "--curve", "c.csv", "--point", "1e300,3e-30")):
+            t = float(row["t"])
+            self.assertAlmostEqual(float(row["error"]) / 3e-30, 1 - (2 * t + t * t) / 3, 8)
+        self.write("c.csv", "x,y\n-1.7e308,0\n1.7e308,0\n")
+        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
+            self.assertEqual((row["length"], row["converged"]), ("inf", "no"))
+        self.write("c.csv", "x,y\n0,0\n5e-323,5e-323\n1e-322,0\n")
+        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
+            self.assertEqual(row["converged"], "no")
+
+    def test_at_length(self):
+        columns = ["method", "t", "iterations", "converged", "exact_t", "error", "error_estimate", "length_error"]
+        self.write("half.csv", "x\n0\n2\n-1\n")  # 4t - 5t^2 turns at 2/5: 4/5 up, 9/5 down; a length of 1 at 3/5
+        at_length = ["curve", "at-length", "--curve", "half.csv"]
+        for question in (["--length", "1"], ["--length", "1", "--tolerance", "1e-12"]):
+            found = rows(self.fine(*at_length, *question))
+            self.assertEqual(list(found[0]), columns)
+            self.assertEqual({row["exact_t"] for row in found}, {"0.6"})
+            for row in found:
+                self.assertLess(abs(abs(float(row["t"]) - 0.6) - float(row["error"])), 2e-16)
+                if row["converged"] == "yes":
+                    self.assertLessEqual(float(row["length_error"]), float(row["error_estimate"]))
+            self.assertEqual([row["converged"] for row in found if row["method"] in ("bracketed_newton", "halley")], ["yes"] * 2)
+        beyond = rows(self.fine(*at_length, "--fraction", "1", "--tolerance", "1e-18", "--method", "halley"))
+        self.assertEqual((beyond[0]["exact_t"], beyond[0]["converged"]), ("1", "no"))
+        self.write("point.csv", "x,y\n1,2\n1,2\n")
+        point = rows(self.fine("curve", "at-length", "--curve", "point.csv", "--length", "0"))
+        self.assertEqual({(row["t"], row["converged"], row["error"]) for row in point}, {("0", "yes", "0")})
+        for arguments, *needles in [
+                (["--length", "2.7"], "--length 2.7", "2.6", "half.csv"), (["--length=-0.1"], "--length -0.1"),
+                (["--fraction", "1.5"], "--fraction 1.5"), (["--length", "nan"], "--length"), ([], "--length"),
+                (["--length", "1", "--fraction", "0.5"], "--fraction"), (["--length", "1", "--tolerance", "0"], "--tolerance"),
+                (["--length", "1", "--form", "power"], "power form", "curve convert"),
+                (["--length", "1", "--method", "newton"], "--method newton")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, at_length + arguments, *needles)
+
+    def test_every_listed_method_evaluates(self):
+        for form in ("bernstein", "power"):
+            found = rows(self.fine("curve", "eval", "--curve", "c.csv", "--form", form, "--t", "0.25"))
+            listed = self.our_methods()
+            self.assertEqual(list(dict.fromkeys(row["method"] for row in found)),
+                             [row["id"] for row in listed if row["problem"] == "evaluation" and row["form"] == form])
+            for row in found:
+                self.assertLessEqual(float(row["error_ulp"]), 4, row)
+
+    def test_rational(self):
+        """The quarter circle ((1-t^2)/(1+t^2), 2t/(1+t^2)): at 1/2 it is 3-4-5."""
+        self.write("c.csv", "x,y,w\n1,0,1\n1,1,1\n0,1,2\n")
+        evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.5"]
+        text = self.fine(*evaluate)
+        found = rows(text)
+        listed = rows(self.fine("list", "methods", "--format", "csv"))
+        self.assertEqual(list(dict.fromkeys(row["method"] for row in found)),
+                         [row["id"] for row in listed if row["form"] == "rational"])
+        for row in found:
+            self.assertEqual(row["exact"], {"x": "0.6", "y": "0.8"}[row["axis"]])
+            self.assertLessEqual(float(row["error_ulp"]), 4, row)
+        self.assertTrue(any(row["bound_u"] for row in found))
+        self.write("c.csv", "w,y,x\n1,0,1\n1,1,1\n2,1,0\n")  # columns are found by name
+        self.assertEqual(self.fine(*evaluate), text)
+        for method in ("horner", "compensated_de_casteljau"):
+            self.refused(USAGE, evaluate + ["--method", method], method, "column w")
+        self.refused(USAGE, evaluate + ["--form", "power"], "--form power", "column w")
+        self.refused(USAGE, ["curve", "convert", "--curve", "c.csv", "--method", "exact"], "exact", "column w")
+        self.refused(USAGE, ["curve", "eval", "--curve", self.write("p.csv", "x\n1\n"), "--t", "0", "--method",
+                             "de_casteljau_farin"], "de_casteljau_farin", "column w")
+
+    def test_rational_with_weights_of_both_signs(self):
+        self.write("c.csv", "x,w\n1,1\n2,-3\n")  # the weights sum to 1 - 4t
+        found = rows(self.fine("curve", "eval", "--curve", "c.csv", "--t", "0.5", "--method", "de_casteljau"))
+        self.assertEqual([(row["exact"], row["value"], row["bound_u"]) for row in found], [("2.5", "2.5", "")])
+        self.refused(USAGE, ["curve", "eval", "--curve", "c.csv", "--t", "0.5", "--t", "0.25"], "--t 0.25", "c.csv")
+
+    def test_same_numbers_however_written(self):
+        values = [(0.1, -1e-310), (1e308, 5e-324), (-3.25, 7.0)]
+        evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.1"]
+        texts = []
+        for write, end in ((repr, "\n"), (float.hex, "\n"), (repr, "\r\n"), (lambda x: f'"{x!r}"', "\r\n")):
+            self.write("c.csv", end.join(["x,y"] + [",".join(map(write, row)) for row in values]) + end)
+            texts.append(self.fine(*evaluate))
+            texts.append(self.fine(*evaluate[:-1], float.hex(0.1)))
+        self.assertEqual(len(set(texts)), 1)
+        self.write("c.csv", "\ufeffx,y\n" + "\n".join(f"{x!r},{y!r}" for x, y in values))  # no line end at the end
+        self.assertEqual(self.fine(*evaluate), texts[0])
+
+    def test_projection(self):
+        self.write("c.csv", "x,y\n8,5\n-4,0\n6,3\n9,7\n")
+        project = ["curve", "project", "--curve", "c.csv"]
+        found = rows(self.fine(*project, "--point", "6,4"))
+        self.assertEqual(list(found[0]), PROJECT_COLUMNS)
+        self.assertEqual([row["method"] for row in found],
+                         [row["id"] for row in self.our_methods() if row["problem"] == "projection"])
+        for row in found:
+            self.assertAlmostEqual(float(row["exact_t"]), 0.064530, 6)
+            self.assertAlmostEqual(float(row["exact_distance"]), 0.141664, 6)
+            self.assertAlmostEqual(float(row["error"]), float(row["distance"]) - float(row["exact_distance"]), 15)
+        errors = {row["method"]: float(row["error"]) for row in found}
+        self.assertLess(errors["quintic_isolate"], 1e-15)
+        self.assertGreater(min(errors["scan_bisect"], errors["quintic_seed_002"]), 0.1)
+        for arguments, *needles in [
+                (["--point", "6"], "--point 6", "2"), (["--point", "6,4,1"], "3 coordinates"), (["--point", "6,nan"], "--point"),
+                (["--point", ""], "--point"), (["--point", "6,"], "--point"), (["--point", "6,4", "--method", "direct"], "direct"),
+                (["--point", "6,4", "--method", "scan_bisec"], '"scan_bisect"'),
+                (["--point", "6,4", "--form", "power"], "power form")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, project + arguments, *needles)
+        self.write("c.csv", "x,y,z\n8,5,1\n-4,0,2\n")
+        self.refused(USAGE, project + ["--point", "1,2,3", "--method", "quintic_seed_002"], "quintic_seed_002", "degree 1")
+        self.assertEqual(len(rows(self.fine(*project, "--point", "1,2,-3"))), 5)
+        self.write("c.csv", "x,y,w\n8,5,1\n-4,0,2\n")
+        self.refused(USAGE, project + ["--point", "1,2"], "weights")
+        self.refused(INPUT_OUTPUT, ["curve", "project", "--curve", "absent.csv", "--point", "1,2"], "absent.csv")
+
+    def test_interpolation(self):
+        """0, 1, 0, 1 worked by hand: the corrected system of [Document 003]."""
+        self.write("p.csv", "y,x\n-1,0\n-1,1\n-1,0\n-1,1\n")  # columns are found by name
+        interpolate = ["curve", "interpolate", "--points", "p.csv"]
+        ninths = [0, 5, 10, 9, 9, 8, 1, 0, 0, -1, 4, 9]
+        for arguments in ([], ["--method", "c2_natural_handles"]):
+            found = rows(self.fine(*interpolate, *arguments))
+            self.assertEqual([list(row.values())[:2] for row in found], [[str(k // 4), str(k % 4)] for k in range(12)])
+            self.assertEqual(list(found[0]), ["segment", "index", "x", "y"])
+            for row, ninth in zip(found, ninths, strict=True):
+                self.assertAlmostEqual(float(row["x"]), ninth / 9, 15)
+                self.assertAlmostEqual(float(row["y"]), -1, 15)
+        self.assertEqual(self.fine("curve", "interpolate", "--points", self.write("p.csv", "x\n0x1p0\n4\n")),
+                         "segment,index,x\n0,0,1\n0,1,2\n0,2,3\n0,3,4\n")
+        for content, *needles in [
+                ("x,y\n1,2\n", "p.csv: 1 point;", "2 or more"), ("x\n", "0 points"), ("", "p.csv:1: ", "empty"),
+                ("x,y\n1,2\n1,nan\n", "p.csv:3: ", "row 2, column y"), ("x,w\n1,2\n3,4\n", "p.csv:1: ", "x,w"),
+                ("x,y\n1,2\n3\n", "p.csv:3: ", "1 field"), ("x\n1\ninf\n", "p.csv:3: ", '"inf"'),
+                ("x\n1e308\n1.7e308\n-1.7e308\n1e308\n", "p.csv: ", "largest double")]:
+            with self.subTest(content=content):
+                self.write("p.csv", content)
+                self.refused(INPUT_OUTPUT, interpolate, *needles)
+        self.refused(INPUT_OUTPUT, ["curve", "interpolate", "--points", "absent.csv"], "absent.csv")
+        self.refused(USAGE, interpolate + ["--method", "c2_naturl"], 'did you mean "c2_natural"?')
+        self.refused(USAGE, ["curve", "interpolate"], "--points")
+
+    def fitted(self, segments, *arguments):
+        """The standard output of a fit that says that it has so many segments."""
+        result = self.run_program(*arguments)
+        self.assertEqual(result.returncode, 0, result)
+        self.assertRegex(result.stderr.decode(), rf"^bezierbench: {segments} segments?, maximum error [0-9.e-]+\n$")
+        return result.stdout.decode()
+
+    def test_fitting(self):
+        """Samples of the parabola (2t, 4t(1-t)), whose cubic is (0,0) (2/3,4/3) (4/3,4/3) (2,0)."""
+        fit = ["curve", "fit", "--points", "p.csv"]
+        self.write("p.csv", "y,x\n0,0\n0.75,0.5\n1,1\n1,1\n0.75,1.5\n0,2\n")
+        for arguments in ([], ["--method", "gauss_newton"]):
+            found = rows(self.fitted(1, *fit, "--tolerance", "1e-9", *arguments))
+            self.assertEqual(list(found[0]), ["segment", "index", "x", "y"])
+            for row, x, y in zip(found, (0, 2, 4, 6), (0, 4, 4, 0), strict=True):
+                self.assertAlmostEqual(float(row["x"]), x / 3, 9)
+                self.assertAlmostEqual(float(row["y"]), y / 3, 9)
+        for tolerance, segments in (("0.5", 1), ("0", 4)):
+            found = self.fitted(segments, *fit, "--tolerance", tolerance, "--method", "schneider")
+            self.assertEqual(len(rows(found)), 4 * segments)
+        self.write("p.csv", "x\n0x1p0\n4\n")
+        self.assertEqual(self.fitted(1, *fit, "--tolerance", "0"), "segment,index,x\n0,0,1\n0,1,2\n0,2,3\n0,3,4\n")
+        for tolerance in ("-1", "nan", "inf", "", "x"):
+            with self.subTest(tolerance=tolerance):
+                self.refused(USAGE, fit + [f"--tolerance={tolerance}"], "--tolerance")
+        self.refused(USAGE, fit, "--tolerance")
+        self.refused(USAGE, fit + ["--tolerance", "1", "--method", "schneidr"], 'did you mean "schneider"?')
+        self.write("p.csv", "x,y\n1,2\n")
+        self.refused(INPUT_OUTPUT, fit + ["--tolerance", "1"], "p.csv: 1 point;", "2 or more")
+
+    def test_conversions_both_ways(self):
+        for to_power in TO_POWER:
+            self.write("q.csv", self.fine("curve", "convert", "--curve", "c.csv", "--method", to_power))
+            self.assertEqual(rows((self.folder / "q.csv").read_text()),
+                             [{"x": "0", "y": "0"}, {"x": "2", "y": "4"}, {"x": "1", "y": "-3"}])
+            for to_bernstein in TO_BERNSTEIN:
+                back = self.fine("curve", "convert", "--curve", "q.csv", "--form", "power", "--method", to_bernstein)
+                for row, expected in zip(rows(back), rows((self.folder / "c.csv").read_text()), strict=True):
+                    for axis in "xy":
+                        self.assertAlmostEqual(float(row[axis]), float(expected[axis]), places=14)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// `curve eval`: points of one curve by any method, against the exact ones.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/curve/coordinate_columns.hpp"
+#include "experiments/cli/curve/curve_commands.hpp"
+#include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/judged_coordinate.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/judge/methods.hpp"
+#include "experiments/judge/workspace.hpp"
+#include "experiments/metric/trial_scale.hpp"
+#include "experiments/number/number.hpp"
+#include "reference/exact_curve.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct Options {
+  CurveOptions curve;
+  std::vector<std::string> t;
+  std::vector<std::string> methods;
+};
+
+/// The column bound_u of one axis.
+std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis, double t,
+                        const reference::Rational& truth, const reference::Rational& p_tilde) {
+  if (!info.bound) return "";
+  std::vector<double> coefficients;
+  for (int i = 0; i <= curve.degree(); ++i) coefficients.push_back(curve.view()(axis, i));
+  metric::TrialScale scale;
+  scale.set({curve.form, 1, curve.degree(), coefficients, curve.weights}, t);
+  const double length = std::abs(reference::round_to(reference::binary64, truth));
+  return bound_field(scale.bound(*info.bound, metric::double_arithmetic, length), p_tilde);
+}
+
+void evaluate(const Options& options) {
+  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+  const auto methods = chosen(judge::methods<double>(curve.dimension), options.methods, curve, vocabulary().methods);
+  std::vector<double> ts;
+  for (const auto& text : options.t) ts.push_back(finite_option("--t", text));
+  std::vector<reference::ExactPoint> truths;
+  std::vector<reference::ExactPoint> p_tildes;
+  reference::ExactCurve exact;
+  for (const double t : ts) {
+    truths.push_back(exact.point(curve.view(), t));
+    if (!truths.back().exists())
+      throw Failure(Exit::usage,
+                    fmt::format("--t {}: the weights of {} sum to zero there, so the curve has no point; see "
+                                "column w or choose another t",
+                                number::decimal(t), options.curve.file));
+    p_tildes.push_back(exact.p_tilde(curve.view(), t));
+  }
+  bundle::CsvTable table({"method", "t", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"});
+  judge::PreparedStorage storage;
+  std::vector<double> point(static_cast<std::size_t>(curve.dimension));
+  for (const auto* kernel : methods)
+    for (std::size_t k = 0; k < ts.size(); ++k) {
+      judge::evaluate_once<double>(*kernel, curve.view(), ts[k], storage, point);
+      for (int axis = 0; axis < curve.dimension; ++axis) {
+        std::vector<std::string> row{std::string(kernel->info->id), number::decimal(ts[k]), axis_name(axis)};
+        for (auto& field : judged_coordinate(point[static_cast<std::size_t>(axis)], truths[k].coordinate(axis),
+                                             p_tildes[k].coordinate(axis)))
+          row.push_back(std::move(field));
+        row.push_back(
+            bound_units(*kernel->info, curve, axis, ts[k], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)));
+        table.add_row(std::move(row));
+      }
+    }
+  fmt::print("{}", table.text());
+}
+
+}  // namespace
+
+void add_curve_eval(Command curve) {
+  auto options = std::make_shared<Options>();
+  auto command = curve.command("eval", "points of a curve");
+  options->curve.add_to(command);
+  command.option("--t", options->t, "parameter; may be repeated").required();
+  command.option("--method", options->methods, "method id; may be repeated; default: all that apply");
+  command.action([options] { evaluate(*options); });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// `curve length`: the length of a curve or of a part by any method, against the true one.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/curve/curve_commands.hpp"
+#include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/judge/methods.hpp"
+#include "experiments/number/number.hpp"
+#include "reference/true_length.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+constexpr int exact_digits = 30;
+
+struct Options {
+  CurveOptions curve;
+  std::string from = "0";
+  std::string to = "1";
+  std::string tolerance = "1e-9";
+  std::vector<std::string> methods;
+};
+
+/// The part of the curve that is meant, and how well it is to be measured.
+struct Task {
+  double from;
+  double to;
+  double tolerance;
+};
+
+Task task_of(const Options& options) {
+  const Task task{finite_option("--from", options.from), finite_option("--to", options.to),
+                  finite_option("--tolerance", options.tolerance)};
+  if (task.from < 0 || task.to > 1 || task.from > task.to)
+    throw Failure(Exit::usage,
+                  fmt::format("--from {} --to {}: must be in order and within 0 and 1", options.from, options.to));
+  if (task.tolerance <= 0)
+    throw Failure(Exit::usage,
+                  fmt::format("--tolerance {}: must be above 0; it is relative to the length", options.tolerance));
+  return task;
+}
+
+/// None where it is not certain, which standard error is told: what the methods say is printed anyhow.
+std::optional<reference::TrueLength> true_length(const Options& options, const CurveView<double>& curve,
+                                                 const Task& task) {
+  try {
+    return reference::TrueLength(curve, task.from, task.to);
+  } catch (const reference::NotCertain& error) {
+    fmt::print(stderr, "bezierbench: {}: {}; exact and error are left empty\n", options.curve.file, error.what());
+    return std::nullopt;
+  }
+}
+
+void measure(const Options& options) {
+  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+  const auto task = task_of(options);
+  const auto kernels = judge::arc_length_methods(curve.dimension);
+  const auto methods = chosen(kernels, options.methods, curve, ids_in(kernels));
+  if (methods.empty())
+    throw Failure(Exit::usage,
+                  fmt::format("{}: the file is in {} form, lengths are those of control points; see `curve convert`",
+                              options.curve.file, name(curve.form)));
+  const auto truth = true_length(options, curve.view(), task);
+  bundle::CsvTable table({"method", "length", "error_estimate", "evaluations", "converged", "exact", "error"});
+  for (const auto* method : methods) {
+    const auto result = method->measure(curve.view(), task.from, task.to, task.tolerance);
+    table.add_row({std::string(method->info->id), number::decimal(result.length),
+                   std::isnan(result.error_estimate) ? "" : number::decimal(result.error_estimate),
+                   std::to_string(result.evaluations), result.converged ? "yes" : "no",
+                   truth ? truth->decimal(exact_digits) : "",
+                   truth ? number::decimal(truth->error_of(result.length)) : ""});
+  }
+  fmt::print("{}", table.text());
+}
+
+}  // namespace
+
+void add_curve_length(Command curve) {
+  auto options = std::make_shared<Options>();
+  auto command = curve.command("length", "the arc length of a curve or of a part of it");
+  options->curve.add_to(command);
+  command.option("--from", options->from, "parameter of the beginning; default: 0");
+  command.option("--to", options->to, "parameter of the end; default: 1");
+  command.option("--tolerance", options->tolerance, "relative to the length; default: 1e-9");
+  command.option("--method", options->methods, "method id; may be repeated; default: all");
+  command.action([options] { measure(*options); });
+}
+
+}  // namespace bezierbench::cli

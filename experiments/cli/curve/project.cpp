@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// `curve project`: where one curve is nearest to a point by any method, against the exact foot point.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/curve/curve_commands.hpp"
+#include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/judge/methods.hpp"
+#include "experiments/number/number.hpp"
+#include "reference/projection.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct Options {
+  CurveOptions curve;
+  std::string point;
+  std::vector<std::string> methods;
+};
+
+/// The coordinates of `X,Y[,Z]`, as many as the curve has. Throws Failure(usage).
+std::vector<double> point_option(const std::string& text, const CurveFile& curve, const std::string& file) {
+  std::vector<double> point;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(',', begin), text.size());
+    point.push_back(finite_option("--point", text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  if (point.size() != static_cast<std::size_t>(curve.dimension))
+    throw Failure(Exit::usage, fmt::format("--point {}: {} coordinates, but the curve in {} has {}; write one per axis",
+                                           text, point.size(), file, curve.dimension));
+  return point;
+}
+
+void project(const Options& options) {
+  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+  const auto point = point_option(options.point, curve, options.curve.file);
+  const auto kernels = judge::projection_methods(curve.dimension);
+  const auto methods = chosen(kernels, options.methods, curve, ids_in(kernels));
+  if (methods.empty())
+    throw Failure(Exit::usage, fmt::format("{}: no method projects onto it: {} {}", options.curve.file,
+                                           kernels.front().info->id, why_not(*kernels.front().info, curve)));
+  const auto exact = reference::projection(curve.view(), point);
+  const auto t = number::decimal(reference::round_to(reference::binary64, exact.foot().t));
+  const auto distance = number::decimal(reference::square_root(reference::binary64, exact.foot().distance_squared));
+  bundle::CsvTable table({"method", "t", "distance", "candidates", "exact_t", "exact_distance", "error"});
+  for (const auto* kernel : methods) {
+    const auto foot = kernel->project(curve.view(), point);
+    const double error = reference::foot_error(reference::binary64, foot.t, foot.distance, exact);
+    table.add_row({std::string(kernel->info->id), number::decimal(foot.t), number::decimal(foot.distance),
+                   std::to_string(foot.candidates), t, distance, number::decimal(error)});
+    if (!foot.converged)
+      fmt::print(stderr, "bezierbench: {} gave up before it converged; its row is the best it found\n",
+                 kernel->info->id);
+  }
+  fmt::print("{}", table.text());
+}
+
+}  // namespace
+
+void add_curve_project(Command curve) {
+  auto options = std::make_shared<Options>();
+  auto command = curve.command("project", "the point of a curve that is nearest to a point");
+  options->curve.add_to(command);
+  command.option("--point", options->point, "coordinates, separated by commas: X,Y or X,Y,Z").required();
+  command.option("--method", options->methods, "method id; may be repeated; default: all that apply");
+  command.action([options] { project(*options); });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Compiled for plain x86-64, unlike the rest, and run before any other initialiser: no instruction that the processor
+// lacks may come before the message.
+#include "experiments/cli/startup/processor.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace bezierbench::cli {
+
+bool processor_suffices() {
+#ifdef BEZIERBENCH_NEEDS_X86_64_V3
+  __builtin_cpu_init();
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+         __builtin_cpu_supports("bmi2") != 0;
+#else
+  return true;
+#endif
+}
+
+namespace {
+
+constexpr int earliest_priority = 101;
+
+[[gnu::constructor(earliest_priority)]] void stop_on_lesser_processor() {
+  if (processor_suffices()) return;
+  constexpr char message[] =
+      "bezierbench: this processor lacks AVX2 or FMA, for which the program was built; configure with "
+      "-DBEZIERBENCH_X86_64_V3=OFF\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof(message) - 1);
+  _exit(3);
+}
+
+}  // namespace
+}  // namespace bezierbench::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// What a run says of the program that makes it.
+#pragma once
+
+#include "experiments/run/run.hpp"
+
+namespace bezierbench::cli {
+
+/// A request with the facts of this build filled in, and nothing else.
+run::RunRequest request_of_this_build();
+
+}  // namespace bezierbench::cli

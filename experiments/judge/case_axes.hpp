@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What a companion problem is asked besides its curves: the columns that tell its rows apart, empty for other problems.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::judge {
+
+struct CaseValues {
+  std::optional<int> order = std::nullopt;         ///< of a derivative
+  std::optional<double> tolerance = std::nullopt;  ///< relative for lengths, a distance for fits
+  std::optional<int> points = std::nullopt;        ///< number of data points
+  std::string_view data = {};                      ///< id of a sample::DataKind
+  friend bool operator==(const CaseValues&, const CaseValues&) = default;
+};
+
+/// Which of these a problem has.
+struct CaseAxes {
+  bool degree = true;  ///< of curves; else the points are all that is given
+  bool order = false;
+  bool tolerance = false;
+  bool points = false;
+  bool data = false;  ///< every kind of data is a case of its own
+};
+
+/// order,tolerance,points,data
+const std::vector<std::string>& case_columns();
+
+/// The fields of those columns.
+std::vector<std::string> case_fields(const CaseValues& case_values);
+
+/// The cross product of what the study asks, order outermost; one that asks nothing where `asks` has nothing. Throws
+/// Failure(usage), which names `problem`, for a key that is missing or that the problem has not.
+std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes, std::string_view problem);
+
+}  // namespace bezierbench::judge

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Judges trials of a cell of an accuracy study, a group at a time: draws them, evaluates every method, and adds the
+// errors from every baseline to a tally.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "experiments/judge/cell_tally.hpp"
+#include "experiments/judge/judged_methods.hpp"
+#include "experiments/sample/draw.hpp"
+#include "reference/true_point.hpp"
+
+namespace bezierbench::judge {
+
+/// Which trial of which replicate.
+struct TrialNumber {
+  std::int64_t replicate;
+  std::int64_t trial;
+};
+
+/// Refers to what it is made of. Safe to use from several threads.
+template <class Scalar>
+class GroupJudge {
+ public:
+  GroupJudge(const suite::Study& study, const sample::Cell& cell, const sample::Sampler& sampler,
+             const JudgedMethods<Scalar>& methods, reference::Tier tier)
+      : study_(study), cell_(cell), sampler_(sampler), methods_(methods), tier_(tier) {}
+
+  /// `count` trials from `first` on, at most trials_at_once. With `check`, the first is evaluated by the methods' own
+  /// kernels as well, and one bit that differs stops the program.
+  void judge(TrialNumber first, std::int64_t count, bool check, CellTally& block) const;
+
+ private:
+  struct Lane;
+  struct Scratch;
+  struct Origin;
+  using Group = std::span<Lane>;
+
+  void draw(Group group, TrialNumber first, Scratch& scratch) const;
+  void find_scales(Group group, Scratch& scratch) const;
+  void find_truth(Group group, reference::CertifiedBlock& truths) const;
+  void measure_from_truth(Group group, Scratch& scratch) const;
+  void measure_from(const GroupMethod<Scalar>& baseline, Group group, Scratch& scratch) const;
+  void judge_method(std::size_t method, Group group, Scratch& scratch, Judgement& judgement) const;
+  [[nodiscard]] double distance(const Origin& from, Lane& lane, std::size_t number,
+                                std::span<const double> point) const;
+  void take_apart(std::size_t method, Lane& lane, std::span<const double> point, SourceMeter<Scalar>& sources,
+                  Judgement& judgement) const;
+  void add_truth(Group group, Scratch& scratch, CellTally& block) const;
+  void compare_with_bound(std::size_t method, double error, Lane& lane, double length, Judgement& judgement) const;
+
+  const suite::Study& study_;
+  const sample::Cell& cell_;
+  const sample::Sampler& sampler_;
+  const JudgedMethods<Scalar>& methods_;
+  reference::Tier tier_;
+};
+
+}  // namespace bezierbench::judge

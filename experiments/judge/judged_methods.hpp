@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What is judged in a cell of an accuracy study: every method, measured from every baseline.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "experiments/judge/group_points.hpp"
+#include "experiments/metric/trial_scale.hpp"
+#include "experiments/sample/cell.hpp"
+
+namespace bezierbench::judge {
+
+template <class Scalar>
+class JudgedMethods {
+ public:
+  /// Throws Failure(usage) for methods and baselines that do not take the study's curves.
+  JudgedMethods(const suite::Study& study, const sample::Cell& cell);
+
+  [[nodiscard]] std::size_t count() const { return methods_.size(); }
+  [[nodiscard]] std::size_t baseline_count() const { return baselines_.size(); }
+  [[nodiscard]] const GroupMethod<Scalar>& operator[](std::size_t method) const { return methods_[method]; }
+  [[nodiscard]] const MethodInfo& info(std::size_t method) const { return *methods_[method].kernel->info; }
+  [[nodiscard]] const std::optional<metric::BoundAtDegree>& bound(std::size_t method) const { return bounds_[method]; }
+  /// Nothing for the exact reference.
+  [[nodiscard]] const std::optional<GroupMethod<Scalar>>& baseline(std::size_t baseline) const {
+    return baselines_[baseline];
+  }
+  /// What the bounds need of a trial, and p~.
+  [[nodiscard]] const std::set<Amplification>& amplifications() const { return amplifications_; }
+
+  /// Judgements are method by method, baseline by baseline.
+  [[nodiscard]] std::size_t judgement_count() const { return count() * baseline_count(); }
+  [[nodiscard]] std::size_t index(std::size_t method, std::size_t baseline) const {
+    return method * baseline_count() + baseline;
+  }
+  [[nodiscard]] bool supported(const GroupMethod<Scalar>& method) const {
+    return method.kernel->info->template supports<Scalar>(degree_);
+  }
+  [[nodiscard]] bool is_exact(std::size_t baseline) const { return !baselines_[baseline]; }
+  [[nodiscard]] bool is_baseline(std::size_t method, std::size_t baseline) const {
+    return baselines_[baseline] && baselines_[baseline]->kernel == methods_[method].kernel;
+  }
+  /// A method is not measured against itself.
+  [[nodiscard]] bool judged(std::size_t method, std::size_t baseline) const {
+    return !is_baseline(method, baseline) && supported(methods_[method]) &&
+           (is_exact(baseline) || supported(*baselines_[baseline]));
+  }
+  [[nodiscard]] bool is_stable(std::size_t method, std::size_t baseline) const {
+    return info(method).bit_stable && (is_exact(baseline) || baselines_[baseline]->kernel->info->bit_stable);
+  }
+
+ private:
+  int degree_;
+  std::vector<GroupMethod<Scalar>> methods_;
+  std::vector<std::optional<metric::BoundAtDegree>> bounds_;
+  std::set<Amplification> amplifications_;
+  std::vector<std::optional<GroupMethod<Scalar>>> baselines_;
+};
+
+}  // namespace bezierbench::judge

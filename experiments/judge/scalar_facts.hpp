@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What a study must know of the scalar type that methods compute in.
+#pragma once
+
+#include "experiments/metric/trial_scale.hpp"
+#include "experiments/suite/suite.hpp"
+#include "reference/rational.hpp"
+
+namespace bezierbench::judge {
+
+template <class Scalar>
+struct ScalarFacts;
+
+template <>
+struct ScalarFacts<float> {
+  static constexpr suite::ScalarKind kind = suite::ScalarKind::float32;
+  static constexpr metric::Arithmetic arithmetic = metric::float_arithmetic;
+  static constexpr reference::Format format = reference::binary32;
+};
+
+template <>
+struct ScalarFacts<double> {
+  static constexpr suite::ScalarKind kind = suite::ScalarKind::float64;
+  static constexpr metric::Arithmetic arithmetic = metric::double_arithmetic;
+  static constexpr reference::Format format = reference::binary64;
+};
+
+}  // namespace bezierbench::judge

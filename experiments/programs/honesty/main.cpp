@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Does the clockwork tell the truth where it is known? Races a kernel against itself, which must come out `same`, and
+// against itself with 34 batches charged as 33, which must come out `slower`; prints the counts of verdicts.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <new>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/metric/order_statistics.hpp"
+#include "experiments/metric/verdict.hpp"
+#include "experiments/race/kernel_rival.hpp"
+#include "experiments/race/repetition.hpp"
+#include "experiments/race/sentinel.hpp"
+#include "experiments/race/stack_offset.hpp"
+#include "experiments/suite/names.hpp"
+
+namespace {
+
+using namespace bezierbench;
+
+constexpr int races = 100;
+constexpr int enough = 95;
+constexpr std::size_t points_of_batch = 16;  // so few that a turn is short
+constexpr std::size_t batches = 33;
+constexpr std::size_t batches_if_slower = 34;
+
+race::Inputs<double> inputs_of_race() {
+  constexpr int degree = 10;
+  race::Inputs<double> inputs{Form::bernstein, 2, degree, {}, {}, {}};
+  std::vector<double> coefficients;
+  for (int k = 0; k < 2 * (degree + 1); ++k) coefficients.push_back(k * k % 17 / 17.0 - 0.5);
+  inputs.curves.assign(points_of_batch, coefficients);
+  for (std::size_t k = 0; k < points_of_batch; ++k)
+    inputs.t.push_back((static_cast<double>(k * 5 % points_of_batch) + 0.5) / static_cast<double>(points_of_batch));
+  return inputs;
+}
+
+std::vector<double> points_of(const Kernel<double>& kernel, const race::Inputs<double>& inputs) {
+  constexpr std::align_val_t alignment{64};
+  const auto release = [](void* memory) { ::operator delete(memory, alignment); };
+  const std::unique_ptr<void, decltype(release)> prepared(::operator new(kernel.prepared_size, alignment), release);
+  kernel.prepare(inputs.curve(0), prepared.get());
+  std::vector<double> points(inputs.t.size() * 2);
+  kernel.evaluate(prepared.get(), inputs.t, points.data());
+  return points;
+}
+
+/// Runs its batch `count` times, and is charged for `batches` of them: more of the same work on the same memory.
+race::Rival rival_of(const Kernel<double>& kernel, suite::Mode mode, const race::Inputs<double>& inputs,
+                     std::size_t count) {
+  auto rival = race::kernel_rival(kernel, mode, inputs, points_of(kernel, inputs));
+  rival.points_per_batch = points_of_batch * batches;
+  rival.run = [run = std::move(rival.run), count] {
+    for (std::size_t k = 0; k < count; ++k) run();
+  };
+  return rival;
+}
+
+/// The verdict on `count` batches against `batches`, as a row of timing.csv would say it.
+metric::Verdict verdict_of(const Kernel<double>& kernel, suite::Mode mode, const race::Inputs<double>& inputs,
+                           std::size_t count) {
+  std::vector<double> ratios;
+  for (std::size_t repetition = 0; repetition < race::repetitions_per_race; ++repetition) {
+    std::vector<race::Rival> rivals{rival_of(kernel, mode, inputs, batches), rival_of(kernel, mode, inputs, count)};
+    std::ranges::copy(race::sentinels(), std::back_inserter(rivals));
+    const auto laps = race::with_stack_moved(
+        repetition, [&] { return race::race("honesty", rivals, race::options_of_a_repetition()); });
+    ratios.push_back(race::median_ratio(laps[1], laps[0]));
+  }
+  return metric::verdict(metric::median_interval(ratios, metric::timing_confidence));
+}
+
+/// How often `expected` came out of 100 races; prints what came out.
+int count_of(std::string_view contest, suite::Mode mode, std::size_t count, metric::Verdict expected) {
+  const auto& kernel = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
+  const auto inputs = inputs_of_race();
+  std::map<metric::Verdict, int> verdicts;
+  for (int race = 0; race < races; ++race) ++verdicts[verdict_of(kernel, mode, inputs, count)];
+  fmt::print("{:<16} {:<6}", contest, suite::name(mode));
+  for (const auto verdict :
+       {metric::Verdict::same, metric::Verdict::slower, metric::Verdict::faster, metric::Verdict::unresolved})
+    fmt::print("  {} {:>3}", metric::name(verdict), verdicts[verdict]);
+  fmt::print("   {} {} at least: {}\n", metric::name(expected), enough, verdicts[expected] >= enough ? "yes" : "NO");
+  return verdicts[expected];
+}
+
+}  // namespace
+
+int main() {
+  bool honest = true;
+  for (const auto mode : {suite::Mode::point, suite::Mode::batch}) {
+    honest = count_of("against itself", mode, batches, metric::Verdict::same) >= enough && honest;
+    honest = count_of("3 % more work", mode, batches_if_slower, metric::Verdict::slower) >= enough && honest;
+  }
+  return honest ? 0 : 1;
+}

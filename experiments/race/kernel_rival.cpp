@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/race/kernel_rival.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+#include "experiments/race/page_vector.hpp"
+
+namespace bezierbench::race {
+namespace {
+
+constexpr std::size_t third_of_page = 1344;  // in whole cache lines
+constexpr std::size_t place_of_state = 960;  // in its first third, behind all but the largest prepared states
+
+/// What a rival owns: the prepared state, its parameters, the points of its last batch, and the points it must
+/// reproduce. What batches touch lies in another third of a page each, for every rival alike.
+template <class Scalar>
+struct State {
+  const Kernel<Scalar>& kernel;
+  const Inputs<Scalar>& inputs;
+  PageVector<std::byte, 0> prepared;
+  PageVector<Scalar, third_of_page> t;
+  PageVector<Scalar, 2 * third_of_page> points;
+  std::vector<Scalar> judged;
+
+  State(const Kernel<Scalar>& k, const Inputs<Scalar>& in, std::vector<Scalar> right)
+      : kernel(k),
+        inputs(in),
+        prepared(k.prepared_size),
+        t(in.t.begin(), in.t.end()),
+        points(right.size(), spoilt),
+        judged(std::move(right)) {
+    if (kernel.prepared_alignment > page) throw std::invalid_argument("a prepared state aligned to more than a page");
+    kernel.prepare(inputs.curve(0), prepared.data());
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  State(State&&) = delete;
+  State& operator=(State&&) = delete;
+  ~State() { destroy(); }
+
+  /// Takes another curve. Ending the object of the last one is part of what a curve costs.
+  void prepare(std::size_t k) {
+    destroy();
+    kernel.prepare(inputs.curve(k), prepared.data());
+  }
+
+  /// Are the points the judged ones? Spoils them, so that a batch that writes nothing cannot pass the next check.
+  bool check() {
+    const bool same = std::memcmp(points.data(), judged.data(), points.size() * sizeof(Scalar)) == 0;
+    std::ranges::fill(points, spoilt);
+    return same;
+  }
+
+ private:
+  static constexpr Scalar spoilt = std::numeric_limits<Scalar>::quiet_NaN();
+  void destroy() {
+    if (kernel.destroy != nullptr) kernel.destroy(prepared.data());
+  }
+};
+
+/// One t at a time. Copied out of the state before a loop: what the loop reads then lies in registers, on the stack, or
+/// at the places of the state's vectors.
+template <class Scalar>
+struct PointByPoint {
+  explicit PointByPoint(State<Scalar>& s)
+      : kernel(s.kernel.evaluate),
+        prepared(s.prepared.data()),
+        t(s.t),
+        points(s.points.data()),
+        dimension(static_cast<std::size_t>(s.inputs.dimension)) {}
+
+  decltype(Kernel<Scalar>::evaluate) kernel;
+  const void* prepared;
+  std::span<const Scalar> t;
+  Scalar* points;
+  std::size_t dimension;
+
+  [[nodiscard]] Scalar* point(std::size_t k) const { return points + k * dimension; }
+  void evaluate(std::size_t k, Scalar at) const { kernel(prepared, std::span<const Scalar>(&at, 1), point(k)); }
+};
+
+template <class Scalar>
+void one_shot(State<Scalar>& s) {
+  const PointByPoint<Scalar> points(s);
+  for (std::size_t k = 0; k < points.t.size(); ++k) {
+    s.prepare(k);
+    points.evaluate(k, points.t[k]);
+  }
+}
+
+template <class Scalar>
+void point_by_point(State<Scalar>& s) {
+  const PointByPoint<Scalar> points(s);
+  for (std::size_t k = 0; k < points.t.size(); ++k) points.evaluate(k, points.t[k]);
+}
+
+/// Each t waits for every coordinate of the last point: their bits and a zero that no compiler can know are put on top
+/// of its own. No bit changes, whatever the point is (0 times it would spoil t after an infinity), and points and t go
+/// through memory anyway, so that this costs two operations on integers.
+template <class Scalar>
+void dependent_chain(State<Scalar>& s) {
+  using Bits = std::conditional_t<sizeof(Scalar) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+  const PointByPoint<Scalar> points(s);
+  volatile Bits hidden = 0;
+  const Bits zero = hidden;
+  Bits last = 0;
+  for (std::size_t k = 0; k < points.t.size(); ++k) {
+    points.evaluate(k, std::bit_cast<Scalar>(std::bit_cast<Bits>(points.t[k]) | (last & zero)));
+    for (std::size_t axis = 0; axis < points.dimension; ++axis) last |= std::bit_cast<Bits>(points.point(k)[axis]);
+  }
+}
+
+template <class Scalar>
+void all_at_once(State<Scalar>& s) {
+  s.kernel.evaluate(s.prepared.data(), s.t, s.points.data());
+}
+
+template <class Scalar>
+void (*run_of(suite::Mode mode))(State<Scalar>&) {
+  switch (mode) {
+    case suite::Mode::one_shot: return one_shot<Scalar>;
+    case suite::Mode::point: return point_by_point<Scalar>;
+    case suite::Mode::latency: return dependent_chain<Scalar>;
+    case suite::Mode::batch: return all_at_once<Scalar>;
+  }
+  return nullptr;
+}
+
+template <class Scalar>
+std::shared_ptr<State<Scalar>> state_of(const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,
+                                        std::vector<Scalar> judged) {
+  return std::allocate_shared<State<Scalar>>(AtPagePlace<State<Scalar>, place_of_state>(), kernel, inputs,
+                                             std::move(judged));
+}
+
+template <class Scalar>
+Rival rival_of(const std::shared_ptr<State<Scalar>>& state, std::function<void()> run) {
+  return {std::string(state->kernel.info->id), state->t.size(), std::move(run), [state] { return state->check(); }};
+}
+
+/// Point by point, to axis by axis.
+template <class Scalar>
+std::vector<Scalar> by_axis(const std::vector<Scalar>& points, std::size_t dimension) {
+  std::vector<Scalar> sorted;
+  for (std::size_t axis = 0; axis < dimension; ++axis)
+    for (std::size_t k = axis; k < points.size(); k += dimension) sorted.push_back(points[k]);
+  return sorted;
+}
+
+template <class Scalar>
+Rival vector_rival(const batch::BatchKernel<Scalar>& vectors, const Kernel<Scalar>& kernel,
+                   const Inputs<Scalar>& inputs, const std::vector<Scalar>& judged) {
+  auto state = state_of(kernel, inputs, by_axis(judged, static_cast<std::size_t>(inputs.dimension)));
+  return rival_of(state, [state, vectors] { vectors(state->prepared.data(), state->t, state->points.data()); });
+}
+
+}  // namespace
+
+template <class Scalar>
+Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs,
+                   std::vector<Scalar> judged) {
+  if (mode == suite::Mode::batch)
+    for (const auto* target : batch::usable_targets())
+      if (const auto vectors = batch::find(*target, kernel)) return vector_rival(vectors, kernel, inputs, judged);
+  auto state = state_of(kernel, inputs, std::move(judged));
+  return rival_of<Scalar>(state, [state, run = run_of<Scalar>(mode)] { run(*state); });
+}
+
+template <class Scalar>
+Rival batch_rival(const batch::Target& target, const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,
+                  std::vector<Scalar> judged) {
+  return vector_rival(batch::find(target, kernel), kernel, inputs, judged);
+}
+
+template Rival kernel_rival<float>(const Kernel<float>&, suite::Mode, const Inputs<float>&, std::vector<float>);
+template Rival kernel_rival<double>(const Kernel<double>&, suite::Mode, const Inputs<double>&, std::vector<double>);
+template Rival batch_rival<float>(const batch::Target&, const Kernel<float>&, const Inputs<float>&, std::vector<float>);
+template Rival batch_rival<double>(const batch::Target&, const Kernel<double>&, const Inputs<double>&,
+                                   std::vector<double>);
+
+}  // namespace bezierbench::race

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A kernel as a contestant in one of the timing modes, over inputs that were drawn and judged beforehand.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/batch/batch.hpp"
+#include "core/evaluate/kernel.hpp"
+#include "experiments/race/race.hpp"
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::race {
+
+/// The curves and parameters of a cell: `one_shot` uses curve k with t k; the other modes use the first curve only.
+template <class Scalar>
+struct Inputs {
+  Form form = Form::bernstein;
+  int dimension = 2;
+  int degree = 0;
+  std::vector<std::vector<Scalar>> curves;   ///< coefficients point by point
+  std::vector<Scalar> t;                     ///< as many as curves
+  std::vector<std::vector<Scalar>> weights;  ///< as many as curves, if these are rational
+
+  [[nodiscard]] CurveView<Scalar> curve(std::size_t k) const {
+    CurveView<Scalar> view{form, dimension, degree, curves[k]};
+    if (form == Form::rational) view.weights = weights[k];
+    return view;
+  }
+  /// The curve that t k is evaluated on.
+  [[nodiscard]] CurveView<Scalar> curve_of(std::size_t k, suite::Mode mode) const {
+    return curve(mode == suite::Mode::one_shot ? k : 0);
+  }
+};
+
+/// The rival. `judged` are the points that every run must reproduce bit for bit: points[k * dimension + axis] is the
+/// point at t[k]. `inputs` must outlive it. In mode `batch` the kernel's best batch kernel on this processor runs,
+/// which writes the points axis by axis, or where there is none the kernel itself.
+template <class Scalar>
+Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs,
+                   std::vector<Scalar> judged);
+
+/// The rival in mode `batch` for one target that this processor can run, which must have a batch kernel for `kernel`.
+template <class Scalar>
+Rival batch_rival(const batch::Target& target, const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,
+                  std::vector<Scalar> judged);
+
+}  // namespace bezierbench::race

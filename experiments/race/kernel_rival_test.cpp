@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/race/kernel_rival.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <set>
+
+#include "experiments/race/page_vector.hpp"
+
+namespace bezierbench::race {
+namespace {
+
+template <class Scalar>
+Inputs<Scalar> cubic_inputs(Form form) {
+  Inputs<Scalar> inputs{form, 2, 3, {}, {}, {}};
+  for (int k = 0; k < 7; ++k) {
+    inputs.curves.push_back({0, 0, Scalar(1) + Scalar(k), 2, 3, -1, 4, Scalar(0.5)});
+    inputs.weights.push_back({1, 2, Scalar(0.5), Scalar(3) + Scalar(k)});
+    inputs.t.push_back((Scalar(k) + Scalar(0.5)) / 7);
+  }
+  return inputs;
+}
+
+/// By the kernel's own functions, one curve and one t at a time.
+template <class Scalar>
+std::vector<Scalar> judged_points(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs) {
+  std::vector<Scalar> points(inputs.t.size() * static_cast<std::size_t>(inputs.dimension));
+  const std::size_t room = kernel.prepared_size + kernel.prepared_alignment;
+  const auto memory = std::make_unique<std::byte[]>(room);
+  void* prepared = memory.get();
+  std::size_t space = room;
+  std::align(kernel.prepared_alignment, kernel.prepared_size, prepared, space);
+  for (std::size_t k = 0; k < inputs.t.size(); ++k) {
+    kernel.prepare(inputs.curve_of(k, mode), prepared);
+    kernel.evaluate(prepared, std::span<const Scalar>(&inputs.t[k], 1),
+                    points.data() + k * static_cast<std::size_t>(inputs.dimension));
+  }
+  return points;
+}
+
+constexpr suite::Mode modes[] = {suite::Mode::one_shot, suite::Mode::point, suite::Mode::latency, suite::Mode::batch};
+
+template <class Scalar>
+class KernelRival : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(KernelRival, Scalars);
+
+TYPED_TEST(KernelRival, ReproducesTheJudgedPointsInEveryMode) {
+  for (const auto mode : modes)
+    for (const auto& kernel : kernels<TypeParam>(2)) {
+      const auto inputs = cubic_inputs<TypeParam>(kernel.info->form);
+      const Rival rival = kernel_rival(kernel, mode, inputs, judged_points(kernel, mode, inputs));
+      EXPECT_EQ(rival.points_per_batch, 7U);
+      EXPECT_FALSE(rival.check()) << "nothing ran yet";
+      rival.run();
+      EXPECT_TRUE(rival.check()) << kernel.info->id;
+      EXPECT_FALSE(rival.check()) << "a check uses the points up: the next round must write them anew";
+    }
+}
+
+/// Points of every axis, of every target; a batch kernel that left one out would find it spoilt.
+TYPED_TEST(KernelRival, ReproducesTheJudgedPointsOnEveryTarget) {
+  for (const auto* target : batch::usable_targets())
+    for (const auto& kernel : kernels<TypeParam>(2)) {
+      if (!batch::find(*target, kernel)) continue;
+      const auto inputs = cubic_inputs<TypeParam>(kernel.info->form);
+      auto judged = judged_points(kernel, suite::Mode::batch, inputs);
+      const Rival rival = batch_rival(*target, kernel, inputs, judged);
+      EXPECT_FALSE(rival.check()) << "nothing ran yet";
+      rival.run();
+      EXPECT_TRUE(rival.check()) << kernel.info->id << " on " << target->name;
+      judged[5] = std::nextafter(judged[5], std::numeric_limits<TypeParam>::infinity());
+      const Rival wrong = batch_rival(*target, kernel, inputs, judged);
+      wrong.run();
+      EXPECT_FALSE(wrong.check());
+    }
+}
+
+TYPED_TEST(KernelRival, IsHeldToTheLastBit) {
+  const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
+  const auto& kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  for (const auto mode : modes)
+    for (std::size_t k = 0; k < 2 * inputs.t.size(); ++k) {
+      auto judged = judged_points(kernel, mode, inputs);
+      judged[k] = std::nextafter(judged[k], std::numeric_limits<TypeParam>::infinity());
+      const Rival rival = kernel_rival(kernel, mode, inputs, judged);
+      rival.run();
+      EXPECT_FALSE(rival.check());
+    }
+}
+
+/// The dependence on the last point must not change a t: not after NaN, not after an infinity, not for t = -0.
+TYPED_TEST(KernelRival, LatencyHandsOnWhatIsNoNumber) {
+  Kernel<TypeParam> echo = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  echo.evaluator = nullptr;  // that no batch kernel may take its place
+  echo.evaluate = [](const void*, std::span<const TypeParam> t, TypeParam* points) {
+    points[0] = t[0];
+    points[1] = t[0] > TypeParam(0.5) ? std::numeric_limits<TypeParam>::quiet_NaN()
+                                      : -std::numeric_limits<TypeParam>::infinity();
+  };
+  auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
+  inputs.t[3] = -TypeParam(0);
+  const Rival rival = kernel_rival(echo, suite::Mode::latency, inputs, judged_points(echo, suite::Mode::point, inputs));
+  rival.run();
+  EXPECT_TRUE(rival.check());
+}
+
+int alive = 0;  ///< objects that the kernel below prepared and not yet destroyed
+
+/// A library's object owns memory: each must end once, however often another curve takes its place.
+TYPED_TEST(KernelRival, EndsWhatItPrepared) {
+  Kernel<TypeParam> owner = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  owner.evaluator = nullptr;
+  owner.prepare = [](const CurveView<TypeParam>&, void*) { ++alive; };
+  owner.evaluate = [](const void*, std::span<const TypeParam>, TypeParam*) { EXPECT_EQ(alive, 1); };
+  owner.destroy = [](void*) { --alive; };
+  const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
+  for (const auto mode : modes) {
+    {
+      const Rival rival = kernel_rival(owner, mode, inputs, std::vector<TypeParam>(2 * inputs.t.size()));
+      rival.run();
+      rival.run();
+      EXPECT_EQ(alive, 1);
+    }
+    EXPECT_EQ(alive, 0);
+  }
+}
+
+/// Where what a batch touches lies within its page: the prepared state, t, the points.
+std::vector<std::array<std::uintptr_t, 3>> touched;
+
+/// The allocator must not decide which of two rivals is the faster.
+TYPED_TEST(KernelRival, LiesInItsPagesAsEveryOtherDoes) {
+  Kernel<TypeParam> watched = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  watched.evaluator = nullptr;
+  watched.evaluate = [](const void* prepared, std::span<const TypeParam> t, TypeParam* points) {
+    const auto place = [](const void* address) { return reinterpret_cast<std::uintptr_t>(address) % page; };
+    touched.push_back({place(prepared), place(t.data()), place(points)});
+  };
+  const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
+  const std::vector<TypeParam> judged(2 * inputs.t.size());
+  std::vector<Rival> rivals;
+  std::vector<std::unique_ptr<std::byte[]>> between;  // odd amounts of memory
+  for (std::size_t k = 0; k < 20; ++k) {
+    rivals.push_back(kernel_rival(watched, suite::Mode::batch, inputs, judged));
+    between.push_back(std::make_unique<std::byte[]>(100 * k + 1));
+  }
+  touched.clear();
+  for (const auto& rival : rivals) rival.run();
+  ASSERT_EQ(touched.size(), rivals.size());
+  for (const auto& places : touched) EXPECT_EQ(places, touched.front());
+  const std::set<std::uintptr_t> distinct(touched.front().begin(), touched.front().end());
+  EXPECT_EQ(distinct.size(), 3U) << "a load must not wait for a store to other data";
+}
+
+}  // namespace
+}  // namespace bezierbench::race

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The peak of a target as a contestant: fixed work that fills its arithmetic units, beside the methods in their race.
+#pragma once
+
+#include "core/batch/batch.hpp"
+#include "experiments/race/race.hpp"
+
+namespace bezierbench::race {
+
+/// A point is one floating-point operation. `work` must be of a target that this processor can run.
+template <class Scalar>
+Rival peak_rival(const batch::PeakWork<Scalar>& work);
+
+}  // namespace bezierbench::race

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/race/race_cell.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/metric/order_statistics.hpp"
+#include "experiments/metric/verdict.hpp"
+#include "experiments/race/stack_offset.hpp"
+#include "experiments/race/timed_problem.hpp"
+#include "experiments/suite/names.hpp"
+#include "experiments/suite/pattern.hpp"
+
+namespace bezierbench::race {
+namespace {
+
+constexpr std::string_view no_baseline = "exact";  // what a study has that names none; times are not compared with it
+
+/// Of repetitions in which the machine is quiet, but for what memory they met.
+constexpr double tolerated_disagreement = 0.05;
+
+/// In the order of sentinels().
+std::array<const RaceCellLap*, 2> sentinels_of(const std::vector<RaceCellLap>& laps) {
+  return {&laps[laps.size() - 2], &laps.back()};
+}
+
+/// All against each other and the sentinels; a rival whose results were wrong is not `checked`.
+RaceCellLaps race_of(const RaceCell& race_cell, const suite::Study& study, JudgedRivals contestants,
+                     std::size_t repetition, const RaceOptions& options) {
+  std::ranges::copy(sentinels(), std::back_inserter(contestants.rivals));
+  const auto name = fmt::format("{}/{}/{}", study.id, race_cell.cell.degree, suite::name(race_cell.mode));
+  auto laps = with_stack_moved(repetition, [&] { return race(name, contestants.rivals, options); });
+  for (std::size_t m = 0; m < contestants.right.size(); ++m) laps[m].checked = laps[m].checked && contestants.right[m];
+  RaceCellLaps result;
+  for (auto& lap : laps) result.each.push_back({{std::move(lap)}});
+  return result;
+}
+
+}  // namespace
+
+Lap RaceCellLap::rounds() const {
+  Lap all;
+  for (const auto& repetition : repetitions) all.append(repetition);
+  return all;
+}
+
+std::vector<double> RaceCellLap::repetition_ns() const {
+  std::vector<double> medians;
+  for (const auto& repetition : repetitions) medians.push_back(median_ns(repetition));
+  return medians;
+}
+
+void RaceCellLaps::merge(const RaceCellLaps& other) {
+  if (each.empty()) each.resize(other.each.size());
+  if (other.each.size() != each.size()) throw std::invalid_argument("repetitions of different race cells");
+  for (std::size_t m = 0; m < each.size(); ++m) {
+    const auto& more = other.each[m].repetitions;
+    each[m].repetitions.insert(each[m].repetitions.end(), more.begin(), more.end());
+  }
+}
+
+RaceCellLaps run(const TimedProblem& problem, const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,
+                 std::size_t repetition, const RaceOptions& options) {
+  return race_of(race_cell, study, problem.rivals(race_cell, study, seed), repetition, options);
+}
+
+void Pace::speed_up(const Pace& other) {
+  chain_ns = std::min(chain_ns, other.chain_ns);
+  sweep_ns = std::min(sweep_ns, other.sweep_ns);
+}
+
+double Pace::over(const Pace& other) const { return std::max(chain_ns / other.chain_ns, sweep_ns / other.sweep_ns); }
+
+Pace pace(const std::vector<RaceCellLap>& laps) {
+  const auto [sweep, chain] = sentinels_of(laps);
+  return {metric::median(chain->repetition_ns()), metric::median(sweep->repetition_ns())};
+}
+
+Pace fastest_pace(const std::vector<RaceCellLap>& laps) {
+  if (laps.empty()) return {};
+  const auto [sweep, chain] = sentinels_of(laps);
+  return {std::ranges::min(chain->repetition_ns()), std::ranges::min(sweep->repetition_ns())};
+}
+
+Pace fastest_pace(const std::vector<RaceCell>& race_cells) {
+  Pace fastest;
+  for (const auto& race_cell : race_cells) fastest.speed_up(fastest_pace(race_cell.laps));
+  return fastest;
+}
+
+bool drifted(const std::vector<RaceCellLap>& laps, const Pace& fastest) {
+  return pace(laps).over(fastest) > 1 + metric::tolerated_drift;
+}
+
+bool repetitions_disagree(const RaceCellLap& lap) {
+  constexpr double quarter = 0.25;
+  const auto ns = lap.repetition_ns();
+  return metric::quantile(ns, 1 - quarter) > (1 + tolerated_disagreement) * metric::quantile(ns, quarter);
+}
+
+std::string named_baseline(const suite::Study& study) {
+  const auto named = std::ranges::find_if(study.baseline, [](const auto& id) { return id != no_baseline; });
+  return named == study.baseline.end() ? "" : *named;
+}
+
+std::optional<std::size_t> relative_to(const RaceCell& race_cell, const suite::Study& study) {
+  const auto first_that_matches = [&](std::string_view pattern) -> std::optional<std::size_t> {
+    for (std::size_t m = 0; m < race_cell.methods.size(); ++m)
+      if (suite::means(pattern, race_cell.methods[m]->id)) return m;
+    return std::nullopt;
+  };
+  if (const auto named = named_baseline(study); !named.empty()) return first_that_matches(named);
+  for (const auto& pattern : study.methods)
+    if (const auto first = first_that_matches(pattern)) return first;
+  return first_that_matches("*");
+}
+
+}  // namespace bezierbench::race

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/race/timed_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace bezierbench::race {
+namespace {
+
+template <class Scalar>
+Inputs<Scalar> cubic_inputs(Form form) {
+  Inputs<Scalar> inputs{form, 2, 3, {}, {}, {}};
+  for (int k = 0; k < 7; ++k) {
+    inputs.curves.push_back({0, 0, Scalar(1) + Scalar(k), 2, 3, -1, 4, Scalar(0.5)});
+    inputs.weights.push_back({1, 2, Scalar(0.5), Scalar(3) + Scalar(k)});
+    inputs.t.push_back((Scalar(k) + Scalar(0.5)) / 7);
+  }
+  return inputs;
+}
+
+template <class Scalar>
+class TimedCheck : public testing::Test {
+ protected:
+  /// de Casteljau with another `evaluate`.
+  static Kernel<Scalar> with(void (*evaluate)(const void*, std::span<const Scalar>, Scalar*)) {
+    Kernel<Scalar> kernel = *find_kernel<Scalar>("de_casteljau", Form::bernstein, 2);
+    kernel.evaluate = evaluate;
+    return kernel;
+  }
+};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(TimedCheck, Scalars);
+
+TYPED_TEST(TimedCheck, PassesEveryMethodOfTheRosterOnCurvesOfItsForm) {
+  for (const auto mode : {suite::Mode::one_shot, suite::Mode::point})
+    for (const auto& kernel : kernels<TypeParam>(2)) {
+      const Form form = kernel.info->form;
+      EXPECT_TRUE(judge(kernel, mode, cubic_inputs<TypeParam>(form)).right) << kernel.info->id;
+      if (form == Form::rational) continue;  // reads weights, which the others do not have
+      const Form other = form == Form::power ? Form::bernstein : Form::power;
+      EXPECT_FALSE(judge(kernel, mode, cubic_inputs<TypeParam>(other)).right) << kernel.info->id;
+    }
+}
+
+/// Interpolation at uniform nodes is right, however much it loses by then.
+TYPED_TEST(TimedCheck, PassesTheLeastStableOfAllAtAHighDegree) {
+  constexpr int degree = 30;
+  Inputs<TypeParam> inputs{Form::bernstein, 1, degree, {}, {}, {}};
+  for (int k = 0; k < 16; ++k) {
+    std::vector<TypeParam> curve;
+    for (int i = 0; i <= degree; ++i) curve.push_back(TypeParam((7 * i + k) % 5) - TypeParam(2));
+    inputs.curves.push_back(curve);
+    inputs.weights.emplace_back();
+    inputs.t.push_back((TypeParam(k) + TypeParam(0.5)) / 16);
+  }
+  const auto& kernel = *find_kernel<TypeParam>("barycentric_uniform", Form::bernstein, 1);
+  EXPECT_TRUE(judge(kernel, suite::Mode::one_shot, inputs).right);
+}
+
+TYPED_TEST(TimedCheck, CatchesAMethodThatLooksAtNoWeights) {
+  const auto& wrong = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  EXPECT_FALSE(judge(wrong, suite::Mode::point, cubic_inputs<TypeParam>(Form::rational)).right);
+}
+
+/// At t = 1/2, p = (b_0 + 3 b_1 + 3 b_2 + b_3) / 8, by hand: no rounding.
+TYPED_TEST(TimedCheck, HandsOverThePointsThatItJudged) {
+  const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
+  const auto& kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  const auto of_first = judge(kernel, suite::Mode::point, inputs).points;
+  const auto of_each = judge(kernel, suite::Mode::one_shot, inputs).points;
+  ASSERT_EQ(of_first.size(), 14U);
+  EXPECT_EQ(inputs.t[3], TypeParam(0.5));
+  EXPECT_EQ(of_first[6], TypeParam(2));       // (0 + 3 + 9 + 4) / 8
+  EXPECT_EQ(of_first[7], TypeParam(0.4375));  // (0 + 6 - 3 + 0.5) / 8
+  EXPECT_EQ(of_each[6], TypeParam(3.125));    // (0 + 3 * 4 + 9 + 4) / 8
+}
+
+TYPED_TEST(TimedCheck, CatchesAWrongMethod) {
+  const auto ones = this->with([](const void*, std::span<const TypeParam> t, TypeParam* points) {
+    for (std::size_t k = 0; k < 2 * t.size(); ++k) points[k] = 1;
+  });
+  EXPECT_FALSE(judge(ones, suite::Mode::point, cubic_inputs<TypeParam>(Form::bernstein)).right);
+}
+
+TYPED_TEST(TimedCheck, CatchesNotANumber) {
+  const auto infinite = this->with([](const void*, std::span<const TypeParam> t, TypeParam* points) {
+    for (std::size_t k = 0; k < 2 * t.size(); ++k) points[k] = std::numeric_limits<TypeParam>::infinity();
+  });
+  EXPECT_FALSE(judge(infinite, suite::Mode::point, cubic_inputs<TypeParam>(Form::bernstein)).right);
+}
+
+}  // namespace
+}  // namespace bezierbench::race

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// In which order blocks run that nothing else may run beside.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "experiments/run/blocks/block_set.hpp"
+#include "experiments/run/blocks/checkpoints.hpp"
+
+namespace bezierbench::run {
+
+struct BlockOfJob {
+  std::size_t job;
+  std::uint64_t block;
+  friend bool operator==(const BlockOfJob&, const BlockOfJob&) = default;
+};
+
+/// The blocks of the exclusive jobs, of each those in `blocks[job]`, which are whole parts: the first block of every
+/// part of every job, then the second, and so on, so that the blocks of a part are spread over the time of the whole
+/// suite. What a machine does for a while then meets some blocks of many parts rather than all blocks of a few.
+std::vector<BlockOfJob> exclusive_order(const Jobs& jobs, std::span<const BlockSet::Run> blocks);
+
+}  // namespace bezierbench::run

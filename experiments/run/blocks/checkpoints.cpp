@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/run/blocks/checkpoints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/folder.hpp"
+
+namespace bezierbench::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view extension = ".blocks";
+constexpr std::size_t most_files = 64;  ///< of one writer, before all goes into one
+constexpr auto shortest_interval = std::chrono::milliseconds(50);
+constexpr auto longest_interval = std::chrono::milliseconds(2000);
+constexpr int times_the_cost = 19;  ///< between two checkpoints pass so many times what the last one took
+
+std::uint64_t size_of(const bundle::BlockRecord& record) {
+  std::uint64_t sum = 0;
+  for (const auto& [first, end] : record.blocks) sum += end - first;
+  return sum;
+}
+
+std::string bytes_of(const Result& result) {
+  number::ByteWriter writer;
+  result.save(writer);
+  return writer.bytes();
+}
+
+/// The number in WRITER.NUMBER.blocks, 0 where there is none.
+std::uint64_t number_of(const fs::path& path) {
+  const std::string digits = path.stem().extension().string();
+  std::uint64_t number = 0;
+  if (!digits.empty()) std::from_chars(digits.data() + 1, digits.data() + digits.size(), number);
+  return number;
+}
+
+}  // namespace
+
+Found find_blocks(const fs::path& folder) {
+  Found found;
+  if (!bundle::is_inner_folder(folder)) return found;
+  for (const auto& name : bundle::list_folder(folder).files) {
+    if (!name.ends_with(extension)) continue;
+    auto file = bundle::parse_block_file(bundle::read_bundle_file(folder / name));
+    if (file)
+      found.readable.push_back({folder / name, std::move(*file)});
+    else
+      found.damaged.push_back(folder / name);
+  }
+  return found;
+}
+
+Checkpoints::Checkpoints(const Jobs& jobs, Owner owner)
+    : jobs_(jobs), owner_(std::move(owner)), done_(jobs.size()), slots_(jobs.size()), settled_(jobs.size()) {
+  for (std::size_t job = 0; job < jobs.size(); ++job) slots_[job].resize(jobs[job]->parts());
+  next_checkpoint_ = Clock::now() + pause_after({});
+}
+
+bool Checkpoints::is_own(const fs::path& path) const { return path.stem().stem() == owner_.writer; }
+
+BlockSet::Run Checkpoints::blocks_of(std::size_t job, std::uint64_t part) const {
+  const auto each = jobs_[job]->blocks_per_part();
+  return {part * each, (part + 1) * each};
+}
+
+std::vector<std::string> Checkpoints::load(const Found& found, Whose whose) {
+  std::vector<std::string> notes;
+  for (const auto& path : found.damaged)
+    notes.push_back(fmt::format("{}: damaged; what it held is computed again", path.string()));
+  // A file in which a writer gathered its earlier ones overlaps with these where it was killed before it removed them.
+  // The largest come first, so that it replaces them all.
+  std::vector<std::pair<const FoundBlocks*, const bundle::BlockRecord*>> records;
+  for (const auto& one : found.readable) {
+    for (const auto& record : one.file.records) records.emplace_back(&one, &record);
+    if (whose == Whose::own && !is_own(one.path)) continue;
+    files_.push_back(one.path);
+    if (is_own(one.path)) next_number_ = std::max(next_number_, number_of(one.path) + 1);
+  }
+  for (const auto& path : found.damaged)
+    if (is_own(path)) next_number_ = std::max(next_number_, number_of(path) + 1);
+  std::ranges::stable_sort(records, std::ranges::greater(), [](const auto& one) { return size_of(*one.second); });
+  for (const auto& [from, record] : records) load_record(*from, *record, whose, notes);
+  return notes;
+}
+
+void Checkpoints::load_record(const FoundBlocks& from, const bundle::BlockRecord& record, Whose whose,
+                              std::vector<std::string>& notes) {
+  const auto pass_over = [&] {
+    notes.push_back(fmt::format("{}: holds what is not of this run; computed again", from.path.string()));
+  };
+  if (record.job >= jobs_.size() || record.part >= jobs_[record.job]->parts()) return pass_over();
+  Job& job = *jobs_[record.job];
+  if (job.exclusive() && from.file.machine != owner_.machine) return;
+  const BlockSet blocks(record.blocks);
+  if (blocks.empty() || blocks.within(blocks_of(record.job, record.part)).size() != size_of(record)) return pass_over();
+  if (settled_[record.job].overlaps(blocks)) return;
+  if (whose == Whose::own && !is_own(from.path)) return done_[record.job].insert(blocks);
+  try {
+    number::ByteReader reader(record.result);
+    auto result = job.read_result(reader);
+    reader.finish();
+    job.add(record.part, std::move(result));
+  } catch (const number::MalformedBytes&) {
+    return pass_over();
+  }
+  settled_[record.job].insert(blocks);
+  done_[record.job].insert(blocks);
+}
+
+bool Checkpoints::all_settled() const {
+  for (std::size_t job = 0; job < jobs_.size(); ++job)
+    if (settled_[job].size() != jobs_[job]->blocks()) return false;
+  return true;
+}
+
+void Checkpoints::add(std::size_t job, std::uint64_t block, std::unique_ptr<Result> result) {
+  {
+    Slot& slot = slots_[job][jobs_[job]->part_of(block)];
+    const std::lock_guard lock(slot.mutex);
+    if (slot.fresh)
+      slot.fresh->merge(*result);
+    else
+      slot.fresh = std::move(result);
+    slot.blocks.insert(block);
+  }
+  const std::unique_lock lock(mutex_, std::try_to_lock);  // one thread writes, the others go on
+  if (lock && Clock::now() >= next_checkpoint_) write_checkpoint();
+}
+
+double Checkpoints::files_after(double seconds) {
+  return std::min(static_cast<double>(most_files), seconds / std::chrono::duration<double>(longest_interval).count());
+}
+
+void Checkpoints::checkpoint() {
+  const std::lock_guard lock(mutex_);
+  write_checkpoint();
+}
+
+void Checkpoints::settle() {
+  const std::lock_guard lock(mutex_);
+  drain(nullptr);
+}
+
+void Checkpoints::drain(std::vector<bundle::BlockRecord>* records) {
+  for (std::size_t job = 0; job < jobs_.size(); ++job)
+    for (std::size_t part = 0; part < slots_[job].size(); ++part) {
+      Slot& slot = slots_[job][part];
+      std::unique_ptr<Result> fresh;
+      BlockSet blocks;
+      {
+        const std::lock_guard lock(slot.mutex);
+        std::swap(fresh, slot.fresh);
+        std::swap(blocks, slot.blocks);
+      }
+      if (!fresh) continue;
+      if (records != nullptr) records->push_back({job, part, blocks.runs(), bytes_of(*fresh)});
+      jobs_[job]->add(part, std::move(fresh));
+      settled_[job].insert(blocks);
+    }
+}
+
+std::vector<bundle::BlockRecord> Checkpoints::everything() const {
+  std::vector<bundle::BlockRecord> records;
+  for (std::size_t job = 0; job < jobs_.size(); ++job)
+    for (std::size_t part = 0; part < slots_[job].size(); ++part)
+      if (const Result* total = jobs_[job]->total(part))
+        records.push_back({job, part, settled_[job].within(blocks_of(job, part)).runs(), bytes_of(*total)});
+  return records;
+}
+
+void Checkpoints::write(std::vector<bundle::BlockRecord> records) {
+  const auto path = owner_.folder / fmt::format("{}.{:06}{}", owner_.writer, next_number_++, extension);
+  bundle::write_bundle_file(
+      path, bundle::block_file_bytes({owner_.manifest, owner_.reference, owner_.machine, std::move(records)}));
+  files_.push_back(path);
+}
+
+void Checkpoints::write_checkpoint() {
+  const auto start = Clock::now();
+  std::vector<bundle::BlockRecord> records;
+  drain(&records);
+  if (!records.empty()) write(std::move(records));
+  if (files_.size() > most_files) {
+    const auto superseded = std::exchange(files_, {});
+    write(everything());
+    std::error_code ignored;  // what stays is found to overlap, and passed over
+    for (const auto& path : superseded) fs::remove(path, ignored);
+  }
+  const auto end = Clock::now();
+  next_checkpoint_ = end + pause_after(end - start);
+}
+
+Checkpoints::Clock::duration Checkpoints::pause_after(Clock::duration cost) const {
+  if (owner_.interval) return *owner_.interval;
+  return std::clamp<Clock::duration>(times_the_cost * cost, shortest_interval, longest_interval);
+}
+
+}  // namespace bezierbench::run

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// One study of a run, as work that can be cut into blocks and rows that can be written when all blocks are done.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/number/bytes.hpp"
+#include "experiments/suite/suite.hpp"
+#include "experiments/tables/tables.hpp"
+#include "reference/true_point.hpp"
+
+namespace bezierbench::run {
+
+/// Where a proved bound was seen to fail.
+struct Violation {
+  std::string where;  ///< study, method, cell and trial
+  std::uint64_t count;
+};
+
+/// How much a study is, before it is done.
+struct Extent {
+  std::size_t cells = 0;
+  std::size_t rows = 0;           ///< of CSV
+  std::uint64_t evaluations = 0;  ///< of methods or conversions
+  std::size_t input_bytes = 0;    ///< about, of the inputs that rows record in full
+
+  Extent& operator+=(const Extent& other) {
+    cells += other.cells;
+    rows += other.rows;
+    evaluations += other.evaluations;
+    input_bytes += other.input_bytes;
+    return *this;
+  }
+};
+
+/// What all studies of a run share.
+struct JobContext {
+  std::uint64_t seed = 1;
+  reference::Tier tier = reference::Tier::exact;
+};
+
+/// What blocks of one part of a job gave: merges in any order to the same, and survives the program as bytes.
+class Result {
+ public:
+  Result() = default;
+  Result(const Result&) = delete;
+  Result& operator=(const Result&) = delete;
+  Result(Result&&) = delete;
+  Result& operator=(Result&&) = delete;
+  virtual ~Result() = default;
+
+  /// `other` is of the same part of the same job, and of other blocks.
+  virtual void merge(const Result& other) = 0;
+  virtual void save(number::ByteWriter& bytes) const = 0;
+};
+
+/// Work is cut into parts (one cell, say), each of as many blocks, numbered part by part. Blocks are independent of
+/// each other; the results of a part's blocks are merged.
+class Job {
+ public:
+  Job() = default;
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+  Job(Job&&) = delete;
+  Job& operator=(Job&&) = delete;
+  virtual ~Job() = default;
+
+  [[nodiscard]] virtual std::size_t parts() const = 0;
+  [[nodiscard]] virtual std::size_t blocks_per_part() const { return 1; }
+  [[nodiscard]] std::size_t blocks() const { return parts() * blocks_per_part(); }
+  [[nodiscard]] std::size_t part_of(std::size_t block) const { return block / blocks_per_part(); }
+
+  /// Any block, on any thread unless `exclusive`. Where an interruption arrived meanwhile the result is worthless.
+  [[nodiscard]] virtual std::unique_ptr<Result> run_block(std::size_t block) const = 0;
+  /// Throws number::MalformedBytes for what no result of this kind writes.
+  [[nodiscard]] virtual std::unique_ptr<Result> read_result(number::ByteReader& bytes) const = 0;
+
+  /// Adds to what write() writes. From one thread at a time.
+  void add(std::size_t part, std::unique_ptr<Result> result);
+  /// What was added so far, if anything.
+  [[nodiscard]] const Result* total(std::size_t part) const {
+    return part < totals_.size() ? totals_[part].get() : nullptr;
+  }
+
+  /// Nanoseconds of one thread for a block of this part, to an order of magnitude, and the same on every machine:
+  /// shares the blocks out among shards, and says how far a run is. What --dry-run says is measured; see estimate.hpp.
+  [[nodiscard]] virtual double cost(std::size_t part) const = 0;
+  [[nodiscard]] double total_cost() const;
+  /// True for timings: nothing else may run beside them.
+  [[nodiscard]] virtual bool exclusive() const { return false; }
+  /// Throws Failure(environment) where this machine is not fit for the work, as one without a steady clock is for
+  /// times.
+  virtual void require_machine() const {}
+  /// For --dry-run.
+  [[nodiscard]] virtual Extent extent() const = 0;
+
+  /// Appends this study's rows; the results of all blocks were added.
+  virtual void write(tables::Tables& tables) const = 0;
+  [[nodiscard]] virtual std::vector<tables::Series> series() const = 0;
+  [[nodiscard]] virtual std::vector<Violation> violations() const { return {}; }
+
+ private:
+  std::vector<std::unique_ptr<Result>> totals_;  ///< per part
+};
+
+/// A job whose results are values of type State: what number::ByteWriter takes and, where a part has several blocks,
+/// with `merge(const State&)`.
+template <class State>
+class JobOf : public Job {
+ public:
+  [[nodiscard]] std::unique_ptr<Result> run_block(std::size_t block) const final {
+    return std::make_unique<Held>(work(block));
+  }
+  [[nodiscard]] std::unique_ptr<Result> read_result(number::ByteReader& bytes) const final {
+    auto result = std::make_unique<Held>(State());
+    bytes(result->state);
+    return result;
+  }
+
+ protected:
+  [[nodiscard]] virtual State work(std::size_t block) const = 0;
+
+  /// All that was added of this part.
+  [[nodiscard]] const State& state(std::size_t part) const {
+    static const State nothing{};
+    const auto* result = static_cast<const Held*>(total(part));
+    return result == nullptr ? nothing : result->state;
+  }
+
+ private:
+  struct Held final : Result {
+    explicit Held(State value) : state(std::move(value)) {}
+    void merge(const Result& other) override {
+      if constexpr (requires { state.merge(state); })
+        state.merge(static_cast<const Held&>(other).state);
+      else
+        throw std::logic_error("a part of one block has nothing to merge");
+    }
+    void save(number::ByteWriter& bytes) const override { bytes(state); }
+    State state;
+  };
+};
+
+/// Does all blocks, one after the other.
+void run_all(Job& job);
+
+}  // namespace bezierbench::run

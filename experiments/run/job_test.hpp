@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What the tests of all studies share: a job is done in any order, through its bytes, to the same files.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "experiments/run/job.hpp"
+
+namespace bezierbench::run {
+
+using MakeJob = std::unique_ptr<Job> (*)(const suite::Study& study, const JobContext& context);
+
+/// The files that a job writes, by name.
+inline std::map<std::string, std::string> text_of(const Job& job) {
+  tables::Tables tables;
+  job.write(tables);
+  std::map<std::string, std::string> texts;
+  for (const auto& [file, table] : tables.all()) texts[file] = table.text();
+  return texts;
+}
+
+/// Does all blocks forwards, then backwards and through their bytes; returns the files.
+inline std::map<std::string, std::string> expect_order_changes_nothing(MakeJob make, const suite::Study& study) {
+  const auto plain = make(study, {1});
+  run_all(*plain);
+  const auto backwards = make(study, {1});
+  for (std::size_t block = backwards->blocks(); block-- > 0;) {
+    number::ByteWriter writer;
+    backwards->run_block(block)->save(writer);
+    number::ByteReader reader(writer.bytes());
+    backwards->add(backwards->part_of(block), backwards->read_result(reader));
+    reader.finish();
+  }
+  EXPECT_EQ(text_of(*plain), text_of(*backwards));
+  EXPECT_TRUE(plain->violations().empty());
+  return text_of(*plain);
+}
+
+}  // namespace bezierbench::run

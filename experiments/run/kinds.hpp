@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What the engine must know of the kinds of studies, of which it knows none by name: the roster in studies/ hands it
+// over.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiments/run/job.hpp"
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::run {
+
+struct Kinds {
+  /// The work of one study. Throws Failure(usage) where its methods do not fit.
+  std::unique_ptr<Job> (*make_job)(const suite::Study& study, const JobContext& context) = nullptr;
+  /// The tables that a study of this kind writes wherever it has rows, by file name: one of each list.
+  std::vector<std::vector<std::string>> (*tables_of)(suite::Kind kind) = nullptr;
+};
+
+}  // namespace bezierbench::run

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/run/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/folder.hpp"
+#include "experiments/suite/writer.hpp"
+#include "experiments/tables/choices.hpp"
+#include "experiments/tables/scorecard.hpp"
+
+namespace bezierbench::run {
+namespace {
+
+std::vector<suite::Study> studies_of(const RunRequest& request) {
+  std::vector<suite::Study> studies;
+  for (const auto& one : request.suites) studies.insert(studies.end(), one.studies.begin(), one.studies.end());
+  return studies;
+}
+
+bundle::Manifest manifest_of(const RunRequest& request, const std::string& suite_text) {
+  bundle::Manifest manifest;
+  for (const auto& one : request.suites) manifest.suites.push_back(one.id);
+  manifest.suite_digest = bundle::sha256_hex(suite_text);
+  manifest.seed = request.suites.front().seed;
+  manifest.state = bundle::partial;
+  manifest.program_version = request.build.program_version;
+  manifest.git_commit = request.git_commit;
+  manifest.git_clean = request.git_clean;
+  manifest.fp_flags = request.build.fp_flags;
+  return manifest;
+}
+
+}  // namespace
+
+Plan::Plan(const RunRequest& request)
+    : suite_text(suite::to_toml(request.suites)),
+      manifest(manifest_of(request, suite_text)),
+      reference(reference::name(request.tier)) {
+  for (const auto& one : request.suites)
+    for (const auto& study : one.studies) jobs.push_back(request.kinds.make_job(study, {one.seed, request.tier}));
+}
+
+std::optional<std::string> difference(const bundle::Manifest& theirs, const bundle::Manifest& ours) {
+  const auto both = [](std::string_view what, const auto& a, const auto& b) {
+    return fmt::format("{} {}, this run has {}", what, a, b);
+  };
+  const auto suites = [](const bundle::Manifest& manifest) {
+    return fmt::format("{} ({})", fmt::join(manifest.suites, "+"), manifest.suite_digest.substr(0, 12));
+  };
+  if (theirs.seed != ours.seed) return both("seed", theirs.seed, ours.seed);
+  if (theirs.suite_digest != ours.suite_digest) return both("resolved suite", suites(theirs), suites(ours));
+  if (theirs.program_version != ours.program_version)
+    return both("program version", theirs.program_version, ours.program_version);
+  if (theirs.git_commit != ours.git_commit) return both("commit", theirs.git_commit, ours.git_commit);
+  const auto source = [](const bundle::Manifest& manifest) {
+    return fmt::format("{}{}", manifest.git_commit, manifest.git_clean ? " unmodified" : " with modifications");
+  };
+  if (theirs.git_clean != ours.git_clean) return both("commit", source(theirs), source(ours));
+  if (theirs.fp_flags != ours.fp_flags) return both("floating-point flags", theirs.fp_flags, ours.fp_flags);
+  return std::nullopt;
+}
+
+std::optional<bundle::Manifest> existing(const RunRequest& request, const Plan& plan) {
+  const auto path = request.out / bundle::manifest_name;
+  std::error_code ignored;  // a place that cannot be looked at cannot be made either, which says why
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) return std::nullopt;
+  const auto theirs = bundle::parse_manifest(bundle::read_bundle_file(path), path.string());
+  if (const auto why = difference(theirs, plan.manifest))
+    throw Failure(Exit::usage, fmt::format("{}: holds results of {}; choose another --out or move it away",
+                                           request.out.string(), *why));
+  return theirs;
+}
+
+std::vector<std::pair<std::string, std::string>> lists_of(const RunRequest& request) {
+  return {{"methods.csv", request.methods_csv}, {"generators.csv", request.generators_csv}};
+}
+
+void refuse_foreign(const RunRequest& request, const std::function<bool(const std::string&)>& is_table) {
+  std::vector<std::string> own{std::string(bundle::manifest_name), std::string(bundle::sums_name),
+                               std::string(bundle::blocks_name), suite_name, machine_name};
+  for (const auto& list : lists_of(request)) own.push_back(list.first);
+  const auto found = bundle::list_folder(request.out);
+  for (const auto* names : {&found.files, &found.others})
+    for (const auto& name : *names)
+      if (!name.starts_with('.') && std::ranges::find(own, name) == own.end() && !is_table(name))
+        throw Failure(Exit::input_output,
+                      fmt::format("{}: is nothing that this run writes; move it away, or choose another --out",
+                                  (request.out / name).string()));
+}
+
+void require_same(const Found& found, const Plan& ours, Exit exit) {
+  for (const auto& [path, file] : found.readable) {
+    auto why = difference(file.manifest, ours.manifest);
+    if (!why && file.reference != ours.reference)
+      why = fmt::format("reference {}, this run has {}", file.reference, ours.reference);
+    if (why)
+      throw Failure(
+          exit, fmt::format("{}: holds blocks of {}; remove the file or choose another --out", path.string(), *why));
+  }
+}
+
+Findings violations_in(const Jobs& jobs) {
+  Findings findings;
+  for (const auto& job : jobs)
+    for (const auto& violation : job->violations())
+      findings.push_back(fmt::format("bound violated {} times: {}", violation.count, violation.where));
+  return findings;
+}
+
+tables::Tables written_tables(const RunRequest& request, const Plan& plan) {
+  tables::Tables tables;
+  std::vector<tables::Series> series;
+  for (const auto& job : plan.jobs) {
+    job->write(tables);
+    for (auto& one : job->series()) series.push_back(std::move(one));
+  }
+  tables::write_scorecards(studies_of(request), series, tables);
+  tables::write_pareto(tables);
+  return tables;
+}
+
+Findings assemble(const RunRequest& request, const tables::Tables& tables, const Plan& plan,
+                  const bundle::BundleDirectory& directory) {
+  refuse_foreign(request, [&](const std::string& name) { return tables.all().contains(name); });
+  for (const auto& [file, table] : tables.all()) directory.write(file, table.text());
+  bundle::Manifest manifest = plan.manifest;
+  manifest.state = bundle::complete;
+  directory.finish(manifest);
+  return violations_in(plan.jobs);
+}
+
+}  // namespace bezierbench::run

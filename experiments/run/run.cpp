@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/run/run.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <system_error>
+
+#include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/check/verify.hpp"
+#include "experiments/bundle/folder.hpp"
+#include "experiments/echo.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/run/blocks/block_order.hpp"
+#include "experiments/run/blocks/parallel_ranges.hpp"
+#include "experiments/run/estimate.hpp"
+#include "experiments/run/expected.hpp"
+#include "experiments/run/interruption.hpp"
+#include "experiments/run/notes.hpp"
+#include "experiments/run/plan.hpp"
+#include "experiments/run/progress.hpp"
+#include "experiments/run/run_folder.hpp"
+
+namespace bezierbench::run {
+namespace {
+
+std::string name_of(const std::optional<Shard>& shard) {
+  return shard ? fmt::format("shard {}/{}", shard->number, shard->count) : "run";
+}
+
+/// The work of this process.
+class Share {
+ public:
+  Share(const Jobs& jobs, const Checkpoints& checkpoints, const Shard& shard) : jobs_(jobs), checkpoints_(checkpoints) {
+    for (std::size_t job = 0; job < jobs.size(); ++job) blocks_.push_back(dealt(*jobs[job], job, shard));
+  }
+
+  [[nodiscard]] BlockSet::Run blocks(std::size_t job) const { return blocks_[job]; }
+  [[nodiscard]] const std::vector<BlockSet::Run>& blocks() const { return blocks_; }
+  [[nodiscard]] std::uint64_t count() const {
+    std::uint64_t sum = 0;
+    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += blocks(job).second - blocks(job).first;
+    return sum;
+  }
+  [[nodiscard]] std::uint64_t count_done() const {
+    std::uint64_t sum = 0;
+    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += checkpoints_.done(job).within(blocks(job)).size();
+    return sum;
+  }
+  [[nodiscard]] double cost_left() const {
+    double sum = 0;
+    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += cost_left(job);
+    return sum;
+  }
+
+  [[nodiscard]] double cost_left(std::size_t number) const {
+    const Job& job = *jobs_[number];
+    const auto each = job.blocks_per_part();
+    const auto [first, end] = blocks(number);
+    double sum = 0;
+    for (std::uint64_t at = first; at < end;) {
+      const auto part = job.part_of(at);
+      const BlockSet::Run run{at, std::min<std::uint64_t>(end, (part + 1) * each)};
+      sum +=
+          job.cost(part) * static_cast<double>(run.second - run.first - checkpoints_.done(number).within(run).size());
+      at = run.second;
+    }
+    return sum;
+  }
+
+ private:
+  const Jobs& jobs_;
+  const Checkpoints& checkpoints_;
+  std::vector<BlockSet::Run> blocks_;  ///< per job
+};
+
+/// What is left of a run takes.
+struct Needs {
+  double seconds = 0;  ///< of processor time
+  double disk = 0;     ///< bytes at most: files of blocks, and beside them the bundle
+  double memory = 0;   ///< bytes at most
+};
+
+rusage used_so_far() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return used;
+}
+
+double seconds_of(const timeval& time) {
+  constexpr double microsecond = 1e-6;
+  return static_cast<double>(time.tv_sec) + microsecond * static_cast<double>(time.tv_usec);
+}
+
+Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, const Extent& extent) {
+  constexpr double bytes_per_row = 300;
+  constexpr double nanosecond = 1e-9;
+  constexpr double kilobyte = 1024;
+  const auto used = used_so_far();  // for the plan, which a run makes as well
+  Needs needs{.seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
+              .disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
+                      bytes_per_row * static_cast<double>(extent.rows)};
+  double result_bytes = 0;
+  double parts = 0;
+  std::size_t job = 0;
+  for (const auto& one : request.suites)
+    for (const auto& study : one.studies) {
+      const auto estimated = estimate(study, request.kinds, {one.seed, request.tier});
+      needs.seconds += nanosecond * estimated.per_cost * share.cost_left(job);
+      needs.memory += estimated.result_memory;
+      result_bytes += estimated.result_bytes;
+      parts += static_cast<double>(plan.jobs[job++]->parts());
+    }
+  // Every file of blocks begins or ends within a part, which is then in two. Gathered into one, all is there twice.
+  const double files = Checkpoints::files_after(needs.seconds);
+  const bool gathered = files == Checkpoints::files_after(std::numeric_limits<double>::infinity());
+  needs.disk += result_bytes * (1 + files / std::max(1.0, parts) + (gathered ? 1 : 0));
+  needs.memory += kilobyte * static_cast<double>(used_so_far().ru_maxrss);  // of pilots: what a trial takes meanwhile
+  return needs;
+}
+
+void describe(const RunRequest& request, const Plan& plan, bool already_complete) {
+  Extent extent;
+  for (const auto& job : plan.jobs) extent += job->extent();
+  Checkpoints checkpoints(plan.jobs, {request.out / "blocks", "", plan.manifest, plan.reference, machine_of(request)});
+  const Found found = find_blocks(request.out / "blocks");
+  require_same(found, plan, Exit::usage);
+  for (const auto& line : checkpoints.load(found, Checkpoints::Whose::all)) note(line);
+  const Share share(plan.jobs, checkpoints, request.shard.value_or(Shard()));
+  const Needs needs = already_complete ? Needs{} : needs_of(request, plan, share, extent);
+  constexpr double megabyte = 1e6;
+  fmt::print("studies      {}\ncells        {}\nevaluations  {}\n", plan.jobs.size(), extent.cells, extent.evaluations);
+  fmt::print("blocks       {}{}, {} of them done\n", share.count(),
+             request.shard ? fmt::format(" of {}", name_of(request.shard)) : "",
+             already_complete ? share.count() : share.count_done());
+  fmt::print("estimated    {:.1f} s on one thread, {:.2f} MB of disk, {:.0f} MB of memory\nout          {}{}\n",
+             needs.seconds, needs.disk / megabyte, needs.memory / megabyte, printable(request.out.string()),
+             already_complete ? " (already complete)" : "");
+}
+
+/// Before anything is done rather than after hours of it: times need a machine that is fit for them.
+void require_machine(const Jobs& jobs, const Share& share) {
+  for (std::size_t number = 0; number < jobs.size(); ++number)
+    if (const auto [first, end] = share.blocks(number); first < end) jobs[number]->require_machine();
+}
+
+void work(const RunRequest& request, const Jobs& jobs, Checkpoints& checkpoints) {
+  const Share share(jobs, checkpoints, request.shard.value_or(Shard()));
+  require_machine(jobs, share);
+  Progress progress(share.cost_left(), request.quiet);
+  const auto run_one = [&](std::size_t number, std::uint64_t block) {
+    if (interrupted() || checkpoints.done(number, block)) return;
+    auto result = jobs[number]->run_block(block);
+    if (interrupted()) return;  // it may have stopped half-way
+    checkpoints.add(number, block, std::move(result));
+    progress.add(jobs[number]->cost(jobs[number]->part_of(block)));
+  };
+  std::vector<std::size_t> shared;
+  std::vector<std::uint64_t> ends;  // of their blocks, numbered through; a list of all blocks might not fit in memory
+  for (std::size_t number = 0; number < jobs.size(); ++number) {
+    const auto [first, end] = share.blocks(number);
+    if (jobs[number]->exclusive() || first == end) continue;
+    shared.push_back(number);
+    ends.push_back((ends.empty() ? 0 : ends.back()) + (end - first));
+  }
+  const auto threads = request.jobs > 0 ? static_cast<std::size_t>(request.jobs)
+                                        : static_cast<std::size_t>(tbb::info::default_concurrency());
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const auto run_range = [&](std::uint64_t begin, std::uint64_t end) {
+      for (auto k = begin; k < end && !interrupted(); ++k) {
+        const auto index = static_cast<std::size_t>(std::ranges::upper_bound(ends, k) - ends.begin());
+        run_one(shared[index], share.blocks(shared[index]).second - (ends[index] - k));
+      }
+    };
+    parallel_ranges(ends.empty() ? 0 : ends.back(), run_range);
+  }
+  for (const auto& [number, block] : exclusive_order(jobs, share.blocks())) run_one(number, block);
+}
+
+/// Once the blocks of this process are done: completes the bundle, unless other shards have theirs to do.
+Findings complete(const RunRequest& request, const Plan& plan, RunFolder& place, Checkpoints& checkpoints) {
+  const auto lock = place.lock_bundle();
+  if (request.shard) {
+    if (place.directory().manifest().state == bundle::complete) return {};  // another shard did it
+    const Found found = find_blocks(place.directory().blocks());
+    require_same(found, plan, Exit::usage);
+    for (const auto& line : checkpoints.load(found, Checkpoints::Whose::all)) note(line);
+  }
+  if (!checkpoints.all_settled()) {
+    if (!request.quiet)
+      note(fmt::format("{}: {} is done, others are not", request.out.string(), name_of(request.shard)));
+    return {};
+  }
+  return assemble(request, written_tables(request, plan), plan, place.directory());
+}
+
+}  // namespace
+
+Findings run(const RunRequest& request) {
+  const Plan plan(request);
+  const auto before = existing(request, plan);
+  const bool is_complete = before && before->state == bundle::complete;
+  if (request.dry_run) {
+    describe(request, plan, is_complete);
+    return {};
+  }
+  const auto already_complete = [&] {
+    auto findings = bundle::verify(request.out, [&](const std::string&, const std::string&) {
+      return expected_of(request.suites, request.kinds);
+    });
+    if (!findings.empty())
+      findings.push_back(request.out.string() +
+                         ": complete, but not as it was written; restore it, or remove it and run the command again");
+    else if (!request.quiet)
+      note(request.out.string() + ": already complete, nothing to do");
+    return findings;
+  };
+  if (is_complete && !bundle::is_inner_folder(request.out / bundle::blocks_name)) return already_complete();
+
+  RunFolder place(request, plan);
+  if (!place.begin()) return already_complete();
+  Checkpoints checkpoints(plan.jobs, place.owner());
+  for (const auto& line :
+       checkpoints.load(place.found(), request.shard ? Checkpoints::Whose::own : Checkpoints::Whose::all))
+    note(line);
+  work_begins();
+  work(request, plan.jobs, checkpoints);
+  if (interrupted()) {
+    checkpoints.checkpoint();
+    throw Failure(Exit::interrupted,
+                  fmt::format("{}: interrupted before the results were complete; run the same command again",
+                              request.out.string()));
+  }
+  if (request.shard)
+    checkpoints.checkpoint();
+  else
+    checkpoints.settle();
+  return complete(request, plan, place, checkpoints);
+}
+
+}  // namespace bezierbench::run

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// From resolved suites to a bundle: plan, work in blocks over threads, write.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/bundle/machine.hpp"
+#include "experiments/run/blocks/shard.hpp"
+#include "experiments/run/kinds.hpp"
+#include "experiments/suite/suite.hpp"
+#include "reference/true_point.hpp"
+
+namespace bezierbench::run {
+
+struct RunRequest {
+  Kinds kinds;                       ///< the roster of studies/
+  std::vector<suite::Suite> suites;  ///< resolved: overrides applied
+  std::filesystem::path out;
+  int jobs = 0;  ///< threads; 0: all cores
+  reference::Tier tier = reference::Tier::certified;
+  std::optional<Shard> shard;
+  std::optional<std::chrono::milliseconds> checkpoint;  ///< between two files of finished blocks; left out: by cost
+  bool dry_run = false;
+  bool quiet = false;
+  bundle::BuildFacts build;
+  std::string git_commit;
+  bool git_clean = false;
+  bundle::HostName host_name = bundle::HostName::left_out;
+  std::string counters;        ///< whether the processor's counters can be read, as machine.json says it
+  std::string methods_csv;     ///< the list of methods that goes into the bundle
+  std::string generators_csv;  ///< and how their inputs are drawn
+};
+
+/// What a run found; each line is for the user, and any makes the exit code 1.
+using Findings = std::vector<std::string>;
+
+/// Runs all studies, or a shard of them, and writes the bundle once no block is missing. What is done is kept in
+/// blocks/ meanwhile, and not done again. Throws Failure: interrupted when a signal arrived, usage when `out` holds
+/// another suite, seed or build, input_output when it cannot be written or somebody else is at the same work there.
+Findings run(const RunRequest& request);
+
+}  // namespace bezierbench::run

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/accuracy/accuracy_row.hpp"
+
+#include "experiments/number/number.hpp"
+#include "experiments/tables/cell_fields.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+/// The row to be written and what its statistics are taken from.
+struct Statistics {
+  const judge::Judgement& judgement;
+  bool exact;
+  const metric::Tally& condition;
+
+  [[nodiscard]] bool bounded() const { return judgement.bounded > 0; }
+};
+
+using Value = double (*)(const metric::Tally&);
+constexpr Value mean = [](const metric::Tally& tally) { return tally.mean(); };
+constexpr Value root_mean_square = [](const metric::Tally& tally) { return tally.root_mean_square(); };
+constexpr Value median = [](const metric::Tally& tally) { return tally.quantile(0.5); };
+constexpr Value p99 = [](const metric::Tally& tally) { return tally.quantile(0.99); };
+constexpr Value largest = [](const metric::Tally& tally) { return tally.max(); };
+
+/// A statistic of no trial is an empty field.
+std::string field(const metric::Tally& tally, Value value) {
+  return tally.count() > 0 ? number::decimal(value(tally)) : std::string();
+}
+
+struct Column {
+  const char* name;
+  std::string (*field)(const Statistics& of);
+};
+
+template <auto Member, Value Of>
+constexpr auto of_judgement = [](const Statistics& s) { return field(s.judgement.*Member, Of); };
+template <auto Member, Value Of>
+constexpr auto of_sources = [](const Statistics& s) { return field(s.judgement.sources.*Member, Of); };
+template <Value Of>
+constexpr auto of_condition = [](const Statistics& s) { return s.exact ? field(s.condition, Of) : std::string(); };
+
+constexpr Column columns[]{
+    {"mean_error", of_judgement<&judge::Judgement::error, mean>},
+    {"rms_error", of_judgement<&judge::Judgement::error, root_mean_square>},
+    {"p50_error", of_judgement<&judge::Judgement::error, median>},
+    {"p99_error", of_judgement<&judge::Judgement::error, p99>},
+    {"max_error", of_judgement<&judge::Judgement::error, largest>},
+    {"mean_error_u", of_judgement<&judge::Judgement::error_u, mean>},
+    {"max_error_u", of_judgement<&judge::Judgement::error_u, largest>},
+    {"bound_u", [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound_u) : std::string(); }},
+    {"bound_violations",
+     [](const Statistics& s) { return s.bounded() ? std::to_string(s.judgement.violations) : std::string(); }},
+    {"non_finite", [](const Statistics& s) { return std::to_string(s.judgement.non_finite); }},
+    {"mean_error_ulp", of_judgement<&judge::Judgement::error_ulp, mean>},
+    {"max_error_ulp", of_judgement<&judge::Judgement::error_ulp, largest>},
+    {"mean_relative", of_judgement<&judge::Judgement::relative, mean>},
+    {"p50_relative", of_judgement<&judge::Judgement::relative, median>},
+    {"max_relative", of_judgement<&judge::Judgement::relative, largest>},
+    {"p50_condition", of_condition<median>},
+    {"max_condition", of_condition<largest>},
+    {"mean_conversion_error", of_sources<&judge::SourceTallies::conversion, mean>},
+    {"max_conversion_error", of_sources<&judge::SourceTallies::conversion, largest>},
+    {"mean_one_minus_t_error", of_sources<&judge::SourceTallies::one_minus_t, mean>},
+    {"max_one_minus_t_error", of_sources<&judge::SourceTallies::one_minus_t, largest>},
+    {"mean_evaluation_error", of_sources<&judge::SourceTallies::evaluation, mean>},
+    {"max_evaluation_error", of_sources<&judge::SourceTallies::evaluation, largest>},
+    {"max_bound",
+     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound) : std::string(); }}};
+
+}  // namespace
+
+const std::vector<std::string>& accuracy_columns() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = tables::cell_columns();
+    all.insert(all.end(), {"trials", "baseline", "status"});
+    for (const Column& column : columns) all.emplace_back(column.name);
+    return all;
+  }();
+  return names;
+}
+
+std::vector<std::string> accuracy_statistics(const judge::Judgement& judgement, bool exact,
+                                             const metric::Tally& condition) {
+  const Statistics statistics{judgement, exact, condition};
+  std::vector<std::string> fields;
+  for (const Column& column : columns) fields.push_back(column.field(statistics));
+  return fields;
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/arc_length/arc_length.hpp"
+
+#include <gtest/gtest.h>
+
+#include "experiments/studies/tolerance_study_test.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+/// Small whole numbers: cusps, turns, points.
+suite::Study small_study() { return small_length_study(suite::Kind::arc_length, {"continuous", "integer"}); }
+
+TEST(ArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
+  const auto tables = run::expect_order_changes_nothing(arc_length_job, small_study());
+  const auto csv = bundle::parse_csv(tables.at("arc_length.csv"), "arc_length.csv");
+  ASSERT_EQ(csv.row_count(), 2U * 2 * 2 * 4);
+  EXPECT_EQ(arc_length_job(small_study(), {1})->extent().rows, csv.row_count());
+  for (std::size_t row = 0; row < csv.row_count(); ++row) expect_kept(csv, row);
+}
+
+/// (t - 3/4)^9 over one step of doubles from 3/4 is too short a curve for 70 digits: the trial is named.
+TEST(ArcLengthStudy, SaysWhichTruthIsNotCertain) {
+  auto study = small_study();
+  study.dimension = {1};
+  study.degree = {9};
+  study.generator = {"multiple_root"};
+  study.t_interval = {{0.75, 0.75 + 0x1p-53}};
+  const auto job = arc_length_job(study, {1});
+  try {
+    static_cast<void>(job->run_block(0));
+    FAIL() << "certain";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit(), Exit::usage);
+    for (const char* needle :
+         {"study small", "multiple_root", "trial 0", "not certain to 30 digits", "leave this cell out"})
+      EXPECT_NE(std::string(failure.what()).find(needle), std::string::npos) << needle << ": " << failure.what();
+  }
+}
+
+TEST(ArcLengthStudy, RefusesWhatItCannotDo) { expect_refusals(arc_length_job, small_study()); }
+
+}  // namespace
+}  // namespace bezierbench::studies

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/conversion/conversion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "core/evaluate/kernel.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/judge/method_choice.hpp"
+#include "experiments/metric/tally.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/run/interruption.hpp"
+#include "experiments/sample/cell.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/suite/names.hpp"
+#include "reference/exact_conversion.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+struct Threshold {
+  std::string_view column;
+  double distance;
+};
+constexpr std::array thresholds{Threshold{"within_1e-5", 1e-5}, Threshold{"within_1e-3", 1e-3},
+                                Threshold{"within_0.1", 0.1}};
+
+/// One conversion or a chain of them.
+struct Chain {
+  std::string id;
+  std::vector<const ConversionKernel<double>*> steps;
+  [[nodiscard]] bool supports(int degree) const {
+    return std::ranges::all_of(
+        steps, [degree](const ConversionKernel<double>* step) { return step->info->supports<double>(degree); });
+  }
+};
+
+Chain chain_of(const suite::Study& study, const std::string& id, int dimension) {
+  Chain chain{id, {}};
+  Form form = judge::form_of(study.curve);
+  for (std::size_t begin = 0; begin <= id.size();) {
+    const auto end = std::min(id.find('+', begin), id.size());
+    const auto part = id.substr(begin, end - begin);
+    const auto* step = find_conversion<double>(part, form, dimension);
+    if (step == nullptr)
+      throw Failure(Exit::usage,
+                    fmt::format("study \"{}\": conversion \"{}\" does not start from {} form; see `list methods`",
+                                study.id, part, name(form)));
+    chain.steps.push_back(step);
+    form = form == Form::bernstein ? Form::power : Form::bernstein;
+    begin = end + 1;
+  }
+  return chain;
+}
+
+/// All conversions from this form where the study names none.
+std::vector<Chain> chains_of(const suite::Study& study, int dimension) {
+  if (study.curve == suite::CurveKind::rational)
+    throw Failure(
+        Exit::usage,
+        fmt::format("study \"{}\": conversions take polynomial curves; write curve = \"bezier\" or \"polynomial\"",
+                    study.id));
+  std::vector<Chain> chains;
+  for (const auto& id : study.methods) chains.push_back(chain_of(study, id, dimension));
+  if (!study.methods.empty()) return chains;
+  for (const auto& step : conversion_kernels<double>(dimension))
+    if (step.info->form == judge::form_of(study.curve)) chains.push_back({std::string(step.info->id), {&step}});
+  return chains;
+}
+
+/// The largest distance of corresponding coefficients; infinite if one is not finite.
+double largest_distance(std::span<const double> computed, const std::vector<reference::ExactPoint>& truth,
+                        std::size_t d) {
+  if (!std::ranges::all_of(computed, [](double value) { return std::isfinite(value); }))
+    return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    largest = std::max(largest, reference::Distance(truth[i]).to(computed.subspan(i * d, d)));
+  return largest;
+}
+
+double largest_distance(std::span<const double> computed, std::span<const double> truth, std::size_t d) {
+  if (!std::ranges::all_of(computed, [](double value) { return std::isfinite(value); }))
+    return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (std::size_t i = 0; i < truth.size(); i += d)
+    largest = std::max(largest, reference::Distance(truth.subspan(i, d)).to(computed.subspan(i, d)));
+  return largest;
+}
+
+/// One cell and one chain.
+struct Row {
+  sample::Cell cell;
+  Chain chain;
+};
+
+/// What blocks, each of one replicate, gave for a row.
+struct RowTally {
+  metric::Tally error;
+  std::uint64_t non_finite = 0;
+  std::map<std::size_t, std::array<std::int64_t, thresholds.size()>> within;  ///< per replicate
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.error, self.non_finite, self.within);
+  }
+  void merge(const RowTally& other) {
+    error.merge(other.error);
+    non_finite += other.non_finite;
+    within.insert(other.within.begin(), other.within.end());
+  }
+};
+
+class ConversionJob final : public run::JobOf<RowTally> {
+ public:
+  ConversionJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
+    for (const auto& cell : sample::cells(study_))
+      for (auto& chain : chains_of(study_, cell.dimension)) rows_.push_back({cell, std::move(chain)});
+  }
+
+  [[nodiscard]] std::size_t parts() const override { return rows_.size(); }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return static_cast<std::size_t>(study_.replicates); }
+  [[nodiscard]] double cost(std::size_t part) const override {
+    const double n = rows_[part].cell.degree + 1.0;
+    return static_cast<double>(study_.trials) * n * n * 200;
+  }
+  [[nodiscard]] run::Extent extent() const override {
+    return {sample::cells(study_).size(), rows_.size(), blocks() * static_cast<std::uint64_t>(study_.trials)};
+  }
+  void write(tables::Tables& tables) const override;
+  [[nodiscard]] std::vector<tables::Series> series() const override;
+
+ protected:
+  [[nodiscard]] RowTally work(std::size_t block) const override;
+
+ private:
+  static double error_of(const Chain& chain, const CurveView<double>& curve);
+
+  suite::Study study_;
+  std::uint64_t seed_;
+  std::vector<Row> rows_;
+};
+
+double ConversionJob::error_of(const Chain& chain, const CurveView<double>& curve) {
+  std::vector<double> current(curve.coefficients.begin(), curve.coefficients.end());
+  std::vector<double> next(current.size());
+  std::vector<double> last_in_original_form;
+  CurveView<double> view = curve;
+  for (const auto* step : chain.steps) {
+    view.coefficients = current;
+    step->convert(view, next.data());
+    std::swap(current, next);
+    view.form = view.form == Form::bernstein ? Form::power : Form::bernstein;
+    if (view.form == curve.form) last_in_original_form = current;
+  }
+  const auto d = static_cast<std::size_t>(curve.dimension);
+  if (chain.steps.size() == 1) return largest_distance(current, reference::converted(curve), d);
+  return largest_distance(last_in_original_form, curve.coefficients, d);
+}
+
+RowTally ConversionJob::work(std::size_t block) const {
+  const auto replicate = block % blocks_per_part();
+  const Row& row = rows_[part_of(block)];
+  RowTally tally;
+  auto& within = tally.within[replicate];
+  if (!row.chain.supports(row.cell.degree)) return tally;
+  const sample::Sampler sampler(seed_, study_.id, row.cell);
+  sample::Trial trial;
+  for (std::int64_t k = 0; k < study_.trials && !run::interrupted(); ++k) {
+    sampler.draw(static_cast<std::uint64_t>(static_cast<std::int64_t>(replicate) * study_.trials + k), trial);
+    const double error =
+        error_of(row.chain, {judge::form_of(study_.curve), row.cell.dimension, row.cell.degree, trial.coefficients});
+    if (!std::isfinite(error)) {
+      ++tally.non_finite;
+      continue;
+    }
+    tally.error.add(error);
+    for (std::size_t i = 0; i < thresholds.size(); ++i) within[i] += error <= thresholds[i].distance ? 1 : 0;
+  }
+  return tally;
+}
+
+void ConversionJob::write(tables::Tables& tables) const {
+  std::vector<std::string> columns{"study",     "conversion", "degree",     "coordinate_range",
+                                   "generator", "trials",     "mean_error", "max_error"};
+  for (const auto& threshold : thresholds) columns.emplace_back(threshold.column);
+  columns.insert(columns.end(), {"curve", "dimension", "status", "non_finite"});
+  auto& table = tables.table("conversion.csv", columns);
+  for (std::size_t part = 0; part < rows_.size(); ++part) {
+    const Row& row = rows_[part];
+    const RowTally& tally = state(part);
+    const bool supported = row.chain.supports(row.cell.degree);
+    const bool judged = tally.error.count() > 0;
+    std::vector<std::string> fields{study_.id,
+                                    row.chain.id,
+                                    std::to_string(row.cell.degree),
+                                    number::decimal(row.cell.coordinate_range),
+                                    row.cell.generator,
+                                    std::to_string(study_.trials * study_.replicates),
+                                    judged ? number::decimal(tally.error.mean()) : "",
+                                    judged ? number::decimal(tally.error.max()) : ""};
+    for (std::size_t i = 0; i < thresholds.size(); ++i) {
+      std::int64_t sum = 0;
+      for (const auto& [replicate, within] : tally.within) sum += within[i];
+      fields.push_back(supported ? std::to_string(sum) : "");
+    }
+    fields.insert(fields.end(),
+                  {std::string(suite::name(study_.curve)), std::to_string(row.cell.dimension),
+                   supported ? "ok" : "degree_unsupported", supported ? std::to_string(tally.non_finite) : ""});
+    table.add_row(std::move(fields));
+  }
+}
+
+std::vector<tables::Series> ConversionJob::series() const {
+  const auto [lowest, highest] = std::ranges::minmax(study_.degree);
+  const auto degrees = lowest == highest ? std::to_string(lowest) : fmt::format("{}..{}", lowest, highest);
+  std::vector<tables::Series> all;
+  const auto series_of = [&](const Row& row, std::string_view threshold) -> tables::Series& {
+    const auto statistic = fmt::format("count_{}", threshold);
+    for (auto& one : all)
+      if (one.method == row.chain.id && one.generator == row.cell.generator && one.statistic == statistic &&
+          one.coordinate_range == row.cell.coordinate_range)
+        return one;
+    tables::Series one{
+        .study = study_.id,
+        .curve = std::string(suite::name(study_.curve)),
+        .method = row.chain.id,
+        .statistic = statistic,
+        .degree = degrees,
+        .coordinate_range = row.cell.coordinate_range,
+        .t_interval = std::nullopt,
+        .generator = row.cell.generator,
+        .baseline = "exact",  // a round trip is compared with the curve that it started from, known exactly
+        .mode = "",
+        .values = std::vector<double>(static_cast<std::size_t>(study_.replicates))};
+    return all.emplace_back(std::move(one));
+  };
+  for (std::size_t part = 0; part < rows_.size(); ++part)
+    for (std::size_t i = 0; i < thresholds.size(); ++i) {
+      auto& values = series_of(rows_[part], thresholds[i].column).values;
+      for (const auto& [replicate, within] : state(part).within) values.at(replicate) += static_cast<double>(within[i]);
+    }
+  return all;
+}
+
+}  // namespace
+
+std::unique_ptr<run::Job> conversion_job(const suite::Study& study, const run::JobContext& context) {
+  return std::make_unique<ConversionJob>(study, context.seed);
+}
+
+}  // namespace bezierbench::studies

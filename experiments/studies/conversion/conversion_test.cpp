@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/conversion/conversion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+bundle::CsvDocument rows_of(const suite::Study& study) {
+  const auto job = conversion_job(study, {1});
+  run::run_all(*job);
+  tables::Tables tables;
+  job->write(tables);
+  return bundle::parse_csv(tables.all().at("conversion.csv").text(), "conversion.csv");
+}
+
+suite::Study study_of(std::vector<std::string> methods) {
+  suite::Study study;
+  study.id = "round_trip";
+  study.kind = suite::Kind::conversion;
+  study.degree = {1, 3, 10};
+  study.coordinate_range = {1e6};
+  study.methods = std::move(methods);
+  study.trials = 10;
+  study.replicates = 3;
+  return study;
+}
+
+/// Integer control points survive the round trip exactly while the coefficients stay below 2^53.
+TEST(Conversion, IntegerPointsComeBackExactly) {
+  auto study = study_of({"factorial+forward_substitution+factorial"});
+  study.generator = {"integer"};
+  const auto csv = rows_of(study);
+  ASSERT_EQ(csv.row_count(), 3U);
+  for (std::size_t row = 0; row < 3; ++row) {
+    EXPECT_EQ(csv.at(row, "max_error"), "0");
+    EXPECT_EQ(csv.at(row, "trials"), "30");
+    EXPECT_EQ(csv.at(row, "within_1e-5"), "30");
+  }
+}
+
+TEST(Conversion, OneConversionIsJudgedAgainstTheExactOne) {
+  const auto csv = rows_of(study_of({"exact", "factorial"}));
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    const double worst = *number::parse_number(csv.at(row, "max_error"));
+    // A rounded coefficient is off by half an ulp of at most 3^n 1e6, on two axes.
+    if (csv.at(row, "conversion") == "exact") {
+      EXPECT_LE(worst, 0x1p-53 * 59049 * 1e6 * 1.5);
+    }
+    EXPECT_GT(worst, 0);
+  }
+}
+
+TEST(Conversion, AChainMustStartFromTheFormOfTheCurve) {
+  EXPECT_THROW(conversion_job(study_of({"forward_substitution"}), {1}), Failure);
+  EXPECT_THROW(conversion_job(study_of({"factorial+factorial"}), {1}), Failure);
+}
+
+TEST(Conversion, SaysWhereADegreeIsNotSupported) {
+  auto study = study_of({"factorial"});
+  study.degree = {171};
+  const auto csv = rows_of(study);
+  EXPECT_EQ(csv.at(0, "status"), "degree_unsupported");
+  EXPECT_EQ(csv.at(0, "mean_error"), "");
+}
+
+TEST(Conversion, CountsAreSummedOverDegrees) {
+  const auto job = conversion_job(study_of({"exact"}), {1});
+  run::run_all(*job);
+  const auto series = job->series();
+  ASSERT_EQ(series.size(), 3U);
+  EXPECT_EQ(series[2].statistic, "count_within_0.1");
+  EXPECT_EQ(series[2].degree, "1..10");
+  EXPECT_EQ(series[2].values, std::vector<double>(3, 30));
+}
+
+}  // namespace
+}  // namespace bezierbench::studies

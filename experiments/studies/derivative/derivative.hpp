@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Studies of kind `derivative`: derivatives of random curves at random t, order by order, against the exact ones.
+#pragma once
+
+#include <memory>
+
+#include "experiments/run/job.hpp"
+
+namespace bezierbench::studies {
+
+/// Throws Failure(usage) for rational curves and for scalars but double.
+void check_derivatives(const suite::Study& study);
+
+/// Throws Failure(usage) also where no method takes curves of this form.
+std::unique_ptr<run::Job> derivative_job(const suite::Study& study, const run::JobContext& context);
+
+}  // namespace bezierbench::studies

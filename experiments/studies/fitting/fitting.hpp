@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Studies of kind `fitting`: data of every kind that sample::data_kinds() knows, fitted to every tolerance, judged by
+// their exact distance from the fitted curve. Writes fitting.csv, and into fitting_example.csv the first data set of
+// each study, in the plane, with its fits.
+#pragma once
+
+#include <memory>
+
+#include "experiments/run/job.hpp"
+
+namespace bezierbench::studies {
+
+/// Throws Failure(usage) for curves that no data are taken from.
+void check_fitting(const suite::Study& study);
+
+std::unique_ptr<run::Job> fitting_job(const suite::Study& study, const run::JobContext& context);
+
+}  // namespace bezierbench::studies

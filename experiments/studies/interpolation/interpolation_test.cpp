@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/interpolation/interpolation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/interpolate/kernel.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/studies/interpolation/spline_judge.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+suite::Study study_of(std::vector<std::string> methods) {
+  suite::Study study;
+  study.id = "splines";
+  study.kind = suite::Kind::interpolation;
+  study.points = {2, 12};
+  study.dimension = {1, 3};
+  study.methods = std::move(methods);
+  study.trials = 40;  // two blocks
+  return study;
+}
+
+bundle::CsvDocument rows_of(const suite::Study& study) {
+  const auto job = interpolation_job(study, {1});
+  run::run_all(*job);
+  EXPECT_TRUE(job->violations().empty());
+  tables::Tables tables;
+  job->write(tables);
+  return bundle::parse_csv(tables.all().at("interpolation.csv").text(), "interpolation.csv");
+}
+
+double field(const bundle::CsvDocument& csv, std::size_t row, const char* column) {
+  return number::parse_number(csv.at(row, column)).value();
+}
+
+TEST(InterpolationStudy, HasARowForEachNumberOfPoints) {
+  const auto csv = rows_of(study_of({"c2_natural"}));
+  ASSERT_EQ(csv.row_count(), 4U);
+  for (std::size_t row = 0; row < 4; ++row) {
+    EXPECT_EQ(csv.at(row, "points"), row % 2 == 0 ? "2" : "12");
+    EXPECT_EQ(csv.at(row, "degree"), "3");
+    EXPECT_EQ(csv.at(row, "trials"), "40");
+    EXPECT_EQ(csv.at(row, "bound_violations"), "0");
+    EXPECT_EQ(csv.at(row, "max_data_u"), "0");
+    EXPECT_EQ(csv.at(row, "max_c2_u") == "0", row % 2 == 0) << "a single segment has no knot";
+    EXPECT_LE(field(csv, row, "max_c2_u"), 8) << row;
+    EXPECT_LE(field(csv, row, "max_error_u"), 1.74) << row;
+    EXPECT_GT(field(csv, row, "max_error_u"), 0.1) << row;
+  }
+}
+
+TEST(InterpolationStudy, TellsMethodsApart) {
+  const auto csv = rows_of(study_of({}));
+  ASSERT_EQ(csv.row_count(), 8U);
+  EXPECT_EQ(csv.at(2, "method"), "c2_natural");
+  EXPECT_EQ(csv.at(3, "method"), "c2_natural_handles");
+  EXPECT_LT(field(csv, 2, "mean_c2_u"), field(csv, 3, "mean_c2_u"));
+  EXPECT_EQ(csv.at(3, "bound_violations"), "");
+}
+
+TEST(InterpolationStudy, LeavesOutTheErrorWhereThereAreTooManyPoints) {
+  auto study = study_of({"c2_natural"});
+  study.points = {most_points_of_exact_splines, most_points_of_exact_splines + 1};
+  study.dimension = {1};
+  study.trials = 1;
+  const auto csv = rows_of(study);
+  EXPECT_NE(csv.at(0, "max_error_u"), "");
+  EXPECT_EQ(csv.at(1, "max_error_u"), "");
+  EXPECT_GT(field(csv, 1, "max_c2_u"), 0);
+}
+
+/// 0, 3, 6 joined by straight segments, one control point of which is moved by 1/4: in u times 6.
+TEST(SplineJudge, MeasuresWhatIsWrong) {
+  const std::vector<double> points{0, 3, 6};
+  std::vector<double> segments{0, 1, 2, 3, 3, 4, 5, 6};
+  const SplineJudge judge(points, 1, true);
+  SplineErrors errors;
+  judge.judge(segments, 8, 0, errors);
+  EXPECT_EQ(errors.violations, 0U);
+  segments[2] += 0.25;
+  const double unit = 6 * 0x1p-53;
+  judge.judge(segments, 0.249 / unit, 7, errors);
+  EXPECT_EQ(errors.violations, 1U);
+  EXPECT_EQ(errors.first_violation, 7U);
+  EXPECT_EQ(errors.error.max(), 0.25);
+  const auto quarters = [unit](const metric::Tally& tally) { return tally.max() * unit * 4; };
+  EXPECT_NEAR(quarters(errors.error_u), 1, 1e-6);
+  EXPECT_NEAR(quarters(errors.c1), 1, 1e-6);
+  EXPECT_NEAR(quarters(errors.c2), 2, 1e-6);
+  EXPECT_NEAR(quarters(errors.natural), 1, 1e-6);
+  EXPECT_EQ(errors.c0.max() + errors.data.max(), 0);
+  segments[2] = 1 / 0.0;
+  judge.judge(segments, 8, 8, errors);
+  EXPECT_EQ(errors.non_finite, 1U);
+  EXPECT_EQ(errors.c1.count(), 2U);
+}
+
+TEST(InterpolationStudy, RefusesWhatItDoesNotJudge) {
+  const auto refused = [](auto change) {
+    auto study = study_of({});
+    change(study);
+    EXPECT_THROW(interpolation_job(study, {1}), Failure);
+  };
+  refused([](auto& study) { study.curve = suite::CurveKind::polynomial; });
+  refused([](auto& study) { study.scalar = {suite::ScalarKind::float32}; });
+  refused([](auto& study) { study.generator = {"clustered_roots"}; });
+  refused([](auto& study) { study.t_interval = {{0, 0.5}}; });
+  refused([](auto& study) { study.methods = {"de_casteljau"}; });
+}
+
+}  // namespace
+}  // namespace bezierbench::studies

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/interpolation/spline_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bezierbench::studies {
+namespace {
+
+using reference::Rational;
+
+std::vector<double> axis_of(std::span<const double> values, std::size_t dimension, std::size_t axis) {
+  std::vector<double> result;
+  result.reserve(values.size() / dimension);
+  for (std::size_t k = axis; k < values.size(); k += dimension) result.push_back(values[k]);
+  return result;
+}
+
+/// value / unit, rounded once; 0 / 0 is 0.
+double in_units(const Rational& value, const Rational& unit) {
+  if (value.numerator == 0) return 0;
+  if (unit.numerator == 0) return std::numeric_limits<double>::infinity();
+  return reference::quotient(reference::error_format, value, unit);
+}
+
+void add(double value, metric::Tally& tally) {
+  if (std::isfinite(value))
+    tally.add(value);
+  else
+    tally.add_infinite();
+}
+
+/// Above bound units and three times the smallest double, which is what subnormal control points are rounded by.
+bool exceeds(const Rational& residual, double bound, const Rational& unit) {
+  const Rational limit = reference::exactly(bound) * unit + Rational{3, 1, -1074};
+  return (residual - limit).numerator > 0;
+}
+
+}  // namespace
+
+SplineJudge::SplineJudge(std::span<const double> points, int dimension, bool with_exact) {
+  const auto d = static_cast<std::size_t>(dimension);
+  for (std::size_t axis = 0; axis < d; ++axis) {
+    Axis next{axis_of(points, d, axis), {}, std::nullopt};
+    double largest = 0;
+    for (const double x : next.coordinates) largest = std::max(largest, std::abs(x));
+    next.unit = reference::exactly(largest) * Rational{1, 1, -53};
+    if (with_exact) next.exact = reference::exact_spline(next.coordinates);
+    axes_.push_back(std::move(next));
+  }
+}
+
+void SplineJudge::judge(std::span<const double> segments, double bound, std::uint64_t trial,
+                        SplineErrors& errors) const {
+  if (!std::ranges::all_of(segments, [](double value) { return std::isfinite(value); })) {
+    ++errors.non_finite;
+    return;
+  }
+  struct Largest {
+    double error = 0, error_u = 0, data = 0, c0 = 0, c1 = 0, c2 = 0, natural = 0;
+  } of;
+  bool violates = false;
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    const Axis& axis = axes_[k];
+    const auto values = axis_of(segments, axes_.size(), k);
+    const auto residuals = reference::spline_residuals(axis.coordinates, values);
+    const auto keep = [&](const Rational& residual, double& largest) {
+      largest = std::max(largest, in_units(residual, axis.unit));
+      violates = violates || (bound > 0 && exceeds(residual, bound, axis.unit));
+    };
+    keep(residuals.data, of.data);
+    keep(residuals.c0, of.c0);
+    keep(residuals.c1, of.c1);
+    keep(residuals.c2, of.c2);
+    keep(residuals.natural, of.natural);
+    if (!axis.exact) continue;
+    const Rational error = reference::inner_point_error(*axis.exact, values);
+    of.error = std::max(of.error, reference::round_to(reference::error_format, error));
+    of.error_u = std::max(of.error_u, in_units(error, axis.unit));
+  }
+  add(of.data, errors.data);
+  add(of.c0, errors.c0);
+  add(of.c1, errors.c1);
+  add(of.c2, errors.c2);
+  add(of.natural, errors.natural);
+  if (axes_.front().exact) {
+    add(of.error, errors.error);
+    add(of.error_u, errors.error_u);
+  }
+  if (!violates) return;
+  ++errors.violations;
+  errors.first_violation = std::min(errors.first_violation, trial);
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Studies of kind `inverse_arc_length`: the parameter at a share of the length of random curves, tolerance by
+// tolerance, against the true one. The share is the trial's parameter, from the interval of t. A method that says that
+// it kept its tolerance and did not fails the run.
+//
+// Writes inverse_arc_length.csv, and of each study spacing.csv: the curve of its first trial with points at equal steps
+// of t and at equal steps of the length.
+#pragma once
+
+#include <memory>
+
+#include "experiments/run/job.hpp"
+
+namespace bezierbench::studies {
+
+/// Throws Failure(usage) for curves without control points or with weights, for scalars but double, and for intervals
+/// that leave [0, 1].
+std::unique_ptr<run::Job> inverse_arc_length_job(const suite::Study& study, const run::JobContext& context);
+
+}  // namespace bezierbench::studies

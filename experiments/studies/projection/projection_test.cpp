@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/projection/projection.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/sample/placement.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+suite::Study study_of(std::vector<std::string> methods) {
+  suite::Study study;
+  study.id = "feet";
+  study.kind = suite::Kind::projection;
+  study.degree = {3};
+  study.dimension = {2, 3};
+  study.methods = std::move(methods);
+  study.trials = 120;  // two blocks
+  return study;
+}
+
+bundle::CsvDocument rows_of(const suite::Study& study, const std::string& file) {
+  const auto job = projection_job(study, {1});
+  run::run_all(*job);
+  tables::Tables tables;
+  job->write(tables);
+  return bundle::parse_csv(tables.all().at(file).text(), file);
+}
+
+double field(const bundle::CsvDocument& csv, std::size_t row, const char* column) {
+  return number::parse_number(csv.at(row, column)).value();
+}
+
+TEST(ProjectionStudy, IsolationMissesNothingAndKeepsItsGoal) {
+  const auto csv = rows_of(study_of({"quintic_isolate"}), "projection.csv");
+  ASSERT_EQ(csv.row_count(), 2 * sample::placements().size());
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    EXPECT_EQ(csv.at(row, "missed"), "0") << row;
+    EXPECT_EQ(csv.at(row, "non_converged"), "0") << row;
+    EXPECT_EQ(csv.at(row, "trials"), "120") << row;
+    EXPECT_LE(field(csv, row, "max_error_eps"), 4) << row;
+    EXPECT_GE(field(csv, row, "candidates"), 240) << row;  // both ends
+  }
+}
+
+TEST(ProjectionStudy, SeesWhatScanningMisses) {
+  const auto csv = rows_of(study_of({"scan_bisect"}), "projection.csv");
+  double missed = 0;
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    missed += field(csv, row, "missed");
+    EXPECT_EQ(csv.at(row, "missed") == "0", field(csv, row, "max_error") < 0x1p-20) << row;
+  }
+  EXPECT_GT(missed, 0);
+}
+
+TEST(ProjectionStudy, MethodsThatAreNotBitStableHaveAFileOfTheirOwn) {
+  auto study = study_of({"quintic_*"});
+  study.degree = {2};
+  study.trials = 3;
+  const auto csv = rows_of(study, "projection_unstable.csv");
+  std::map<std::string, std::string> status;
+  for (std::size_t row = 0; row < csv.row_count(); ++row) status[csv.at(row, "method")] = csv.at(row, "status");
+  EXPECT_EQ(status, (std::map<std::string, std::string>{{"quintic_companion", "ok"},
+                                                        {"quintic_seed_002", "degree_unsupported"}}));
+}
+
+TEST(ProjectionStudy, RefusesWhatItDoesNotJudge) {
+  auto study = study_of({});
+  study.curve = suite::CurveKind::polynomial;
+  EXPECT_THROW(projection_job(study, {1}), Failure);
+  study = study_of({});
+  study.scalar = {suite::ScalarKind::float32};
+  EXPECT_THROW(projection_job(study, {1}), Failure);
+  study = study_of({});
+  study.generator = {"clustered_roots"};
+  EXPECT_THROW(projection_job(study, {1}), Failure);
+  EXPECT_THROW(projection_job(study_of({"de_casteljau"}), {1}), Failure);
+}
+
+}  // namespace
+}  // namespace bezierbench::studies

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/search/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "experiments/judge/input_fields.hpp"
+#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/point_judge.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/run/interruption.hpp"
+#include "experiments/studies/search/climb.hpp"
+#include "experiments/tables/cell_fields.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+constexpr std::size_t starts = 4;        ///< of the climb: the worst of the sample
+constexpr std::int64_t shared_part = 2;  ///< 1/2 of the budget goes to all starts alike, the rest to the best
+constexpr double wanted_gain = 1.5;
+
+struct Found {
+  sample::Trial input;
+  double error_u = -1;  ///< below every error
+  double error = 0;
+  std::optional<double> bound_u;
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.input.coefficients, self.input.t, self.input.weights, self.error_u, self.error, self.bound_u);
+  }
+};
+
+struct Outcome {
+  double sampled_error_u = 0;
+  Found worst;
+  std::uint64_t violations = 0;
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.sampled_error_u, self.worst, self.violations);
+  }
+};
+
+/// One method in one cell.
+class Search {
+ public:
+  virtual ~Search() = default;
+  [[nodiscard]] virtual Outcome run() const = 0;
+  virtual void write(const Outcome& outcome, tables::Tables& tables) const = 0;
+  virtual void collect(const Outcome& outcome, std::vector<run::Violation>& violations) const = 0;
+  [[nodiscard]] virtual const sample::Cell& cell() const = 0;
+};
+
+template <class Scalar>
+class ScalarSearch final : public Search {
+ public:
+  ScalarSearch(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, const Kernel<Scalar>& kernel)
+      : study_(study), seed_(seed), cell_(cell), kernel_(kernel) {}
+
+  [[nodiscard]] Outcome run() const override {
+    judge::PointJudge<Scalar> judge;
+    Outcome outcome;
+    std::vector<Found> found = sampled(judge, outcome);
+    outcome.sampled_error_u = std::max(0.0, found.front().error_u);
+    // The words of the climb are no trial's: their study key is another one.
+    sample::Words words(seed_, sample::key(fmt::format("{}/{}", study_.id, kernel_.info->id)), sample::key(cell_), 0);
+    const auto each = study_.budget / shared_part / static_cast<std::int64_t>(found.size());
+    for (auto& one : found) climb(words, each, one, judge, outcome);
+    outcome.worst = *std::ranges::max_element(found, {}, &Found::error_u);
+    climb(words, study_.budget - each * static_cast<std::int64_t>(found.size()), outcome.worst, judge, outcome);
+    return outcome;
+  }
+
+  void write(const Outcome& outcome, tables::Tables& tables) const override {
+    auto& table = tables.table("search.csv", columns());
+    std::vector<std::string> row{fmt::format("s{}", table.row_count() + 1)};
+    append(row, tables::cell_fields(study_, cell_, kernel_.info->id, judge::ScalarFacts<Scalar>::kind));
+    const Found& worst = outcome.worst;
+    if (worst.error_u < 0) {
+      row.insert(row.end(), {std::to_string(study_.trials), std::to_string(study_.budget), "non_finite"});
+      row.resize(columns().size());
+    } else {
+      append(row, {std::to_string(study_.trials), std::to_string(study_.budget), status(outcome),
+                   number::decimal(outcome.sampled_error_u), number::decimal(worst.error_u),
+                   worst.bound_u ? number::decimal(*worst.bound_u) : "", number::decimal(worst.error)});
+      append(row, judge::input_fields(worst.input, cell_.dimension));
+    }
+    table.add_row(std::move(row));
+  }
+
+  void collect(const Outcome& outcome, std::vector<run::Violation>& violations) const override {
+    if (outcome.violations == 0) return;
+    violations.push_back(
+        {fmt::format("{}, method {}, found by the search; see search.csv",
+                     tables::describe(study_, cell_, judge::ScalarFacts<Scalar>::kind), kernel_.info->id),
+         outcome.violations});
+  }
+
+  [[nodiscard]] const sample::Cell& cell() const override { return cell_; }
+
+ private:
+  static std::vector<std::string> columns() {
+    std::vector<std::string> all{"search_id"};
+    append(all, tables::cell_columns());
+    append(all, {"trials", "budget", "status", "sampled_error_u", "searched_error_u", "bound_u", "error"});
+    append(all, judge::input_columns());
+    return all;
+  }
+
+  static void append(std::vector<std::string>& row, const std::vector<std::string>& fields) {
+    row.insert(row.end(), fields.begin(), fields.end());
+  }
+
+  /// `reached`: the climb gained what is asked of it; `near_bound`: it cannot, for the sample alone is as close to the
+  /// proved bound; `short`: neither.
+  [[nodiscard]] static std::string status(const Outcome& outcome) {
+    if (outcome.worst.error_u >= wanted_gain * outcome.sampled_error_u) return "reached";
+    const auto& bound = outcome.worst.bound_u;
+    return bound && *bound <= wanted_gain * outcome.sampled_error_u ? "near_bound" : "short";
+  }
+
+  /// The worst inputs of the sample, worst first; at least one.
+  std::vector<Found> sampled(judge::PointJudge<Scalar>& judge, Outcome& outcome) const {
+    const sample::Sampler sampler(seed_, study_.id, cell_);
+    std::vector<Found> worst;
+    judge::TrialInputs<Scalar> inputs(judge::form_of(study_.curve), cell_);
+    for (std::int64_t trial = 0; trial < study_.trials && !run::interrupted(); ++trial) {
+      inputs.draw(sampler, static_cast<std::uint64_t>(trial));
+      Found one = judged(inputs, judge, outcome);
+      if (worst.size() == starts && one.error_u <= worst.back().error_u) continue;
+      const auto place = std::ranges::find_if(worst, [&](const Found& other) { return other.error_u < one.error_u; });
+      worst.insert(place, std::move(one));
+      if (worst.size() > starts) worst.pop_back();
+    }
+    if (worst.empty()) worst.emplace_back();
+    return worst;
+  }
+
+  Found judged(const judge::TrialInputs<Scalar>& inputs, judge::PointJudge<Scalar>& judge, Outcome& outcome) const {
+    const judge::PointVerdict verdict = judge.judge(kernel_, inputs);
+    Found found;
+    found.input = inputs.values();
+    if (!verdict.finite || !std::isfinite(verdict.error_u)) return found;  // p~ = 0 measures nothing
+    if (verdict.violates) ++outcome.violations;
+    found.error_u = verdict.error_u;
+    found.error = verdict.error;
+    found.bound_u = verdict.bound_u;
+    return found;
+  }
+
+  void climb(sample::Words& words, std::int64_t steps, Found& from, judge::PointJudge<Scalar>& judge,
+             Outcome& outcome) const {
+    constexpr int unseen_bits = 53 - judge::ScalarFacts<Scalar>::format.precision;
+    const Climb neighbours(cell_, unseen_bits);
+    judge::TrialInputs<Scalar> inputs(judge::form_of(study_.curve), cell_);
+    for (; steps > 0 && !run::interrupted(); --steps) {
+      sample::Trial next = from.input;
+      neighbours.step(words, next);
+      inputs.assign(next);
+      Found reached = judged(inputs, judge, outcome);
+      if (reached.error_u >= from.error_u) from = std::move(reached);
+    }
+  }
+
+  const suite::Study& study_;
+  std::uint64_t seed_;
+  sample::Cell cell_;
+  const Kernel<Scalar>& kernel_;
+};
+
+class SearchJob final : public run::JobOf<Outcome> {
+ public:
+  SearchJob(const suite::Study& study, std::uint64_t seed) : study_(study) {
+    for (const auto& cell : sample::cells(study_))
+      for (const auto scalar : study_.scalar)
+        if (scalar == suite::ScalarKind::float32)
+          add<float>(seed, cell);
+        else
+          add<double>(seed, cell);
+  }
+
+  [[nodiscard]] std::size_t parts() const override { return searches_.size(); }
+  [[nodiscard]] double cost(std::size_t part) const override {
+    const double n = searches_[part]->cell().degree + 1.0;
+    return static_cast<double>(study_.trials + study_.budget) * (200 + 150 * n + 4 * n * n);
+  }
+  [[nodiscard]] run::Extent extent() const override {
+    const auto evaluations = static_cast<std::uint64_t>(study_.trials + study_.budget);
+    run::Extent sum;
+    for (const auto& search : searches_) sum += {1, 1, evaluations, judge::bytes_of_input(search->cell())};
+    return sum;
+  }
+  void write(tables::Tables& tables) const override {
+    for (std::size_t part = 0; part < searches_.size(); ++part) searches_[part]->write(state(part), tables);
+  }
+  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
+  [[nodiscard]] std::vector<run::Violation> violations() const override {
+    std::vector<run::Violation> all;
+    for (std::size_t part = 0; part < searches_.size(); ++part) searches_[part]->collect(state(part), all);
+    return all;
+  }
+
+ protected:
+  [[nodiscard]] Outcome work(std::size_t block) const override { return searches_[block]->run(); }
+
+ private:
+  template <class Scalar>
+  void add(std::uint64_t seed, const sample::Cell& cell) {
+    for (const auto* kernel : judge::chosen_kernels<Scalar>(study_, cell.dimension))
+      if (kernel->info->bit_stable && kernel->info->template supports<Scalar>(cell.degree))
+        searches_.push_back(std::make_unique<ScalarSearch<Scalar>>(study_, seed, cell, *kernel));
+  }
+
+  suite::Study study_;
+  std::vector<std::unique_ptr<Search>> searches_;
+};
+
+}  // namespace
+
+std::unique_ptr<run::Job> search_job(const suite::Study& study, const run::JobContext& context) {
+  return std::make_unique<SearchJob>(study, context.seed);
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/timing/timed_evaluation.hpp"
+
+#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
+#include "experiments/race/kernel_rival.hpp"
+#include "experiments/race/timed_check.hpp"
+#include "experiments/race/timed_inputs.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+template <class Scalar>
+std::vector<const MethodInfo*> methods_of(const suite::Study& study, const sample::Cell& cell) {
+  std::vector<const MethodInfo*> methods;
+  for (const auto* kernel : judge::chosen_kernels<Scalar>(study, cell.dimension))
+    if (kernel->info->template supports<Scalar>(cell.degree)) methods.push_back(kernel->info);
+  return methods;
+}
+
+template <class Scalar>
+race::JudgedRivals rivals(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed) {
+  const auto inputs =
+      std::make_shared<const race::Inputs<Scalar>>(race::timed_inputs<Scalar>(study, race_cell.cell, seed));
+  race::JudgedRivals contestants{{}, {}, inputs};
+  for (const auto* info : race_cell.methods) {
+    const auto& kernel = *judge::find_method<Scalar>(info->id, info->form, race_cell.cell.dimension);
+    auto judged = race::judge(kernel, race_cell.mode, *inputs);
+    contestants.right.push_back(judged.right);
+    contestants.rivals.push_back(race::kernel_rival(kernel, race_cell.mode, *inputs, std::move(judged.points)));
+  }
+  return contestants;
+}
+
+}  // namespace
+
+std::vector<race::RaceCell> race_cells_of_evaluation(const suite::Study& study) {
+  const auto case_values = judge::cases_of(study, {}, name(Problem::evaluation)).front();
+  std::vector<race::RaceCell> race_cells;
+  for (const auto scalar : study.scalar)
+    for (const auto& cell : sample::cells(study))
+      for (const auto mode : study.modes)
+        race_cells.push_back(
+            {cell, scalar, mode,
+             scalar == suite::ScalarKind::float32 ? methods_of<float>(study, cell) : methods_of<double>(study, cell),
+             case_values});
+  return race_cells;
+}
+
+race::JudgedRivals rivals_of_evaluation(const race::RaceCell& race_cell, const suite::Study& study,
+                                        std::uint64_t seed) {
+  return race_cell.scalar == suite::ScalarKind::float32 ? rivals<float>(race_cell, study, seed)
+                                                        : rivals<double>(race_cell, study, seed);
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Evaluation as a timing study asks it: every scalar type, cell and mode is a race cell.
+#pragma once
+
+#include "experiments/race/timed_problem.hpp"
+
+namespace bezierbench::studies {
+
+std::vector<race::RaceCell> race_cells_of_evaluation(const suite::Study& study);
+race::JudgedRivals rivals_of_evaluation(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed);
+
+inline constexpr race::TimedProblem timed_evaluation{Problem::evaluation, race::Size::degree, race_cells_of_evaluation,
+                                                     rivals_of_evaluation};
+
+}  // namespace bezierbench::studies

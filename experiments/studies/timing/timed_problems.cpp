@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/timing/timed_problems.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "experiments/failure.hpp"
+#include "experiments/judge/companions.hpp"
+#include "experiments/judge/methods.hpp"
+#include "experiments/studies/arc_length/timed_arc_length.hpp"
+#include "experiments/studies/derivative/timed_derivative.hpp"
+#include "experiments/studies/fitting/timed_fitting.hpp"
+#include "experiments/studies/interpolation/timed_interpolation.hpp"
+#include "experiments/studies/inverse_arc_length/timed_inverse_arc_length.hpp"
+#include "experiments/studies/projection/timed_projection.hpp"
+#include "experiments/studies/timing/timed_evaluation.hpp"
+#include "experiments/suite/pattern.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+constexpr std::array roster{timed_evaluation,                                               //
+                            race::timed_companion<TimedDerivative>(),                       //
+                            race::timed_companion<TimedArcLength>(),                        //
+                            race::timed_companion<TimedInverseArcLength>(),                 //
+                            race::timed_companion<TimedProjection>(),                       //
+                            race::timed_companion<TimedInterpolation>(race::Size::points),  //
+                            race::timed_companion<TimedFitting>()};
+
+bool means_an_evaluator(const std::string& pattern) {
+  constexpr int any_dimension = 2;
+  return std::ranges::any_of(judge::methods<double>(any_dimension),
+                             [&](const auto& kernel) { return suite::means(pattern, kernel.info->id); });
+}
+
+Problem named_problem(const suite::Study& study) {
+  for (const auto& pattern : study.methods) {
+    if (means_an_evaluator(pattern)) continue;
+    for (const auto* info : judge::companion_infos())
+      if (suite::means(pattern, info->id)) return info->problem;
+  }
+  return Problem::evaluation;
+}
+
+}  // namespace
+
+const race::TimedProblem& timed_problem(const suite::Study& study) {
+  const Problem problem = named_problem(study);
+  const auto* const found = std::ranges::find(roster, problem, &race::TimedProblem::problem);
+  if (found == roster.end())
+    throw Failure(Exit::usage, fmt::format("study \"{}\": methods for the problem {} are not timed; name others",
+                                           study.id, name(problem)));
+  return *found;
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/timing/timed_problems.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "experiments/bundle/csv.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/judge/companions.hpp"
+#include "experiments/studies/arc_length/timed_arc_length.hpp"
+#include "experiments/studies/derivative/timed_derivative.hpp"
+#include "experiments/studies/fitting/timed_fitting.hpp"
+#include "experiments/studies/interpolation/timed_interpolation.hpp"
+#include "experiments/studies/inverse_arc_length/timed_inverse_arc_length.hpp"
+#include "experiments/studies/projection/timed_projection.hpp"
+#include "experiments/studies/timing/complexity_rows.hpp"
+#include "experiments/studies/timing/timing.hpp"
+#include "experiments/studies/timing/timing_rows.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+using testing::ElementsAre;
+
+suite::Study study_of(std::vector<std::string> methods) {
+  suite::Study study;
+  study.id = "race";
+  study.kind = suite::Kind::timing;
+  study.degree = {3};
+  study.methods = std::move(methods);
+  study.modes = {suite::Mode::one_shot};
+  return study;
+}
+
+suite::Study derivatives(std::vector<std::string> methods, std::vector<int> order = {2}) {
+  auto study = study_of(std::move(methods));
+  study.order = std::move(order);
+  return study;
+}
+
+suite::Study lengths(std::vector<std::string> methods, std::vector<double> tolerance = {1e-6}) {
+  auto study = study_of(std::move(methods));
+  study.tolerance = std::move(tolerance);
+  return study;
+}
+
+suite::Study splines(std::vector<std::string> methods, std::vector<int> points = {12}) {
+  auto study = study_of(std::move(methods));
+  study.degree = {};
+  study.points = std::move(points);
+  return study;
+}
+
+suite::Study fits(std::vector<std::string> methods, std::vector<double> tolerance = {1e-2}) {
+  auto study = lengths(std::move(methods), std::move(tolerance));
+  study.points = {10};
+  return study;
+}
+
+race::JudgedRivals rivals_of(const suite::Study& study) {
+  const auto& problem = timed_problem(study);
+  return problem.rivals(problem.race_cells(study).front(), study, 1);
+}
+
+std::vector<bool> right(const suite::Study& study) { return rivals_of(study).right; }
+
+/// One of every problem, the first method a right one.
+std::vector<suite::Study> one_of_each() {
+  return {study_of({"de_casteljau", "direct"}),
+          derivatives({"differences_de_casteljau", "differences_horner", "triangle_derivatives"}),
+          lengths({"gauss_legendre_adaptive", "adaptive_simpson38"}),
+          lengths({"bracketed_newton", "halley"}),
+          study_of({"quintic_isolate", "scan_refine"}),
+          splines({"c2_natural", "c2_natural_handles"}),
+          fits({"schneider", "gauss_newton"})};
+}
+
+TEST(TimedProblem, EveryCompanionHasOne) {
+  for (const auto* info : judge::companion_infos())
+    EXPECT_EQ(timed_problem(study_of({std::string(info->id)})).problem, info->problem) << info->id;
+}
+
+TEST(TimedProblem, IsTheOneThatTheStudyNames) {
+  EXPECT_EQ(timed_problem(study_of({"chord_sum"})).problem, Problem::arc_length);
+  EXPECT_EQ(timed_problem(study_of({"schneider"})).problem, Problem::fitting);
+  EXPECT_EQ(timed_problem(study_of({"de_casteljau"})).problem, Problem::evaluation);
+  EXPECT_EQ(timed_problem(study_of({"*"})).problem, Problem::evaluation);
+  EXPECT_EQ(timed_problem(study_of({"gauss_legendre_*"})).problem, Problem::arc_length);
+  EXPECT_EQ(timed_problem(study_of({"*casteljau", "differences_*"})).problem, Problem::evaluation);
+  EXPECT_EQ(timed_problem(study_of({"scan_?isect"})).problem, Problem::projection);
+}
+
+TEST(TimedProblem, RivalsReproduceTheirResults) {
+  for (const auto& study : one_of_each()) {
+    const auto contestants = rivals_of(study);
+    ASSERT_EQ(contestants.rivals.size(), study.methods.size()) << study.methods[0];
+    EXPECT_THAT(contestants.right, testing::Each(true)) << study.methods[0];
+    for (const auto& rival : contestants.rivals) {
+      EXPECT_FALSE(rival.check()) << rival.name << ": nothing ran yet";
+      rival.run();
+      EXPECT_TRUE(rival.check()) << rival.name;
+      EXPECT_FALSE(rival.check()) << rival.name << ": the results of the last run are spoilt";
+    }
+  }
+}
+
+TEST(TimedProblem, TellsRivalsWhoseResultsAreWrong) {
+  EXPECT_THAT(right(lengths({"gauss_legendre_24", "gauss_legendre_adaptive"}, {1e-10})), ElementsAre(false, true));
+  EXPECT_THAT(right(study_of({"quintic_isolate", "quintic_seed_002"})), ElementsAre(true, false));
+  EXPECT_THAT(right(derivatives({"differences_horner", "seed_000"}, {1})), ElementsAre(true, true));
+  EXPECT_THAT(right(derivatives({"differences_horner", "seed_000"}, {2})), ElementsAre(true, false));
+  EXPECT_THAT(right(lengths({"bracketed_newton", "chord_equalising"}, {1e-10})), ElementsAre(true, false));
+}
+
+/// Whether an answer is right, and still is with one of its numbers moved.
+template <class P>
+std::pair<bool, bool> before_and_after(const suite::Study& study, std::size_t moved) {
+  const auto race_cell = timed_problem(study).race_cells(study).front();
+  const P problems(race_cell, study, 1);
+  const auto& kernel = *std::ranges::find(P::kernels(2), race_cell.methods[0], &P::Kernel::info);
+  typename P::Result result{};
+  problems.solve(kernel, 0, result);
+  const bool before = problems.is_right(kernel, 0, result);
+  result[moved] += 8;
+  return {before, problems.is_right(kernel, 0, result)};
+}
+
+TEST(TimedProblem, AnAnswerThatIsOffIsNotRight) {
+  constexpr std::pair caught(true, false);
+  EXPECT_EQ(before_and_after<studies::TimedDerivative>(derivatives({"differences_horner"}), 1), caught);
+  EXPECT_EQ(before_and_after<studies::TimedDerivative>(derivatives({"seed_000"}, {1}), 1), caught) << "without a bound";
+  EXPECT_EQ(before_and_after<studies::TimedArcLength>(lengths({"adaptive_simpson38"}), 0), caught);
+  EXPECT_EQ(before_and_after<studies::TimedInverseArcLength>(lengths({"halley"}), 0), caught);
+  EXPECT_EQ(before_and_after<studies::TimedProjection>(study_of({"scan_refine"}), 1), caught);
+  EXPECT_EQ(before_and_after<studies::TimedInterpolation>(splines({"c2_natural"}), 2), caught);
+  EXPECT_EQ(before_and_after<studies::TimedInterpolation>(splines({"c2_natural_handles"}), 2), caught)
+      << "without a bound";
+  EXPECT_EQ(before_and_after<studies::TimedFitting>(fits({"schneider"}), 0), caught);
+}
+
+TEST(TimedProblem, EveryCaseIsARaceCell) {
+  const auto race_cells_of = [](const suite::Study& study) { return timed_problem(study).race_cells(study); };
+  EXPECT_EQ(race_cells_of(derivatives({"seed_000"}, {1, 2, 3})).size(), 3U);
+  EXPECT_EQ(race_cells_of(lengths({"chord_sum"}, {1e-3, 1e-6})).size(), 2U);
+  EXPECT_EQ(race_cells_of(splines({"c2_natural"}, {3, 30, 300, 3000})).size(), 4U);
+  EXPECT_EQ(race_cells_of(fits({"schneider"}, {1e-2, 1e-3})).size(), 2U * 6) << "six kinds of data";
+}
+
+race::RaceCellLap lap_of(double ns) {
+  race::Lap repetition;
+  repetition.ns_per_point = {ns, ns};
+  return {{repetition, repetition}};
+}
+
+bundle::CsvDocument written(const suite::Study& study, const std::string& file, double (*ns)(const race::RaceCell&)) {
+  auto race_cells = timed_problem(study).race_cells(study);
+  for (auto& race_cell : race_cells) {
+    race_cell.laps.assign(race_cell.methods.size(), lap_of(ns(race_cell)));
+    race_cell.laps.insert(race_cell.laps.end(), 2, lap_of(1));  // the sentinels
+  }
+  tables::Tables tables;
+  studies::write_timing_rows(study, race_cells, tables);
+  studies::write_complexity_rows(study, race_cells, timed_problem(study).size, tables);
+  return bundle::parse_csv(tables.all().at(file).text(), file);
+}
+
+std::vector<std::string> case_values(const bundle::CsvDocument& csv, std::size_t row) {
+  std::vector<std::string> fields;
+  for (const auto& column : judge::case_columns()) fields.push_back(csv.at(row, column));
+  return fields;
+}
+
+TEST(TimedProblem, RowsSayWhichCase) {
+  const auto any = [](const race::RaceCell&) { return 1.0; };
+  EXPECT_THAT(case_values(written(study_of({"de_casteljau"}), "timing.csv", any), 0), ElementsAre("", "", "", ""));
+  EXPECT_THAT(case_values(written(derivatives({"seed_000"}), "timing.csv", any), 0), ElementsAre("2", "", "", ""));
+  EXPECT_THAT(case_values(written(lengths({"halley"}, {1e-3, 1e-9}), "timing.csv", any), 1),
+              ElementsAre("", "1e-09", "", ""));
+  const auto spline = written(splines({"c2_natural"}), "timing.csv", any);
+  EXPECT_THAT(case_values(spline, 0), ElementsAre("", "", "12", ""));
+  EXPECT_EQ(spline.at(0, "degree"), "3");
+  const auto fit = written(fits({"schneider"}), "timing.csv", any);
+  EXPECT_THAT(case_values(fit, 0), ElementsAre("", "0.01", "10", "samples"));
+  EXPECT_THAT(case_values(fit, 6), ElementsAre("", "", "", "")) << "the sentinel";
+}
+
+TEST(TimedProblem, SplinesGrowWithTheirPoints) {
+  const auto csv = written(splines({"c2_natural"}, {10, 100, 1000}), "complexity.csv",
+                           [](const race::RaceCell& race_cell) { return 7.0 * *race_cell.case_values.points; });
+  ASSERT_EQ(csv.row_count(), 1U);
+  EXPECT_NEAR(std::stod(csv.at(0, "exponent")), 1, 1e-12);
+  EXPECT_EQ(csv.at(0, "verdict"), "within");
+  EXPECT_EQ(csv.at(0, "first_points") + " " + csv.at(0, "last_points"), "10 1000");
+  EXPECT_EQ(csv.at(0, "first_degree") + " " + csv.at(0, "last_degree"), "3 3");
+}
+
+TEST(TimedProblem, SizesOfOtherProblemsAreNotClaimed) {
+  auto study = derivatives({"seed_000"});
+  study.degree = {3, 5, 10};
+  tables::Tables tables;
+  studies::write_complexity_rows(study, timed_problem(study).race_cells(study), timed_problem(study).size, tables);
+  EXPECT_TRUE(tables.all().empty());
+}
+
+/// Adds a key that is missing, removes one that is there.
+template <class T>
+void toggle(std::vector<T>& key, T value) {
+  if (key.empty())
+    key.push_back(value);
+  else
+    key.clear();
+}
+
+TEST(TimedProblem, RefusesWhatIsNotTimed) {
+  const auto refused = [](const suite::Study& study) { EXPECT_THROW(studies::timing_job(study, {1}), Failure); };
+  for (const auto& good : one_of_each()) {
+    EXPECT_NO_THROW(studies::timing_job(good, {1})) << good.methods[0];
+    auto study = good;
+    toggle(study.tolerance, 1e-3);
+    refused(study);
+    study = good;
+    toggle(study.order, 1);
+    refused(study);
+    study = good;
+    toggle(study.points, 10);
+    refused(study);
+    study = good;
+    toggle(study.degree, 3);
+    refused(study);
+    if (good.methods[0] == "de_casteljau") continue;
+    study = good;
+    study.modes = {suite::Mode::one_shot, suite::Mode::point};
+    refused(study);
+    study = good;
+    study.scalar = {suite::ScalarKind::float32};
+    refused(study);
+    study = good;
+    study.curve = suite::CurveKind::rational;
+    refused(study);
+    study = good;
+    study.methods.emplace_back("de_casteljau");
+    refused(study);
+  }
+}
+
+}  // namespace
+}  // namespace bezierbench::studies

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What the tests of studies of lengths share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/run/job_test.hpp"
+
+namespace bezierbench::studies {
+
+inline suite::Study small_length_study(suite::Kind kind, std::vector<std::string> generators) {
+  suite::Study study;
+  study.id = "small";
+  study.kind = kind;
+  study.degree = {3};
+  study.coordinate_range = {1};
+  study.t_interval = {{0, 1}, {0.25, 0.75}};
+  study.generator = std::move(generators);
+  study.tolerance = {1e-3, 1e-9};
+  study.trials = 20;  // two blocks, the last one short
+  return study;
+}
+
+/// No broken promise, and where all converged the largest error is within the tolerance.
+inline void expect_kept(const bundle::CsvDocument& csv, std::size_t row) {
+  EXPECT_EQ(csv.at(row, "broken_promises"), "0");
+  EXPECT_EQ(csv.at(row, "non_finite"), "0");
+  const double tolerance = *number::parse_number(csv.at(row, "tolerance"));
+  if (csv.at(row, "non_converged") == "0") {
+    EXPECT_LE(*number::parse_number(csv.at(row, "max_relative")), tolerance * 1.001);
+  }
+}
+
+inline void expect_refusals(run::MakeJob make, const suite::Study& good) {
+  auto polynomial = good;
+  polynomial.curve = suite::CurveKind::polynomial;
+  EXPECT_THROW(make(polynomial, {1}), Failure);
+  auto single = good;
+  single.scalar = {suite::ScalarKind::float32};
+  EXPECT_THROW(make(single, {1}), Failure);
+  auto outside = good;
+  outside.t_interval = {{-1, 1}};
+  EXPECT_THROW(make(outside, {1}), Failure);
+  auto evaluator = good;
+  evaluator.methods = {"de_casteljau"};
+  EXPECT_THROW(make(evaluator, {1}), Failure);
+}
+
+}  // namespace bezierbench::studies

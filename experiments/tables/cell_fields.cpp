@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/tables/cell_fields.hpp"
+
+#include <fmt/format.h>
+
+#include "experiments/number/number.hpp"
+#include "experiments/suite/names.hpp"
+
+namespace bezierbench::tables {
+
+const std::vector<std::string>& cell_columns() {
+  static const std::vector<std::string> columns = [] {
+    std::vector<std::string> all{"study", "curve", "method", "scalar", "dimension", "degree"};
+    all.insert(all.end(), drawn_columns().begin(), drawn_columns().end());
+    return all;
+  }();
+  return columns;
+}
+
+const std::vector<std::string>& drawn_columns() {
+  static const std::vector<std::string> columns{"coordinate_range", "t_min", "t_max", "generator"};
+  return columns;
+}
+
+std::vector<std::string> drawn_fields(const sample::Cell& cell) {
+  return {number::decimal(cell.coordinate_range), number::decimal(cell.t_interval.min),
+          number::decimal(cell.t_interval.max), cell.generator};
+}
+
+std::vector<std::string> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
+                                     suite::ScalarKind scalar) {
+  std::vector<std::string> fields{study.id,
+                                  std::string(suite::name(study.curve)),
+                                  std::string(method),
+                                  std::string(suite::name(scalar)),
+                                  std::to_string(cell.dimension),
+                                  std::to_string(cell.degree)};
+  for (auto& field : drawn_fields(cell)) fields.push_back(std::move(field));
+  return fields;
+}
+
+std::string describe(const suite::Study& study, const sample::Cell& cell, suite::ScalarKind scalar) {
+  return fmt::format("study {}, {} {} degree {}, range {}, t in [{}, {}], generator {}", study.id,
+                     suite::name(study.curve), suite::name(scalar), cell.degree, number::decimal(cell.coordinate_range),
+                     number::decimal(cell.t_interval.min), number::decimal(cell.t_interval.max), cell.generator);
+}
+
+}  // namespace bezierbench::tables

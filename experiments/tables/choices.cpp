@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/tables/choices.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "experiments/metric/pareto.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/tables/cell_fields.hpp"
+
+namespace bezierbench::tables {
+namespace {
+
+/// What kind of curves a row is about.
+using CurveKind = std::vector<std::string>;
+
+CurveKind kind_of(const TableRow& row) {
+  return {row.text("curve"), row.text("scalar"), row.text("dimension"), row.text("degree")};
+}
+
+/// The errors of the methods of one accuracy study on one kind of curve.
+struct Judged {
+  std::string study;
+  std::map<std::string, LargestErrors> methods;
+};
+
+using JudgedKinds = std::map<CurveKind, std::vector<Judged>>;
+
+/// Over all cells of each study: ranges, intervals and generators.
+JudgedKinds judged_kinds(const JudgedTables& tables, const std::string& only) {
+  JudgedKinds kinds;
+  tables.each_row(only, [&](const TableRow& row) {
+    const auto& study = row.text("study");
+    auto& studies = kinds[kind_of(row)];
+    auto found = std::ranges::find(studies, study, &Judged::study);
+    if (found == studies.end()) found = studies.insert(studies.end(), {study, {}});
+    found->methods[row.text("method")].add(tables, row);
+  });
+  return kinds;
+}
+
+std::vector<std::string> drawn_of(const bundle::CsvDocument& timing, const TableRow& row) {
+  std::vector<std::string> drawn;
+  for (const auto& column : drawn_columns())
+    if (timing.has_column(column)) drawn.push_back(row.text(column));
+  return drawn;
+}
+
+/// The study that judged most of the group's methods; none where no method was judged.
+const Judged* best_cover(const ChoiceGroup& group, const JudgedKinds& kinds) {
+  const auto studies = kinds.find({group.curve, group.scalar, group.dimension, group.degree});
+  if (studies == kinds.end()) return nullptr;
+  const auto covered = [&](const Judged& judged) {
+    return std::ranges::count_if(group.choices, [&](const Choice& one) { return judged.methods.contains(one.method); });
+  };
+  const auto best = std::ranges::max_element(studies->second, {}, covered);
+  return covered(*best) > 0 ? &*best : nullptr;
+}
+
+void fill_errors(ChoiceGroup& group, const Judged& judged) {
+  group.accuracy_study = judged.study;
+  std::erase_if(group.choices, [&](const Choice& one) { return !judged.methods.contains(one.method); });
+  for (auto& choice : group.choices) choice.errors = judged.methods.at(choice.method);
+}
+
+std::string decimal_or_empty(const std::optional<double>& value) { return value ? number::decimal(*value) : ""; }
+
+void add_rows(bundle::CsvTable& table, const ChoiceGroup& group) {
+  std::vector<metric::Tradeoff> tradeoffs;
+  for (const auto& choice : group.choices) tradeoffs.push_back({choice.ns, choice.errors.in_u.observed});
+  const auto fronts = metric::pareto_front(tradeoffs);
+  for (std::size_t m = 0; m < group.choices.size(); ++m) {
+    const Choice& choice = group.choices[m];
+    std::vector<std::string> row{group.study,
+                                 group.accuracy_study,
+                                 group.curve,
+                                 choice.method,
+                                 group.scalar,
+                                 group.dimension,
+                                 group.degree,
+                                 group.mode,
+                                 number::decimal(choice.ns.median),
+                                 number::decimal(choice.ns.low),
+                                 number::decimal(choice.ns.high),
+                                 number::decimal(choice.errors.in_u.observed),
+                                 decimal_or_empty(choice.errors.in_u.bound),
+                                 number::decimal(choice.errors.absolute.observed),
+                                 decimal_or_empty(choice.errors.absolute.bound),
+                                 choice.quality,
+                                 std::string(metric::name(fronts[m]))};
+    row.insert(row.end(), group.drawn.begin(), group.drawn.end());
+    table.add_row(std::move(row));
+  }
+}
+
+}  // namespace
+
+void LargestError::add(double seen, std::optional<double> proved, bool is_first) {
+  observed = is_first ? seen : std::max(observed, seen);
+  if (is_first)
+    bound = proved;
+  else if (bound)
+    bound = proved ? std::optional(std::max(*bound, *proved)) : std::nullopt;
+}
+
+void LargestErrors::add(const JudgedTables& tables, const TableRow& row) {
+  const bool finite = row.number("non_finite") == 0;
+  const auto observed = [&](std::string_view column) {
+    return finite ? row.number(column) : std::numeric_limits<double>::infinity();
+  };
+  in_u.add(observed("max_error_u"), tables.bound(row, "bound_u"), rows == 0);
+  absolute.add(observed("max_error"), tables.bound(row, "max_bound"), rows == 0);
+  ++rows;
+}
+
+std::vector<ChoiceGroup> timed_groups(const bundle::CsvDocument& timing) {
+  std::vector<ChoiceGroup> groups;
+  for (std::size_t at = 0; at < timing.row_count(); ++at) {
+    const TableRow row(timing, at);
+    if (row.text("degree").empty()) continue;  // the sentinel
+    const ChoiceGroup key{row.text("study"),
+                          "",
+                          row.text("curve"),
+                          row.text("scalar"),
+                          row.text("dimension"),
+                          row.text("degree"),
+                          row.text("mode"),
+                          drawn_of(timing, row),
+                          {}};
+    const auto same = [&](const ChoiceGroup& group) {
+      return group.study == key.study && group.curve == key.curve && group.scalar == key.scalar &&
+             group.dimension == key.dimension && group.degree == key.degree && group.mode == key.mode &&
+             group.drawn == key.drawn;
+    };
+    auto group = std::ranges::find_if(groups, same);
+    if (group == groups.end()) group = groups.insert(groups.end(), key);
+    group->choices.push_back({row.text("method"),
+                              {row.number("median_ns"), row.number("low_ns"), row.number("high_ns")},
+                              row.text("quality"),
+                              {}});
+  }
+  return groups;
+}
+
+std::vector<ChoiceGroup> choice_groups(const bundle::CsvDocument& timing, const JudgedTables& judged,
+                                       const std::string& accuracy_study) {
+  const auto kinds = judged_kinds(judged, accuracy_study);
+  auto groups = timed_groups(timing);
+  std::erase_if(groups, [&](const ChoiceGroup& group) { return best_cover(group, kinds) == nullptr; });
+  for (auto& group : groups) fill_errors(group, *best_cover(group, kinds));
+  return groups;
+}
+
+void write_pareto(Tables& tables) {
+  std::optional<bundle::CsvDocument> timing;
+  std::optional<bundle::CsvDocument> reference;
+  std::vector<bundle::CsvDocument> accuracies;
+  for (const auto& [file, table] : tables.all()) {
+    if (file == "timing.csv") timing = bundle::parse_csv(table.text(), file);
+    if (file == "reference.csv") reference = bundle::parse_csv(table.text(), file);
+    if (file == "accuracy.csv" || file == "unstable.csv") accuracies.push_back(bundle::parse_csv(table.text(), file));
+  }
+  if (!timing) return;
+  const auto groups = choice_groups(*timing, JudgedTables(std::move(accuracies), reference));
+  if (groups.empty()) return;
+  std::vector<std::string> columns{"study",   "accuracy_study", "curve", "method",  "scalar",  "dimension",
+                                   "degree",  "mode",           "ns",    "ns_low",  "ns_high", "observed_max_u",
+                                   "bound_u", "observed_max",   "bound", "quality", "pareto"};
+  columns.insert(columns.end(), drawn_columns().begin(), drawn_columns().end());
+  auto& table = tables.table("pareto.csv", columns);
+  for (const auto& group : groups) add_rows(table, group);
+}
+
+}  // namespace bezierbench::tables
