@@ -15,7 +15,7 @@ namespace {
 /// What is asked of a method where no bound is proved. Of those, interpolation at uniform nodes loses most: its
 /// Lebesgue constant grows like 2^n / (e n ln n) (Trefethen, Approximation Theory and Approximation Practice,
 /// theorem 15.2).
-ErrorBound lenient_bound(Form form) {
+ErrorBound bound_without_proof(Form form) {
   return {
       .text = "",
       .amplification = form == Form::power ? Amplification::forward_substitution : Amplification::bernstein_to_power,
@@ -38,7 +38,7 @@ JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const
   judge::PreparedStorage storage;
   const auto dimension = static_cast<std::size_t>(inputs.dimension);
   JudgedPoints<Scalar> judged{std::vector<Scalar>(inputs.t.size() * dimension), true};
-  const ErrorBound allowed = kernel.info->bound.value_or(lenient_bound(inputs.form));
+  const ErrorBound allowed = kernel.info->bound.value_or(bound_without_proof(inputs.form));
   for (std::size_t k = 0; k < inputs.t.size(); ++k) {
     const auto curve = inputs.curve_of(k, mode);
     const auto point = std::span(judged.points).subspan(k * dimension, dimension);
@@ -51,7 +51,7 @@ JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const
     scale.set(given, t);
     const double error = reference::Distance(exact.point(given, t)).to(widened(std::span<const Scalar>(point)));
     double bound = scale.bound(allowed, arithmetic);
-    if (!std::isfinite(bound)) bound = scale.bound(lenient_bound(inputs.form), arithmetic);
+    if (!std::isfinite(bound)) bound = scale.bound(bound_without_proof(inputs.form), arithmetic);
     judged.right = judged.right && std::isfinite(error) && !metric::TrialScale::violates(error, bound);
   }
   return judged;

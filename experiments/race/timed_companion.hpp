@@ -37,7 +37,7 @@ concept TimedCompanion = std::constructible_from<P, const RaceCell&, const suite
 };
 
 /// What is asked of a method where no bound is proved, in u times the scale of the result: half of the digits.
-inline constexpr double lenient_bound = 0x1p26;
+inline constexpr double half_of_the_digits = 0x1p26;
 
 /// The race cells of a study of a companion problem, still without methods. Throws Failure(usage) for what is not
 /// timed.

@@ -98,7 +98,7 @@ void keep_chosen(const Overrides& overrides, std::vector<Suite>& suites) {
 }
 
 /// The option to blame for `problem`: the one that set the field, or the field that it does not fit.
-std::string blamed(const Problem& problem, const std::vector<Setting>& settings) {
+std::string blamed(const Fault& problem, const std::vector<Setting>& settings) {
   for (const std::string_view key : {problem.key, problem.other_key}) {
     for (const Setting& setting : settings) {
       if (setting.field->key == key) return setting.option;

@@ -134,7 +134,7 @@ class Reader {
   }
 
   /// The node at fault: the element, else the key, else the other key, else the table.
-  static const toml::node& place(const toml::table& table, const Problem& problem) {
+  static const toml::node& place(const toml::table& table, const Fault& problem) {
     const toml::node* node = table.get(problem.key);
     if (node == nullptr) node = table.get(problem.other_key);
     if (node == nullptr) return table;

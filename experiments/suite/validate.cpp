@@ -22,7 +22,7 @@
 namespace bezierbench::suite {
 namespace {
 
-using Finding = std::optional<Problem>;
+using Finding = std::optional<Fault>;
 
 constexpr std::int64_t most_replicates = 1000000;
 constexpr int most_points = 1000000;
@@ -32,7 +32,7 @@ bool contains(std::span<const std::string> ids, std::string_view id) {
 }
 
 Finding unknown(std::string_view key, std::size_t i, std::string_view word, std::span<const std::string> known) {
-  return Problem{key, i, {}, fmt::format("unknown {} \"{}\"{}", key, echo(word), suggestion(word, known))};
+  return Fault{key, i, {}, fmt::format("unknown {} \"{}\"{}", key, echo(word), suggestion(word, known))};
 }
 
 /// Applies `check(value) -> std::string` to every element, and looks for equal ones.
@@ -41,9 +41,9 @@ template <class T, class Check>
 Finding each(std::string_view key, const std::vector<T>& values, Check check) {
   std::set<T> before;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::string what = check(values[i]); !what.empty()) return Problem{key, i, {}, std::move(what)};
+    if (std::string what = check(values[i]); !what.empty()) return Fault{key, i, {}, std::move(what)};
     if (!before.insert(values[i]).second)
-      return Problem{key, i, {}, fmt::format("{} has this value twice; remove one", key)};
+      return Fault{key, i, {}, fmt::format("{} has this value twice; remove one", key)};
   }
   return std::nullopt;
 }
@@ -79,26 +79,24 @@ Finding check_axes(const Study& study) {
 }
 
 Finding check_counts(const Study& study) {
-  if (study.trials < 1) return Problem{"trials", 0, {}, "trials must be at least 1"};
-  if (study.replicates < 1) return Problem{"replicates", 0, {}, "replicates must be at least 1"};
-  if (study.decomposed_trials < 0) return Problem{"decomposed_trials", 0, {}, "decomposed_trials must not be negative"};
+  if (study.trials < 1) return Fault{"trials", 0, {}, "trials must be at least 1"};
+  if (study.replicates < 1) return Fault{"replicates", 0, {}, "replicates must be at least 1"};
+  if (study.decomposed_trials < 0) return Fault{"decomposed_trials", 0, {}, "decomposed_trials must not be negative"};
   if (study.decomposed_trials > 0 && study.kind != Kind::accuracy) {
-    return Problem{"decomposed_trials", 0, "kind",
-                   "decomposed_trials belong to studies of kind \"accuracy\"; remove them"};
+    return Fault{"decomposed_trials", 0, "kind",
+                 "decomposed_trials belong to studies of kind \"accuracy\"; remove them"};
   }
   if (study.kind == Kind::search && study.budget < 1) {
-    return Problem{"budget", 0, "kind",
-                   "kind \"search\" needs a budget, how many inputs it may try; add budget = 20000"};
+    return Fault{"budget", 0, "kind", "kind \"search\" needs a budget, how many inputs it may try; add budget = 20000"};
   }
   if (study.kind != Kind::search && study.budget != 0) {
-    return Problem{"budget", 0, "kind", "a budget belongs to studies of kind \"search\"; remove it"};
+    return Fault{"budget", 0, "kind", "a budget belongs to studies of kind \"search\"; remove it"};
   }
   if (study.replicates > most_replicates) {
-    return Problem{
-        "replicates", 0, {}, fmt::format("replicates must be at most {}, for each is kept", most_replicates)};
+    return Fault{"replicates", 0, {}, fmt::format("replicates must be at most {}, for each is kept", most_replicates)};
   }
   if (study.trials > std::numeric_limits<std::int64_t>::max() / study.replicates) {
-    return Problem{"replicates", 0, "trials", "trials * replicates must be below 2^63; lower one of them"};
+    return Fault{"replicates", 0, "trials", "trials * replicates must be below 2^63; lower one of them"};
   }
   return std::nullopt;
 }
@@ -108,13 +106,13 @@ Finding check_counts(const Study& study) {
 Finding check_points(const Study& study) {
   const bool on_points = study.kind == Kind::interpolation || study.kind == Kind::fitting;
   if (study.points.empty() == on_points && study.kind != Kind::timing) {
-    return Problem{"points", 0, "kind",
-                   fmt::format("kind \"{}\" {}", name(study.kind),
-                               on_points ? "needs numbers of data points; add points = [10, 100]"
-                                         : "has no data points; remove points")};
+    return Fault{"points", 0, "kind",
+                 fmt::format("kind \"{}\" {}", name(study.kind),
+                             on_points ? "needs numbers of data points; add points = [10, 100]"
+                                       : "has no data points; remove points")};
   }
   if (study.kind == Kind::interpolation && !study.degree.empty()) {
-    return Problem{"degree", 0, "kind", "degree is that of the segments, 3, for kind \"interpolation\"; remove it"};
+    return Fault{"degree", 0, "kind", "degree is that of the segments, 3, for kind \"interpolation\"; remove it"};
   }
   return each("points", study.points, [](int points) {
     return points >= 2 && points <= most_points ? "" : fmt::format("points must be 2 to {}", most_points);
@@ -125,17 +123,17 @@ Finding check_points(const Study& study) {
 Finding check_cases(const Study& study) {
   const bool derivative = study.kind == Kind::derivative;
   if (study.order.empty() == derivative && study.kind != Kind::timing) {
-    return Problem{"order", 0, "kind",
-                   derivative ? "kind \"derivative\" needs orders; add order = [1, 2]"
-                              : "order belongs to studies of kind \"derivative\"; remove it"};
+    return Fault{"order", 0, "kind",
+                 derivative ? "kind \"derivative\" needs orders; add order = [1, 2]"
+                            : "order belongs to studies of kind \"derivative\"; remove it"};
   }
   const bool tolerant =
       study.kind == Kind::arc_length || study.kind == Kind::inverse_arc_length || study.kind == Kind::fitting;
   const bool may_be_tolerant = tolerant || study.kind == Kind::timing;
   if (study.tolerance.empty() ? tolerant : !may_be_tolerant) {
-    return Problem{"tolerance", 0, "kind",
-                   fmt::format("kind \"{}\" {}", name(study.kind),
-                               tolerant ? "needs tolerances; add tolerance = [1e-6]" : "has no tolerance; remove it")};
+    return Fault{"tolerance", 0, "kind",
+                 fmt::format("kind \"{}\" {}", name(study.kind),
+                             tolerant ? "needs tolerances; add tolerance = [1e-6]" : "has no tolerance; remove it")};
   }
   if (auto found = each("order", study.order, [](int order) {
         return order >= 0 && order <= max_degree ? "" : fmt::format("order must be 0 to {}", max_degree);
@@ -195,35 +193,34 @@ Finding check_generator(const Study& study, std::size_t i, const Vocabulary& kno
   const KnownGenerator& generator = *find_generator(known, study.generator[i]);
   const GeneratorLimits& limits = generator.limits;
   if (std::string what = weights_problem(study, generator, known); !what.empty()) {
-    return Problem{"generator", i, "curve", std::move(what)};
+    return Fault{"generator", i, "curve", std::move(what)};
   }
   const int largest = study.curve == CurveKind::polynomial ? limits.polynomial_degree : limits.bezier_degree;
   for (std::size_t k = 0; k < study.degree.size(); ++k) {
     if (study.degree[k] > largest) {
-      return Problem{"degree", k, "generator",
-                     fmt::format("generator \"{}\" draws {} curves up to degree {} only, where their coefficients are "
-                                 "exact; lower the degree or change the generator",
-                                 generator.id, name(study.curve), largest)};
+      return Fault{"degree", k, "generator",
+                   fmt::format("generator \"{}\" draws {} curves up to degree {} only, where their coefficients are "
+                               "exact; lower the degree or change the generator",
+                               generator.id, name(study.curve), largest)};
     }
   }
   for (std::size_t k = 0; k < study.coordinate_range.size(); ++k) {
     if (std::string what = range_problem(generator, study.coordinate_range[k]); !what.empty()) {
-      return Problem{"coordinate_range", k, "generator", std::move(what)};
+      return Fault{"coordinate_range", k, "generator", std::move(what)};
     }
   }
   for (std::size_t k = 0; k < study.t_interval.size(); ++k) {
     if (limits.finite_width && !std::isfinite(study.t_interval[k].max - study.t_interval[k].min)) {
-      return Problem{
-          "t_interval", k, "generator",
-          fmt::format("generator \"{}\" needs t_max - t_min to be finite; narrow the interval", generator.id)};
+      return Fault{"t_interval", k, "generator",
+                   fmt::format("generator \"{}\" needs t_max - t_min to be finite; narrow the interval", generator.id)};
     }
   }
   for (std::size_t k = 0; k < study.scalar.size(); ++k) {
     if (limits.exact_coefficients && study.scalar[k] != ScalarKind::float64) {
-      return Problem{"scalar", k, "generator",
-                     fmt::format("generator \"{}\" draws coefficients that are exact in double only; leave scalar out "
-                                 "or change the generator",
-                                 generator.id)};
+      return Fault{"scalar", k, "generator",
+                   fmt::format("generator \"{}\" draws coefficients that are exact in double only; leave scalar out "
+                               "or change the generator",
+                               generator.id)};
     }
   }
   return std::nullopt;
@@ -238,13 +235,13 @@ Finding check_fit(const Study& study, const Vocabulary& known) {
   for (std::size_t i = 0; i < study.coordinate_range.size(); ++i) {
     const double range = study.coordinate_range[i];
     if (single && range > static_cast<double>(std::numeric_limits<float>::max())) {
-      return Problem{"coordinate_range", i, "scalar",
-                     fmt::format("coordinate_range {} is beyond the largest float; change the range or the scalar",
-                                 number::decimal(range))};
+      return Fault{"coordinate_range", i, "scalar",
+                   fmt::format("coordinate_range {} is beyond the largest float; change the range or the scalar",
+                               number::decimal(range))};
     }
   }
   if (study.kind != Kind::timing && !study.modes.empty()) {
-    return Problem{"modes", 0, "kind", "modes belong to studies of kind \"timing\"; remove them"};
+    return Fault{"modes", 0, "kind", "modes belong to studies of kind \"timing\"; remove them"};
   }
   return std::nullopt;
 }
@@ -289,7 +286,7 @@ Finding check_ids(const Study& study, const Vocabulary& known) {
   baselines.insert(baselines.end(), ids.begin(), ids.end());
   for (std::size_t i = 0; i < study.baseline.size(); ++i) {
     if (contains(baselines, study.baseline[i])) continue;
-    if (is_peer(study.baseline[i])) return Problem{"baseline", i, {}, missing_method(study.baseline[i], known)};
+    if (is_peer(study.baseline[i])) return Fault{"baseline", i, {}, missing_method(study.baseline[i], known)};
     return unknown("baseline", i, study.baseline[i], baselines);
   }
   if (!study.published.empty() && !contains(known.published_files, study.published)) {
@@ -303,7 +300,7 @@ Finding check_ids(const Study& study, const Vocabulary& known) {
 
 Finding check_goals(const Study& study, const Vocabulary& known) {
   if (study.kind != Kind::roofline && !study.goals.empty())
-    return Problem{"goals", 0, "kind", "goals belong to studies of kind \"roofline\"; remove them"};
+    return Fault{"goals", 0, "kind", "goals belong to studies of kind \"roofline\"; remove them"};
   return each("goals", study.goals, [&](const Goal& goal) { return goal_problem(goal, known.methods); });
 }
 
@@ -316,21 +313,21 @@ Finding check_cells(const Study& study) {
         study.dimension.size(), study.scalar.size(), study.order.size(), study.points.size(), study.tolerance.size()})
     cells *= static_cast<double>(std::max<std::size_t>(values, 1));
   if (cells <= most_cells) return std::nullopt;
-  return Problem{"degree",
-                 0,
-                 {},
-                 fmt::format("the axes give {:.0f} cells, more than {:.0f}; name fewer values, or make several suites",
-                             cells, most_cells)};
+  return Fault{"degree",
+               0,
+               {},
+               fmt::format("the axes give {:.0f} cells, more than {:.0f}; name fewer values, or make several suites",
+                           cells, most_cells)};
 }
 
 Finding check_present(const Study& study) {
   const bool on_points_alone =
       study.kind == Kind::interpolation || (study.kind == Kind::timing && !study.points.empty());
   if (study.degree.empty() && !on_points_alone) {
-    return Problem{"degree", 0, {}, fmt::format("degree is missing; kind \"{}\" needs it", name(study.kind))};
+    return Fault{"degree", 0, {}, fmt::format("degree is missing; kind \"{}\" needs it", name(study.kind))};
   }
   const auto empty = [](std::string_view key) {
-    return Problem{key, 0, {}, fmt::format("{} is empty; name a value or leave it out", key)};
+    return Fault{key, 0, {}, fmt::format("{} is empty; name a value or leave it out", key)};
   };
   if (study.coordinate_range.empty()) return empty("coordinate_range");
   if (study.t_interval.empty()) return empty("t_interval");
@@ -344,8 +341,8 @@ Finding check_present(const Study& study) {
 
 }  // namespace
 
-std::optional<Problem> validate(const Study& study, const Vocabulary& known) {
-  if (std::string what = id_problem(study.id); !what.empty()) return Problem{"id", 0, {}, std::move(what)};
+std::optional<Fault> validate(const Study& study, const Vocabulary& known) {
+  if (std::string what = id_problem(study.id); !what.empty()) return Fault{"id", 0, {}, std::move(what)};
   if (auto found = check_present(study)) return found;
   if (auto found = check_axes(study)) return found;
   if (auto found = check_counts(study)) return found;

@@ -15,7 +15,7 @@
 namespace bezierbench::suite {
 
 /// The first thing wrong with a study.
-struct Problem {
+struct Fault {
   std::string_view key;        ///< the field at fault
   std::size_t index = 0;       ///< of its element
   std::string_view other_key;  ///< the field that it does not fit, if the two are at odds
@@ -23,7 +23,7 @@ struct Problem {
 };
 
 /// Whether `study` can be run: known ids, values in range, axes that fit one another, nothing twice on an axis.
-std::optional<Problem> validate(const Study& study, const Vocabulary& known);
+std::optional<Fault> validate(const Study& study, const Vocabulary& known);
 
 /// Why `seed` is none, else empty: seeds are 0 to 2^63-1, what TOML can hold.
 std::string seed_problem(std::uint64_t seed);

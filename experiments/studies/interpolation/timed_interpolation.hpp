@@ -37,7 +37,7 @@ class TimedInterpolation {
   }
   [[nodiscard]] bool is_right(const Kernel& method, std::size_t k, const Result& result) const {
     SplineErrors errors;
-    const double bound = method.residual_bound > 0 ? method.residual_bound : race::lenient_bound;
+    const double bound = method.residual_bound > 0 ? method.residual_bound : race::half_of_the_digits;
     SplineJudge(sets_[k].coefficients, dimension_, false).judge(result, bound, k, errors);
     return errors.violations == 0 && errors.non_finite == 0;
   }
