@@ -83,7 +83,7 @@ struct ScaledHodograph {
 template <int Dimension>
 ScaledHodograph<Dimension> scaled_hodograph(Curve<Form::bernstein, double, Dimension> curve) {
   std::array<int, Dimension> taken{};
-  const int of_differences = 1 + std::bit_width(static_cast<unsigned>(curve.degree()));
+  const int of_differences = 1 + static_cast<int>(std::bit_width(static_cast<unsigned>(curve.degree())));
   for (int axis = 0; axis < Dimension; ++axis) {
     const int exponent = detail::exponent_of_axis(curve, axis);
     if (exponent <= std::numeric_limits<double>::max_exponent - of_differences) continue;
