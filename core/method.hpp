@@ -22,7 +22,8 @@ enum class Problem {
   inverse_arc_length,
   projection,
   interpolation,
-  fitting
+  fitting,
+  subdivision
 };
 
 constexpr std::string_view name(Problem problem) {
@@ -35,6 +36,7 @@ constexpr std::string_view name(Problem problem) {
     case Problem::projection: return "projection";
     case Problem::interpolation: return "interpolation";
     case Problem::fitting: return "fitting";
+    case Problem::subdivision: return "subdivision";
   }
   return "";
 }

@@ -42,11 +42,57 @@ ExactHalves halves(const CurveView<double>& curve, double t, Ask ask) {
   return result;
 }
 
+/// What a Bernstein sum is over.
+using Coefficient = Rational (*)(const CurveView<double>& curve, int axis, int i);
+
+Rational plain(const CurveView<double>& curve, int axis, int i) { return exactly(curve(axis, i)); }
+Rational weight(const CurveView<double>& curve, int /*axis*/, int i) {
+  return exactly(curve.weights[static_cast<std::size_t>(i)]);
+}
+Rational weighted(const CurveView<double>& curve, int axis, int i) {
+  return weight(curve, axis, i) * plain(curve, axis, i);
+}
+
+/// sum_i c_i C(n,i) t^i (1-t)^(n-i), nested.
+Rational bernstein_sum(const CurveView<double>& curve, Coefficient c, int axis, const Rational& t) {
+  const Rational s = exactly(1) - t;
+  Rational sum = c(curve, axis, 0);
+  Rational power = exactly(1);  // t^i
+  for (int i = 1; i <= curve.degree; ++i) {
+    power = power * t;
+    Rational term = power;
+    mpz_class binomial;
+    mpz_bin_uiui(binomial.get_mpz_t(), static_cast<unsigned long>(curve.degree), static_cast<unsigned long>(i));
+    term.numerator *= binomial;
+    sum = sum * s + term * c(curve, axis, i);
+  }
+  return sum;
+}
+
+/// The coordinates at a dyadic t.
+std::vector<Rational> coordinates_at(const CurveView<double>& curve, const Rational& t) {
+  std::vector<Rational> coordinates;
+  const bool rational = curve.form == Form::rational;
+  const Rational sum = rational ? bernstein_sum(curve, weight, 0, t) : exactly(1);
+  if (sum.numerator == 0) return coordinates;
+  for (int axis = 0; axis < curve.dimension; ++axis) {
+    Rational coordinate = bernstein_sum(curve, rational ? weighted : plain, axis, t);
+    if (sum.numerator < 0) coordinate.numerator = -coordinate.numerator;
+    coordinates.push_back({coordinate.numerator, ::abs(sum.numerator), coordinate.exponent - sum.exponent});
+  }
+  return coordinates;
+}
+
 }  // namespace
 
 ExactHalves exact_split(const CurveView<double>& curve, double t) { return halves(curve, t, &ExactCurve::point); }
 
 ExactHalves split_p_tilde(const CurveView<double>& curve, double t) { return halves(curve, t, &ExactCurve::p_tilde); }
+
+Middles exact_middles(const CurveView<double>& curve, double t) {
+  const Rational half{1, 1, -1};
+  return {coordinates_at(curve, exactly(t) * half), coordinates_at(curve, (exactly(1) + exactly(t)) * half)};
+}
 
 double error_of(double value, const Rational& truth, const Format& format) {
   if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();

@@ -37,6 +37,15 @@ ExactHalves exact_split(const CurveView<double>& curve, double t);
 /// and of a weight sum |w_j| |B_j(t)|.
 ExactHalves split_p_tilde(const CurveView<double>& curve, double t);
 
+/// Coordinates of points of the whole curve; none where there is no point, because the weights sum to zero.
+struct Middles {
+  std::vector<Rational> left;   ///< at t/2, where the left half has its parameter 1/2
+  std::vector<Rational> right;  ///< at (1 + t)/2, likewise
+};
+
+/// The points of `curve` (as above) in the middle of each half; these parameters need not be doubles.
+Middles exact_middles(const CurveView<double>& curve, double t);
+
 /// |value - truth|, rounded once to `format`. Infinite where `value` is not finite or the difference overflows.
 double error_of(double value, const Rational& truth, const Format& format);
 

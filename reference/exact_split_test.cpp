@@ -134,6 +134,28 @@ TEST(ExactSplit, OfTheCircleHasItsTangents) {
   EXPECT_TRUE(same(right.weights[2], Rational{2, 1, 0}));
 }
 
+/// The middles of the exact halves, term by term; neither t/2 nor (1 + t)/2 need be a double.
+TEST(ExactSplit, MiddlesAreThoseOfTheHalves) {
+  const Rational half{1, 1, -1};
+  for (const auto& c : nasty_c)
+    for (const double t : nasty_t) {
+      const CurveView<double> curve{Form::bernstein, 1, static_cast<int>(c.size()) - 1, c};
+      const auto halves = exact_split(curve, t);
+      const auto middles = exact_middles(curve, t);
+      EXPECT_TRUE(same(middles.left.at(0), bernstein(homogeneous(halves.left, 0), half, half))) << t;
+      EXPECT_TRUE(same(middles.right.at(0), bernstein(homogeneous(halves.right, 0), half, half))) << t;
+    }
+  const std::vector<double> c{1, 0, 1, 1, 0, 1};  // the circle: at 1/2 in (3/5, 4/5)
+  const std::vector<double> w{1, 1, 2};
+  const auto middles = exact_middles({Form::rational, 2, 2, c, w}, 1);
+  EXPECT_TRUE(same(middles.left.at(0), Rational{3, 5, 0}));
+  EXPECT_TRUE(same(middles.left.at(1), Rational{4, 5, 0}));
+  EXPECT_TRUE(same(middles.right.at(1), one));
+  const std::vector<double> both{1, -1, 2, 5};
+  const std::vector<double> signs{1, -1};
+  EXPECT_TRUE(exact_middles({Form::rational, 2, 1, both, signs}, 1).left.empty());
+}
+
 TEST(ExactSplit, HasNoPointWhereItsWeightIsZero) {
   const std::vector<double> c{1, 2};
   const std::vector<double> w{1, -3};  // 1 - 4t

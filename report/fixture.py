@@ -194,6 +194,18 @@ def derivative():
     return rows
 
 
+def subdivision():
+    """Mean errors in u p~ by method, all junctions shared."""
+    rows = []
+    for method, mean_u in (("de_casteljau_split", 0.5), ("lerp_split", 0.75)):
+        for n in DEGREES:
+            row = _judged("subdivision-degree", method, n, mean_u * 1e-16, coordinate_range=1, mean_error_u=mean_u,
+                          max_error_u=5 * mean_u, max_weight_error_u="", bound_u=60 * mean_u, junctions_apart=0, ends_moved=0,
+                          points_off=0 if method == "de_casteljau_split" else "")
+            rows.append({c: v for c, v in row.items() if c not in (*SOMETIMES, "baseline", "rms_error")})
+    return rows
+
+
 def _lengths(study, costs):
     """Evaluations by method and tolerance; methods of a constant cost never promise."""
     return [dict(study=study, curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1,
@@ -268,6 +280,7 @@ COMPANIONS = [
      {"peer_2geom_nearest": 5000, "peer_sisl_closest": 4000, "quintic_isolate": 400}, [{}]),
     ("interpolation", "companion_speed-interpolation", {"c2_natural": 60, "c2_natural_handles": 40},
      [dict(points=k) for k in (10, 100, 1000)]),
+    ("subdivision", "subdivision-time", {"de_casteljau_split": 30, "lerp_split": 40}, [dict(degree=5), dict(degree=20)]),
     ("fitting", "companion_speed-fitting", {"schneider": 500, "gauss_newton": 2500},
      [dict(points=40, tolerance=e, data=data) for data in ("samples", "noisy") for e in (1e-2, 1e-6)]),
 ]
@@ -369,7 +382,7 @@ def fitting_example():
 
 
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
-         "conversion.csv": conversion, "derivative.csv": derivative, "arc_length.csv": arc_length,
+         "conversion.csv": conversion, "derivative.csv": derivative, "subdivision.csv": subdivision, "arc_length.csv": arc_length,
          "arc_length_unstable.csv": arc_length_unstable,
          "inverse_arc_length.csv": inverse_arc_length, "spacing.csv": spacing, "projection.csv": projection,
          "projection_unstable.csv": projection_unstable, "interpolation.csv": interpolation, "fitting.csv": fitting,

@@ -9,7 +9,7 @@ from pathlib import Path
 from . import fixture
 from .bundle import Bundle, BundleError, Missing
 from .chapters import (arc_length, conditioning, conversion, derivative, fitting, interpolation, inverse_arc_length, ladder, peers,
-                       projection, rational, regimes, worst)
+                       projection, rational, regimes, subdivision, worst)
 from .chapters.roster import build_all
 from .error_tables import swept
 from .findings.roster import find_all
@@ -167,6 +167,20 @@ class Suites(unittest.TestCase):
         blocks = self.blocks("arc_length", self.bundle(_only("companion_peers")))
         tables = [b for b in blocks if b.kind == "table" and b.id.startswith("companion_peers-length-")]
         self.assertEqual([[g.key for g in t.groups] for t in tables], [["gauss_legendre_adaptive", "peer_2geom_length"]] * 2)
+
+    def test_halves_that_do_not_fit_together_are_counted_and_marked(self):
+        def table(change=None):
+            bundle = self.bundle(change)
+            found = next(b for b in subdivision.blocks(bundle, find_all(bundle)) if b.kind == "table" and b.id.endswith("-kept"))
+            return {(g.key, label): [(c.text, c.mark) for c in cells] for g in found.groups for label, cells in g.rows}
+
+        def apart(at, row):
+            if at == "subdivision.csv" and row["method"] == "lerp_split" and row["degree"] == 20:
+                row["junctions_apart"] = 3
+        self.assertEqual(table()["lerp_split", "junctions apart"], [("0", "")] * 2)
+        self.assertEqual(table(apart)["lerp_split", "junctions apart"], [("0", ""), ("3", "outside")])
+        self.assertIn(("de_casteljau_split", "points off"), table())
+        self.assertNotIn(("lerp_split", "points off"), table())
 
     def test_malformed_suite_is_an_error(self):
         path = fixture.write(self.place / "b") / "suite.toml"

@@ -16,6 +16,7 @@ UNITS = {
     "inverse_arc_length": ("parameter", "参数", "tolerance", "the length up to it keeps the tolerance, promised or not"),
     "projection": ("foot point", "最近点", "degree", "it is not missed"),
     "interpolation": ("spline", "样条", "points", f"every condition is met within its bound {HALF}"),
+    "subdivision": ("split", "分割", "degree", f"every control point keeps its bound {HALF}"),
     "fitting": ("fit", "拟合", "tolerance", "no data point is farther from the curve than the tolerance"),
 }
 # what may tell the lines of a method apart, and how a line says it

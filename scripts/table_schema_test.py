@@ -45,6 +45,8 @@ STUDIES = {
     "projection": ("projection", "bezier", "degree = [3, 4]\ntrials = 2"),
     "spline": ("interpolation", "bezier", "points = [3]\ntrials = 2"),
     "fit": ("fitting", "bezier", "degree = [3]\npoints = [5]\ntolerance = [1e-2]\ntrials = 2"),
+    "split": ("subdivision", "bezier", "degree = [3]\ntrials = 2"),
+    "split-weights": ("subdivision", "rational", 'degree = [3]\ngenerator = ["weights_mild"]\ntrials = 2'),
     "2.4-bezier": ("timing", "bezier", 'degree = [2, 3, 4]\nmethods = ["direct", "de_casteljau"]\nmodes = ["one_shot"]\n' + REPORT),
     "roofline": ("roofline", "bezier", 'degree = [3]\nmethods = ["horner_bernstein_fma"]'),
 }

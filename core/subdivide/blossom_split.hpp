@@ -19,7 +19,7 @@ struct BlossomSplit {
   static constexpr SplitPromises promises = DeCasteljauSplit::promises;
   static constexpr MethodInfo info{.id = "blossom_split",
                                    .label = "Blossom of each control point",
-                                   .problem = subdivision,
+                                   .problem = Problem::subdivision,
                                    .form = Form::bernstein,
                                    .promise = bound.text,
                                    .one_minus_t = OneMinusT::summed,

@@ -27,7 +27,7 @@ struct DeCasteljauSplit {
                                           .mirrors = true};
   static constexpr MethodInfo info{.id = "de_casteljau_split",
                                    .label = "de Casteljau",
-                                   .problem = subdivision,
+                                   .problem = Problem::subdivision,
                                    .form = Form::bernstein,
                                    .promise = bound.text,
                                    .one_minus_t = OneMinusT::summed,

@@ -43,7 +43,7 @@ requires(Method::info.form == Form::bernstein) struct HomogeneousSplit {
   };
   static constexpr MethodInfo info{.id = Method::info.id,
                                    .label = detail::Joined<detail::LabelOf<Method>, LabelSuffix>::text,
-                                   .problem = subdivision,
+                                   .problem = Problem::subdivision,
                                    .form = Form::rational,
                                    .min_degree = Method::info.min_degree,
                                    .max_degree = Method::info.max_degree,

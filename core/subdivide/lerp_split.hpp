@@ -28,7 +28,7 @@ struct LerpSplit {
                                           .mirrors = false};
   static constexpr MethodInfo info{.id = "lerp_split",
                                    .label = "de Casteljau, a + t(b - a)",
-                                   .problem = subdivision,
+                                   .problem = Problem::subdivision,
                                    .form = Form::bernstein,
                                    .promise = bound.text,
                                    .flops = "3d n(n+1)/2",

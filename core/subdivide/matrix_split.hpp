@@ -34,7 +34,7 @@ struct MatrixSplit {
                                           .mirrors = false};
   static constexpr MethodInfo info{.id = "matrix_split",
                                    .label = "Matrix of Bernstein values",
-                                   .problem = subdivision,
+                                   .problem = Problem::subdivision,
                                    .form = Form::bernstein,
                                    .max_degree_float = 131,
                                    .promise = bound.text,

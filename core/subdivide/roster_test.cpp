@@ -24,7 +24,7 @@ TEST_P(Split, StatesWhatItIs) {
   EXPECT_FALSE(info.label.empty());
   EXPECT_FALSE(info.citation.empty());
   EXPECT_FALSE(info.flops.empty());
-  EXPECT_EQ(info.problem, subdivision);
+  EXPECT_EQ(info.problem, Problem::subdivision);
   EXPECT_EQ(&info, split_infos()[GetParam()]);
   ASSERT_NE(kernel().bound, nullptr);
   EXPECT_THAT(std::string(info.promise), testing::EndsWith(kernel().bound->text));

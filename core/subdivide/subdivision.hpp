@@ -11,10 +11,6 @@
 
 namespace bezierbench {
 
-/// The problem of these methods.
-inline constexpr Problem subdivision{8};
-static_assert(name(subdivision).empty(), "Problem has a ninth value: name it subdivision and use it here");
-
 /// Both parts of a curve, of its form and degree, each run through from 0 to 1 in the direction of the whole.
 template <class C>
 struct Halves {
@@ -37,7 +33,7 @@ struct SplitPromises {
 /// whose errors are bounded has a `SplitBound bound`.
 template <class M>
 concept SplitMethod = requires(const Curve<M::info.form, double, 2>& curve, double t) {
-  requires M::info.problem == subdivision;
+  requires M::info.problem == Problem::subdivision;
   { M::promises } -> std::convertible_to<SplitPromises>;
   { M::split(curve, t) } -> std::same_as<Halves<Curve<M::info.form, double, 2>>>;
 };

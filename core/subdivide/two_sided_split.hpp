@@ -32,7 +32,7 @@ struct TwoSidedSplit {
   static constexpr MethodInfo info{
       .id = "two_sided_split",
       .label = "de Casteljau, two-sided",
-      .problem = subdivision,
+      .problem = Problem::subdivision,
       .form = Form::bernstein,
       .promise = bound.text,
       .flops = "3d n(n+1)/2 + 1",

@@ -11,11 +11,11 @@
 namespace bezierbench::bundle {
 
 /// The files of a bundle that suite and seed determine to the last bit, and no others: what the accuracy digest is of.
-inline constexpr std::array<std::string_view, 13> deterministic_files{
+inline constexpr std::array<std::string_view, 14> deterministic_files{
     "accuracy.csv",   "conversion.csv",    "scorecard.csv",  "worst.csv",
     "search.csv",     "derivative.csv",    "arc_length.csv", "inverse_arc_length.csv",
     "projection.csv", "interpolation.csv", "fitting.csv",    "fitting_example.csv",
-    "spacing.csv"};
+    "spacing.csv",    "subdivision.csv"};
 
 /// SHA-256 as 64 lower-case hexadecimal digits.
 [[nodiscard]] std::string sha256_hex(std::string_view bytes);

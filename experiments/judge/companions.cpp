@@ -13,6 +13,7 @@
 #include "core/fit/kernel.hpp"
 #include "core/interpolate/kernel.hpp"
 #include "core/project/kernel.hpp"
+#include "core/subdivide/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/sample/draw.hpp"
@@ -25,9 +26,9 @@ namespace {
 using Infos = std::span<const MethodInfo* const> (*)();
 
 /// One entry for each problem's roster, and one for the methods of other libraries.
-constexpr std::array<Infos, 7> rosters{derivative_infos,    arc_length_infos,    inverse_arc_length_infos,
-                                       projection_infos,    interpolation_infos, fitting_infos,
-                                       companion_peer_infos};
+constexpr std::array<Infos, 8> rosters{derivative_infos, arc_length_infos,    inverse_arc_length_infos,
+                                       projection_infos, interpolation_infos, fitting_infos,
+                                       split_infos,      companion_peer_infos};
 
 }  // namespace
 

@@ -18,6 +18,7 @@
 #include "experiments/studies/projection/projection.hpp"
 #include "experiments/studies/roofline/roofline.hpp"
 #include "experiments/studies/search/search.hpp"
+#include "experiments/studies/subdivision/subdivision.hpp"
 #include "experiments/studies/timing/timing.hpp"
 #include "experiments/suite/names.hpp"
 
@@ -42,7 +43,8 @@ constexpr std::array kinds{
     StudyKind{suite::Kind::inverse_arc_length, inverse_arc_length_job, {"inverse_arc_length", "spacing"}},
     StudyKind{suite::Kind::projection, projection_job, {"projection|projection_unstable"}},
     StudyKind{suite::Kind::interpolation, interpolation_job, {"interpolation"}},
-    StudyKind{suite::Kind::fitting, fitting_job, {"fitting"}}};
+    StudyKind{suite::Kind::fitting, fitting_job, {"fitting"}},
+    StudyKind{suite::Kind::subdivision, subdivision_job, {"subdivision"}}};
 
 }  // namespace
 

@@ -23,7 +23,7 @@ template <class Enum>
 inline constexpr std::array<Word<Enum>, 0> words{};
 
 template <>
-inline constexpr std::array<Word<Kind>, 11> words<Kind>{{{Kind::accuracy, "accuracy"},
+inline constexpr std::array<Word<Kind>, 12> words<Kind>{{{Kind::accuracy, "accuracy"},
                                                          {Kind::search, "search"},
                                                          {Kind::conversion, "conversion"},
                                                          {Kind::timing, "timing"},
@@ -33,7 +33,8 @@ inline constexpr std::array<Word<Kind>, 11> words<Kind>{{{Kind::accuracy, "accur
                                                          {Kind::inverse_arc_length, "inverse_arc_length"},
                                                          {Kind::projection, "projection"},
                                                          {Kind::interpolation, "interpolation"},
-                                                         {Kind::fitting, "fitting"}}};
+                                                         {Kind::fitting, "fitting"},
+                                                         {Kind::subdivision, "subdivision"}}};
 
 template <>
 inline constexpr std::array<Word<CurveKind>, 3> words<CurveKind>{

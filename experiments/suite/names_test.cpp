@@ -30,7 +30,7 @@ TEST(Names, AreTheWordsOfTheContract) {
   EXPECT_EQ(name(ScalarKind::float32), "float");
   EXPECT_EQ(name(ScalarKind::float64), "double");
   EXPECT_EQ(name(Mode::one_shot), "one_shot");
-  EXPECT_EQ(words<Kind>.back().value, Kind::fitting);
+  EXPECT_EQ(words<Kind>.back().value, Kind::subdivision);
   EXPECT_EQ(words<Mode>.back().value, Mode::batch);
 }
 

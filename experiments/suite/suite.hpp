@@ -22,7 +22,8 @@ enum class Kind {
   inverse_arc_length,
   projection,
   interpolation,
-  fitting
+  fitting,
+  subdivision
 };
 
 /// True for studies that a clock decides.

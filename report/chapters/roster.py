@@ -8,8 +8,8 @@ from ..document import Chapter
 from ..file_names import with_unique_ids
 
 NAMES = """found scorecard tables figures truth ladder regimes conditioning conversion worst rational derivative arc_length
-           inverse_arc_length projection interpolation fitting timing choosing roofline peers comparison audit method_list
-           how_measured provenance""".split()
+           inverse_arc_length projection interpolation fitting subdivision timing choosing roofline peers comparison audit
+           method_list how_measured provenance""".split()
 ROSTER = tuple(import_module(f".{name}", __package__) for name in NAMES)
 
 

@@ -20,6 +20,7 @@ void add_curve(Command program, Exit& /*exit*/) {
   add_curve_project(curve);
   add_curve_interpolate(curve);
   add_curve_fit(curve);
+  add_curve_split(curve);
 }
 
 }  // namespace bezierbench::cli

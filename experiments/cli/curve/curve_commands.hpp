@@ -26,5 +26,6 @@ void add_curve_at_length(Command curve);
 void add_curve_project(Command curve);
 void add_curve_interpolate(Command curve);
 void add_curve_fit(Command curve);
+void add_curve_split(Command curve);
 
 }  // namespace bezierbench::cli

@@ -117,6 +117,73 @@ class Curves(Case):
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, derivative + arguments, *needles)
 
+    @staticmethod
+    def halves(c, t):
+        """The control points of both halves by de Casteljau's triangle in rational numbers: {(half, index): value}."""
+        level, n, found = list(map(fractions.Fraction, c)), len(c) - 1, {}
+        for k in range(n + 1):
+            found["left", str(k)], found["right", str(n - k)] = level[0], level[-1]
+            level = [(1 - t) * a + t * b for a, b in zip(level, level[1:])]
+        return found
+
+    def split_rows(self, *arguments):
+        """Rows of `curve split`, in the order of methods, halves, control points and axes."""
+        found = rows(self.fine("curve", "split", *arguments))
+        self.assertEqual(list(found[0]), ["method", "half", "index", "axis", "value", "exact", "error", "error_u", "bound_u"])
+        self.assertEqual([row["method"] for row in found], sorted((row["method"] for row in found), key=[
+            row["id"] for row in self.our_methods() if row["problem"] == "subdivision"].index))
+        return found
+
+    def test_split(self):
+        t, points = 0.3, {"x": [0.1, -1.7, 2.25, 1e3], "y": [5.0, 0.7, -0.2, 3.1]}
+        self.write("s.csv", "x,y\n" + "".join(f"{x!r},{y!r}\n" for x, y in zip(*points.values())))
+        found = self.split_rows("--curve", "s.csv", "--t", repr(t))
+        truth = {axis: self.halves(c, fractions.Fraction(t)) for axis, c in points.items()}
+        size = {axis: self.halves([abs(value) for value in c], fractions.Fraction(t)) for axis, c in points.items()}
+        self.assertEqual(len(found), 5 * 2 * 4 * 2)
+        self.assertEqual([(row["half"], row["index"], row["axis"]) for row in found[:16]],
+                         [(half, str(i), axis) for half in ("left", "right") for i in range(4) for axis in "xy"])
+        for row in found:
+            at = row["half"], row["index"]
+            exact = truth[row["axis"]][at]
+            error = abs(fractions.Fraction(float(row["value"])) - exact)
+            unit = size[row["axis"]][at] / 2**53
+            self.assertEqual(float(row["exact"]), float(exact))
+            self.assertEqual(float(row["error"]), float(error))
+            self.assertAlmostEqual(float(row["error_u"]), float(error / unit), 12)
+            self.assertLessEqual(float(row["error_u"]), float(row["bound_u"]))
+        line = self.split_rows("--curve", self.write("line.csv", "x\n1\n5\n"), "--t", "0.25", "--method", "lerp_split")
+        self.assertEqual([row["value"] for row in line], ["1", "2", "2", "5"])
+        self.assertEqual({row["error"] for row in line}, {"0"})
+        outside = self.split_rows("--curve", "s.csv", "--t", "1.5")
+        self.assertEqual({row["bound_u"] for row in outside}, {""})
+
+    def test_split_of_a_rational_curve(self):
+        """The quarter circle: the halves share (3/5, 4/5), and their tangents meet those at the ends in (1, 1/2) and (1/3, 1)."""
+        circle = self.write("circle.csv", "x,y,w\n1,0,1\n1,1,1\n0,1,2\n")
+        found = self.split_rows("--curve", circle, "--t", "0.5")
+        weights = self.halves([1, 1, 2], fractions.Fraction(1, 2))
+        points = {("left", "0"): (1, 0), ("left", "1"): (1, 1 / 2), ("left", "2"): (3 / 5, 4 / 5), ("right", "0"): (3 / 5, 4 / 5),
+                  ("right", "1"): (1 / 3, 1), ("right", "2"): (0, 1)}
+        self.assertEqual([row["axis"] for row in found[:6]], ["x", "y", "w"] * 2)
+        self.assertEqual(len(found), 5 * 2 * 3 * 3)
+        for row in found:
+            at = row["half"], row["index"]
+            self.assertEqual(float(row["exact"]), float(weights[at]) if row["axis"] == "w" else points[at]["xy".index(row["axis"])])
+            self.assertAlmostEqual(float(row["value"]), float(row["exact"]), 15)
+            self.assertLessEqual(float(row["error_u"]), float(row["bound_u"] or 0))
+        self.write("signs.csv", "x,w\n1,1\n2,-3\n")  # 1 - 4t
+        self.assertEqual({row["bound_u"] for row in self.split_rows("--curve", "signs.csv", "--t", "0.5")}, {""})
+        split = ["curve", "split", "--curve"]
+        for arguments, *needles in [
+                (["signs.csv", "--t", "0.25"], "--t 0.25", "signs.csv", "column w"), (["c.csv", "--t", "nan"], "--t"), (["c.csv"], "--t"),
+                (["c.csv", "--t", "0.5", "--form", "power"], "c.csv", "power form", "curve convert"),
+                (["c.csv", "--t", "0.5", "--method", "lerp_spilt"], 'did you mean "lerp_split"?'),
+                (["c.csv", "--t", "0.5", "--method", "de_casteljau"], "de_casteljau")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, split + arguments, *needles)
+        self.refused(INPUT_OUTPUT, split + ["absent.csv", "--t", "0.5"], "absent.csv")
+
     def test_length(self):
         columns = ["method", "length", "error_estimate", "evaluations", "converged", "exact", "error"]
         self.write("cusp.csv", "x,y\n3,-3\n-1,3\n-1,-3\n3,3\n")  # 3 (u^2, u^3), u = 2t - 1: (13 sqrt(13) - 8) 2/9
@@ -231,7 +298,7 @@ class Curves(Case):
         found = rows(text)
         listed = rows(self.fine("list", "methods", "--format", "csv"))
         self.assertEqual(list(dict.fromkeys(row["method"] for row in found)),
-                         [row["id"] for row in listed if row["form"] == "rational"])
+                         [row["id"] for row in listed if row["form"] == "rational" and row["problem"] == "evaluation"])
         for row in found:
             self.assertEqual(row["exact"], {"x": "0.6", "y": "0.8"}[row["axis"]])
             self.assertLessEqual(float(row["error_ulp"]), 4, row)

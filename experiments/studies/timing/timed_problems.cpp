@@ -16,6 +16,7 @@
 #include "experiments/studies/interpolation/timed_interpolation.hpp"
 #include "experiments/studies/inverse_arc_length/timed_inverse_arc_length.hpp"
 #include "experiments/studies/projection/timed_projection.hpp"
+#include "experiments/studies/subdivision/timed_subdivision.hpp"
 #include "experiments/studies/timing/timed_evaluation.hpp"
 #include "experiments/suite/pattern.hpp"
 
@@ -28,7 +29,8 @@ constexpr std::array roster{timed_evaluation,                                   
                             race::timed_companion<TimedInverseArcLength>(),                 //
                             race::timed_companion<TimedProjection>(),                       //
                             race::timed_companion<TimedInterpolation>(race::Size::points),  //
-                            race::timed_companion<TimedFitting>()};
+                            race::timed_companion<TimedFitting>(),
+                            race::timed_companion<TimedSubdivision>()};
 
 bool means_an_evaluator(const std::string& pattern) {
   constexpr int any_dimension = 2;

@@ -13,6 +13,7 @@
 #include "experiments/studies/interpolation/timed_interpolation.hpp"
 #include "experiments/studies/inverse_arc_length/timed_inverse_arc_length.hpp"
 #include "experiments/studies/projection/timed_projection.hpp"
+#include "experiments/studies/subdivision/timed_subdivision.hpp"
 #include "experiments/studies/timing/complexity_rows.hpp"
 #include "experiments/studies/timing/timing.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
@@ -72,7 +73,8 @@ std::vector<suite::Study> one_of_each() {
           lengths({"bracketed_newton", "halley"}),
           study_of({"quintic_isolate", "scan_refine"}),
           splines({"c2_natural", "c2_natural_handles"}),
-          fits({"schneider", "gauss_newton"})};
+          fits({"schneider", "gauss_newton"}),
+          study_of({"de_casteljau_split", "lerp_split", "matrix_split"})};
 }
 
 TEST(TimedProblem, EveryCompanionHasOne) {
@@ -83,6 +85,7 @@ TEST(TimedProblem, EveryCompanionHasOne) {
 TEST(TimedProblem, IsTheOneThatTheStudyNames) {
   EXPECT_EQ(timed_problem(study_of({"chord_sum"})).problem, Problem::arc_length);
   EXPECT_EQ(timed_problem(study_of({"schneider"})).problem, Problem::fitting);
+  EXPECT_EQ(timed_problem(study_of({"*_split"})).problem, Problem::subdivision);
   EXPECT_EQ(timed_problem(study_of({"de_casteljau"})).problem, Problem::evaluation);
   EXPECT_EQ(timed_problem(study_of({"*"})).problem, Problem::evaluation);
   EXPECT_EQ(timed_problem(study_of({"gauss_legendre_*"})).problem, Problem::arc_length);
@@ -136,6 +139,11 @@ TEST(TimedProblem, AnAnswerThatIsOffIsNotRight) {
   EXPECT_EQ(before_and_after<studies::TimedInterpolation>(splines({"c2_natural_handles"}), 2), caught)
       << "without a bound";
   EXPECT_EQ(before_and_after<studies::TimedFitting>(fits({"schneider"}), 0), caught);
+  EXPECT_EQ(before_and_after<studies::TimedSubdivision>(study_of({"blossom_split"}), 3), caught);
+  auto weighted = study_of({"two_sided_split"});
+  weighted.curve = suite::CurveKind::rational;
+  weighted.generator = {"weights_mild"};
+  EXPECT_EQ(before_and_after<studies::TimedSubdivision>(weighted, 2), caught) << "a weight";
 }
 
 TEST(TimedProblem, EveryCaseIsARaceCell) {
@@ -235,7 +243,8 @@ TEST(TimedProblem, RefusesWhatIsNotTimed) {
     study.scalar = {suite::ScalarKind::float32};
     refused(study);
     study = good;
-    study.curve = suite::CurveKind::rational;
+    const bool splits = timed_problem(good).problem == Problem::subdivision;
+    study.curve = splits ? suite::CurveKind::polynomial : suite::CurveKind::rational;
     refused(study);
     study = good;
     study.methods.emplace_back("de_casteljau");

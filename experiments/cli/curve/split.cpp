@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// `curve split`: the control points of both halves of one curve by any method, against the exact ones.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <deque>
+#include <memory>
+
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/curve/coordinate_columns.hpp"
+#include "experiments/cli/curve/curve_commands.hpp"
+#include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/judged_coordinate.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/studies/subdivision/split_truth.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+using studies::Side;
+
+struct Options {
+  CurveOptions curve;
+  std::string t;
+  std::vector<std::string> methods;
+};
+
+/// One axis of the curve, whose bounds are those of a coordinate.
+struct Axis {
+  Axis(const CurveFile& curve, int axis, double t)
+      : coefficients([&] {
+          std::vector<double> all;
+          for (int i = 0; i <= curve.degree(); ++i) all.push_back(curve.view()(axis, i));
+          return all;
+        }()),
+        truth({curve.form, 1, curve.degree(), coefficients, curve.weights}, t) {}
+
+  std::vector<double> coefficients;
+  studies::SplitTruth truth;
+};
+
+/// The truth about both halves, and what errors are measured with.
+struct Target {
+  Target(const CurveFile& curve, double parameter)
+      : t(parameter),
+        exact(reference::exact_split(curve.view(), parameter)),
+        p_tilde(reference::split_p_tilde(curve.view(), parameter)) {
+    for (int axis = 0; axis < curve.dimension; ++axis) axes.emplace_back(curve, axis, parameter);
+  }
+
+  double t;
+  reference::ExactHalves exact;
+  reference::ExactHalves p_tilde;
+  std::deque<Axis> axes;
+};
+
+void require_points(const reference::ExactHalf& half, const Options& options) {
+  for (const auto& point : half.points)
+    if (!point.exists())
+      throw Failure(Exit::usage, fmt::format("--t {}: a control point of a half would have the weight zero, so {} "
+                                             "cannot be split there; see column w or choose another t",
+                                             options.t, options.curve.file));
+}
+
+/// The fields value,exact,error,error_u,bound_u.
+std::vector<std::string> judged(double value, const reference::Rational& truth, const reference::Rational& p_tilde,
+                                double bound) {
+  auto fields = judged_coordinate(value, truth, p_tilde);
+  fields.erase(fields.begin() + 3);  // error_ulp
+  fields.push_back(bound_field(bound, p_tilde));
+  return fields;
+}
+
+void add_rows(const SplitKernel& method, const CurveFile& curve, const Target& target, bundle::CsvTable& table) {
+  const studies::ComputedHalves computed(method, curve.view(), target.t);
+  for (const Side side : studies::sides) {
+    const bool left = side == Side::left;
+    const auto& exact = left ? target.exact.left : target.exact.right;
+    const auto& p_tilde = left ? target.p_tilde.left : target.p_tilde.right;
+    for (int i = 0; i <= curve.degree(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const auto control = computed.control(side, i);
+      const auto add = [&](const std::string& axis, std::vector<std::string> fields) {
+        std::vector<std::string> row{std::string(method.info->id), left ? "left" : "right", std::to_string(i), axis};
+        row.insert(row.end(), fields.begin(), fields.end());
+        table.add_row(std::move(row));
+      };
+      for (int axis = 0; axis < curve.dimension; ++axis) {
+        const auto value = control.subspan(static_cast<std::size_t>(axis), 1);
+        const auto& truth = target.axes[static_cast<std::size_t>(axis)].truth;
+        add(axis_name(axis), judged(value[0], exact.points[k].coordinate(axis), p_tilde.points[k].coordinate(axis),
+                                    truth.of_point(method.bound, side, i, value).bound));
+      }
+      if (curve.form == Form::rational)
+        add("w", judged(control.back(), exact.weights[k], p_tilde.weights[k],
+                        target.axes[0].truth.of_weight(method.bound, side, i, control.back()).bound));
+    }
+  }
+}
+
+void split(const Options& options) {
+  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+  const auto methods = chosen(split_kernels(curve.dimension), options.methods, curve, ids_of(split_infos()));
+  if (methods.empty())
+    throw Failure(
+        Exit::usage,
+        fmt::format("{}: is in power form, what is split has control points; see `curve convert`", options.curve.file));
+  const Target target(curve, finite_option("--t", options.t));
+  require_points(target.exact.left, options);
+  require_points(target.exact.right, options);
+  bundle::CsvTable table({"method", "half", "index", "axis", "value", "exact", "error", "error_u", "bound_u"});
+  for (const auto* method : methods) add_rows(*method, curve, target, table);
+  fmt::print("{}", table.text());
+}
+
+}  // namespace
+
+void add_curve_split(Command curve) {
+  auto options = std::make_shared<Options>();
+  auto command = curve.command("split", "both halves of a curve");
+  options->curve.add_to(command);
+  command.option("--t", options->t, "where the curve is split").required();
+  command.option("--method", options->methods, "method id; may be repeated; default: all that apply");
+  command.action([options] { split(*options); });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/subdivision/split_judge.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "experiments/metric/trial_scale.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+/// Infinite where it overflows.
+void add_rounded(double value, metric::Tally& tally) {
+  const double rounded = metric::to_24_bits(value);
+  if (std::isfinite(rounded))
+    tally.add(rounded);
+  else
+    tally.add_infinite();
+}
+
+/// Equal, and 0 is not -0.
+bool same_bits(std::span<const double> a, std::span<const double> b) {
+  return std::ranges::equal(
+      a, b, [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); });
+}
+
+/// Whether control point i of a half is that of the curve.
+bool is_end(const CurveView<double>& curve, const ComputedHalves& computed, Side side, int i) {
+  const auto d = static_cast<std::size_t>(curve.dimension);
+  const auto k = static_cast<std::size_t>(i);
+  const auto control = computed.control(side, i);
+  return same_bits(control.first(d), curve.coefficients.subspan(k * d, d)) &&
+         (curve.form != Form::rational || same_bits(control.last(1), curve.weights.subspan(k, 1)));
+}
+
+/// True where it keeps its bound.
+bool judge_control(const SplitKernel& method, const CurveView<double>& curve, const SplitTruth& truth, Side side, int i,
+                   std::span<const double> control, SubdivisionErrors& errors) {
+  const auto point = truth.of_point(method.bound, side, i, control.first(static_cast<std::size_t>(curve.dimension)));
+  add_rounded(point.error, errors.error);
+  add_rounded(point.error_u, errors.error_u);
+  if (std::isfinite(point.bound)) ++errors.bounded;
+  if (std::isfinite(point.bound_u)) errors.bound_u = std::max(errors.bound_u, point.bound_u);
+  bool kept = !metric::TrialScale::violates(point.error, point.bound);
+  if (curve.form == Form::rational) {
+    const auto weight = truth.of_weight(method.bound, side, i, control.back());
+    errors.weight_error_u = std::max(errors.weight_error_u, weight.error_u);
+    kept = kept && !metric::TrialScale::violates(weight.error, weight.bound);
+  }
+  return kept;
+}
+
+/// What needs no truth: the junction and the ends. Promises are about t in [0,1].
+void judge_bits(const SplitKernel& method, const CurveView<double>& curve, double t, const ComputedHalves& computed,
+                std::uint64_t trial, SubdivisionErrors& errors) {
+  const int n = curve.degree;
+  const bool shared = same_bits(computed.control(Side::left, n), computed.control(Side::right, 0));
+  const bool kept = is_end(curve, computed, Side::left, 0) && is_end(curve, computed, Side::right, n);
+  if (!shared) errors.junctions_apart.add(trial);
+  if (!kept) errors.ends_moved.add(trial);
+  const bool broken = (method.promises->shares_junction && !shared) || (method.promises->keeps_ends && !kept);
+  if (broken && t >= 0 && t <= 1) errors.broken_promises.add(trial);
+}
+
+}  // namespace
+
+void judge_split(const SplitKernel& method, const CurveView<double>& curve, double t, const SplitTruth& truth,
+                 std::uint64_t trial, SubdivisionErrors& errors) {
+  const ComputedHalves computed(method, curve, t);
+  if (!computed.all_finite()) {
+    ++errors.non_finite;
+    return;
+  }
+  bool kept = true;
+  for (const Side side : sides)
+    for (int i = 0; i <= curve.degree; ++i)
+      kept = judge_control(method, curve, truth, side, i, computed.control(side, i), errors) && kept;
+  if (!kept) errors.violations.add(trial);
+  judge_bits(method, curve, t, computed, trial, errors);
+  if (method.bound == nullptr || method.bound->amplification != SplitAmplification::p_tilde) return;
+  ++errors.middles;
+  if (!truth.middles_agree(method.bound, computed)) errors.points_off.add(trial);
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Studies of kind `subdivision`: random curves split at random t, every control point of both halves against the exact
+// one.
+#pragma once
+
+#include <memory>
+
+#include "experiments/run/job.hpp"
+
+namespace bezierbench::studies {
+
+/// Throws Failure(usage) for curves in power form and for scalars but double.
+void check_subdivision(const suite::Study& study);
+
+/// Throws Failure(usage) also where no method takes curves of this form.
+std::unique_ptr<run::Job> subdivision_job(const suite::Study& study, const run::JobContext& context);
+
+}  // namespace bezierbench::studies
