@@ -38,7 +38,8 @@ class TimedDerivative {
     const reference::Distance distance(reference::ExactCurve().derivative(curve, order_, curves_.t(k)));
     const double error = distance.to(std::span(result).first(static_cast<std::size_t>(curve.dimension)));
     if (!std::isfinite(error)) return false;
-    if (method.bound == nullptr) return scale.in_bound_units(error, metric::double_arithmetic) <= race::half_of_the_digits;
+    if (method.bound == nullptr)
+      return scale.in_bound_units(error, metric::double_arithmetic) <= race::half_of_the_digits;
     return !metric::TrialScale::violates(error, scale.bound(*method.bound, metric::double_arithmetic));
   }
 

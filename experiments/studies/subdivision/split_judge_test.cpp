@@ -106,7 +106,9 @@ TEST(SplitJudge, FindsABoundThatIsTooSmall) {
     method.bound = &bound;
     const auto judged = judge(method, curve, 0.3);
     EXPECT_EQ(judged.violations.count, 1U) << name(curve.form);
-    if (curve.form == Form::bernstein) EXPECT_EQ(judged.points_off.count, 1U);
+    if (curve.form == Form::bernstein) {
+      EXPECT_EQ(judged.points_off.count, 1U);
+    }
   }
 }
 
