@@ -17,6 +17,7 @@
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/echo.hpp"
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/metric/pareto.hpp"
 #include "experiments/number/number.hpp"
@@ -229,9 +230,10 @@ bundle::CsvTable within(const JudgedRace& race, const Wish& wish) {
 /// What was asked for and where the numbers are from, then what the words of the table mean.
 void print_heading(const JudgedRace& race, const Wish& wish) {
   const auto& group = race.group;
-  fmt::print("degree {}, {} form, {}, {} axes, {}\n", group.degree, wish.form, group.scalar, group.dimension,
-             in_words(race.of));
-  fmt::print("times of study {}, largest errors of all rows on such curves: {}\n", group.study, group.accuracy_study);
+  fmt::print("degree {}, {} form, {}, {} axes, {}\n", printable(group.degree), wish.form, printable(group.scalar),
+             printable(group.dimension), in_words(race.of));
+  fmt::print("times of study {}, largest errors of all rows on such curves: {}\n", printable(group.study),
+             printable(group.accuracy_study));
   fmt::print("{}: for every such curve and t", proved);
   if (wish.unit == "u") fmt::print(" with p~ of at least {}", brief(least_p_tilde(group, race.of)));
   fmt::print("; {}: for the inputs that were judged\n\n", proved_for_trials);
