@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # bezierbench_folder(NAME [SUBFOLDERS] DEPENDS target...): the sources of this folder, and with SUBFOLDERS those of the
-# folders in it, become the library NAME, their *_test.cpp the test program NAME_test. Files are globbed so that adding a method or a study needs no second list.
+# folders in it, become the library NAME, their *_test.cpp the test program NAME_test. Files are globbed
+# so that adding a method or a study needs no second list.
 function(bezierbench_folder name)
   cmake_parse_arguments(FOLDER "SUBFOLDERS" "" "DEPENDS;TEST_DEPENDS" ${ARGN})
   set(patterns *.cpp)
@@ -9,7 +10,7 @@ function(bezierbench_folder name)
   endif()
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   set(tests ${sources})
-  list(FILTER sources EXCLUDE REGEX "(_test|_fuzz|/main|/failing_calls)\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "(_test|_fuzz|/main)\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
   if(sources)
     add_library(${name} STATIC ${sources})

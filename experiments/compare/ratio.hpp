@@ -10,7 +10,7 @@
 //     [x - y - sqrt(log(b/b_low)^2 + log(a_high/a)^2),  x - y + sqrt(log(b_high/b)^2 + log(a/a_low)^2)]
 //
 // at the confidence of the two intervals. It covers what varied within the runs, which is why each time is taken in
-// several repetitions (experiments/timing/repetition.hpp): what two races of one run do not share, two runs do not
+// several repetitions (experiments/race/repetition.hpp): what two races of one run do not share, two runs do not
 // share either.
 #pragma once
 
