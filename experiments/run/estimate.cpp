@@ -20,6 +20,8 @@ constexpr double long_enough = 0.01 * second;  // of one sample: clocks and firs
 constexpr double enough = 0.4 * second;        // of all samples of a study
 /// Trials that are judged together by lane kernels, and show how widely errors are spread.
 constexpr std::int64_t enough_to_stand_for_all = 64;
+/// Of a histogram with 128 bins for each of ten binades. More trials than bins hardly take another bin.
+constexpr double bins_of_usual_errors = 1280;
 constexpr std::size_t least_samples = 2;
 constexpr std::size_t most_samples = 16;
 
@@ -251,13 +253,15 @@ StudyEstimate estimate(const suite::Study& study, const Kinds& kinds, const JobC
   const auto replicates = static_cast<double>(study.replicates);
   if (pilot.job().exclusive()) {  // of one block
     const auto blocks = static_cast<double>(pilot.job().blocks());
-    return {sum.per_cost, bytes * blocks, memory * blocks};
+    return {.per_cost = sum.per_cost, .result_bytes = bytes * blocks, .result_memory = memory * blocks};
   }
   const auto broader = broadening(study, kinds, context, pilot.trials());
-  const double larger = growth(broader.trials, static_cast<double>(study.trials) * replicates);
   const auto each = per_replicate(study, kinds, context);
-  const double fuller = std::pow(static_cast<double>(study.trials) * replicates / static_cast<double>(broader.trials),
-                                 pilot.exponent() / 2);
+  const double trials = static_cast<double>(study.trials) * replicates;
+  const double filled = std::max(static_cast<double>(broader.trials), bins_of_usual_errors);
+  const double fuller = std::pow(std::min(trials, filled) / static_cast<double>(broader.trials), pilot.exponent());
+  sum.result_exponent = trials < bins_of_usual_errors ? pilot.exponent() : 0;
+  const double larger = growth(broader.trials, trials);
   sum.result_bytes = parts * (bytes * broader.bytes * fuller + each.bytes * replicates);
   sum.result_memory = parts * (memory * broader.memory * larger + each.memory * replicates);
   return sum;

@@ -15,6 +15,8 @@ struct StudyEstimate {
   double per_cost = 0;       ///< nanoseconds of processor time per unit of Job::cost
   double result_bytes = 0;   ///< of the results of all blocks, as files of blocks hold them
   double result_memory = 0;  ///< of the same in memory
+  /// Of so many times the trials a result takes so many times the bytes, to this power; 0 where it is full.
+  double result_exponent = 0;
 };
 
 /// Runs pilots of a study: some blocks of a few trials each, of parts that stand for all by their cost, until they have

@@ -7,9 +7,10 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <limits>
 #include <system_error>
+#include <vector>
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/check/verify.hpp"
@@ -105,21 +106,24 @@ Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, 
   Needs needs{.seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
               .disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
                       bytes_per_row * static_cast<double>(extent.rows)};
-  double result_bytes = 0;
+  std::vector<StudyEstimate> studies;
   double parts = 0;
   std::size_t job = 0;
   for (const auto& one : request.suites)
     for (const auto& study : one.studies) {
-      const auto estimated = estimate(study, request.kinds, {one.seed, request.tier});
-      needs.seconds += nanosecond * estimated.per_cost * share.cost_left(job);
-      needs.memory += estimated.result_memory;
-      result_bytes += estimated.result_bytes;
+      studies.push_back(estimate(study, request.kinds, {one.seed, request.tier}));
+      needs.seconds += nanosecond * studies.back().per_cost * share.cost_left(job);
+      needs.memory += studies.back().result_memory;
       parts += static_cast<double>(plan.jobs[job++]->parts());
     }
-  // Every file of blocks begins or ends within a part, which is then in two. Gathered into one, all is there twice.
-  const double files = Checkpoints::files_after(needs.seconds);
-  const bool gathered = files == Checkpoints::files_after(std::numeric_limits<double>::infinity());
-  needs.disk += result_bytes * (1 + files / std::max(1.0, parts) + (gathered ? 1 : 0));
+  // A part whose blocks are in several files is there in as many pieces, until these files are gathered into one. That
+  // one is written beside them.
+  const auto files = Checkpoints::files_of(needs.seconds);
+  const double pieces = 1 + files.written / std::max(1.0, parts);
+  for (const auto& one : studies) {
+    const double in_pieces = std::pow(pieces, 1 - one.result_exponent);
+    needs.disk += one.result_bytes * (2 * files.gathered + (1 - files.gathered) * in_pieces);
+  }
   needs.memory += kilobyte * static_cast<double>(used_so_far().ru_maxrss);  // of pilots: what a trial takes meanwhile
   return needs;
 }

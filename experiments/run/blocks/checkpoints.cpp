@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <string_view>
 #include <system_error>
@@ -137,8 +138,10 @@ void Checkpoints::add(std::size_t job, std::uint64_t block, std::unique_ptr<Resu
   if (lock && Clock::now() >= next_checkpoint_) write_checkpoint();
 }
 
-double Checkpoints::files_after(double seconds) {
-  return std::min(static_cast<double>(most_files), seconds / std::chrono::duration<double>(longest_interval).count());
+Checkpoints::Files Checkpoints::files_of(double seconds) {
+  const double written = seconds / std::chrono::duration<double>(longest_interval).count();
+  const double left = std::fmod(written, static_cast<double>(most_files));
+  return {written, written < 1 ? 0 : (written - left) / written};
 }
 
 void Checkpoints::checkpoint() {

@@ -69,8 +69,12 @@ class Checkpoints {
   /// most. Throws as write_file.
   void add(std::size_t job, std::uint64_t block, std::unique_ptr<Result> result);
 
-  /// About how many files of blocks a run of so many seconds has written at most when it has not yet gathered them.
-  [[nodiscard]] static double files_after(double seconds);
+  struct Files {
+    double written = 0;   ///< about, at the longest interval
+    double gathered = 0;  ///< the share of them that was gathered into one
+  };
+  /// Of a run that takes so many seconds.
+  [[nodiscard]] static Files files_of(double seconds);
 
   /// Writes what is in no file yet. Throws as write_file.
   void checkpoint();
