@@ -8,12 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/basis/amplification.hpp"
 #include "experiments/judge/error_sources.hpp"
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
-#include "experiments/metric/error_lanes.hpp"
+#include "experiments/metric/error_units.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/long_double.hpp"
 
@@ -77,7 +76,6 @@ struct GroupJudge<Scalar>::Scratch {
   std::vector<std::uint64_t> own_kernel;  ///< likewise: trials whose point its own kernel gave, alone or as well
   reference::CertifiedBlock truths;
   metric::ScaleLanes scales;
-  std::vector<metric::KnownAmplification> amplified;
   Lanes p_tilde{};
   Origin from;  ///< what is measured from now
 };
@@ -132,12 +130,9 @@ void GroupJudge<Scalar>::find_scales(Group group, Scratch& scratch) const {
     scratch.scales.begin(cell_.dimension, cell_.degree);
     for (std::size_t k = 0; k < group.size(); ++k)
       scratch.scales.load(k, group[k].inputs.true_curve(), group[k].inputs.true_t());
-    scratch.scales.take_norms();
-    scratch.amplified.clear();
-    for (const Amplification kind : methods_.amplifications())
-      scratch.amplified.push_back({kind, scratch.scales.amplifications(kind)});
+    scratch.scales.compute(methods_.amplifications());
     for (std::size_t k = 0; k < group.size(); ++k)
-      group[k].scale.set(group[k].inputs.true_curve(), group[k].inputs.true_t(), scratch.scales, k, scratch.amplified);
+      group[k].scale.set(group[k].inputs.true_curve(), group[k].inputs.true_t(), scratch.scales, k);
   }
   for (std::size_t k = 0; k < group.size(); ++k) scratch.p_tilde[k] = group[k].scale.p_tilde();
 }
@@ -253,13 +248,12 @@ template <class Scalar>
 void GroupJudge<Scalar>::compare_with_bound(std::size_t method, double error, Lane& lane, double length,
                                             Judgement& judgement) const {
   if (!methods_.bound(method)) return;
-  const double bound = lane.scale.bound(*methods_.bound(method), ScalarFacts<Scalar>::arithmetic, length);
-  if (!std::isfinite(bound)) return;  // nothing is proved here
+  const auto checked = lane.scale.check(error, *methods_.bound(method), ScalarFacts<Scalar>::arithmetic, length);
+  if (!checked) return;
   ++judgement.bounded;
-  judgement.bound = std::max(judgement.bound, bound);
-  const double bound_u = lane.scale.in_bound_units(bound, ScalarFacts<Scalar>::arithmetic);
-  if (std::isfinite(bound_u)) judgement.bound_u = std::max(judgement.bound_u, bound_u);  // p~ = 0 has no such unit
-  if (metric::TrialScale::violates(error, bound)) {
+  judgement.bound = std::max(judgement.bound, checked->bound);
+  if (std::isfinite(checked->bound_u)) judgement.bound_u = std::max(judgement.bound_u, checked->bound_u);
+  if (checked->violated) {
     ++judgement.violations;
     judgement.first_violation = std::min(judgement.first_violation, static_cast<std::int64_t>(lane.counted));
   }

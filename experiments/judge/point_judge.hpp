@@ -62,10 +62,11 @@ class PointJudge {
     scale_.set(inputs.true_curve(), inputs.true_t());
     verdict.error_u = metric::to_24_bits(scale_.in_bound_units(verdict.error, arithmetic));
     if (!kernel.info->bound) return;
-    const double bound = scale_.bound(*kernel.info->bound, arithmetic, length);
-    if (!std::isfinite(bound)) return;
-    verdict.bound_u = scale_.in_bound_units(bound, arithmetic);
-    verdict.violates = metric::TrialScale::violates(verdict.error, bound);
+    const metric::BoundAtDegree bound(*kernel.info->bound, inputs.true_curve().degree, arithmetic);
+    const auto checked = scale_.check(verdict.error, bound, arithmetic, length);
+    if (!checked) return;
+    verdict.bound_u = checked->bound_u;
+    verdict.violates = checked->violated;
   }
 
   PreparedStorage storage_;

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/basis/error_bound.hpp"
@@ -40,10 +39,11 @@ struct BoundAtDegree {
   double underflow;
 };
 
-/// An amplification of all lanes of a group; NaN where it is not known.
-struct KnownAmplification {
-  Amplification kind;
-  ScaleLanes::Lanes values;
+/// What a proved bound says of one error.
+struct BoundCheck {
+  double bound;    ///< finite
+  double bound_u;  ///< over u p~; infinite where p~ is 0
+  bool violated;   ///< the error is certainly beyond the bound
 };
 
 /// Scales of one (curve, t); amplifications are computed when first asked for. Reusable.
@@ -51,10 +51,8 @@ class TrialScale {
  public:
   /// Must be called before anything else, for every trial.
   void set(const CurveView<double>& curve, double t);
-  /// The same for a lane of a group, whose `kinds` of amplification are known. The curve, not rational, must live until
-  /// the next call.
-  void set(const CurveView<double>& curve, double t, const ScaleLanes& group, std::size_t lane,
-           std::span<const KnownAmplification> kinds);
+  /// The same for a lane of a group, whose scales are computed. The curve, not rational, must live until the next call.
+  void set(const CurveView<double>& curve, double t, const ScaleLanes& group, std::size_t lane);
 
   /// p~ of the curve in its own form; infinite where the weights sum to zero.
   double p_tilde();
@@ -68,6 +66,10 @@ class TrialScale {
   double bound(const ErrorBound& bound, const Arithmetic& arithmetic, std::optional<double> length = std::nullopt) {
     return this->bound(BoundAtDegree(bound, degree(), arithmetic), arithmetic, length);
   }
+
+  /// Empty where nothing is proved at this input.
+  std::optional<BoundCheck> check(double error, const BoundAtDegree& bound, const Arithmetic& arithmetic,
+                                  std::optional<double> length);
 
   /// True where `error` is certainly beyond `bound`: both are known to a relative 2^-20 only.
   static bool violates(double error, double bound) { return error > bound * (1 + 0x1p-20); }
