@@ -22,10 +22,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <span>
 
 #include "core/basis/error_bound.hpp"
 #include "core/basis/integer_power.hpp"
+#include "core/basis/lane_choice.hpp"
 #include "core/basis/scaled.hpp"
 #include "core/curve_view.hpp"
 
@@ -35,83 +37,105 @@ namespace detail {
 
 constexpr int safe_exponent = 400;
 
-/// True where |value| is 0 or within 2^-400 .. 2^400.
-inline bool is_moderate(double value) { return value == 0 || (value > 0x1p-400 && value < 0x1p+400); }
+/// True where a value >= 0 is 0 or within 2^-400 .. 2^400.
+template <class Real>
+auto is_moderate(const Real& value) {
+  return either(value <= Real(0), both(Real(0x1p-400) < value, value < Real(0x1p+400)));
+}
 
-inline bool are_moderate(std::span<const double> values) { return std::ranges::all_of(values, is_moderate); }
-
-/// True where no power up to value^n leaves 2^-400 .. 2^400 (or value is 0).
-inline bool has_moderate_powers(double value, int n) {
-  if (value == 0) return true;
-  int exponent = 0;
-  std::frexp(value, &exponent);
-  return (std::abs(exponent) + 1) * n < safe_exponent;
+/// True where no power up to value^n of a value >= 0 leaves 2^-400 .. 2^400 (or value is 0).
+template <class Real>
+auto has_moderate_powers(const Real& value, int n) {
+  const int most = (safe_exponent - 1) / std::max(n, 1);  // value in [2^(e-1), 2^e) must have |e| < most
+  return either(value <= Real(0), both(Real(std::ldexp(1.0, -most)) <= value, value < Real(std::ldexp(1.0, most - 1))));
 }
 
 /// Both sums below, in arithmetic that can neither overflow nor underflow on the way.
-inline double scaled_sum(std::span<const double> c, double x, double y, bool with_binomials) {
-  const int n = static_cast<int>(c.size()) - 1;
+template <class Coefficient>
+double scaled_sum(int n, const Coefficient& c, double x, double y, bool with_binomials) {
   // Horner's scheme in x, the powers of y and the binomials running: sum = (...(c_n x + w_1 c_(n-1)) x + ...).
-  Scaled sum(c[static_cast<std::size_t>(n)]);
+  Scaled sum(c(n));
   Scaled weight(1);
   for (int i = n - 1; i >= 0; --i) {
     weight = weight * Scaled(y);
     if (with_binomials) weight = weight * Scaled(static_cast<double>(i + 1) / (n - i));
-    sum = sum * Scaled(x) + weight * Scaled(c[static_cast<std::size_t>(i)]);
+    sum = sum * Scaled(x) + weight * Scaled(c(i));
   }
   return sum.to_double();
 }
 
+/// `sum` where it is moderate, else the same in scaled arithmetic.
+template <class Real, class Mask, class Coefficient>
+Real moderate_or_scaled(const Mask& moderate, const Real& sum, int n, const Coefficient& c, const Real& x,
+                        const Real& y, bool with_binomials) {
+  return value_or(moderate, sum, [&](std::size_t lane) {
+    const auto of_lane = [&](int i) { return lane_of(c(i), lane); };
+    return scaled_sum(n, of_lane, lane_of(x, lane), lane_of(y, lane), with_binomials);
+  });
+}
+
 }  // namespace detail
 
-/// sum c_i C(n,i) x^i y^(n-i) for c >= 0 and x, y >= 0 with x + y >= 1. Right to a few n u wherever it is a normal
+/// sum c_i C(n,i) x^i y^(n-i) for c(i) >= 0 and x, y >= 0 with x + y >= 1. Right to a few n u wherever it is a normal
 /// number.
-inline double bernstein_sum(std::span<const double> c, double x, double y) {
-  const int n = static_cast<int>(c.size()) - 1;
-  const bool ascending = x <= y;  // factor out the larger of x^n, y^n: the ratio is at most 1
-  const double larger = ascending ? y : x;
-  const double ratio = (ascending ? x : y) / larger;
-  const bool moderate = n < detail::safe_exponent && detail::has_moderate_powers(larger, n) &&
-                        detail::has_moderate_powers(ratio, n) && detail::are_moderate(c);
-  if (!moderate) return detail::scaled_sum(c, x, y, true);
-  double weight = 1;
-  double sum = 0;
+template <class Real, class Coefficient>
+Real bernstein_sum(int n, const Coefficient& c, const Real& x, const Real& y) {
+  const auto ascending = x <= y;  // factor out the larger of x^n, y^n: the ratio is at most 1
+  const Real larger = select(ascending, y, x);
+  const Real ratio = select(ascending, x, y) / larger;
+  auto moderate = both(detail::has_moderate_powers(larger, n), detail::has_moderate_powers(ratio, n));
+  Real weight(1);
+  Real sum(0);
   for (int i = 0; i <= n; ++i) {
-    if (i > 0) weight = weight * ratio * (n - i + 1) / i;
-    sum += weight * c[static_cast<std::size_t>(ascending ? i : n - i)];
+    if (i > 0) weight = weight * ratio * Real(n - i + 1) / Real(i);
+    const Real coefficient = select(ascending, c(i), c(n - i));
+    moderate = both(moderate, detail::is_moderate(coefficient));
+    sum += weight * coefficient;
   }
-  return sum * integer_power(larger, n);
+  return detail::moderate_or_scaled<Real>(moderate, sum * integer_power(larger, n), n, c, x, y, true);
 }
 
-/// sum c_j x^j y^(n-j) for c, x, y >= 0. Right to a few n u wherever it is a normal number.
-inline double power_sum_of(std::span<const double> c, double x, double y) {
-  const int n = static_cast<int>(c.size()) - 1;
-  if (!detail::has_moderate_powers(x, n) || !detail::has_moderate_powers(y, n) || !detail::are_moderate(c))
-    return detail::scaled_sum(c, x, y, false);
-  double sum = c[static_cast<std::size_t>(n)];
-  double y_power = 1;
+/// sum c_j x^j y^(n-j) for c(j), x, y >= 0. Right to a few n u wherever it is a normal number.
+template <class Real, class Coefficient>
+Real power_sum_of(int n, const Coefficient& c, const Real& x, const Real& y) {
+  auto moderate = both(detail::has_moderate_powers(x, n), detail::has_moderate_powers(y, n));
+  Real sum = c(n);
+  moderate = both(moderate, detail::is_moderate(sum));
+  Real y_power(1);
   for (int j = n - 1; j >= 0; --j) {
+    const Real coefficient = c(j);
+    moderate = both(moderate, detail::is_moderate(coefficient));
     y_power *= y;
-    sum = sum * x + c[static_cast<std::size_t>(j)] * y_power;
+    sum = sum * x + coefficient * y_power;
   }
-  return sum;
+  return detail::moderate_or_scaled<Real>(moderate, sum, n, c, x, y, false);
 }
 
-/// The amplification of the coefficients whose magnitudes are `c`, at t.
-inline double amplification(Amplification kind, std::span<const double> c, double t) {
-  const double x = std::abs(t);
-  const double y = std::abs(1 - t);
-  const double z = std::abs(t - 0.5);
+/// The amplification at t of the n+1 coefficients whose magnitudes are c(0), ..., c(n). `Real` is double, or many lanes
+/// with a curve and a t in each; every lane has the bits of the double.
+template <class Real, class Coefficient>
+Real amplification(Amplification kind, int n, const Coefficient& c, const Real& t) {
+  using std::abs;
+  const Real one(1);
+  const Real half(0.5);
+  const Real x = abs(t);
+  const Real y = abs(one - t);
+  const Real z = abs(t - half);
   switch (kind) {
-    case Amplification::p_tilde_bernstein: return bernstein_sum(c, x, y);
-    case Amplification::p_tilde_power: return power_sum_of(c, x, 1);
-    case Amplification::bernstein_to_power: return bernstein_sum(c, x, 1 + x);
-    case Amplification::power_to_bernstein: return power_sum_of(c, x, x + y);
-    case Amplification::forward_substitution: return power_sum_of(c, x, 3 * x + y);
-    case Amplification::p_tilde_centered: return power_sum_of(c, z, 1);
-    case Amplification::bernstein_to_centered: return bernstein_sum(c, 0.5 + z, 0.5 + z);
+    case Amplification::p_tilde_bernstein: return bernstein_sum(n, c, x, y);
+    case Amplification::p_tilde_power: return power_sum_of(n, c, x, one);
+    case Amplification::bernstein_to_power: return bernstein_sum<Real>(n, c, x, one + x);
+    case Amplification::power_to_bernstein: return power_sum_of<Real>(n, c, x, x + y);
+    case Amplification::forward_substitution: return power_sum_of<Real>(n, c, x, Real(3) * x + y);
+    case Amplification::p_tilde_centered: return power_sum_of(n, c, z, one);
+    case Amplification::bernstein_to_centered: return bernstein_sum<Real>(n, c, half + z, half + z);
   }
-  return 0;
+  return Real(0);
+}
+
+inline double amplification(Amplification kind, std::span<const double> c, double t) {
+  return amplification(
+      kind, static_cast<int>(c.size()) - 1, [c](int i) { return c[static_cast<std::size_t>(i)]; }, t);
 }
 
 /// The amplification that the definition of p~ uses for a form.

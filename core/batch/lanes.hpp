@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Many parameters t as one scalar. The methods' own headers, instantiated with it, evaluate at all of them at once, on
-// one curve or each on a curve of its own.
+// Many numbers as one scalar. Instantiated with it, the methods' own headers evaluate at many parameters t at once, on
+// one curve or on a curve for each; experiments/metric/scale_lanes.cpp computes the scales of many trials.
 //
-// Every lane performs the IEEE operations of the scalar method in the same order, and has the same bits. Where the
-// result is NaN, only that it is NaN is the same, not its payload. Each target includes this in one translation unit,
-// compiled for it; the namespace bears the target's name, so that no two targets share an inline function.
+// Every lane performs the IEEE operations of the scalar method in the same order, and has the same bits. The payload of
+// a NaN may differ. Each translation unit that includes this is compiled for one target; the namespace has the target's
+// name, so that no two targets share an inline function.
 #pragma once
 
 #include <hwy/highway.h>
@@ -16,13 +16,29 @@ namespace bezierbench::batch::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One choice per lane.
+/// A truth value per lane.
 template <class Scalar, int Count>
 struct LaneMask {
   hn::Mask<hn::ScalableTag<Scalar>> mask[Count];
+
+  friend HWY_INLINE LaneMask both(const LaneMask& a, const LaneMask& b) {
+    LaneMask result;
+    for (int k = 0; k < Count; ++k) result.mask[k] = hn::And(a.mask[k], b.mask[k]);
+    return result;
+  }
+  friend HWY_INLINE bool all_of(const LaneMask& a) {
+    auto all = a.mask[0];
+    for (int k = 1; k < Count; ++k) all = hn::And(all, a.mask[k]);
+    return hn::AllTrue(hn::ScalableTag<Scalar>(), all);
+  }
+  friend HWY_INLINE LaneMask either(const LaneMask& a, const LaneMask& b) {
+    LaneMask result;
+    for (int k = 0; k < Count; ++k) result.mask[k] = hn::Or(a.mask[k], b.mask[k]);
+    return result;
+  }
 };
 
-/// One number for all lanes: a value that many curves share is computed once.
+/// One number for all lanes, for a value that many curves share and that is computed once.
 template <class Scalar>
 class Same {
  public:
@@ -72,6 +88,11 @@ class Lanes {
     return each([&](int k) { return hn::LoadU(Tag(), values + static_cast<std::size_t>(k) * per_vector); });
   }
   HWY_INLINE void store(Scalar* values) const { store(values, All()); }
+  friend HWY_INLINE Scalar lane_of(const Lanes& lanes, std::size_t lane) {
+    Scalar values[size];
+    lanes.store(values);
+    return values[lane];
+  }
 
   friend HWY_INLINE Lanes operator+(const Lanes& a, const Lanes& b) {
     return each([&](int k) { return hn::Add(a.vector_[k], b.vector_[k]); });
@@ -93,13 +114,33 @@ class Lanes {
 
   /// *this b + c with one rounding; only where the target has it in hardware.
   [[nodiscard]] HWY_INLINE Lanes fused(const Lanes& b, const Lanes& c) const {
-    static_assert(HWY_NATIVE_FMA != 0);
+    static_assert(HWY_NATIVE_FMA != 0 && Count > 0);  // Count: decided only where this is instantiated
     return each([&](int k) { return hn::MulAdd(vector_[k], b.vector_[k], c.vector_[k]); });
   }
 
+  friend HWY_INLINE Lanes abs(const Lanes& a) {
+    return each([&](int k) { return hn::Abs(a.vector_[k]); });
+  }
+  friend HWY_INLINE Lanes sqrt(const Lanes& a) {
+    return each([&](int k) { return hn::Sqrt(a.vector_[k]); });
+  }
+
   friend HWY_INLINE Mask operator<=(const Lanes& a, const Lanes& b) { return less_equal(a, b, All()); }
+  friend HWY_INLINE Mask operator<(const Lanes& a, const Lanes& b) { return less(a, b, All()); }
   friend HWY_INLINE Lanes select(const Mask& condition, const Lanes& first, const Lanes& second) {
     return each([&](int k) { return hn::IfThenElse(condition.mask[k], first.vector_[k], second.vector_[k]); });
+  }
+  /// `value` in the lanes where `condition` holds, `otherwise(lane)` in the others, which are rare.
+  template <class Otherwise>
+  friend HWY_INLINE Lanes value_or(const Mask& condition, const Lanes& value, const Otherwise& otherwise) {
+    if (all_of(condition)) return value;
+    Scalar holds[size];
+    select(condition, Lanes(Scalar(1)), Lanes(Scalar(0))).store(holds);
+    Scalar values[size];
+    value.store(values);
+    for (std::size_t lane = 0; lane < size; ++lane)
+      if (holds[lane] == 0) values[lane] = otherwise(lane);
+    return load(values);
   }
 
  private:
@@ -123,6 +164,10 @@ class Lanes {
   template <int... K>
   static HWY_INLINE Mask less_equal(const Lanes& a, const Lanes& b, std::integer_sequence<int, K...> /*all*/) {
     return {{hn::Le(a.vector_[K], b.vector_[K])...}};
+  }
+  template <int... K>
+  static HWY_INLINE Mask less(const Lanes& a, const Lanes& b, std::integer_sequence<int, K...> /*all*/) {
+    return {{hn::Lt(a.vector_[K], b.vector_[K])...}};
   }
 
   Vector vector_[Count];

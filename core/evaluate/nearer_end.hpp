@@ -4,15 +4,10 @@
 // each of its lanes.
 #pragma once
 
+#include "core/basis/lane_choice.hpp"
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {
-
-/// `first` where `condition` holds, else `second`.
-template <class Scalar>
-constexpr Scalar select(bool condition, const Scalar& first, const Scalar& second) {
-  return condition ? first : second;
-}
 
 /// Coefficient i of an axis, counted from the start or from the other end.
 template <class Scalar, int Dimension, int Degree>

@@ -8,12 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/basis/amplification.hpp"
 #include "experiments/judge/error_sources.hpp"
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
-#include "experiments/metric/error_lanes.hpp"
+#include "experiments/metric/error_units.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/long_double.hpp"
 
@@ -49,8 +48,8 @@ void add(const Lanes& errors, LaneSet lanes, metric::Tally& tally) {
 template <class Scalar>
 struct GroupJudge<Scalar>::Origin {
   bool is_truth = true;
-  LaneSet exists = 0;      ///< without those where a baseline is not finite, or the weights sum to zero
-  LaneSet has_length = 0;  ///< with a finite one
+  LaneSet exists = 0;      ///< lanes with such a point: the baseline is finite, the weights do not sum to zero
+  LaneSet has_length = 0;  ///< lanes where |true point| is finite
   reference::CertifiedBlock points;
   Lanes length{};  ///< of the true point, and the spacing of numbers there
   Lanes ulp{};
@@ -60,7 +59,7 @@ struct GroupJudge<Scalar>::Origin {
 template <class Scalar>
 struct GroupJudge<Scalar>::Lane {
   TrialNumber number;
-  std::uint64_t counted;  ///< its number through all replicates
+  std::uint64_t counted;  ///< trial number, counted on through the replicates
   TrialInputs<Scalar> inputs;
   metric::TrialScale scale;
   reference::ExactCurve exact;
@@ -74,12 +73,11 @@ struct GroupJudge<Scalar>::Scratch {
   GroupPoints<Scalar> points;
   SourceMeter<Scalar> sources;
   std::vector<PointsOfGroup> computed;    ///< per method
-  std::vector<std::uint64_t> own_kernel;  ///< likewise: trials whose point its own kernel gave, alone or as well
+  std::vector<std::uint64_t> own_kernel;  ///< per method: trials whose point its own kernel computed
   reference::CertifiedBlock truths;
   metric::ScaleLanes scales;
-  std::vector<metric::KnownAmplification> amplified;
   Lanes p_tilde{};
-  Origin from;  ///< what is measured from now
+  Origin from;  ///< what errors are measured from at present
 };
 
 template <class Scalar>
@@ -132,12 +130,9 @@ void GroupJudge<Scalar>::find_scales(Group group, Scratch& scratch) const {
     scratch.scales.begin(cell_.dimension, cell_.degree);
     for (std::size_t k = 0; k < group.size(); ++k)
       scratch.scales.load(k, group[k].inputs.true_curve(), group[k].inputs.true_t());
-    scratch.scales.take_norms();
-    scratch.amplified.clear();
-    for (const Amplification kind : methods_.amplifications())
-      scratch.amplified.push_back({kind, scratch.scales.amplifications(kind)});
+    scratch.scales.compute(methods_.amplifications());
     for (std::size_t k = 0; k < group.size(); ++k)
-      group[k].scale.set(group[k].inputs.true_curve(), group[k].inputs.true_t(), scratch.scales, k, scratch.amplified);
+      group[k].scale.set(group[k].inputs.true_curve(), group[k].inputs.true_t(), scratch.scales, k);
   }
   for (std::size_t k = 0; k < group.size(); ++k) scratch.p_tilde[k] = group[k].scale.p_tilde();
 }
@@ -235,7 +230,7 @@ void GroupJudge<Scalar>::take_apart(std::size_t method, Lane& lane, std::span<co
   if (apart) judgement.sources.add(*apart);
 }
 
-/// What is known of the trials themselves, whatever the methods.
+/// Adds what depends on the trials only and not on the methods.
 template <class Scalar>
 void GroupJudge<Scalar>::add_truth(Group group, Scratch& scratch, CellTally& block) const {
   const Origin& from = scratch.from;
@@ -253,13 +248,12 @@ template <class Scalar>
 void GroupJudge<Scalar>::compare_with_bound(std::size_t method, double error, Lane& lane, double length,
                                             Judgement& judgement) const {
   if (!methods_.bound(method)) return;
-  const double bound = lane.scale.bound(*methods_.bound(method), ScalarFacts<Scalar>::arithmetic, length);
-  if (!std::isfinite(bound)) return;  // nothing is proved here
+  const auto checked = lane.scale.check(error, *methods_.bound(method), ScalarFacts<Scalar>::arithmetic, length);
+  if (!checked) return;
   ++judgement.bounded;
-  judgement.bound = std::max(judgement.bound, bound);
-  const double bound_u = lane.scale.in_bound_units(bound, ScalarFacts<Scalar>::arithmetic);
-  if (std::isfinite(bound_u)) judgement.bound_u = std::max(judgement.bound_u, bound_u);  // p~ = 0 has no such unit
-  if (metric::TrialScale::violates(error, bound)) {
+  judgement.bound = std::max(judgement.bound, checked->bound);
+  if (std::isfinite(checked->bound_u)) judgement.bound_u = std::max(judgement.bound_u, checked->bound_u);
+  if (checked->violated) {
     ++judgement.violations;
     judgement.first_violation = std::min(judgement.first_violation, static_cast<std::int64_t>(lane.counted));
   }

@@ -7,6 +7,7 @@
 
 #include "core/basis/falling_factorial.hpp"
 #include "core/basis/integer_power.hpp"
+#include "experiments/metric/error_units.hpp"
 #include "reference/exact_point.hpp"
 
 namespace bezierbench::metric {
@@ -57,7 +58,7 @@ std::vector<double> DerivativeScale::magnitudes(const CurveView<double>& curve) 
 }
 
 double DerivativeScale::in_bound_units(double error, const Arithmetic& arithmetic) const {
-  return error == 0 ? 0 : error / p_tilde_ / arithmetic.unit_roundoff;
+  return in_units(error, p_tilde_, arithmetic.unit_roundoff);
 }
 
 double DerivativeScale::bound(const DerivativeBound& bound, const Arithmetic& arithmetic) const {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What the scales of a group of trials need, computed side by side with the operations of the scalar functions, and so
-// with their bits: core/basis/amplification.hpp, TrialScale.
+// The norms and amplifications of a group of trials, many lanes at a time. The formulas are those that TrialScale uses
+// for one trial, instantiated with the lanes of core/batch/lanes.hpp, so every lane has the bits of TrialScale.
 #pragma once
 
-#include <bitset>
+#include <array>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 #include "core/basis/error_bound.hpp"
@@ -20,29 +21,28 @@ class ScaleLanes {
 
   void begin(int dimension, int degree);
   void load(std::size_t lane, const CurveView<double>& curve, double t);
-  /// The norms of all coefficients; must be called between the last `load` and what follows.
-  void take_norms();
+  /// Computes the norms of all coefficients and these amplifications of them. Must be called after the last `load` and
+  /// before what follows.
+  void compute(const std::set<Amplification>& kinds);
 
-  /// False where norms or sums may leave the range of double on the way: nothing here is known of such a lane.
-  [[nodiscard]] bool is_plain(std::size_t lane) const { return plain_[lane]; }
   /// The largest norm of a coefficient.
   [[nodiscard]] double largest(std::size_t lane) const { return largest_[lane]; }
-
-  /// amplification() of the norms; NaN for kinds that are rare, and where powers may leave the range of double on the
-  /// way.
-  [[nodiscard]] Lanes amplifications(Amplification kind) const;
+  /// The amplifications that were computed.
+  [[nodiscard]] const std::set<Amplification>& kinds() const { return kinds_; }
+  /// The amplification of one of these kinds.
+  [[nodiscard]] double amplified(Amplification kind, std::size_t lane) const {
+    return amplified_[static_cast<std::size_t>(kind)][lane];
+  }
 
  private:
-  [[nodiscard]] Lanes bernstein_sums(const Lanes& x, const Lanes& y) const;
-  [[nodiscard]] Lanes power_sums(const Lanes& x, const Lanes& y) const;
-
   int dimension_ = 0;
   int degree_ = 0;
   std::vector<Lanes> coefficients_;  ///< point by point
   std::vector<Lanes> norms_;
   Lanes t_{};
   Lanes largest_{};
-  std::bitset<reference::certified_lanes> plain_;
+  std::set<Amplification> kinds_;
+  std::array<Lanes, amplification_count> amplified_{};
 };
 
 }  // namespace bezierbench::metric

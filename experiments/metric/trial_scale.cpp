@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "core/basis/amplification.hpp"
+#include "experiments/metric/error_units.hpp"
+#include "experiments/metric/norm.hpp"
 
 namespace bezierbench::metric {
 namespace {
@@ -30,32 +32,20 @@ void TrialScale::set(const CurveView<double>& curve, double t) {
   if (form_ == Form::rational) weigh(curve);
 }
 
-void TrialScale::set(const CurveView<double>& curve, double t, const ScaleLanes& group, std::size_t lane,
-                     std::span<const KnownAmplification> kinds) {
-  if (!group.is_plain(lane)) return set(curve, t);
+void TrialScale::set(const CurveView<double>& curve, double t, const ScaleLanes& group, std::size_t lane) {
   begin(curve, t);
   largest_ = group.largest(lane);
-  for (const auto& known : kinds)
-    if (!std::isnan(known.values[lane])) amplified_[static_cast<std::size_t>(known.kind)] = known.values[lane];
+  for (const Amplification kind : group.kinds())
+    amplified_[static_cast<std::size_t>(kind)] = group.amplified(kind, lane);
 }
 
 void TrialScale::take_norms() {
-  const CurveView<double>& curve = curve_;
-  norms_.resize(static_cast<std::size_t>(curve.degree) + 1);
+  norms_.resize(static_cast<std::size_t>(curve_.degree) + 1);
   largest_ = 0;
-  for (int i = 0; i <= curve.degree; ++i) {
-    double largest = 0;
-    for (int axis = 0; axis < curve.dimension; ++axis) largest = std::max(largest, std::abs(curve(axis, i)));
-    // Squares neither overflow nor vanish after scaling by a power of two.
-    const double scale = largest > 0x1p+500 ? 0x1p-600 : largest < 0x1p-400 ? 0x1p+600 : 1;
-    double sum = 0;
-    for (int axis = 0; axis < curve.dimension; ++axis) {
-      const double scaled = curve(axis, i) * scale;
-      sum += scaled * scaled;
-    }
-    const double norm = scale == 1 ? std::sqrt(sum) : std::sqrt(sum) / scale;
-    norms_[static_cast<std::size_t>(i)] = norm;
-    largest_ = std::max(largest_, norm);
+  for (int i = 0; i <= curve_.degree; ++i) {
+    const double length = norm<double>(curve_.dimension, [&](int axis) { return curve_(axis, i); });
+    norms_[static_cast<std::size_t>(i)] = length;
+    largest_ = larger(largest_, length);
   }
 }
 
@@ -64,7 +54,7 @@ void TrialScale::weigh(const CurveView<double>& curve) {
   weights_ = {smallest, largest, 0, largest_};
   const auto points = norms_;
   largest_ = 0;
-  bool plain = smallest >= 0 && t_ >= 0 && t_ <= 1 && detail::are_moderate(curve.weights);
+  bool plain = smallest >= 0 && t_ >= 0 && t_ <= 1 && std::ranges::all_of(curve.weights, detail::is_moderate<double>);
   for (std::size_t i = 0; i < norms_.size(); ++i) {
     norms_[i] *= std::abs(curve.weights[i]);
     largest_ = std::max(largest_, norms_[i]);
@@ -79,7 +69,7 @@ void TrialScale::weigh(const CurveView<double>& curve) {
 void TrialScale::weigh_exactly(const CurveView<double>& norms) {
   auto& p_tilde = amplified_[static_cast<std::size_t>(Amplification::p_tilde_bernstein)];
   p_tilde = infinite;
-  if (!std::isfinite(weights_.largest_point)) return;  // so long are the points that their norms overflow
+  if (!std::isfinite(weights_.largest_point)) return;  // a norm overflows
   const auto& exact = exact_.p_tilde(norms, t_);
   if (!exact.exists()) return;
   p_tilde = reference::round_to(reference::binary64, exact.coordinate(0));
@@ -99,18 +89,18 @@ double TrialScale::amplified(Amplification kind) {
 double TrialScale::p_tilde() { return amplified(p_tilde_of(form_)); }
 
 double TrialScale::in_bound_units(double error, const Arithmetic& arithmetic) {
-  if (error == 0) return 0;
-  return error / p_tilde() / arithmetic.unit_roundoff;  // x / 0 is infinite, as defined
+  return in_units(error, p_tilde(), arithmetic.unit_roundoff);
 }
 
 double TrialScale::polynomial_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic, double rounding) {
   if (!growth_) growth_ = integer_power(std::abs(t_) + std::abs(1 - t_), degree());
   const double size = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
-  // Subnormal numbers take a processor a hundred times as long: they are left out where they cannot change a bit.
+  // Operations on subnormal numbers take a processor up to a hundred times as long. The term is left out where it
+  // cannot change a bit.
   const bool is_lost = rounding > 0x1p-800 && size * bound.underflow * *growth_ < 0x1p+100 &&
                        arithmetic.smallest_subnormal == double_arithmetic.smallest_subnormal;
   if (is_lost) return 0;
-  // The tiny unit first, so that large factors do not overflow on the way.
+  // Multiplied from the left, beginning with the smallest subnormal, so that large factors do not overflow.
   return arithmetic.smallest_subnormal * size * bound.underflow * *growth_;
 }
 
@@ -142,6 +132,13 @@ double TrialScale::bound(const BoundAtDegree& at_degree, const Arithmetic& arith
                                                    : polynomial_underflow(at_degree, arithmetic, rounding);
   if (!std::isfinite(underflow)) return infinite;
   return rounding + dimension_ * underflow;
+}
+
+std::optional<BoundCheck> TrialScale::check(double error, const BoundAtDegree& at_degree, const Arithmetic& arithmetic,
+                                            std::optional<double> length) {
+  const double proved = bound(at_degree, arithmetic, length);
+  if (!std::isfinite(proved)) return std::nullopt;
+  return BoundCheck{proved, in_bound_units(proved, arithmetic), violates(error, proved)};
 }
 
 }  // namespace bezierbench::metric

@@ -19,9 +19,9 @@
 namespace bezierbench::race {
 namespace {
 
-constexpr std::string_view no_baseline = "exact";  // what a study has that names none; times are not compared with it
+constexpr std::string_view no_baseline = "exact";  // of a study that names none; times are not compared with it
 
-/// Of repetitions in which the machine is quiet, but for what memory they met.
+/// The spread of repetitions on a quiet machine, which only differ in where memory lies.
 constexpr double tolerated_disagreement = 0.05;
 
 /// In the order of sentinels().
@@ -29,13 +29,13 @@ std::array<const RaceCellLap*, 2> sentinels_of(const std::vector<RaceCellLap>& l
   return {&laps[laps.size() - 2], &laps.back()};
 }
 
-/// All against each other and the sentinels; a rival whose results were wrong is not `checked`.
-RaceCellLaps race_of(const RaceCell& race_cell, const suite::Study& study, JudgedRivals contestants,
-                     std::size_t repetition, const RaceOptions& options) {
-  std::ranges::copy(sentinels(), std::back_inserter(contestants.rivals));
+/// Races all rivals and the sentinels against each other. A rival whose results were wrong is not `checked`.
+RaceCellLaps race_of(const RaceCell& race_cell, const suite::Study& study, JudgedRivals judged, std::size_t repetition,
+                     const RaceOptions& options) {
+  std::ranges::copy(sentinels(), std::back_inserter(judged.rivals));
   const auto name = fmt::format("{}/{}/{}", study.id, race_cell.cell.degree, suite::name(race_cell.mode));
-  auto laps = with_stack_moved(repetition, [&] { return race(name, contestants.rivals, options); });
-  for (std::size_t m = 0; m < contestants.right.size(); ++m) laps[m].checked = laps[m].checked && contestants.right[m];
+  auto laps = with_stack_moved(repetition, [&] { return race(name, judged.rivals, options); });
+  for (std::size_t m = 0; m < judged.right.size(); ++m) laps[m].checked = laps[m].checked && judged.right[m];
   RaceCellLaps result;
   for (auto& lap : laps) result.each.push_back({{std::move(lap)}});
   return result;

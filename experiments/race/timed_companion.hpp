@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The part of timing a companion problem that is the same for each: a race cell for each cell and each thing that is
-// asked, problems drawn once, methods that solve them in a row from the control points on, all that a method prepares
-// included (mode one_shot), judged against the truth first and then held to the judged bits.
+// What the timing of all companion problems shares: a race cell for each cell and case, with problems that are drawn
+// once. Methods solve them one after the other, from the control points on, preparation included (mode one_shot). Their
+// results are first judged against the truth and later compared with the judged bits.
 #pragma once
 
 #include <algorithm>
@@ -36,11 +36,12 @@ concept TimedCompanion = std::constructible_from<P, const RaceCell&, const suite
   { problems.is_right(kernel, k, result) } -> std::same_as<bool>;
 };
 
-/// What is asked of a method where no bound is proved, in u times the scale of the result: half of the digits.
+/// The accuracy that is required of a method without a proved bound, in u times the scale of the result: half of the
+/// digits.
 inline constexpr double half_of_the_digits = 0x1p26;
 
-/// The race cells of a study of a companion problem, still without methods. Throws Failure(usage) for what is not
-/// timed.
+/// The race cells of a study of a companion problem, still without methods. Throws Failure(usage) for studies that
+/// cannot be timed.
 std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, const judge::CaseAxes& axes);
 
 /// One method on the problems of a race cell, and the results that it must reproduce bit for bit.
@@ -74,7 +75,7 @@ class CompanionRival {
   static bool same_bits(const Result& a, const Result& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
   }
-  /// So that a run that does nothing cannot pass the next check.
+  /// Overwrites the results, so that a run that does nothing fails the next check.
   void spoil() {
     for (auto& result : results_) std::ranges::fill(result, std::numeric_limits<double>::quiet_NaN());
   }
@@ -85,7 +86,7 @@ class CompanionRival {
   std::vector<Result> judged_;
 };
 
-/// Of a problem that starts from data points, the degree is that of the curves that these are taken from.
+/// Where a problem starts from data points, the degree is that of the curves that the data are taken from.
 template <TimedCompanion P>
 std::vector<RaceCell> race_cells_of_companion(const suite::Study& study) {
   P::check(study);
@@ -105,10 +106,10 @@ JudgedRivals rivals_of_companion(const RaceCell& race_cell, const suite::Study& 
   JudgedRivals all{{}, {}, problems};
   for (const auto* info : race_cell.methods) {
     const auto& kernel = *std::ranges::find(P::kernels(race_cell.cell.dimension), info, &P::Kernel::info);
-    const auto contestant = std::make_shared<CompanionRival<P>>(*problems, kernel);
-    all.right.push_back(contestant->is_right());
-    all.rivals.push_back({std::string(info->id), problems->count(), [contestant] { contestant->run(); },
-                          [contestant] { return contestant->check(); }});
+    const auto rival = std::make_shared<CompanionRival<P>>(*problems, kernel);
+    all.right.push_back(rival->is_right());
+    all.rivals.push_back(
+        {std::string(info->id), problems->count(), [rival] { rival->run(); }, [rival] { return rival->check(); }});
   }
   return all;
 }

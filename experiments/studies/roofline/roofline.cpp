@@ -21,12 +21,12 @@ class RooflineJob final : public run::JobOf<Laps> {
   [[nodiscard]] bool exclusive() const override { return true; }
   void require_machine() const override { race::require_steady_clock(); }
   [[nodiscard]] double cost(std::size_t part) const override {
-    return 5e7 * static_cast<double>(races_[part].contestants.size());  // about the same wall time whatever the degree
+    return 5e7 * static_cast<double>(races_[part].rivals.size());  // about the same wall time whatever the degree
   }
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum{races_.size(), 0, 0, 0};
     for (const auto& race : races_)
-      for (const auto& who : race.contestants)
+      for (const auto& who : race.rivals)
         if (who.method != nullptr) {
           ++sum.rows;
           sum.evaluations += race::timed_inputs_per_cell;
@@ -42,7 +42,7 @@ class RooflineJob final : public run::JobOf<Laps> {
 
  protected:
   [[nodiscard]] Laps work(std::size_t block) const override {
-    if (races_[block].contestants.empty()) return {};  // no method supports the degree, or no target is there
+    if (races_[block].rivals.empty()) return {};  // no method supports the degree, or no target is there
     race::RaceOptions options;
     options.stop = run::interrupted;
     return run(races_[block], study_, seed_, options);

@@ -15,7 +15,7 @@ namespace bezierbench::studies {
 namespace {
 
 template <class Scalar>
-std::vector<TargetRival> contestants_of(const suite::Study& study, const sample::Cell& cell) {
+std::vector<TargetRival> rivals_of(const suite::Study& study, const sample::Cell& cell) {
   std::vector<TargetRival> methods;
   const auto targets = batch::usable_targets();
   for (const auto* kernel : judge::chosen_kernels<Scalar>(study, cell.dimension)) {
@@ -55,7 +55,7 @@ std::vector<race::Lap> laps_of(const RooflineRace& race, const suite::Study& stu
   const auto inputs = race::timed_inputs<Scalar>(study, race.cell, seed);
   std::map<const MethodInfo*, race::JudgedPoints<Scalar>> judged;
   std::vector<race::Rival> rivals;
-  for (const auto& who : race.contestants) {
+  for (const auto& who : race.rivals) {
     const Kernel<Scalar>* kernel = nullptr;
     if (who.method != nullptr) {
       kernel = judge::find_method<Scalar>(who.method->id, who.method->form, race.cell.dimension);
@@ -65,7 +65,7 @@ std::vector<race::Lap> laps_of(const RooflineRace& race, const suite::Study& stu
   }
   auto laps = race::race(fmt::format("{}/{}", study.id, race.cell.degree), rivals, options);
   for (std::size_t k = 0; k < laps.size(); ++k)
-    laps[k].checked = laps[k].checked && judged[race.contestants[k].method].right;
+    laps[k].checked = laps[k].checked && judged[race.rivals[k].method].right;
   return laps;
 }
 
@@ -75,9 +75,9 @@ std::vector<RooflineRace> roofline_races_of(const suite::Study& study) {
   std::vector<RooflineRace> races;
   for (const auto scalar : study.scalar)
     for (const auto& cell : sample::cells(study))
-      races.push_back({cell, scalar,
-                       scalar == suite::ScalarKind::float32 ? contestants_of<float>(study, cell)
-                                                            : contestants_of<double>(study, cell)});
+      races.push_back(
+          {cell, scalar,
+           scalar == suite::ScalarKind::float32 ? rivals_of<float>(study, cell) : rivals_of<double>(study, cell)});
   return races;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One cell of a roofline study in one scalar type: the batch kernels of every target that this processor has race each
-// other, their scalar kernels, and what each target can do at most.
+// One cell of a roofline study in one scalar type: the batch kernels of every target that this processor can run race
+// each other, their scalar kernels and the peak of each target.
 #pragma once
 
 #include <cstdint>
@@ -30,11 +30,11 @@ struct TargetRival {
 struct RooflineRace {
   sample::Cell cell;
   suite::ScalarKind scalar;
-  std::vector<TargetRival> contestants;  ///< those that support the degree; none where no method does
-  std::vector<race::Lap> laps = {};      ///< of each, once it ran
+  std::vector<TargetRival> rivals;   ///< those that support the degree; none where no method does
+  std::vector<race::Lap> laps = {};  ///< of each, once it ran
 };
 
-/// The races of a study, none of which ran. Methods without a batch kernel take no part. Throws Failure(usage) for
+/// The races of a study, before they run. Methods without a batch kernel take no part. Throws Failure(usage) for
 /// methods that do not take the curves.
 std::vector<RooflineRace> roofline_races_of(const suite::Study& study);
 

@@ -26,20 +26,20 @@ std::vector<std::string> fields(const metric::Interval& values) {
   return {number::decimal(values.median), number::decimal(values.low), number::decimal(values.high)};
 }
 
-/// What the row of a contestant is asked to reach.
+/// The goal of a rival's row.
 struct Goal {
   std::optional<double> share;  ///< of the peak, at least
   std::optional<double> ns;     ///< per point, at most
 };
 
-/// One race, with what its rows have in common.
+/// One race, with the fields that its rows share.
 class Race {
  public:
   explicit Race(const RooflineRace& race) : race_(race) {}
 
   [[nodiscard]] const race::Lap* lap(Work work, const batch::Target* target, std::string_view id = {}) const {
-    for (std::size_t k = 0; k < race_.contestants.size(); ++k) {
-      const auto& who = race_.contestants[k];
+    for (std::size_t k = 0; k < race_.rivals.size(); ++k) {
+      const auto& who = race_.rivals[k];
       if (who.work == work && who.target == target && (who.method == nullptr || who.method->id == id))
         return &race_.laps[k];
     }
@@ -51,7 +51,7 @@ class Race {
     return 1 / interval(lap(work, target)->ns_per_point).median;
   }
 
-  /// Of the study's goals those that are about this row.
+  /// The goals of the study that apply to this row.
   [[nodiscard]] Goal goal(const TargetRival& who, const std::vector<suite::Goal>& goals) const {
     Goal case_values;
     for (const auto& one : goals) {
@@ -75,7 +75,7 @@ class Race {
   const RooflineRace& race_;
 };
 
-/// Of what a target can do at most: the share that a lap of a method used.
+/// The share of a target's peak that a lap of a method reached.
 metric::Interval share(const race::Lap& lap, const race::Lap& peak, double flops) {
   std::vector<double> shares;
   for (std::size_t round = 0; round < lap.ns_per_point.size(); ++round)
@@ -85,16 +85,16 @@ metric::Interval share(const race::Lap& lap, const race::Lap& peak, double flops
 
 std::string text(const std::optional<double>& value) { return value ? number::decimal(*value) : ""; }
 
-/// The quickest that each target's peak was in any race of a study, in each scalar type: ns per operation.
+/// The fastest time of each target's peak in any race of a study, in each scalar type: ns per operation.
 using Fastest = std::map<std::pair<const batch::Target*, suite::ScalarKind>, double>;
 
 Fastest fastest_peaks(const std::vector<RooflineRace>& races) {
   Fastest fastest;
   for (const auto& race : races)
     for (std::size_t k = 0; k < race.laps.size(); ++k) {
-      if (race.contestants[k].work != Work::multiply_add) continue;
+      if (race.rivals[k].work != Work::multiply_add) continue;
       const double ns = interval(race.laps[k].ns_per_point).median;
-      const auto [place, is_first] = fastest.try_emplace({race.contestants[k].target, race.scalar}, ns);
+      const auto [place, is_first] = fastest.try_emplace({race.rivals[k].target, race.scalar}, ns);
       if (!is_first) place->second = std::min(place->second, ns);
     }
   return fastest;
@@ -102,7 +102,7 @@ Fastest fastest_peaks(const std::vector<RooflineRace>& races) {
 
 void add_row(bundle::CsvTable& table, const suite::Study& study, const RooflineRace& race, std::size_t place,
              const Fastest& fastest) {
-  const auto& who = race.contestants[place];
+  const auto& who = race.rivals[place];
   const auto& lap = race.laps[place];
   const Race all(race);
   const auto ns = interval(lap.ns_per_point);
@@ -150,7 +150,7 @@ void write_roofline_rows(const suite::Study& study, const std::vector<RooflineRa
   const auto fastest = fastest_peaks(races);
   for (const auto& race : races)
     for (std::size_t k = 0; k < race.laps.size(); ++k)
-      if (race.contestants[k].method != nullptr) add_row(table, study, race, k, fastest);
+      if (race.rivals[k].method != nullptr) add_row(table, study, race, k, fastest);
 }
 
 }  // namespace bezierbench::studies

@@ -32,7 +32,7 @@ race::Lap lap_of(double ns) {
   return lap;
 }
 
-/// What every contestant took; a peak of 10 GFLOP/s, and 12 with additions beside.
+/// What every rival took; a peak of 10 GFLOP/s, and 12 with additions beside.
 using Times = double (*)(const TargetRival& who);
 double all_alike(const TargetRival& who) {
   switch (who.work) {
@@ -47,7 +47,7 @@ double all_alike(const TargetRival& who) {
 bundle::CsvDocument written(const suite::Study& study, Times times = all_alike) {
   auto races = roofline_races_of(study);
   for (auto& race : races)
-    for (const auto& who : race.contestants) race.laps.push_back(lap_of(times(who)));
+    for (const auto& who : race.rivals) race.laps.push_back(lap_of(times(who)));
   tables::Tables tables;
   write_roofline_rows(study, races, tables);
   return bundle::parse_csv(tables.all().at("roofline.csv").text(), "roofline.csv");
@@ -75,8 +75,8 @@ TEST_F(Roofline, EveryTargetRunsEveryMethodThatHasABatchKernel) {
   const auto races = roofline_races_of(study);
   ASSERT_EQ(races.size(), 1U);
   const std::size_t targets = batch::usable_targets().size();
-  EXPECT_EQ(races[0].contestants.size(), 2 * targets + targets + 1) << "peaks, batch kernels, the scalar kernel";
-  for (const auto& who : races[0].contestants) {
+  EXPECT_EQ(races[0].rivals.size(), 2 * targets + targets + 1) << "peaks, batch kernels, the scalar kernel";
+  for (const auto& who : races[0].rivals) {
     const bool allowed = who.method == nullptr || who.method->id == "de_casteljau";
     EXPECT_TRUE(allowed) << who.method->id;
   }
@@ -87,7 +87,7 @@ TEST_F(Roofline, IsNoRaceWhereNoMethodSupportsTheDegree) {
   study.methods = {"horner_bernstein_fma"};
   study.degree = {200};
   study.scalar = {suite::ScalarKind::float32};
-  EXPECT_TRUE(roofline_races_of(study)[0].contestants.empty());
+  EXPECT_TRUE(roofline_races_of(study)[0].rivals.empty());
   EXPECT_EQ(written(study).row_count(), 0U);
 }
 
@@ -144,7 +144,7 @@ TEST_F(Roofline, ARaceWithASlowerPeakIsNoisy) {
   study.degree = {10, 20};
   auto races = roofline_races_of(study);
   for (auto& race : races)
-    for (const auto& who : race.contestants)
+    for (const auto& who : race.rivals)
       race.laps.push_back(lap_of(all_alike(who) * (race.cell.degree == 20 ? 1.03 : 1)));
   tables::Tables tables;
   write_roofline_rows(study, races, tables);
@@ -170,7 +170,7 @@ TEST_F(Roofline, RunsAndChecksWhatItTimes) {
   options.least_rounds = 1;
   options.rival_seconds = 0;
   const auto laps = run(races[0], study, 1, options);
-  ASSERT_EQ(laps.size(), races[0].contestants.size());
+  ASSERT_EQ(laps.size(), races[0].rivals.size());
   EXPECT_TRUE(std::ranges::all_of(laps, &race::Lap::checked));
 }
 

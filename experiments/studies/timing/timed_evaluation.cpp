@@ -22,14 +22,14 @@ template <class Scalar>
 race::JudgedRivals rivals(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed) {
   const auto inputs =
       std::make_shared<const race::Inputs<Scalar>>(race::timed_inputs<Scalar>(study, race_cell.cell, seed));
-  race::JudgedRivals contestants{{}, {}, inputs};
+  race::JudgedRivals all{{}, {}, inputs};
   for (const auto* info : race_cell.methods) {
     const auto& kernel = *judge::find_method<Scalar>(info->id, info->form, race_cell.cell.dimension);
     auto judged = race::judge(kernel, race_cell.mode, *inputs);
-    contestants.right.push_back(judged.right);
-    contestants.rivals.push_back(race::kernel_rival(kernel, race_cell.mode, *inputs, std::move(judged.points)));
+    all.right.push_back(judged.right);
+    all.rivals.push_back(race::kernel_rival(kernel, race_cell.mode, *inputs, std::move(judged.points)));
   }
-  return contestants;
+  return all;
 }
 
 }  // namespace

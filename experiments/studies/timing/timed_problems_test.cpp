@@ -95,10 +95,10 @@ TEST(TimedProblem, IsTheOneThatTheStudyNames) {
 
 TEST(TimedProblem, RivalsReproduceTheirResults) {
   for (const auto& study : one_of_each()) {
-    const auto contestants = rivals_of(study);
-    ASSERT_EQ(contestants.rivals.size(), study.methods.size()) << study.methods[0];
-    EXPECT_THAT(contestants.right, testing::Each(true)) << study.methods[0];
-    for (const auto& rival : contestants.rivals) {
+    const auto judged = rivals_of(study);
+    ASSERT_EQ(judged.rivals.size(), study.methods.size()) << study.methods[0];
+    EXPECT_THAT(judged.right, testing::Each(true)) << study.methods[0];
+    for (const auto& rival : judged.rivals) {
       EXPECT_FALSE(rival.check()) << rival.name << ": nothing ran yet";
       rival.run();
       EXPECT_TRUE(rival.check()) << rival.name;

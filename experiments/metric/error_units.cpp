@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/metric/error_lanes.hpp"
+#include "experiments/metric/error_units.hpp"
 
 #include "experiments/metric/tally.hpp"
 
@@ -7,10 +7,7 @@ namespace bezierbench::metric {
 
 ErrorLanes in_units(const ErrorLanes& errors, const ErrorLanes& divisors, double unit) {
   ErrorLanes units;
-  for (std::size_t k = 0; k < units.size(); ++k) {
-    const double quotient = errors[k] / divisors[k] / unit;
-    units[k] = to_24_bits(errors[k] == 0 ? 0 : quotient);
-  }
+  for (std::size_t k = 0; k < units.size(); ++k) units[k] = to_24_bits(in_units(errors[k], divisors[k], unit));
   return units;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/metric/error_lanes.hpp"
+#include "experiments/metric/error_units.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace bezierbench::metric {
 namespace {
 
-TEST(ErrorLanes, AreQuotientsTo24Bits) {
+TEST(ErrorUnits, AreQuotientsTo24Bits) {
   ErrorLanes errors{0, 0, 1, 3, 0x1p-1074, 1, std::nextafter(1.0, 2.0)};
   ErrorLanes divisors{0, 5, 0, 2, 4, 3, 1};
   errors[15] = 7;
