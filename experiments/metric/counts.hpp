@@ -72,7 +72,7 @@ struct Total {
   }
 };
 
-/// Adds an error that was not rounded to 24 bits yet.
+/// Adds an error in bound units, which was not rounded to 24 bits yet.
 inline void add_rounded(double error, Tally& tally) {
   const double rounded = to_24_bits(error);
   if (std::isfinite(rounded))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a timing study can ask: evaluation, or a companion problem, whose methods it then names in place of evaluators.
-// Each is one header (studies/<kind>/timed_<problem>.hpp) and one line in studies/timing/timed_problems.cpp.
+// Each is one line in studies/timing/timed_problems.cpp; a companion problem is timed as its problem.hpp states
+// (race/timed_companion.hpp).
 #pragma once
 
 #include <cstdint>
