@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <span>
+
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/data_kind.hpp"
+#include "experiments/sample/placement.hpp"
 
 namespace bezierbench::judge {
 namespace {
@@ -26,17 +30,41 @@ void sweep(std::vector<CaseValues>& all, const std::vector<T>& values, Set set) 
   all = std::move(swept);
 }
 
+template <class T>
+std::vector<std::string_view> ids_of(std::span<const T> all) {
+  std::vector<std::string_view> ids;
+  for (const auto& one : all) ids.push_back(one.id);
+  return ids;
+}
+
+constexpr std::array columns_of_times{case_column::order, case_column::tolerance, case_column::points,
+                                      case_column::data};
+
 }  // namespace
 
+namespace case_column {
+
+std::string order_field(const CaseValues& values) { return values.order ? std::to_string(*values.order) : ""; }
+std::string tolerance_field(const CaseValues& values) {
+  return values.tolerance ? number::decimal(*values.tolerance) : "";
+}
+std::string points_field(const CaseValues& values) { return values.points ? std::to_string(*values.points) : ""; }
+
+}  // namespace case_column
+
 const std::vector<std::string>& case_columns() {
-  static const std::vector<std::string> columns{"order", "tolerance", "points", "data"};
+  static const std::vector<std::string> columns = [] {
+    std::vector<std::string> names;
+    for (const auto& column : columns_of_times) names.emplace_back(column.name);
+    return names;
+  }();
   return columns;
 }
 
 std::vector<std::string> case_fields(const CaseValues& case_values) {
-  return {case_values.order ? std::to_string(*case_values.order) : "",
-          case_values.tolerance ? number::decimal(*case_values.tolerance) : "",
-          case_values.points ? std::to_string(*case_values.points) : "", std::string(case_values.data)};
+  std::vector<std::string> fields;
+  for (const auto& column : columns_of_times) fields.push_back(column.field(case_values));
+  return fields;
 }
 
 std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes, std::string_view problem) {
@@ -48,10 +76,8 @@ std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes
   sweep(all, study.order, [](CaseValues& one, int order) { one.order = order; });
   sweep(all, study.tolerance, [](CaseValues& one, double tolerance) { one.tolerance = tolerance; });
   sweep(all, study.points, [](CaseValues& one, int points) { one.points = points; });
-  if (!axes.data) return all;
-  std::vector<std::string_view> kinds;
-  for (const auto& kind : sample::data_kinds()) kinds.push_back(kind.id);
-  sweep(all, kinds, [](CaseValues& one, std::string_view data) { one.data = data; });
+  if (axes.data) sweep(all, ids_of(sample::data_kinds()), [](CaseValues& one, auto id) { one.data = id; });
+  if (axes.placement) sweep(all, ids_of(sample::placements()), [](CaseValues& one, auto id) { one.placement = id; });
   return all;
 }
 

@@ -17,6 +17,7 @@ struct CaseValues {
   std::optional<double> tolerance = std::nullopt;  ///< relative for lengths, a distance for fits
   std::optional<int> points = std::nullopt;        ///< number of data points
   std::string_view data = {};                      ///< id of a sample::DataKind
+  std::string_view placement = {};                 ///< id of a sample::Placement
   friend bool operator==(const CaseValues&, const CaseValues&) = default;
 };
 
@@ -26,10 +27,29 @@ struct CaseAxes {
   bool order = false;
   bool tolerance = false;
   bool points = false;
-  bool data = false;  ///< every kind of data is a case
+  bool data = false;       ///< every kind of data is a case of its own
+  bool placement = false;  ///< so is every placement; times are those of the first
 };
 
-/// order,tolerance,points,data
+/// A column that says which case a row is of; empty where the problem has no such axis.
+struct CaseColumn {
+  std::string_view name;
+  std::string (*field)(const CaseValues& values);
+};
+
+namespace case_column {
+std::string order_field(const CaseValues& values);
+std::string tolerance_field(const CaseValues& values);
+std::string points_field(const CaseValues& values);
+inline constexpr CaseColumn order{"order", order_field};
+inline constexpr CaseColumn tolerance{"tolerance", tolerance_field};
+inline constexpr CaseColumn points{"points", points_field};
+inline constexpr CaseColumn data{"data", [](const CaseValues& values) { return std::string(values.data); }};
+inline constexpr CaseColumn placement{"placement",
+                                      [](const CaseValues& values) { return std::string(values.placement); }};
+}  // namespace case_column
+
+/// order,tolerance,points,data: of times.
 const std::vector<std::string>& case_columns();
 
 /// The fields of those columns.

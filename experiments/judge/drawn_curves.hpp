@@ -1,34 +1,38 @@
 // SPDX-License-Identifier: MIT
-// The first trials of a cell, kept in memory: curves with a parameter each.
+// Trials of a cell that are a curve and a parameter.
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/sample/draw.hpp"
 
 namespace bezierbench::judge {
 
-class DrawnCurves {
- public:
-  DrawnCurves(const suite::Study& study, const sample::Cell& cell, std::uint64_t seed, std::size_t count)
-      : form_(form_of(study.curve)), cell_(cell), trials_(count) {
-    const sample::Sampler sampler(seed, study.id, cell);
-    for (std::size_t k = 0; k < count; ++k) sampler.draw(k, trials_[k]);
-  }
+/// Stays where it was drawn: the curve refers to the trial.
+struct DrawnCurve {
+  sample::Trial trial;
+  CurveView<double> curve;
 
-  [[nodiscard]] std::size_t size() const { return trials_.size(); }
-  [[nodiscard]] CurveView<double> curve(std::size_t k) const {
-    return {form_, cell_.dimension, cell_.degree, trials_[k].coefficients};
+  DrawnCurve() = default;
+  DrawnCurve(const DrawnCurve&) = delete;
+  DrawnCurve& operator=(const DrawnCurve&) = delete;
+};
+
+class CurveSampler {
+ public:
+  CurveSampler(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell)
+      : form_(form_of(study.curve)), cell_(cell), sampler_(seed, study.id, cell) {}
+
+  void draw(std::uint64_t number, DrawnCurve& drawn) const {
+    sampler_.draw(number, drawn.trial);
+    drawn.curve = {form_, cell_.dimension, cell_.degree, drawn.trial.coefficients, drawn.trial.weights};
   }
-  [[nodiscard]] double t(std::size_t k) const { return trials_[k].t; }
-  [[nodiscard]] const sample::Cell& cell() const { return cell_; }
 
  private:
   Form form_;
   sample::Cell cell_;
-  std::vector<sample::Trial> trials_;
+  sample::Sampler sampler_;
 };
 
 }  // namespace bezierbench::judge

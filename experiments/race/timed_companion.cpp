@@ -7,14 +7,15 @@
 
 namespace bezierbench::race {
 
-std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, const judge::CaseAxes& axes) {
+std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, judge::CaseAxes axes) {
   if (study.modes != std::vector{suite::Mode::one_shot})
     throw Failure(Exit::usage, fmt::format("study \"{}\": a companion problem is timed from the control points on; "
                                            "write modes = [\"one_shot\"]",
                                            study.id));
+  axes.placement = false;  // times are those of the first
   const auto all_cases = judge::cases_of(study, axes, name(problem));
   auto with_degree = study;
-  if (!axes.degree) with_degree.degree = {3};  // of the segments
+  if (!axes.degree) with_degree.degree = {judge::segment_degree};
   std::vector<RaceCell> race_cells;
   for (const auto& cell : sample::cells(with_degree))
     for (const auto& case_values : all_cases)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What the timing of all companion problems shares: a race cell for each cell and case, with problems that are drawn
-// once. Methods solve them one after the other, from the control points on, preparation included (mode one_shot). Their
-// results are first judged against the truth and later compared with the judged bits.
+// What the timing of all companion problems shares: a race cell for each cell and case, with trials that are drawn once.
+// Methods solve them one after the other, from the control points on, preparation included (mode one_shot). Their
+// answers are first judged against the truth and later compared with the judged bits.
 #pragma once
 
 #include <algorithm>
-#include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -13,108 +14,110 @@
 #include <string>
 #include <vector>
 
-#include "experiments/judge/case_axes.hpp"
-#include "experiments/judge/companions.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/trial_problem.hpp"
 #include "experiments/race/timed_problem.hpp"
 
 namespace bezierbench::race {
 
-/// The problems of one race cell: `count()` of them, drawn by the constructor. `solve` is what is timed: it writes all
-/// numbers of the answer to `result`, an array or vector of doubles. `check` throws Failure(usage) for inputs that
-/// the problem does not take.
-template <class P>
-concept TimedCompanion = std::constructible_from<P, const RaceCell&, const suite::Study&, std::uint64_t> &&
-    requires(const P& problems, const suite::Study& study, const typename P::Kernel& kernel, std::size_t k,
-             typename P::Result& result) {
-  requires std::same_as<const Problem, decltype(P::problem)>;
-  requires std::same_as<const judge::CaseAxes, decltype(P::axes)>;
-  { P::kernels(int{}) } -> std::same_as<std::span<const typename P::Kernel>>;
-  P::check(study);
-  { problems.count() } -> std::same_as<std::size_t>;
-  problems.solve(kernel, k, result);
-  { problems.is_right(kernel, k, result) } -> std::same_as<bool>;
+/// The race cells of a study of a companion problem, still without methods. Throws Failure(usage) for what is not
+/// timed.
+std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, judge::CaseAxes axes);
+
+/// The trials of one race cell.
+template <judge::TrialProblem P>
+class CompanionTrials {
+ public:
+  CompanionTrials(const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed)
+      : CompanionTrials(judge::TrialPart{race_cell.cell, race_cell.case_values}, study, seed) {}
+
+  [[nodiscard]] std::size_t count() const { return drawn_.size(); }
+  void ask(const typename P::Kernel& method, std::size_t k, typename P::Answer& answer) const {
+    problem_.ask(method, drawn_[k], tolerance_, answer);
+  }
+  [[nodiscard]] bool is_right(const typename P::Kernel& method, std::size_t k, const typename P::Answer& answer) const {
+    return problem_.is_right(method, drawn_[k], tolerance_, answer);
+  }
+
+ private:
+  CompanionTrials(const judge::TrialPart& part, const suite::Study& study, std::uint64_t seed)
+      : problem_(study, seed, part), tolerance_(part.values.tolerance.value_or(0)), drawn_(P::timed_trials(part)) {
+    for (std::size_t k = 0; k < drawn_.size(); ++k) problem_.draw(k, drawn_[k]);
+  }
+
+  P problem_;
+  double tolerance_;
+  std::vector<typename P::Drawn> drawn_;
 };
 
-/// The accuracy that is required of a method without a proved bound, in u times the scale of the result: half of the
-/// digits.
-inline constexpr double half_of_the_digits = 0x1p26;
-
-/// The race cells of a study of a companion problem, still without methods. Throws Failure(usage) for studies that
-/// cannot be timed.
-std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, const judge::CaseAxes& axes);
-
-/// One method on the problems of a race cell, and the results that it must reproduce bit for bit.
-template <TimedCompanion P>
+/// One method on the trials of a race cell, and the answers that it must reproduce bit for bit.
+template <judge::TrialProblem P>
 class CompanionRival {
  public:
-  CompanionRival(const P& problems, const typename P::Kernel& kernel)
-      : problems_(problems), kernel_(kernel), results_(problems.count()) {
+  CompanionRival(const CompanionTrials<P>& trials, const typename P::Kernel& kernel)
+      : trials_(trials), kernel_(kernel), answers_(trials.count()) {
     spoil();
     run();
-    judged_ = results_;
+    judged_ = answers_;
     spoil();
   }
   void run() {
-    for (std::size_t k = 0; k < results_.size(); ++k) problems_.solve(kernel_, k, results_[k]);
+    for (std::size_t k = 0; k < answers_.size(); ++k) trials_.ask(kernel_, k, answers_[k]);
   }
   bool check() {
-    const bool same = std::ranges::equal(results_, judged_, same_bits);
+    bool same = true;
+    for (std::size_t k = 0; k < answers_.size(); ++k)
+      same = std::ranges::equal(P::numbers(answers_[k]), P::numbers(judged_[k]), same_bits) && same;
     spoil();
     return same;
   }
   [[nodiscard]] bool is_right() const {
     bool right = true;
-    for (std::size_t k = 0; k < judged_.size(); ++k) right = right && problems_.is_right(kernel_, k, judged_[k]);
+    for (std::size_t k = 0; k < judged_.size(); ++k) right = right && trials_.is_right(kernel_, k, judged_[k]);
     return right;
   }
 
  private:
-  using Result = typename P::Result;
-
-  static bool same_bits(const Result& a, const Result& b) {
+  static bool same_bits(std::span<const double> a, std::span<const double> b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
   }
   /// Overwrites the results, so that a run that does nothing fails the next check.
   void spoil() {
-    for (auto& result : results_) std::ranges::fill(result, std::numeric_limits<double>::quiet_NaN());
+    for (auto& answer : answers_)
+      for (const std::span<double> numbers : P::numbers(answer))
+        std::ranges::fill(numbers, std::numeric_limits<double>::quiet_NaN());
   }
 
-  const P& problems_;
+  const CompanionTrials<P>& trials_;
   const typename P::Kernel& kernel_;
-  std::vector<Result> results_;
-  std::vector<Result> judged_;
+  std::vector<typename P::Answer> answers_;
+  std::vector<typename P::Answer> judged_;
 };
 
-/// Where a problem starts from data points, the degree is that of the curves that the data are taken from.
-template <TimedCompanion P>
+template <judge::TrialProblem P>
 std::vector<RaceCell> race_cells_of_companion(const suite::Study& study) {
   P::check(study);
-  const auto chosen = judge::chosen_companions(study, P::problem);
   auto race_cells = companion_race_cells(study, P::problem, P::axes);
   for (auto& race_cell : race_cells)
-    for (const auto& kernel : P::kernels(race_cell.cell.dimension))
-      if (std::ranges::count(chosen, kernel.info) > 0 && kernel.info->form == judge::form_of(study.curve) &&
-          (P::axes.data || kernel.info->template supports<double>(race_cell.cell.degree)))
-        race_cell.methods.push_back(kernel.info);
+    for (const auto* kernel : judge::chosen_trial_kernels<P>(study, race_cell.cell.dimension))
+      if (judge::takes<P>(*kernel->info, race_cell.cell)) race_cell.methods.push_back(kernel->info);
   return race_cells;
 }
 
-template <TimedCompanion P>
+template <judge::TrialProblem P>
 JudgedRivals rivals_of_companion(const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed) {
-  const auto problems = std::make_shared<const P>(race_cell, study, seed);
-  JudgedRivals all{{}, {}, problems};
+  const auto trials = std::make_shared<const CompanionTrials<P>>(race_cell, study, seed);
+  JudgedRivals all{{}, {}, trials};
   for (const auto* info : race_cell.methods) {
     const auto& kernel = *std::ranges::find(P::kernels(race_cell.cell.dimension), info, &P::Kernel::info);
-    const auto rival = std::make_shared<CompanionRival<P>>(*problems, kernel);
+    const auto rival = std::make_shared<CompanionRival<P>>(*trials, kernel);
     all.right.push_back(rival->is_right());
     all.rivals.push_back(
-        {std::string(info->id), problems->count(), [rival] { rival->run(); }, [rival] { return rival->check(); }});
+        {std::string(info->id), trials->count(), [rival] { rival->run(); }, [rival] { return rival->check(); }});
   }
   return all;
 }
 
-template <TimedCompanion P>
+template <judge::TrialProblem P>
 constexpr TimedProblem timed_companion(Size size = Size::unclaimed) {
   return {P::problem, size, race_cells_of_companion<P>, rivals_of_companion<P>};
 }

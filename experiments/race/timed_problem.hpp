@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A problem that a timing study can time: evaluation, or a companion problem, whose methods the study then names in
-// place of evaluators. Each is one header (studies/<kind>/timed_<problem>.hpp) and one line in
-// studies/timing/timed_problems.cpp.
+// place of evaluators. Each is one line in studies/timing/timed_problems.cpp. A companion problem is timed as its
+// problem.hpp states (race/timed_companion.hpp).
 #pragma once
 
 #include <cstdint>

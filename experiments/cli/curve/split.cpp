@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <deque>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/coordinate_columns.hpp"
@@ -72,7 +74,9 @@ std::vector<std::string> judged(double value, const reference::Rational& truth, 
 }
 
 void add_rows(const SplitKernel& method, const CurveFile& curve, const Target& target, bundle::CsvTable& table) {
-  const studies::ComputedHalves computed(method, curve.view(), target.t);
+  std::vector<double> numbers;
+  studies::compute_halves(method, curve.view(), target.t, numbers);
+  const studies::ComputedHalves computed(curve.view(), std::move(numbers));
   for (const Side side : studies::sides) {
     const bool left = side == Side::left;
     const auto& exact = left ? target.exact.left : target.exact.right;

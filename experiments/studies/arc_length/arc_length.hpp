@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "experiments/race/timed_problem.hpp"
 #include "experiments/run/job.hpp"
 
 namespace bezierbench::studies {
@@ -13,5 +14,7 @@ namespace bezierbench::studies {
 /// Throws Failure(usage) for curves without control points or with weights, for scalars but double, and for intervals
 /// that leave [0, 1].
 std::unique_ptr<run::Job> arc_length_job(const suite::Study& study, const run::JobContext& context);
+
+extern const race::TimedProblem timed_arc_length;
 
 }  // namespace bezierbench::studies

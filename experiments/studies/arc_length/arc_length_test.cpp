@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/studies/tolerance_study_test.hpp"
+#include "experiments/studies/length_study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "experiments/race/timed_problem.hpp"
 #include "experiments/run/job.hpp"
 
 namespace bezierbench::studies {
@@ -13,5 +14,7 @@ void check_derivatives(const suite::Study& study);
 
 /// Throws Failure(usage) also where no method takes curves of this form.
 std::unique_ptr<run::Job> derivative_job(const suite::Study& study, const run::JobContext& context);
+
+extern const race::TimedProblem timed_derivative;
 
 }  // namespace bezierbench::studies

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "experiments/race/timed_problem.hpp"
 #include "experiments/run/job.hpp"
 
 namespace bezierbench::studies {
@@ -14,5 +15,7 @@ namespace bezierbench::studies {
 void check_fitting(const suite::Study& study);
 
 std::unique_ptr<run::Job> fitting_job(const suite::Study& study, const run::JobContext& context);
+
+extern const race::TimedProblem timed_fitting;
 
 }  // namespace bezierbench::studies

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "experiments/race/timed_problem.hpp"
 #include "experiments/run/job.hpp"
 
 namespace bezierbench::studies {
@@ -18,5 +19,7 @@ inline constexpr int most_points_of_exact_splines = 1025;
 void check_interpolation(const suite::Study& study);
 
 std::unique_ptr<run::Job> interpolation_job(const suite::Study& study, const run::JobContext& context);
+
+extern const race::TimedProblem timed_interpolation;
 
 }  // namespace bezierbench::studies

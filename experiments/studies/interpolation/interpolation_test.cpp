@@ -78,12 +78,12 @@ TEST(SplineJudge, MeasuresWhatIsWrong) {
   const SplineJudge judge(points, 1, true);
   SplineErrors errors;
   judge.judge(segments, 8, 0, errors);
-  EXPECT_EQ(errors.violations, 0U);
+  EXPECT_EQ(errors.violations.count, 0U);
   segments[2] += 0.25;
   const double unit = 6 * 0x1p-53;
   judge.judge(segments, 0.249 / unit, 7, errors);
-  EXPECT_EQ(errors.violations, 1U);
-  EXPECT_EQ(errors.first_violation, 7U);
+  EXPECT_EQ(errors.violations.count, 1U);
+  EXPECT_EQ(errors.violations.first, 7U);
   EXPECT_EQ(errors.error.max(), 0.25);
   const auto quarters = [unit](const metric::Tally& tally) { return tally.max() * unit * 4; };
   EXPECT_NEAR(quarters(errors.error_u), 1, 1e-6);
@@ -95,6 +95,16 @@ TEST(SplineJudge, MeasuresWhatIsWrong) {
   judge.judge(segments, 8, 8, errors);
   EXPECT_EQ(errors.non_finite, 1U);
   EXPECT_EQ(errors.c1.count(), 2U);
+}
+
+/// The same, a thousand binades smaller: an error that is subnormal is kept as it is.
+TEST(SplineJudge, MeasuresSubnormalErrors) {
+  constexpr double tiny = 0x1p-1060;
+  const std::vector<double> points{0, 3 * tiny, 6 * tiny};
+  const std::vector<double> segments{0, tiny, 2.25 * tiny, 3 * tiny, 3 * tiny, 4 * tiny, 5 * tiny, 6 * tiny};
+  SplineErrors errors;
+  SplineJudge(points, 1, true).judge(segments, 0, 0, errors);
+  EXPECT_EQ(errors.error.max(), 0.25 * tiny);
 }
 
 TEST(InterpolationStudy, RefusesWhatItDoesNotJudge) {

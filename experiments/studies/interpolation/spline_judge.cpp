@@ -24,17 +24,24 @@ double in_units(const Rational& value, const Rational& unit) {
   return reference::quotient(reference::error_format, value, unit);
 }
 
-void add(double value, metric::Tally& tally) {
-  if (std::isfinite(value))
-    tally.add(value);
-  else
-    tally.add_infinite();
-}
+/// Rounded before, and not again: metric::to_24_bits would cut what is subnormal.
+void add(double value, metric::Tally& tally) { tally.add(std::span(&value, 1)); }
 
 /// Above bound units and three times the smallest double, which is what subnormal control points are rounded by.
 bool exceeds(const Rational& residual, double bound, const Rational& unit) {
   const Rational limit = reference::exactly(bound) * unit + Rational{3, 1, -1074};
   return (residual - limit).numerator > 0;
+}
+
+/// Whether none exceeds the bound.
+bool within(const reference::SplineResiduals& residuals, double bound, const Rational& unit) {
+  const auto kept = [&](const Rational& residual) { return !exceeds(residual, bound, unit); };
+  return kept(residuals.data) && kept(residuals.c0) && kept(residuals.c1) && kept(residuals.c2) &&
+         kept(residuals.natural);
+}
+
+bool all_finite(std::span<const double> values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
 }  // namespace
@@ -53,7 +60,7 @@ SplineJudge::SplineJudge(std::span<const double> points, int dimension, bool wit
 
 void SplineJudge::judge(std::span<const double> segments, double bound, std::uint64_t trial,
                         SplineErrors& errors) const {
-  if (!std::ranges::all_of(segments, [](double value) { return std::isfinite(value); })) {
+  if (!all_finite(segments)) {
     ++errors.non_finite;
     return;
   }
@@ -65,9 +72,9 @@ void SplineJudge::judge(std::span<const double> segments, double bound, std::uin
     const Axis& axis = axes_[k];
     const auto values = axis_of(segments, axes_.size(), k);
     const auto residuals = reference::spline_residuals(axis.coordinates, values);
+    violates = violates || (bound > 0 && !within(residuals, bound, axis.unit));
     const auto keep = [&](const Rational& residual, double& largest) {
       largest = std::max(largest, in_units(residual, axis.unit));
-      violates = violates || (bound > 0 && exceeds(residual, bound, axis.unit));
     };
     keep(residuals.data, of.data);
     keep(residuals.c0, of.c0);
@@ -88,9 +95,16 @@ void SplineJudge::judge(std::span<const double> segments, double bound, std::uin
     add(of.error, errors.error);
     add(of.error_u, errors.error_u);
   }
-  if (!violates) return;
-  ++errors.violations;
-  errors.first_violation = std::min(errors.first_violation, trial);
+  if (violates) errors.violations.add(trial);
+}
+
+bool SplineJudge::meets(std::span<const double> segments, double bound) const {
+  bool right = all_finite(segments);
+  for (std::size_t k = 0; right && k < axes_.size(); ++k) {
+    const auto residuals = reference::spline_residuals(axes_[k].coordinates, axis_of(segments, axes_.size(), k));
+    right = within(residuals, bound, axes_[k].unit);
+  }
+  return right;
 }
 
 }  // namespace bezierbench::studies

@@ -7,10 +7,29 @@
 #include <span>
 #include <vector>
 
-#include "experiments/studies/interpolation/interpolation_tally.hpp"
+#include "experiments/metric/counts.hpp"
 #include "reference/interpolation.hpp"
 
 namespace bezierbench::studies {
+
+/// Of each trial the largest over knots and axes; but for `error` in u times the largest coordinate of the axis.
+struct SplineErrors {
+  metric::Tally error;    ///< of the inner control points, in coordinate units
+  metric::Tally error_u;  ///< of the inner control points
+  metric::Tally data;     ///< residuals: |P0,i - K_i| and |P3,i - K_(i+1)|
+  metric::Tally c0;       ///< gaps between segments
+  metric::Tally c1;       ///< jumps of first differences
+  metric::Tally c2;       ///< jumps of second differences
+  metric::Tally natural;  ///< second differences at the ends
+  std::uint64_t non_finite = 0;
+  metric::TrialCount violations;  ///< a residual above its proved bound
+
+  template <class Bytes, class Self>
+  static auto each_field(Bytes& bytes, Self& self) {
+    return bytes(self.error, self.error_u, self.data, self.c0, self.c1, self.c2, self.natural, self.non_finite,
+                 self.violations);
+  }
+};
 
 /// The points of one trial, with the exact spline through them unless they are too many.
 class SplineJudge {
@@ -20,6 +39,9 @@ class SplineJudge {
   /// Adds what is wrong with the segments, 4 control points each, point by point. `bound` is that of the residuals, in
   /// u times the largest coordinate of an axis; 0 for none.
   void judge(std::span<const double> segments, double bound, std::uint64_t trial, SplineErrors& errors) const;
+
+  /// Whether all conditions are met within `bound`, and every number is finite.
+  [[nodiscard]] bool meets(std::span<const double> segments, double bound) const;
 
  private:
   struct Axis {

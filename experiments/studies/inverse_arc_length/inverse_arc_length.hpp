@@ -9,6 +9,7 @@
 
 #include <memory>
 
+#include "experiments/race/timed_problem.hpp"
 #include "experiments/run/job.hpp"
 
 namespace bezierbench::studies {
@@ -16,5 +17,7 @@ namespace bezierbench::studies {
 /// Throws Failure(usage) for curves without control points or with weights, for scalars but double, and for intervals
 /// that leave [0, 1].
 std::unique_ptr<run::Job> inverse_arc_length_job(const suite::Study& study, const run::JobContext& context);
+
+extern const race::TimedProblem timed_inverse_arc_length;
 
 }  // namespace bezierbench::studies

@@ -7,7 +7,7 @@
 
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/studies/tolerance_study_test.hpp"
+#include "experiments/studies/length_study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {

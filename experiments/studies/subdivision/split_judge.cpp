@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/subdivision/split_judge.hpp"
+// What is found of one method on one trial of a study of subdivision.
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "experiments/metric/trial_scale.hpp"
+#include "experiments/studies/subdivision/problem.hpp"
 
 namespace bezierbench::studies {
 namespace {
-
-/// Infinite where it overflows.
-void add_rounded(double value, metric::Tally& tally) {
-  const double rounded = metric::to_24_bits(value);
-  if (std::isfinite(rounded))
-    tally.add(rounded);
-  else
-    tally.add_infinite();
-}
 
 /// Equal, and 0 is not -0.
 bool same_bits(std::span<const double> a, std::span<const double> b) {
@@ -38,14 +30,14 @@ bool is_end(const CurveView<double>& curve, const ComputedHalves& computed, Side
 bool judge_control(const SplitKernel& method, const CurveView<double>& curve, const SplitTruth& truth, Side side, int i,
                    std::span<const double> control, SubdivisionErrors& errors) {
   const auto point = truth.of_point(method.bound, side, i, control.first(static_cast<std::size_t>(curve.dimension)));
-  add_rounded(point.error, errors.error);
-  add_rounded(point.error_u, errors.error_u);
+  metric::add_rounded(point.error, errors.error);
+  metric::add_rounded(point.error_u, errors.error_u);
   if (std::isfinite(point.bound)) ++errors.bounded;
-  if (std::isfinite(point.bound_u)) errors.bound_u = std::max(errors.bound_u, point.bound_u);
+  if (std::isfinite(point.bound_u)) errors.bound_u.add(point.bound_u);
   bool kept = !metric::TrialScale::violates(point.error, point.bound);
   if (curve.form == Form::rational) {
     const auto weight = truth.of_weight(method.bound, side, i, control.back());
-    errors.weight_error_u = std::max(errors.weight_error_u, weight.error_u);
+    errors.weight_error_u.add(weight.error_u);
     kept = kept && !metric::TrialScale::violates(weight.error, weight.bound);
   }
   return kept;
@@ -63,11 +55,17 @@ void judge_bits(const SplitKernel& method, const CurveView<double>& curve, doubl
   if (broken && t >= 0 && t <= 1) errors.broken_promises.add(trial);
 }
 
+bool near_enough(const SplitError& error) {
+  return std::isfinite(error.bound) ? !metric::TrialScale::violates(error.error, error.bound)
+                                    : error.error_u <= judge::half_of_the_digits;
+}
+
 }  // namespace
 
-void judge_split(const SplitKernel& method, const CurveView<double>& curve, double t, const SplitTruth& truth,
-                 std::uint64_t trial, SubdivisionErrors& errors) {
-  const ComputedHalves computed(method, curve, t);
+void SubdivisionProblem::judge(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer,
+                               std::uint64_t number, Errors& errors) {
+  const CurveView<double>& curve = drawn.curve;
+  const ComputedHalves computed(curve, answer);
   if (!computed.all_finite()) {
     ++errors.non_finite;
     return;
@@ -75,12 +73,29 @@ void judge_split(const SplitKernel& method, const CurveView<double>& curve, doub
   bool kept = true;
   for (const Side side : sides)
     for (int i = 0; i <= curve.degree; ++i)
-      kept = judge_control(method, curve, truth, side, i, computed.control(side, i), errors) && kept;
-  if (!kept) errors.violations.add(trial);
-  judge_bits(method, curve, t, computed, trial, errors);
+      kept = judge_control(method, curve, *drawn.truth, side, i, computed.control(side, i), errors) && kept;
+  if (!kept) errors.violations.add(number);
+  judge_bits(method, curve, drawn.trial.t, computed, number, errors);
   if (method.bound == nullptr || method.bound->amplification != SplitAmplification::p_tilde) return;
   ++errors.middles;
-  if (!truth.middles_agree(method.bound, computed)) errors.points_off.add(trial);
+  if (!drawn.truth->middles_agree(method.bound, computed)) errors.points_off.add(number);
+}
+
+bool SubdivisionProblem::is_right(const Kernel& method, const Drawn& drawn, double /*tolerance*/,
+                                  const Answer& answer) {
+  const CurveView<double>& curve = drawn.curve;
+  const ComputedHalves computed(curve, answer);
+  if (!computed.all_finite()) return false;
+  bool right = true;
+  for (const Side side : sides)
+    for (int i = 0; i <= curve.degree; ++i) {
+      const auto control = computed.control(side, i);
+      const auto point = control.first(static_cast<std::size_t>(curve.dimension));
+      right = right && near_enough(drawn.truth->of_point(method.bound, side, i, point));
+      if (curve.form == Form::rational)
+        right = right && near_enough(drawn.truth->of_weight(method.bound, side, i, control.back()));
+    }
+  return right;
 }
 
 }  // namespace bezierbench::studies

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What is found of methods that are right, and of methods made wrong on purpose.
-#include "experiments/studies/subdivision/split_judge.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,8 @@
 #include <stdexcept>
 #include <string_view>
 #include <vector>
+
+#include "experiments/studies/subdivision/problem.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -21,9 +21,14 @@ const SplitKernel& kernel(std::string_view id, Form form, int dimension) {
 }
 
 SubdivisionErrors judge(const SplitKernel& method, const CurveView<double>& curve, double t) {
-  const SplitTruth truth(curve, t);
+  SubdivisionProblem::Drawn drawn;
+  drawn.trial.t = t;
+  drawn.curve = curve;
+  drawn.truth.emplace(curve, t);
+  std::vector<double> halves;
+  SubdivisionProblem::ask(method, drawn, 0, halves);
   SubdivisionErrors errors;
-  judge_split(method, curve, t, truth, 7, errors);
+  SubdivisionProblem::judge(method, drawn, 0, halves, 7, errors);
   return errors;
 }
 
@@ -127,7 +132,7 @@ TEST(SplitJudge, HoldsWeightsToTheirBound) {
   const auto judged = judge(method, rational, 0.3);
   EXPECT_EQ(judged.violations.count, 1U);
   EXPECT_EQ(judged.points_off.count, 0U) << "a common factor changes no point";
-  EXPECT_NEAR(judged.weight_error_u * 0x1p-53, 1, 1e-6);
+  EXPECT_NEAR(judged.weight_error_u.value * 0x1p-53, 1, 1e-6);
 }
 
 void not_finite(const CurveView<double>& curve, double t, double* left, double* right) {

@@ -45,27 +45,21 @@ SplitError judged(double error, double p_tilde, double bound) {
 
 }  // namespace
 
-ComputedHalves::ComputedHalves(const SplitKernel& method, const CurveView<double>& curve, double t)
-    : form_(curve.form), dimension_(curve.dimension), degree_(curve.degree) {
-  const auto columns = static_cast<std::size_t>(split_columns(form_, dimension_));
-  const std::size_t size = (static_cast<std::size_t>(degree_) + 1) * columns;
-  numbers_.resize(2 * size);
-  method.split(curve, t, numbers_.data(), numbers_.data() + size);
-  separate();
+void compute_halves(const SplitKernel& method, const CurveView<double>& curve, double t, std::vector<double>& numbers) {
+  const auto columns = static_cast<std::size_t>(split_columns(curve.form, curve.dimension));
+  const std::size_t size = (static_cast<std::size_t>(curve.degree) + 1) * columns;
+  numbers.resize(2 * size);
+  method.split(curve, t, numbers.data(), numbers.data() + size);
 }
 
 ComputedHalves::ComputedHalves(const CurveView<double>& curve, std::vector<double> numbers)
     : form_(curve.form), dimension_(curve.dimension), degree_(curve.degree), numbers_(std::move(numbers)) {
-  separate();
-}
-
-void ComputedHalves::separate() {
   for (const Side side : sides)
     for (int i = 0; i <= degree_; ++i) {
-      const auto numbers = control(side, i);
+      const auto point = control(side, i);
       auto& points = points_[static_cast<std::size_t>(side)];
-      points.insert(points.end(), numbers.begin(), numbers.begin() + dimension_);
-      if (form_ == Form::rational) weights_[static_cast<std::size_t>(side)].push_back(numbers.back());
+      points.insert(points.end(), point.begin(), point.begin() + dimension_);
+      if (form_ == Form::rational) weights_[static_cast<std::size_t>(side)].push_back(point.back());
     }
 }
 

@@ -16,12 +16,12 @@ namespace bezierbench::studies {
 enum class Side { left, right };
 inline constexpr std::array sides{Side::left, Side::right};
 
-/// The numbers that a method computed, as SplitKernel::split writes them.
+/// Splits `curve` at t: the numbers of the left half, then those of the right one.
+void compute_halves(const SplitKernel& method, const CurveView<double>& curve, double t, std::vector<double>& numbers);
+
+/// The numbers that a method computed, as compute_halves writes them.
 class ComputedHalves {
  public:
-  /// Splits `curve` at t.
-  ComputedHalves(const SplitKernel& method, const CurveView<double>& curve, double t);
-  /// From numbers that were computed before: those of the left half, then those of the right one.
   ComputedHalves(const CurveView<double>& curve, std::vector<double> numbers);
 
   /// Control point i of a half: its coordinates and, of a rational curve, its weight.
@@ -31,8 +31,6 @@ class ComputedHalves {
   [[nodiscard]] CurveView<double> curve(Side side) const;
 
  private:
-  void separate();
-
   Form form_;
   int dimension_;
   int degree_;

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "experiments/race/timed_problem.hpp"
 #include "experiments/run/job.hpp"
 
 namespace bezierbench::studies {
@@ -14,5 +15,7 @@ void check_subdivision(const suite::Study& study);
 
 /// Throws Failure(usage) also where no method takes curves of this form.
 std::unique_ptr<run::Job> subdivision_job(const suite::Study& study, const run::JobContext& context);
+
+extern const race::TimedProblem timed_subdivision;
 
 }  // namespace bezierbench::studies

@@ -10,27 +10,21 @@
 #include "experiments/failure.hpp"
 #include "experiments/judge/companions.hpp"
 #include "experiments/judge/methods.hpp"
-#include "experiments/studies/arc_length/timed_arc_length.hpp"
-#include "experiments/studies/derivative/timed_derivative.hpp"
-#include "experiments/studies/fitting/timed_fitting.hpp"
-#include "experiments/studies/interpolation/timed_interpolation.hpp"
-#include "experiments/studies/inverse_arc_length/timed_inverse_arc_length.hpp"
-#include "experiments/studies/projection/timed_projection.hpp"
-#include "experiments/studies/subdivision/timed_subdivision.hpp"
+#include "experiments/studies/arc_length/arc_length.hpp"
+#include "experiments/studies/derivative/derivative.hpp"
+#include "experiments/studies/fitting/fitting.hpp"
+#include "experiments/studies/interpolation/interpolation.hpp"
+#include "experiments/studies/inverse_arc_length/inverse_arc_length.hpp"
+#include "experiments/studies/projection/projection.hpp"
+#include "experiments/studies/subdivision/subdivision.hpp"
 #include "experiments/studies/timing/timed_evaluation.hpp"
 #include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-constexpr std::array roster{timed_evaluation,                                               //
-                            race::timed_companion<TimedDerivative>(),                       //
-                            race::timed_companion<TimedArcLength>(),                        //
-                            race::timed_companion<TimedInverseArcLength>(),                 //
-                            race::timed_companion<TimedProjection>(),                       //
-                            race::timed_companion<TimedInterpolation>(race::Size::points),  //
-                            race::timed_companion<TimedFitting>(),
-                            race::timed_companion<TimedSubdivision>()};
+constexpr std::array roster{&timed_evaluation, &timed_derivative,    &timed_arc_length, &timed_inverse_arc_length,
+                            &timed_projection, &timed_interpolation, &timed_fitting,    &timed_subdivision};
 
 bool means_an_evaluator(const std::string& pattern) {
   constexpr int any_dimension = 2;
@@ -51,11 +45,12 @@ Problem named_problem(const suite::Study& study) {
 
 const race::TimedProblem& timed_problem(const suite::Study& study) {
   const Problem problem = named_problem(study);
-  const auto* const found = std::ranges::find(roster, problem, &race::TimedProblem::problem);
+  const auto* const found =
+      std::ranges::find_if(roster, [problem](const auto* one) { return one->problem == problem; });
   if (found == roster.end())
     throw Failure(Exit::usage, fmt::format("study \"{}\": methods for the problem {} are not timed; name others",
                                            study.id, name(problem)));
-  return *found;
+  return **found;
 }
 
 }  // namespace bezierbench::studies

@@ -7,13 +7,14 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/companions.hpp"
-#include "experiments/studies/arc_length/timed_arc_length.hpp"
-#include "experiments/studies/derivative/timed_derivative.hpp"
-#include "experiments/studies/fitting/timed_fitting.hpp"
-#include "experiments/studies/interpolation/timed_interpolation.hpp"
-#include "experiments/studies/inverse_arc_length/timed_inverse_arc_length.hpp"
-#include "experiments/studies/projection/timed_projection.hpp"
-#include "experiments/studies/subdivision/timed_subdivision.hpp"
+#include "experiments/race/timed_companion.hpp"
+#include "experiments/studies/arc_length/problem.hpp"
+#include "experiments/studies/derivative/problem.hpp"
+#include "experiments/studies/fitting/problem.hpp"
+#include "experiments/studies/interpolation/problem.hpp"
+#include "experiments/studies/inverse_arc_length/problem.hpp"
+#include "experiments/studies/projection/problem.hpp"
+#include "experiments/studies/subdivision/problem.hpp"
 #include "experiments/studies/timing/complexity_rows.hpp"
 #include "experiments/studies/timing/timing.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
@@ -117,33 +118,32 @@ TEST(TimedProblem, TellsRivalsWhoseResultsAreWrong) {
 
 /// Whether an answer is right, and still is with one of its numbers moved.
 template <class P>
-std::pair<bool, bool> before_and_after(const suite::Study& study, std::size_t moved) {
+std::pair<bool, bool> before_and_after(const suite::Study& study, std::size_t moved, std::size_t span = 0) {
   const auto race_cell = timed_problem(study).race_cells(study).front();
-  const P problems(race_cell, study, 1);
+  const race::CompanionTrials<P> trials(race_cell, study, 1);
   const auto& kernel = *std::ranges::find(P::kernels(2), race_cell.methods[0], &P::Kernel::info);
-  typename P::Result result{};
-  problems.solve(kernel, 0, result);
-  const bool before = problems.is_right(kernel, 0, result);
-  result[moved] += 8;
-  return {before, problems.is_right(kernel, 0, result)};
+  typename P::Answer answer{};
+  trials.ask(kernel, 0, answer);
+  const bool before = trials.is_right(kernel, 0, answer);
+  P::numbers(answer)[span][moved] += 8;
+  return {before, trials.is_right(kernel, 0, answer)};
 }
 
 TEST(TimedProblem, AnAnswerThatIsOffIsNotRight) {
   constexpr std::pair caught(true, false);
-  EXPECT_EQ(before_and_after<studies::TimedDerivative>(derivatives({"differences_horner"}), 1), caught);
-  EXPECT_EQ(before_and_after<studies::TimedDerivative>(derivatives({"seed_000"}, {1}), 1), caught) << "without a bound";
-  EXPECT_EQ(before_and_after<studies::TimedArcLength>(lengths({"adaptive_simpson38"}), 0), caught);
-  EXPECT_EQ(before_and_after<studies::TimedInverseArcLength>(lengths({"halley"}), 0), caught);
-  EXPECT_EQ(before_and_after<studies::TimedProjection>(study_of({"scan_refine"}), 1), caught);
-  EXPECT_EQ(before_and_after<studies::TimedInterpolation>(splines({"c2_natural"}), 2), caught);
-  EXPECT_EQ(before_and_after<studies::TimedInterpolation>(splines({"c2_natural_handles"}), 2), caught)
-      << "without a bound";
-  EXPECT_EQ(before_and_after<studies::TimedFitting>(fits({"schneider"}), 0), caught);
-  EXPECT_EQ(before_and_after<studies::TimedSubdivision>(study_of({"blossom_split"}), 3), caught);
+  EXPECT_EQ(before_and_after<DerivativeProblem>(derivatives({"differences_horner"}), 1), caught);
+  EXPECT_EQ(before_and_after<DerivativeProblem>(derivatives({"seed_000"}, {1}), 1), caught) << "without a bound";
+  EXPECT_EQ(before_and_after<ArcLengthProblem>(lengths({"adaptive_simpson38"}), 0), caught);
+  EXPECT_EQ(before_and_after<InverseArcLengthProblem>(lengths({"halley"}), 0), caught);
+  EXPECT_EQ(before_and_after<ProjectionProblem>(study_of({"scan_refine"}), 0, 1), caught);
+  EXPECT_EQ(before_and_after<InterpolationProblem>(splines({"c2_natural"}), 2), caught);
+  EXPECT_EQ(before_and_after<InterpolationProblem>(splines({"c2_natural_handles"}), 2), caught) << "without a bound";
+  EXPECT_EQ(before_and_after<FittingProblem>(fits({"schneider"}), 0), caught);
+  EXPECT_EQ(before_and_after<SubdivisionProblem>(study_of({"blossom_split"}), 3), caught);
   auto weighted = study_of({"two_sided_split"});
   weighted.curve = suite::CurveKind::rational;
   weighted.generator = {"weights_mild"};
-  EXPECT_EQ(before_and_after<studies::TimedSubdivision>(weighted, 2), caught) << "a weight";
+  EXPECT_EQ(before_and_after<SubdivisionProblem>(weighted, 2), caught) << "a weight";
 }
 
 TEST(TimedProblem, EveryCaseIsARaceCell) {

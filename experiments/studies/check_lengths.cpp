@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/tolerance_study.hpp"
+#include "experiments/studies/check_lengths.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 #include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
 
 namespace bezierbench::studies {
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/metric/counts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "experiments/number/bytes.hpp"
+
+namespace bezierbench::metric {
+namespace {
+
+struct Inner {
+  std::uint64_t count = 0;
+  Largest<double> largest;
+
+  template <class Bytes, class Self>
+  static auto each_field(Bytes& bytes, Self& self) {
+    return bytes(self.count, self.largest);
+  }
+};
+
+struct Outer {
+  Tally error;
+  TrialCount violations;
+  Total steps;
+  Inner inner;
+
+  template <class Bytes, class Self>
+  static auto each_field(Bytes& bytes, Self& self) {
+    return bytes(self.error, self.violations, self.steps, self.inner);
+  }
+};
+
+Outer of_trial(std::uint64_t trial, double error, std::uint64_t steps) {
+  Outer one;
+  one.error.add(error);
+  one.violations.add(trial);
+  one.steps.add(steps);
+  one.inner.count = 1;
+  one.inner.largest.add(error);
+  return one;
+}
+
+template <class T>
+std::string bytes_of(const T& value) {
+  number::ByteWriter bytes;
+  bytes(value);
+  return bytes.bytes();
+}
+
+TEST(MergeFields, TakesEveryFieldByItsKind) {
+  Outer sum = of_trial(9, 2, 30);
+  merge_fields(sum, of_trial(4, 8, 5));
+  EXPECT_EQ(sum.error.count(), 2U);
+  EXPECT_EQ(sum.error.max(), 8);
+  EXPECT_EQ(sum.violations.count, 2U);
+  EXPECT_EQ(sum.violations.first, 4U);
+  EXPECT_EQ(sum.steps.sum, 35U);
+  EXPECT_EQ(sum.steps.largest, 30U);
+  EXPECT_EQ(sum.inner.count, 2U);
+  EXPECT_EQ(sum.inner.largest.value, 8);
+}
+
+TEST(MergeFields, IsFreeOfOrder) {
+  const std::vector<Outer> trials{of_trial(0, 4, 1), of_trial(1, 0.5, 7), of_trial(2, 0, 0)};
+  Outer forwards = trials[0];
+  for (const std::size_t k : {1U, 2U}) merge_fields(forwards, trials[k]);
+  Outer backwards = trials[2];
+  for (const std::size_t k : {1U, 0U}) merge_fields(backwards, trials[k]);
+  EXPECT_EQ(bytes_of(forwards), bytes_of(backwards));
+}
+
+TEST(Rows, MergeRowByRowAndRefuseAnotherPart) {
+  Rows<Outer> sum{{of_trial(0, 1, 1), of_trial(0, 2, 2)}};
+  sum.merge({{of_trial(1, 3, 3), of_trial(1, 4, 4)}});
+  EXPECT_EQ(sum.rows[0].steps.sum, 4U);
+  EXPECT_EQ(sum.rows[1].steps.sum, 6U);
+  EXPECT_THROW(sum.merge({{of_trial(1, 3, 3)}}), std::invalid_argument);
+}
+
+TEST(AddRounded, KeepsWhatIsNotFiniteAsInfinite) {
+  Tally tally;
+  add_rounded(1 + 0x1p-40, tally);
+  EXPECT_EQ(tally.max(), 1);
+  add_rounded(std::numeric_limits<double>::infinity(), tally);
+  EXPECT_EQ(tally.count(), 2U);
+  EXPECT_TRUE(std::isinf(tally.max()));
+}
+
+}  // namespace
+}  // namespace bezierbench::metric

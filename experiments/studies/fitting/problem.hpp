@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Data of one kind fitted to a tolerance: the largest exact distance of a data point from the fitted curve. Right where
+// it is within the tolerance.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/fit/kernel.hpp"
+#include "experiments/judge/trial_problem.hpp"
+#include "experiments/metric/counts.hpp"
+#include "experiments/sample/data_kind.hpp"
+#include "experiments/studies/fitting/fitting.hpp"
+#include "experiments/studies/trial/trial_columns.hpp"
+#include "experiments/tables/tables.hpp"
+
+namespace bezierbench::studies {
+
+/// Distances are the largest of a data set.
+struct FitErrors {
+  metric::Tally error;    ///< true, in coordinate units
+  metric::Tally claimed;  ///< by the method, in coordinate units
+  std::uint64_t non_finite = 0;
+  std::uint64_t non_converged = 0;
+  metric::TrialCount broken;      ///< said to be within the tolerance, and is not
+  std::uint64_t understated = 0;  ///< farther than claimed
+  metric::Total segments;
+  std::uint64_t one_segment = 0;  ///< trials that need no more
+  metric::Total iterations;
+
+  template <class Bytes, class Self>
+  static auto each_field(Bytes& bytes, Self& self) {
+    return bytes(self.error, self.claimed, self.non_finite, self.non_converged, self.broken, self.understated,
+                 self.segments, self.one_segment, self.iterations);
+  }
+};
+
+class FittingProblem {
+ public:
+  static constexpr Problem problem = Problem::fitting;
+  static constexpr judge::CaseAxes axes{.tolerance = true, .points = true, .data = true};
+  static constexpr std::string_view table = "fitting";
+  static constexpr std::int64_t block_trials = 50;
+
+  using Kernel = FittingKernel;
+  using Answer = Fit;
+  using Errors = FitErrors;
+  using Row = TrialRow<Kernel, Errors>;
+  using Drawn = std::vector<double>;  ///< data points
+
+  static constexpr std::array case_columns{judge::case_column::data, judge::case_column::points,
+                                           judge::case_column::tolerance};
+  static constexpr std::array columns{
+      TrialColumn<Row>{"mean_segments", column::per_trial<&Errors::segments, &metric::Total::sum>},
+      TrialColumn<Row>{"max_segments", column::count<&Errors::segments, &metric::Total::largest>},
+      TrialColumn<Row>{"one_segment", column::count<&Errors::one_segment>},
+      TrialColumn<Row>{"mean_error", column::statistic<tables::mean, &Errors::error>},
+      TrialColumn<Row>{"p50_error", column::statistic<tables::median, &Errors::error>},
+      TrialColumn<Row>{"max_error", column::statistic<tables::largest, &Errors::error>},
+      TrialColumn<Row>{"max_error_over_tolerance",
+                       [](const Row& row) {
+                         const metric::Tally& error = row.errors.error;
+                         return error.count() > 0 ? number::decimal(error.max() / *row.values.tolerance)
+                                                  : std::string();
+                       }},
+      TrialColumn<Row>{"mean_claimed", column::statistic<tables::mean, &Errors::claimed>},
+      TrialColumn<Row>{"max_claimed", column::statistic<tables::largest, &Errors::claimed>},
+      TrialColumn<Row>{"mean_iterations", column::per_trial<&Errors::iterations, &metric::Total::sum>},
+      TrialColumn<Row>{"max_iterations", column::count<&Errors::iterations, &metric::Total::largest>},
+      TrialColumn<Row>{"non_converged", column::count<&Errors::non_converged>},
+      TrialColumn<Row>{"broken_promises", column::count<&Errors::broken>},
+      TrialColumn<Row>{"understated", column::count<&Errors::understated>},
+      TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
+  };
+  static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::broken>}};
+
+  static std::span<const Kernel> kernels(int dimension) { return fitting_kernels(dimension); }
+  static void check(const suite::Study& study) { check_fitting(study); }
+  static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 16; }
+  static double trial_nanoseconds(const judge::TrialPart& part, std::size_t /*methods*/) {
+    return *part.values.points * 50'000.0;
+  }
+
+  FittingProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part);
+
+  void draw(std::uint64_t number, Drawn& data) const { data = sample::data_points(kind_, sampler_, cell_, number); }
+  static void ask(const Kernel& method, const Drawn& data, double tolerance, Answer& fit) {
+    fit = method.fit(data, tolerance);
+  }
+  static std::array<std::span<double>, 2> numbers(Answer& fit) { return {fit.control_points, fit.t}; }
+  static void judge(const Kernel& method, const Drawn& data, double tolerance, const Answer& fit, std::uint64_t number,
+                    Errors& errors);
+  static bool is_right(const Kernel& method, const Drawn& data, double tolerance, const Answer& fit);
+
+  /// Of the study: adds to fitting_example.csv.
+  static void write_example(tables::Tables& tables, const suite::Study& study, std::uint64_t seed);
+
+ private:
+  sample::Cell cell_;
+  const sample::DataKind& kind_;
+  sample::Sampler sampler_;
+};
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Random points joined by a C2 natural spline: its inner control points against the exact ones, and what it leaves of
+// the conditions that it must meet. Right where every condition is met within the bound or, where none is proved, with
+// half of the digits.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/interpolate/kernel.hpp"
+#include "experiments/judge/trial_problem.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/studies/interpolation/interpolation.hpp"
+#include "experiments/studies/interpolation/spline_judge.hpp"
+#include "experiments/studies/trial/trial_columns.hpp"
+
+namespace bezierbench::studies {
+
+class InterpolationProblem {
+ public:
+  static constexpr Problem problem = Problem::interpolation;
+  static constexpr judge::CaseAxes axes{.degree = false, .points = true};
+  static constexpr std::string_view table = "interpolation";
+  static constexpr std::int64_t block_trials = 32;
+
+  using Kernel = InterpolationKernel;
+  using Answer = std::vector<double>;  ///< control points
+  using Errors = SplineErrors;
+  using Row = TrialRow<Kernel, Errors>;
+  struct Drawn {
+    sample::Trial points;
+    std::optional<SplineJudge> judge;
+  };
+
+  static constexpr std::array case_columns{judge::case_column::points};
+  static constexpr std::array columns{
+      TrialColumn<Row>{"mean_error", column::statistic<tables::mean, &Errors::error>},
+      TrialColumn<Row>{"p50_error", column::statistic<tables::median, &Errors::error>},
+      TrialColumn<Row>{"p99_error", column::statistic<tables::p99, &Errors::error>},
+      TrialColumn<Row>{"max_error", column::statistic<tables::largest, &Errors::error>},
+      TrialColumn<Row>{"mean_error_u", column::statistic<tables::mean, &Errors::error_u>},
+      TrialColumn<Row>{"max_error_u", column::statistic<tables::largest, &Errors::error_u>},
+      TrialColumn<Row>{"max_data_u", column::statistic<tables::largest, &Errors::data>},
+      TrialColumn<Row>{"max_c0_u", column::statistic<tables::largest, &Errors::c0>},
+      TrialColumn<Row>{"mean_c1_u", column::statistic<tables::mean, &Errors::c1>},
+      TrialColumn<Row>{"max_c1_u", column::statistic<tables::largest, &Errors::c1>},
+      TrialColumn<Row>{"mean_c2_u", column::statistic<tables::mean, &Errors::c2>},
+      TrialColumn<Row>{"p99_c2_u", column::statistic<tables::p99, &Errors::c2>},
+      TrialColumn<Row>{"max_c2_u", column::statistic<tables::largest, &Errors::c2>},
+      TrialColumn<Row>{"mean_natural_u", column::statistic<tables::mean, &Errors::natural>},
+      TrialColumn<Row>{"max_natural_u", column::statistic<tables::largest, &Errors::natural>},
+      TrialColumn<Row>{"bound_u",
+                       [](const Row& row) {
+                         const double bound = row.method.residual_bound;
+                         return bound > 0 ? number::decimal(bound) : std::string();
+                       }},
+      TrialColumn<Row>{"bound_violations",
+                       [](const Row& row) {
+                         return row.method.residual_bound > 0 ? tables::field(row.errors.violations) : std::string();
+                       }},
+      TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
+  };
+  static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::violations>}};
+
+  static std::span<const Kernel> kernels(int /*dimension*/) { return interpolation_kernels(); }
+  static void check(const suite::Study& study) { check_interpolation(study); }
+  /// Fewer sets of many points, so that a batch is about as long.
+  static std::size_t timed_trials(const judge::TrialPart& part) {
+    return static_cast<std::size_t>(std::clamp(4096 / *part.values.points, 1, 64));
+  }
+  static double trial_nanoseconds(const judge::TrialPart& part, std::size_t /*methods*/) {
+    const double k = *part.values.points;
+    const double per_point = 1500 + (*part.values.points <= most_points_of_exact_splines ? 1500 + 2 * k : 0);
+    return k * part.cell.dimension * per_point;
+  }
+
+  InterpolationProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part)
+      : dimension_(part.cell.dimension),
+        with_exact_(*part.values.points <= most_points_of_exact_splines),
+        sampler_(seed, study.id, as_one_curve(part)) {}
+
+  void draw(std::uint64_t number, Drawn& drawn) const {
+    sampler_.draw(number, drawn.points);
+    drawn.judge.emplace(drawn.points.coefficients, dimension_, with_exact_);
+  }
+  void ask(const Kernel& method, const Drawn& drawn, double /*tolerance*/, Answer& answer) const {
+    answer = method.interpolate(drawn.points.coefficients, dimension_);
+  }
+  static std::array<std::span<double>, 1> numbers(Answer& answer) { return {answer}; }
+  static void judge(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer,
+                    std::uint64_t number, Errors& errors) {
+    drawn.judge->judge(answer, method.residual_bound, number, errors);
+  }
+  static bool is_right(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer) {
+    return drawn.judge->meets(answer, method.residual_bound > 0 ? method.residual_bound : judge::half_of_the_digits);
+  }
+
+ private:
+  /// Points are drawn as the control points of one curve.
+  static sample::Cell as_one_curve(const judge::TrialPart& part) {
+    sample::Cell cell = part.cell;
+    cell.degree = *part.values.points - 1;
+    return cell;
+  }
+
+  int dimension_;
+  bool with_exact_;
+  sample::Sampler sampler_;
+};
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// A random curve split at a random t, every control point of both halves against the exact one. Right where every
+// control point keeps its bound or, where none is proved, half of its digits.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "experiments/judge/drawn_curves.hpp"
+#include "experiments/judge/trial_problem.hpp"
+#include "experiments/metric/counts.hpp"
+#include "experiments/studies/subdivision/split_truth.hpp"
+#include "experiments/studies/subdivision/subdivision.hpp"
+#include "experiments/studies/trial/trial_columns.hpp"
+
+namespace bezierbench::studies {
+
+struct SubdivisionErrors {
+  metric::Tally error;  ///< of control points
+  metric::Tally error_u;
+  metric::Largest<double> weight_error_u;
+  metric::Largest<double> bound_u;     ///< bound / (u p~) of a control point
+  std::uint64_t bounded = 0;           ///< control points for which a bound is proved
+  metric::TrialCount violations;       ///< a point or weight is off by more than its bound
+  metric::TrialCount broken_promises;  ///< the method promises ends or a junction that it did not keep
+  metric::TrialCount junctions_apart;  ///< the last control point of left is not the first of right, bit for bit
+  metric::TrialCount ends_moved;       ///< an end of the curve is not that of its half, bit for bit
+  metric::TrialCount points_off;       ///< a point of a half is not that of the curve, within the bounds
+  std::uint64_t middles = 0;           ///< trials in which that was asked
+  std::uint64_t non_finite = 0;        ///< trials with a number that is not finite; nothing else is judged of them
+
+  template <class Bytes, class Self>
+  static auto each_field(Bytes& bytes, Self& self) {
+    return bytes(self.error, self.error_u, self.weight_error_u, self.bound_u, self.bounded, self.violations,
+                 self.broken_promises, self.junctions_apart, self.ends_moved, self.points_off, self.middles,
+                 self.non_finite);
+  }
+};
+
+class SubdivisionProblem {
+ public:
+  static constexpr Problem problem = Problem::subdivision;
+  static constexpr judge::CaseAxes axes{};
+  static constexpr std::string_view table = "subdivision";
+  static constexpr std::int64_t block_trials = 64;
+
+  using Kernel = SplitKernel;
+  using Answer = std::vector<double>;  ///< the numbers of the left half, then those of the right one
+  using Errors = SubdivisionErrors;
+  using Row = TrialRow<Kernel, Errors>;
+  struct Drawn : judge::DrawnCurve {
+    std::optional<SplitTruth> truth;
+  };
+
+  static constexpr std::array<judge::CaseColumn, 0> case_columns{};
+  static constexpr std::array columns{
+      TrialColumn<Row>{"mean_error", column::statistic<tables::mean, &Errors::error>},
+      TrialColumn<Row>{"p50_error", column::statistic<tables::median, &Errors::error>},
+      TrialColumn<Row>{"p99_error", column::statistic<tables::p99, &Errors::error>},
+      TrialColumn<Row>{"max_error", column::statistic<tables::largest, &Errors::error>},
+      TrialColumn<Row>{"mean_error_u", column::statistic<tables::mean, &Errors::error_u>},
+      TrialColumn<Row>{"max_error_u", column::statistic<tables::largest, &Errors::error_u>},
+      TrialColumn<Row>{"max_weight_error_u",
+                       [](const Row& row) {
+                         const bool any = row.errors.error.count() > 0 && row.method.info->form == Form::rational;
+                         return any ? tables::field(row.errors.weight_error_u) : std::string();
+                       }},
+      TrialColumn<Row>{"bound_u", column::where_bounded<&Errors::bound_u>},
+      TrialColumn<Row>{"bound_violations", column::where_bounded<&Errors::violations>},
+      TrialColumn<Row>{"junctions_apart", column::where_any<&Errors::junctions_apart>},
+      TrialColumn<Row>{"ends_moved", column::where_any<&Errors::ends_moved>},
+      TrialColumn<Row>{
+          "points_off",
+          [](const Row& row) { return row.errors.middles > 0 ? tables::field(row.errors.points_off) : std::string(); }},
+      TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
+  };
+  static constexpr std::array failures{
+      TrialFailure<Row>{"control points", column::trials<&Errors::violations>},
+      TrialFailure<Row>{"promise of ends or junction", column::trials<&Errors::broken_promises>},
+      TrialFailure<Row>{"points of a half", column::trials<&Errors::points_off>},
+  };
+
+  static std::span<const Kernel> kernels(int dimension) { return split_kernels(dimension); }
+  static void check(const suite::Study& study) { check_subdivision(study); }
+  static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 64; }
+  static double trial_nanoseconds(const judge::TrialPart& part, std::size_t methods) {
+    const double n = part.cell.degree + 1.0;
+    return n * (5000 + 500 * n + 1000 * static_cast<double>(methods));
+  }
+
+  SubdivisionProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part)
+      : curves_(study, seed, part.cell) {}
+
+  void draw(std::uint64_t number, Drawn& drawn) const {
+    curves_.draw(number, drawn);
+    drawn.truth.emplace(drawn.curve, drawn.trial.t);
+  }
+  static void ask(const Kernel& method, const Drawn& drawn, double /*tolerance*/, Answer& answer) {
+    compute_halves(method, drawn.curve, drawn.trial.t, answer);
+  }
+  static std::array<std::span<double>, 1> numbers(Answer& answer) { return {answer}; }
+  static void judge(const Kernel& method, const Drawn& drawn, double tolerance, const Answer& answer,
+                    std::uint64_t number, Errors& errors);
+  static bool is_right(const Kernel& method, const Drawn& drawn, double tolerance, const Answer& answer);
+
+ private:
+  judge::CurveSampler curves_;
+};
+
+}  // namespace bezierbench::studies

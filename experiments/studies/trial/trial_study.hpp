@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// A study of the errors of a companion problem, the same for each: every trial of every part is drawn, every method is
+// asked at every tolerance, its answer is judged and tallied, and there is a row for each method. The problem states
+// the rest (problem.hpp of each kind).
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/failure.hpp"
+#include "experiments/judge/trial_problem.hpp"
+#include "experiments/metric/counts.hpp"
+#include "experiments/run/interruption.hpp"
+#include "experiments/run/job.hpp"
+#include "experiments/studies/trial/trial_columns.hpp"
+#include "experiments/tables/cell_fields.hpp"
+#include "reference/length_panels.hpp"
+
+namespace bezierbench::studies {
+
+/// A problem whose errors are studied.
+///
+/// `judge` adds what is found of an answer to the tallies of its row; they merge by metric::merge_fields. A trial is
+/// not const, for what is costly of its truth may be computed when it is first judged. `table` is NAME in NAME.csv, and
+/// NAME_unstable.csv for methods that are not bit-stable. `case_columns` come before `trials` and `status`, `columns`
+/// after them. `trial_nanoseconds` is what a trial costs with so many methods, see run::Job::cost.
+template <class P>
+concept StudiedProblem = judge::TrialProblem<P> &&
+    requires(const P& trials, const typename P::Kernel& method, typename P::Drawn& drawn,
+             const typename P::Answer& answer, double tolerance, std::uint64_t number, typename P::Errors& errors,
+             const judge::TrialPart& part, std::size_t methods, const typename P::Row& row) {
+  trials.judge(method, drawn, tolerance, answer, number, errors);
+  metric::merge_fields(errors, errors);
+  requires std::same_as<const std::int64_t, decltype(P::block_trials)>;
+  { P::trial_nanoseconds(part, methods) } -> std::same_as<double>;
+  std::string_view(P::table);
+  { P::case_columns[0].field(row.values) } -> std::same_as<std::string>;
+  { P::columns[0].field(row) } -> std::same_as<std::string>;
+  { P::failures[0].trials(row) } -> std::same_as<const metric::TrialCount&>;
+};
+
+template <StudiedProblem P>
+class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
+ public:
+  TrialJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
+    P::check(study_);
+    tolerances_ = judge::tolerances_of(study_, P::axes);
+    for (auto& part : judge::parts_of(study_, P::axes, P::problem)) {
+      auto methods = judge::chosen_trial_kernels<P>(study_, part.cell.dimension);
+      parts_.push_back({std::move(part), std::move(methods)});
+    }
+    if (std::ranges::all_of(parts_, [](const Part& part) { return part.methods.empty(); }))
+      throw Failure(Exit::usage,
+                    fmt::format("study \"{}\": none of its methods takes curves in {} form; see `list methods`",
+                                study_.id, name(judge::form_of(study_.curve))));
+  }
+
+  [[nodiscard]] std::size_t parts() const override { return parts_.size(); }
+  [[nodiscard]] std::size_t blocks_per_part() const override {
+    return static_cast<std::size_t>((trials() - 1) / P::block_trials + 1);
+  }
+  [[nodiscard]] double cost(std::size_t part) const override {
+    return static_cast<double>(std::min(trials(), P::block_trials)) *
+           P::trial_nanoseconds(parts_[part].part, parts_[part].methods.size());
+  }
+  [[nodiscard]] run::Extent extent() const override {
+    run::Extent sum;
+    for (const Part& part : parts_) sum += {1, rows_of(part), static_cast<std::uint64_t>(trials()) * rows_of(part)};
+    return sum;
+  }
+  void write(tables::Tables& tables) const override {
+    each_row([&](const Row& row) {
+      const MethodInfo& info = *row.method.info;
+      tables.table(fmt::format("{}{}.csv", P::table, info.bit_stable ? "" : "_unstable"), columns())
+          .add_row(fields_of(row));
+    });
+    if constexpr (requires { P::write_example(tables, study_, seed_); }) P::write_example(tables, study_, seed_);
+  }
+  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
+  [[nodiscard]] std::vector<run::Violation> violations() const override {
+    std::vector<run::Violation> all;
+    each_row([&](const Row& row) {
+      for (const auto& failure : P::failures)
+        if (const metric::TrialCount& failed = failure.trials(row); failed.count > 0)
+          all.push_back({where(row, failure.what, failed.first), failed.count});
+    });
+    return all;
+  }
+
+ protected:
+  [[nodiscard]] metric::Rows<typename P::Errors> work(std::size_t block) const override {
+    const Part& part = parts_[this->part_of(block)];
+    metric::Rows<typename P::Errors> tally;
+    tally.rows.resize(rows_of(part));
+    if (std::ranges::none_of(part.methods, [&](const auto* method) { return takes(*method, part); })) return tally;
+    const P problem(study_, seed_, part.part);
+    typename P::Drawn drawn;
+    const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * P::block_trials;
+    const auto last = std::min(trials(), first + P::block_trials);
+    for (auto trial = first; trial < last && !run::interrupted(); ++trial)
+      judge(problem, part, static_cast<std::uint64_t>(trial), drawn, tally.rows);
+    return tally;
+  }
+
+ private:
+  using Row = typename P::Row;
+
+  struct Part {
+    judge::TrialPart part;
+    std::vector<const typename P::Kernel*> methods;
+  };
+
+  [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
+  [[nodiscard]] std::size_t rows_of(const Part& part) const { return part.methods.size() * tolerances_.size(); }
+  [[nodiscard]] static bool takes(const typename P::Kernel& method, const Part& part) {
+    return judge::takes<P>(*method.info, part.part.cell);
+  }
+  [[nodiscard]] std::string describe(const sample::Cell& cell) const {
+    return tables::describe(study_, cell, suite::ScalarKind::float64);
+  }
+
+  /// One trial, by every method at every tolerance.
+  void judge(const P& problem, const Part& part, std::uint64_t number, typename P::Drawn& drawn,
+             std::vector<typename P::Errors>& rows) const {
+    try {
+      problem.draw(number, drawn);
+      std::size_t k = 0;
+      for (const double tolerance : tolerances_)
+        for (const auto* method : part.methods) {
+          typename P::Errors& errors = rows[k++];
+          if (!takes(*method, part)) continue;
+          typename P::Answer answer{};
+          problem.ask(*method, drawn, tolerance, answer);
+          problem.judge(*method, drawn, tolerance, answer, number, errors);
+        }
+    } catch (const reference::NotCertain& error) {
+      throw Failure(Exit::usage, fmt::format("{}, trial {}: {}; leave this cell out of the suite",
+                                             describe(part.part.cell), number, error.what()));
+    }
+  }
+
+  /// Part by part, tolerance by tolerance, methods as the study chose them.
+  template <class Visit>
+  void each_row(Visit&& visit) const {
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      const Part& part = parts_[p];
+      std::size_t k = 0;
+      for (const double tolerance : tolerances_)
+        for (const auto* method : part.methods) {
+          auto values = part.part.values;
+          if (P::axes.tolerance) values.tolerance = tolerance;
+          visit(Row{part.part.cell, values, *method, trials(), this->state(p).rows.at(k++)});
+        }
+    }
+  }
+
+  static const std::vector<std::string>& columns() {
+    static const std::vector<std::string> names = [] {
+      auto all = tables::cell_columns();
+      for (const judge::CaseColumn& column : P::case_columns) all.emplace_back(column.name);
+      all.insert(all.end(), {"trials", "status"});
+      for (const auto& column : P::columns) all.emplace_back(column.name);
+      return all;
+    }();
+    return names;
+  }
+
+  [[nodiscard]] std::vector<std::string> fields_of(const Row& row) const {
+    const bool taken = judge::takes<P>(*row.method.info, row.cell);
+    auto fields = tables::cell_fields(study_, row.cell, row.method.info->id, suite::ScalarKind::float64);
+    for (const judge::CaseColumn& column : P::case_columns) fields.push_back(column.field(row.values));
+    fields.insert(fields.end(), {std::to_string(row.trials), taken ? "ok" : "degree_unsupported"});
+    for (const auto& column : P::columns) fields.push_back(taken ? column.field(row) : "");
+    return fields;
+  }
+
+  [[nodiscard]] std::string where(const Row& row, std::string_view what, std::uint64_t first) const {
+    std::string text = describe(row.cell);
+    for (const judge::CaseColumn& column : P::case_columns)
+      text += fmt::format(", {} {}", column.name, column.field(row.values));
+    text += fmt::format(", method {}", row.method.info->id);
+    if (!what.empty()) text += fmt::format(", {}", what);
+    return text + fmt::format(", first at trial {}", first);
+  }
+
+  suite::Study study_;
+  std::uint64_t seed_;
+  std::vector<double> tolerances_;
+  std::vector<Part> parts_;
+};
+
+/// Throws Failure(usage) for inputs that the problem does not take, and where no method takes curves of this form.
+template <StudiedProblem P>
+std::unique_ptr<run::Job> trial_job(const suite::Study& study, const run::JobContext& context) {
+  return std::make_unique<TrialJob<P>>(study, context.seed);
+}
+
+}  // namespace bezierbench::studies
