@@ -294,7 +294,7 @@ class Places(Case):
 
     def test_damaged_bundle(self):
         self.bundle()
-        for content in ("", "{", "[]", '{"schema_version": 2}'):
+        for content in ("", "{", "[]", '{"schema_version": 9}'):
             with self.subTest(content=content):
                 self.write("b/bundle.json", content)
                 self.refused(INPUT_OUTPUT, ["run", "s.toml", "--out", "b"], "b/bundle.json")
