@@ -8,7 +8,7 @@ is read that is not as it was written, unless a damaged bundle was asked for; th
 import tomllib
 from contextlib import contextmanager
 
-from . import sums
+from . import schema, sums
 from .columns import ID
 from .folder import BundleError, Folder
 from .foreign import literal, shown
@@ -16,7 +16,6 @@ from .rows import Missing, Row, Table
 
 __all__ = ["Bundle", "BundleError", "Comparison", "Missing", "Row", "Table", "decided_by", "made_of"]
 
-SCHEMA_VERSION = 1
 # What a calculation raises where rows are lacking that it counts on, and where a field is empty or no number makes sense.
 LACKING = (ArithmeticError, LookupError, ValueError)
 UNUSABLE = (*LACKING, AttributeError, RuntimeError, TypeError)
@@ -124,9 +123,9 @@ class Bundle(Folder):
 
     def _check_info(self):
         version = self.info.get("schema_version")
-        if version != SCHEMA_VERSION:
-            raise BundleError(f"{self.path / 'bundle.json'}: schema_version is {shown(repr(version))}, this report reads "
-                              f"{SCHEMA_VERSION}; run the bundle again or use the report of its program version")
+        if type(version) is not int or not 1 <= version <= schema.version():
+            raise BundleError(f"{self.path / 'bundle.json'}: schema_version is {shown(repr(version))}, this report reads 1 to "
+                              f"{schema.version()}; run the bundle again or use the report of its program version")
         suites = self.info.setdefault("suites", {})
         ids = suites.setdefault("ids", []) if isinstance(suites, dict) else None
         if not isinstance(ids, list) or not all(isinstance(one, str) and ID.fullmatch(one) for one in ids):

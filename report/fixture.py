@@ -7,7 +7,8 @@ import json
 import math
 from pathlib import Path
 
-from .columns import REQUIRED
+from . import schema
+from .columns import COMPARISON
 
 DEGREES, RANGES, INTERVALS = (4, 20), (100, 10000, 1000000), ((0, 0.2), (0.4, 0.6), (0.8, 1))
 PATHS = {"bezier": ("de_casteljau", "factorial:power_sum"),
@@ -392,6 +393,11 @@ INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "see
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}
 
 
+def _placeholder(file, column):
+    """A field that no test looks at."""
+    return "" if schema.may_be_empty(file, column) else 1 if schema.holds_numbers(file, column) else "x"
+
+
 SUITE = """schema_version = 1
 [[suites]]
 id = "companion_speed"
@@ -413,9 +419,11 @@ def write(directory, change=None, without=()):
             continue
         rows = [row for row in make() if change is None or change(file, row) is not False]
         with open(directory / file, "w", newline="", encoding="utf-8") as out:
-            writer = csv.DictWriter(out, make()[0].keys(), lineterminator="\n")
+            given = make()[0]
+            writer = csv.DictWriter(out, [name for name in schema.columns(file) if name in given or name in schema.required(file)],
+                                    lineterminator="\n")
             writer.writeheader()
-            writer.writerows(rows)
+            writer.writerows({name: row[name] if name in row else _placeholder(file, name) for name in writer.fieldnames} for row in rows)
     return seal(directory)
 
 
@@ -450,7 +458,7 @@ def write_comparison(directory, rows=(ACCURACY, TIME, SENTINEL), facts=tuple(FAC
     directory.mkdir(parents=True, exist_ok=True)
     for name, table in (("comparison.csv", rows), ("facts.csv", facts), ("standings.csv", STANDINGS)):
         with open(directory / name, "w", newline="", encoding="utf-8") as out:
-            columns = list(dict.fromkeys([*REQUIRED[name], *(key for row in table for key in row)]))
+            columns = list(dict.fromkeys([*COMPARISON[name], *(key for row in table for key in row)]))
             writer = csv.DictWriter(out, columns, lineterminator="\n", restval="")
             writer.writeheader()
             writer.writerows(table)

@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 
 from . import regular_file, schema
-from .columns import ID, IDS, KEYS, MAY_BE_EMPTY, MIXED, MOST_DEGREE, NAME, NAMES, REQUIRED, TEXT
+from .columns import COMPARISON, ID, IDS, MIXED, MOST_DEGREE, NAME, NAMES, WORDS
 from .foreign import literal, literal_json, shown
 from .rows import Row, Table, parse_number
 
@@ -100,25 +100,28 @@ class Folder:
             self.fail(name, "empty, a header line was expected", 1)
         if len(set(columns)) != len(columns):
             self.fail(name, "a column stands twice in the header", 1)
-        for column in REQUIRED.get(name, ()):
+        for column in schema.required(name) if schema.is_declared(name) else COMPARISON.get(name, ()):
             if column not in columns:
                 raise BundleError(f"{self.path / name}:1: no column `{column}`; run the suite again with this program version")
 
     def _row(self, name, line, fields):
-        strict = () if name in MIXED else REQUIRED.get(name, ())
         values, texts = {}, {}
         for column, text in fields.items():
             texts[column] = literal(text)
             if text == "":
                 values[column] = None
-                if column in strict and column in KEYS and (name, column) not in MAY_BE_EMPTY:
+                if not schema.may_be_empty(name, column):
                     self.fail(name, f"`{column}` is empty", line)
-            elif column in TEXT:
+            elif schema.holds_words(name, column) or column in WORDS:
                 self._check_id(name, line, column, text)
                 values[column] = texts[column]
             else:
-                values[column] = self._number(name, line, column, text, column in strict or schema.holds_numbers(name, column))
+                values[column] = self._number(name, line, column, text, self._holds_numbers(name, column))
         return Row(name, line, values, texts)
+
+    @staticmethod
+    def _holds_numbers(name, column):
+        return schema.holds_numbers(name, column) or name not in MIXED and column in COMPARISON.get(name, ())
 
     def _check_id(self, name, line, column, text):
         allowed = ID if column in IDS else NAME if column in NAMES else None

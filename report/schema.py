@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What tables.schema.json declares of the columns of a bundle's tables: what they mean, and which of them hold numbers."""
+"""What tables.schema.json declares of the tables of a bundle and their columns: there is no other list of them."""
 
 import functools
 import json
@@ -31,15 +31,88 @@ def columns(file):
     return {name: _resolved(one) for name, one in _resolved(declared)["items"]["properties"].items()}
 
 
+def version():
+    """The newest schema version of a bundle."""
+    return _whole()["version"]
+
+
+@functools.cache
+def table(file):
+    """What is declared of a table beside its columns."""
+    return _resolved(_whole()["properties"][file])
+
+
+def deterministic():
+    """The files that suite and seed determine to the last bit, sorted."""
+    return sorted(file for file in _whole()["properties"] if table(file).get("deterministic"))
+
+
+def is_declared(file):
+    """Whether a bundle can have this table."""
+    return file in _whole()["properties"]
+
+
+def written(file):
+    """The columns that a program of today writes, in their order."""
+    return [name for name, column in columns(file).items() if not column.get("deprecated")]
+
+
+def required(file):
+    """The columns that every bundle with this table has."""
+    return table(file)["items"]["required"]
+
+
+def digested(file, of_version):
+    """The columns that the digests of a bundle of this schema version are of, in their order."""
+    return [name for name in written(file)
+            if columns(file)[name].get("digested", True) and columns(file)[name].get("since", 1) <= of_version]
+
+
 def description(file, column):
     """What the column means."""
     return columns(file)[column].get("description", "")
+
+
+def unit(file, column):
+    """What the numbers of the column are in; empty for counts and ratios, and for words."""
+    return columns(file)[column].get("unit", "")
 
 
 @functools.cache
 def holds_numbers(file, column):
     """Whether a field of the column is a number wherever it is not empty."""
     return column in columns(file) and _numeric(columns(file)[column])
+
+
+@functools.cache
+def holds_words(file, column):
+    """Whether a field of the column is never a number."""
+    return column in columns(file) and not _may_be_number(columns(file)[column])
+
+
+@functools.cache
+def may_be_empty(file, column):
+    """Whether a field of the column may be empty."""
+    return column not in columns(file) or _may_be_null(columns(file)[column])
+
+
+def _alternatives(declared):
+    """The declarations of which a field follows any."""
+    declared = _resolved(declared)
+    return [one for part in declared["anyOf"] for one in _alternatives(part)] if "anyOf" in declared else [declared]
+
+
+def _types(declared):
+    types = declared.get("type", ())
+    return {types} if isinstance(types, str) else set(types)
+
+
+def _may_be_number(declared):
+    return any(_types(one) & {"number", "integer"} for one in _alternatives(declared))
+
+
+def _may_be_null(declared):
+    return any("null" in _types(one) or None in one.get("enum", ()) for one in _alternatives(declared))
 
 
 def _numeric(declared):

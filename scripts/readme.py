@@ -27,6 +27,7 @@ sys.dont_write_bytecode = True  # the source tree may be read-only
 from report.bundle import Bundle, Comparison, Folder  # noqa: E402
 from report.chapters import method_list  # noqa: E402
 from report.chapters.scorecard import VERDICTS, counts  # noqa: E402
+from report.digests import Agreement  # noqa: E402
 from report.wording import listing  # noqa: E402
 RESULTS = ROOT / "results"
 BASELINE = RESULTS / "baseline"
@@ -78,18 +79,24 @@ def timings(bundle):
     return f"{len(found)}, {noisy} of them noisy" if noisy else str(len(found))
 
 
+def agreement(bundle):
+    """In words, how far the accuracy of a committed bundle is the baseline's."""
+    found = Agreement(BASELINE, bundle)
+    if found.differing:
+        sys.exit("\n".join([f"{bundle.relative_to(ROOT)}: differs from {BASELINE.relative_to(ROOT)}, {found.counts()}", *found.named(),
+                            "make the bundle anew on a machine of its kind, or remove it"]))
+    alone = {"more in the baseline": found.only_base, "only here": found.only_other}
+    return ", ".join([f"{len(found.agreeing)} agree", *(f"{len(rows)} {where}" for where, rows in alone.items() if rows)])
+
+
 def digest():
-    """The one digest of all committed bundles, then where each of them was made."""
-    wanted = digest_of(BASELINE)
+    """The baseline's digest, then where each committed bundle was made, and how far it agrees."""
     body = []
     for bundle in committed_bundles():
         name = bundle.relative_to(ROOT)
-        if digest_of(bundle) != wanted:
-            sys.exit(f"{name}: accuracy digest {digest_of(bundle)}, {BASELINE.relative_to(ROOT)} has {wanted}; make the "
-                     "bundle anew on a machine of its kind, or remove it")
         machine = json.loads((bundle / "machine.json").read_text(encoding="utf-8"))
-        body.append([f"[{name}]({name})", machine["build"]["compiler"], machine["cpu"]["model_name"], timings(bundle)])
-    return f"    {wanted}\n\n" + table(["bundle", "compiler", "processor", "timings"], body)
+        body.append([f"[{name}]({name})", machine["build"]["compiler"], machine["cpu"]["model_name"], timings(bundle), agreement(bundle)])
+    return f"    {digest_of(BASELINE)}\n\n" + table(["bundle", "compiler", "processor", "timings", "methods in studies"], body)
 
 
 class Listing(Folder):
@@ -187,6 +194,15 @@ def filled(text, program):
     return text
 
 
+def new_methods(text, wanted):
+    """The methods that the program has and README.md lacks, where nothing else differs: whoever adds one need not touch it."""
+    ours, theirs = text.splitlines(), wanted.splitlines()
+    more = [line for line in theirs if line not in set(ours)]
+    if not all(line.startswith("| `") for line in more) or ours != [line for line in theirs if line not in set(more)]:
+        return []
+    return [line.split("`")[1] for line in more]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--update", action="store_true")
@@ -196,6 +212,8 @@ def main():
     wanted = filled(text, options.program)
     if options.update:
         README.write_text(wanted, encoding="utf-8")
+    elif new := new_methods(text, wanted):
+        print(f"README.md: lacks {listing(new)}, which the program has; scripts/readme.py --update --program PROGRAM adds it")
     elif wanted != text:
         sys.exit("README.md: its numbers are not those of results; run scripts/readme.py --update --program PROGRAM")
     if options.program:

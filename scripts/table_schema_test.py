@@ -157,6 +157,14 @@ class TableSchema(unittest.TestCase):
             for name, column in columns(file).items():
                 self.assertTrue(resolved(column).get("description"), f"{file} {name}")
 
+    def test_units_follow_from_names(self):
+        units = {"_ns": ("ns/point", "ns/step"), "_u": ("u p~", "u max|b|"), "_ulp": ("ulp",), "gflops": ("flop/ns",),
+                 "_error": ("coordinate unit", None)}
+        for file in SCHEMA["properties"]:
+            for name, column in columns(file).items():
+                for end in filter(name.endswith, units):
+                    self.assertIn(resolved(column).get("unit"), units[end], f"{file} {name}")
+
     def test_it_asks_for_every_column_and_knows_no_other(self):
         good = {file: rows[:1] for file, rows in typed_tables(self.fresh).items()}
         self.assertFalse(self.whole.is_valid({**good, "other.csv": []}))

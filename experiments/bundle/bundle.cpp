@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/uninterrupted.hpp"
@@ -116,7 +117,15 @@ void BundleDirectory::write_if_different(std::string_view name, std::string_view
 }
 
 void BundleDirectory::finish(Manifest manifest) const {
-  manifest.accuracy_digest = accuracy_digest(path_);
+  if (manifest.schema_version == 1) {
+    manifest.accuracy_digest = accuracy_digest(path_, 1);
+  } else {  // tables of a partial bundle may be anything: they are written anew
+    const auto digests =
+        manifest.state == partial ? std::vector<MethodDigest>() : digests_of(path_, manifest.schema_version);
+    const std::string text = digests_csv(digests);
+    manifest.accuracy_digest = sha256_hex(text);
+    if (manifest.state != partial) write_if_different(digests_name, text);
+  }
   const std::string manifest_text = manifest_json(manifest);
   (void)parse_manifest(manifest_text, (path_ / manifest_name).string());  // what cannot be read is not written
 

@@ -45,9 +45,10 @@ class BundleDirectory {
   /// bundle.json. Throws as read_file and parse_manifest.
   [[nodiscard]] Manifest manifest() const;
 
-  /// Fills in the accuracy digest and writes SHA256SUMS, over every regular file but itself and hidden ones, then
-  /// bundle.json: wherever it is cut short, no bundle says `complete` that is not. With state `complete`, removes
-  /// blocks/ and what killed writers left. Changes no byte of a bundle that is so already. Throws as write_file.
+  /// Fills in the accuracy digest, for which a bundle that is `complete` gets digests.csv, and writes SHA256SUMS, over every regular file but itself
+  /// and hidden ones, then bundle.json: wherever it is cut short, no bundle says `complete` that is not. With state
+  /// `complete`, removes blocks/ and what killed writers left. Changes no byte of a bundle that is so already. Throws as
+  /// write_file, and Failure(Exit::input_output) for a table that cannot be read or lacks a digested column.
   void finish(Manifest manifest) const;
 
   /// Removes blocks/ and what killed writers left. Throws Failure(Exit::input_output).

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/check/verify.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/lock_file.hpp"
@@ -90,12 +91,24 @@ TEST(Bundle, FinishedBundleIsWholeForUsAndForCoreutils) {
   EXPECT_THAT(verify(bundle.path(), expected), IsEmpty());
   EXPECT_FALSE(fs::exists(bundle.blocks()));
   EXPECT_FALSE(bundle.has(".bezierbench-1-2.tmp"));
-  EXPECT_EQ(bundle.manifest().accuracy_digest, accuracy_digest(bundle.path()));
+  EXPECT_EQ(bundle.manifest().accuracy_digest, accuracy_digest(bundle.path(), 1));
   const std::string sums = bundle.read("SHA256SUMS");
   EXPECT_EQ(std::ranges::count(sums, '\n'), 5);
   const std::string command = "cd '" + bundle.path().string() +
                               "' && sha256sum --strict --status -c SHA256SUMS && LC_ALL=C sort -c -k2 SHA256SUMS";
   EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+TEST(Bundle, CompleteOfSchemaVersion2HasDigestsByMethod) {
+  const ScratchFolder folder;
+  const BundleDirectory bundle = filled(folder.path() / "b", 2);
+  bundle.finish(with_state("partial", 2));
+  EXPECT_FALSE(bundle.has("digests.csv"));
+  bundle.finish(with_state("complete", 2));
+  EXPECT_THAT(verify(bundle.path(), expected), IsEmpty());
+  EXPECT_EQ(bundle.manifest().accuracy_digest, sha256_hex(bundle.read("digests.csv")));
+  EXPECT_EQ(bundle.manifest().accuracy_digest, accuracy_digest(bundle.path(), 2));
+  EXPECT_THAT(bundle.read("SHA256SUMS"), HasSubstr("  digests.csv\n"));
 }
 
 TEST(Bundle, FinishingAgainChangesNothing) {

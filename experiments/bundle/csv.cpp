@@ -43,14 +43,6 @@ void append_field(std::string& text, const std::string& field, bool alone) {
   text += '"';
 }
 
-void append_row(std::string& text, const Fields& fields) {
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (i > 0) text += ',';
-    append_field(text, fields[i], fields.size() == 1);
-  }
-  text += '\n';
-}
-
 // Cuts a text into records and keeps count of lines, which are more than records where a quoted field spans several.
 class Reader {
  public:
@@ -123,6 +115,15 @@ std::string count_of_fields(std::size_t count) { return fmt::format("{} {}", cou
 
 }  // namespace
 
+std::string csv_line(const Fields& fields) {
+  std::string line;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (i > 0) line += ',';
+    append_field(line, fields[i], fields.size() == 1);
+  }
+  return line + '\n';
+}
+
 CsvTable::CsvTable(std::vector<std::string> columns) : columns_(std::move(columns)) {
   const bool nameless = columns_.empty() || std::ranges::find(columns_, "") != columns_.end();
   if (nameless || repeated(columns_) || has_nul(columns_)) {
@@ -139,9 +140,8 @@ void CsvTable::add_row(std::vector<std::string> fields) {
 }
 
 std::string CsvTable::text() const {
-  std::string text;
-  append_row(text, columns_);
-  for (const Fields& row : rows_) append_row(text, row);
+  std::string text = csv_line(columns_);
+  for (const Fields& row : rows_) text += csv_line(row);
   return text;
 }
 

@@ -9,6 +9,9 @@
 
 namespace bezierbench::bundle {
 
+/// One line of a CSV file, quoted only where needed, its end included.
+[[nodiscard]] std::string csv_line(const std::vector<std::string>& fields);
+
 /// A table to write. Fields are text already: see number::decimal() and number::hexadecimal() for numbers.
 class CsvTable {
  public:

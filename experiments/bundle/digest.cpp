@@ -5,6 +5,7 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <vector>
 
@@ -40,18 +41,6 @@ std::string sha256sums(const std::filesystem::path& directory, std::span<const s
   std::string lines;
   for (const std::string& name : sorted) lines += sha256sum_line(name, read_bundle_file(directory / name));
   return lines;
-}
-
-std::string accuracy_digest(const std::filesystem::path& bundle) {
-  std::vector<std::string> present;
-  for (const std::string_view name : deterministic_files) {
-    // An entry that exists but cannot be read must fail below, not count as absent.
-    std::error_code ignored;
-    if (std::filesystem::symlink_status(bundle / name, ignored).type() != std::filesystem::file_type::not_found) {
-      present.emplace_back(name);
-    }
-  }
-  return sha256_hex(sha256sums(bundle, present));
 }
 
 }  // namespace bezierbench::bundle

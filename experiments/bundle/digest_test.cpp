@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -44,31 +43,6 @@ TEST(Digest, AbsentFileAndUnprintableNameFail) {
   EXPECT_THROW((void)sha256sums(folder.path(), names), Failure);
   EXPECT_THROW((void)sha256sum_line("a\nb", ""), Failure);
   EXPECT_THROW((void)sha256sum_line("a\\b", ""), Failure);
-}
-
-TEST(Digest, AccuracyDigestCoversTheDeterministicFilesAndNoOther) {
-  const ScratchFolder folder;
-  EXPECT_EQ(accuracy_digest(folder.path()), of_nothing);
-  folder.put("worst.csv", "");
-  folder.put("accuracy.csv", "abc");
-  const std::string digest = accuracy_digest(folder.path());
-  EXPECT_EQ(digest, sha256_hex(std::string(of_abc) + "  accuracy.csv\n" + std::string(of_nothing) + "  worst.csv\n"));
-  for (const char* noisy : {"timing.csv", "audit.csv", "unstable.csv", "bundle.json", "machine.json"}) {
-    folder.put(noisy, "noise");
-  }
-  EXPECT_EQ(accuracy_digest(folder.path()), digest);
-
-  std::set<std::string> seen{digest};
-  for (const std::string_view name : deterministic_files) {
-    folder.put(name, std::string("changed ") + std::string(name));
-    EXPECT_TRUE(seen.insert(accuracy_digest(folder.path())).second) << name;
-  }
-}
-
-TEST(Digest, UnreadableDeterministicFileDoesNotCountAsAbsent) {
-  const ScratchFolder folder;
-  std::filesystem::create_symlink("nowhere", folder.path() / "accuracy.csv");
-  EXPECT_THROW((void)accuracy_digest(folder.path()), Failure);
 }
 
 }  // namespace

@@ -7,14 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/bundle/json_object.hpp"
+#include "experiments/bundle/schema/columns.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int known_schema_version = 1;
 
 // Reads typed values out of one object and says which file and key is wrong.
 class Keys {
@@ -83,17 +82,19 @@ std::string manifest_json(const Manifest& manifest) {
 Manifest parse_manifest(std::string_view text, std::string_view file_name) {
   const Json json = parse_json_object(text, file_name);
   const Keys keys(json, file_name);
-  if (keys.unsigned_integer("schema_version") != known_schema_version) {
+  const auto version = keys.unsigned_integer("schema_version");
+  const auto newest = written_version();
+  if (version < 1 || version > static_cast<std::uint64_t>(newest)) {
     throw Failure(Exit::input_output,
-                  fmt::format("{}: schema_version is {}, this program reads {}; use the program that wrote it",
-                              file_name, keys.value("schema_version").dump(), known_schema_version));
+                  fmt::format("{}: schema_version is {}, this program reads 1 to {}; use the program that wrote it",
+                              file_name, version, newest));
   }
   const Json& suites = keys.value("suites");
   if (!suites.is_object()) keys.fail("'suites' must be an object");
   const Keys suite_keys(suites, file_name);
 
   Manifest manifest;
-  manifest.schema_version = known_schema_version;
+  manifest.schema_version = static_cast<int>(version);
   manifest.suites = suite_keys.texts("ids");
   manifest.suite_digest = suite_keys.text("digest");
   manifest.seed = keys.unsigned_integer("seed");

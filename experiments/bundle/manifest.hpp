@@ -13,7 +13,7 @@ inline constexpr std::string_view complete = "complete";
 inline constexpr std::string_view partial = "partial";
 
 struct Manifest {
-  int schema_version = 1;           ///< of the bundle's layout; this program reads and writes 1
+  int schema_version = 1;           ///< of the bundle's layout; written_version() for one that is begun
   std::vector<std::string> suites;  ///< ids, in the order in which they were given
   std::string suite_digest;         ///< of the resolved suites
   std::uint64_t seed = 0;

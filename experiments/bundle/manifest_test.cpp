@@ -104,7 +104,7 @@ TEST(Manifest, RefusesWrongValues) {
   EXPECT_THAT(with("state", "finished"), HasSubstr("complete or partial"));
   EXPECT_THAT(with("seed", -1), HasSubstr("unsigned 64-bit"));
   EXPECT_THAT(with("seed", "1"), HasSubstr("unsigned 64-bit"));
-  EXPECT_THAT(with("schema_version", 2), HasSubstr("schema_version is 2, this program reads 1; "));
+  EXPECT_THAT(with("schema_version", 3), HasSubstr("schema_version is 3, this program reads 1 to 2; "));
   std::string text = manifest_json(example());
   text.replace(text.find("18446744073709551615"), 20, "18446744073709551616");
   EXPECT_THAT(refusal(text), HasSubstr("unsigned 64-bit"));

@@ -2,6 +2,8 @@
 // For this folder's tests only: a bundle with two tables of a committed one.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 
 #include "experiments/bundle/atomic_file.hpp"
@@ -11,14 +13,15 @@
 
 namespace bezierbench::bundle {
 
-inline std::string committed(const std::string& name) {
-  return read_file(std::string(BEZIERBENCH_SOURCE_DIR "/experiments/bundle/fixtures/schema-1/") + name);
+/// A file of the committed bundle of a schema version.
+inline std::string committed(const std::string& name, int version = 1) {
+  return read_file(fmt::format(BEZIERBENCH_SOURCE_DIR "/experiments/bundle/fixtures/schema-{}/{}", version, name));
 }
 
-inline Manifest with_state(const char* state) {
-  return {.schema_version = 1,
+inline Manifest with_state(const char* state, int version = 1) {
+  return {.schema_version = version,
           .suites = {"fixture"},
-          .suite_digest = sha256_hex(committed("suite.toml")),
+          .suite_digest = sha256_hex(committed("suite.toml", version)),
           .seed = 1,
           .state = state,
           .accuracy_digest = "",
@@ -28,10 +31,10 @@ inline Manifest with_state(const char* state) {
           .fp_flags = "-f"};
 }
 
-inline BundleDirectory filled(const std::filesystem::path& path) {
+inline BundleDirectory filled(const std::filesystem::path& path, int version = 1) {
   BundleDirectory bundle = BundleDirectory::create(path);
   for (const char* name : {"suite.toml", "machine.json", "accuracy.csv", "timing.csv"})
-    bundle.write(name, committed(name));
+    bundle.write(name, committed(name, version));
   return bundle;
 }
 

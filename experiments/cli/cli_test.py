@@ -9,12 +9,16 @@ import resource
 import shlex
 import signal
 import subprocess
+import sys
 import time
 import unittest
 
 from program_case import (BERNSTEIN, CONVERSION, FINDING, FINE, HAS_THREAD_SANITIZER, HEAD, INPUT_OUTPUT,
                           INTERRUPTED, METHOD_COLUMNS, PATIENCE, POWER, PROGRAM, REPORT_SUITE, ROOT, STUDY, TIMING,
                           TO_BERNSTEIN, TO_POWER, USAGE, Case, lines_of, rows)
+
+sys.path.append(str(ROOT))
+from report.digests import of_bundle  # noqa: E402
 
 
 class CommandLine(Case):
@@ -290,7 +294,7 @@ class Places(Case):
 
     def test_damaged_bundle(self):
         self.bundle()
-        for content in ("", "{", "[]", '{"schema_version": 2}'):
+        for content in ("", "{", "[]", '{"schema_version": 9}'):
             with self.subTest(content=content):
                 self.write("b/bundle.json", content)
                 self.refused(INPUT_OUTPUT, ["run", "s.toml", "--out", "b"], "b/bundle.json")
@@ -445,10 +449,27 @@ class Bundles(Case):
 
     def test_digest_is_that_of_the_contract(self):
         self.bundle(self.suite(STUDY, CONVERSION))
-        lines = ""
-        for name in ("accuracy.csv", "conversion.csv", "worst.csv"):
-            lines += hashlib.sha256((self.folder / "b" / name).read_bytes()).hexdigest() + f"  {name}\n"
-        self.assertEqual(self.manifest("b")["accuracy_digest"], hashlib.sha256(lines.encode()).hexdigest())
+        text = (self.folder / "b/digests.csv").read_bytes()
+        self.assertEqual(text.decode(), of_bundle(self.folder / "b", 2))
+        self.assertEqual({row["table"] for row in rows(text.decode())}, {"accuracy.csv", "conversion.csv", "worst.csv"})
+        self.assertEqual(self.manifest("b")["accuracy_digest"], hashlib.sha256(text).hexdigest())
+
+    def test_a_method_that_is_added_changes_no_digest(self):
+        """Though it comes first and other rows of worst.csv are numbered anew."""
+        self.bundle(self.suite(STUDY, CONVERSION))
+        self.suite({**STUDY, "methods": '["horner_bernstein", "direct", "de_casteljau"]'}, CONVERSION)
+        self.bundle("s.toml", name="more")
+        before, after = (set((self.folder / name / "digests.csv").read_text().splitlines()) for name in ("b", "more"))
+        self.assertLess(before, after)
+        self.assertEqual({line.split(",")[2] for line in after - before}, {"horner_bernstein"})
+        self.assertIn("by table, study and method: 5 agree, 2 only in b\n    only in b: accuracy.csv, study a, method horner_bernstein\n",
+                      self.fine("compare", "b", "more"))
+
+    def test_a_bundle_of_an_earlier_schema_version_is_not_continued(self):
+        self.suite()
+        self.fine("run", "s.toml", "--quiet", "--out", "b", "--shard", "1/2")
+        self.write("b/bundle.json", json.dumps({**self.manifest("b"), "schema_version": 1}))
+        self.refused(USAGE, ["run", "s.toml", "--out", "b"], "b: holds results of schema version 1, this run has 2; choose another --out")
 
     def test_verify_finds_damage(self):
         self.bundle()

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 
-#include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/schema/columns.hpp"
 
 namespace bezierbench::compare {
 namespace {
@@ -30,6 +32,66 @@ AccuracyRow compare_pair(const std::string& file, const RowPair& pair, const std
           a.line(pair.a), b.line(pair.b)};
 }
 
+/// What is digested and what both have.
+std::vector<std::string> common_digested(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a,
+                                         const bundle::CsvDocument& b) {
+  std::vector<std::string> columns;
+  for (const auto& column : declared.columns)
+    if (column.is_digested && a.has_column(column.name) && b.has_column(column.name)) columns.push_back(column.name);
+  return columns;
+}
+
+/// Nothing for a table that does not say of which studies and methods its rows are.
+std::map<bundle::Rows, std::string> digests_of(const bundle::DeclaredTable& declared, const bundle::CsvDocument* table,
+                                               const std::vector<std::string>& columns) {
+  std::map<bundle::Rows, std::string> digests;
+  if (table == nullptr || !table->has_column(declared.study) || !table->has_column(declared.method)) return digests;
+  for (auto& one : bundle::method_digests(declared, *table, columns)) digests.emplace(one.rows, one.digest);
+  return digests;
+}
+
+/// `differing`: the rows of which a common one differs.
+void compare_methods(const bundle::DeclaredTable& declared, const bundle::CsvDocument* a, const bundle::CsvDocument* b,
+                     const std::set<bundle::Rows>& differing, MethodComparison& methods) {
+  const bool both = a != nullptr && b != nullptr;
+  const auto columns = both ? common_digested(declared, *a, *b) : std::vector<std::string>();
+  const auto ours = digests_of(declared, a, columns);
+  const auto theirs = digests_of(declared, b, columns);
+  for (const auto& [rows, digest] : ours) {
+    const auto found = theirs.find(rows);
+    if (found == theirs.end())
+      methods.only_a.push_back(rows);
+    else if (differing.contains(rows))
+      methods.differing.push_back(rows);
+    else if (found->second == digest)
+      ++methods.agreeing;
+    else
+      methods.other_rows.push_back(rows);
+  }
+  for (const auto& [rows, digest] : theirs)
+    if (!ours.contains(rows)) methods.only_b.push_back(rows);
+}
+
+void compare_table(const bundle::DeclaredTable& declared, const bundle::CsvDocument* a, const bundle::CsvDocument* b,
+                   AccuracyComparison& comparison) {
+  std::set<bundle::Rows> differing;
+  if (a != nullptr && b != nullptr) {
+    const auto match = match_rows(declared, *a, *b);
+    const auto results = result_columns(declared, *a, *b);
+    for (const auto& pair : match.pairs) {
+      comparison.rows.push_back(compare_pair(declared.file, pair, results, *a, *b));
+      if (!comparison.rows.back().identical)
+        differing.insert({declared.file, pair.inputs.field(declared.study), pair.inputs.field("method")});
+    }
+    comparison.only_a += match.only_a;
+    comparison.only_b += match.only_b;
+  } else {
+    comparison.only_a += a == nullptr ? 0 : a->row_count();
+    comparison.only_b += b == nullptr ? 0 : b->row_count();
+  }
+  compare_methods(declared, a, b, differing, comparison.methods);
+}
+
 }  // namespace
 
 const AccuracyRow* AccuracyComparison::first_difference() const {
@@ -40,25 +102,20 @@ const AccuracyRow* AccuracyComparison::first_difference() const {
 AccuracyComparison compare_accuracy(const Side& a, const Side& b) {
   AccuracyComparison comparison;
   const bool same_suite = a.manifest.suite_digest == b.manifest.suite_digest;
-  for (const auto name : bundle::deterministic_files) {
-    const std::string file(name);
-    const auto* ours = a.table(file);
-    const auto* theirs = b.table(file);
+  for (const auto& declared : bundle::declared_tables()) {
+    if (!declared.is_deterministic) continue;
+    const auto* ours = a.table(declared.file);
+    const auto* theirs = b.table(declared.file);
     if (ours == nullptr && theirs == nullptr) continue;
-    if (ours == nullptr || theirs == nullptr || a.manifest.seed != b.manifest.seed) {
+    if (a.manifest.seed != b.manifest.seed) {
       comparison.only_a += ours == nullptr ? 0 : ours->row_count();
       comparison.only_b += theirs == nullptr ? 0 : theirs->row_count();
-      continue;
+    } else if (!same_suite && ours != nullptr && theirs != nullptr && !ours->has_column("trials")) {
+      comparison.left_out.push_back(declared.file);
+      compare_methods(declared, ours, theirs, {}, comparison.methods);  // the same digest is of the same rows
+    } else {
+      compare_table(declared, ours, theirs, comparison);
     }
-    if (!same_suite && !ours->has_column("trials")) {
-      comparison.left_out.push_back(file);
-      continue;
-    }
-    const auto match = match_rows(*ours, *theirs);
-    const auto results = result_columns(*ours, *theirs);
-    for (const auto& pair : match.pairs) comparison.rows.push_back(compare_pair(file, pair, results, *ours, *theirs));
-    comparison.only_a += match.only_a;
-    comparison.only_b += match.only_b;
   }
   comparison.differing = static_cast<std::size_t>(std::ranges::count(comparison.rows, false, &AccuracyRow::identical));
   return comparison;
@@ -69,7 +126,7 @@ std::optional<RecordedInput> recorded_input(const Side& side, const Inputs& inpu
       "study", "curve", "method", "scalar", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator"};
   const auto* table = side.table(worst_file);
   for (std::size_t row = 0; table != nullptr && row < table->row_count(); ++row) {
-    const Inputs recorded(*table, row, *table);
+    const Inputs recorded(*bundle::declared_table(worst_file), *table, row, *table);
     if (std::ranges::all_of(cell, [&](auto column) { return recorded.field(column) == inputs.field(column); }))
       return RecordedInput{table->at(row, "worst_id"), table->at(row, "trial"), table->at(row, "t"),
                            table->at(row, "coefficients")};

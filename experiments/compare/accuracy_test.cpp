@@ -73,6 +73,26 @@ TEST(Accuracy, OtherTrialsOrAnotherSeedAreOtherInputs) {
   EXPECT_EQ(compare_accuracy(a, seeded).only_b, 2U);
 }
 
+TEST(Accuracy, SaysOfWhichMethodsItHolds) {
+  const auto a = side_of("a", {{"accuracy.csv", std::string(accuracy) + "s,gone,3,10,ok,0,0\nt,direct,3,10,ok,0,0\n"}});
+  const auto b = side_of("b", {{"accuracy.csv", replaced(std::string(accuracy), "4e-17", "5e-17") +
+                                                    "s,new,3,10,ok,0,0\nt,direct,3,20,ok,0,0\n"}});
+  const auto methods = compare_accuracy(a, b).methods;
+  using Rows = bundle::Rows;
+  EXPECT_EQ(methods.agreeing, 1U);
+  EXPECT_THAT(methods.differing, testing::ElementsAre(Rows{"accuracy.csv", "s", "direct"}));
+  EXPECT_THAT(methods.other_rows, testing::ElementsAre(Rows{"accuracy.csv", "t", "direct"}));
+  EXPECT_THAT(methods.only_a, testing::ElementsAre(Rows{"accuracy.csv", "s", "gone"}));
+  EXPECT_THAT(methods.only_b, testing::ElementsAre(Rows{"accuracy.csv", "s", "new"}));
+}
+
+/// As of a bundle of schema version 1.
+TEST(Accuracy, AColumnThatOneSideLacksIsNotCompared) {
+  const auto a = side_of("a", {{"accuracy.csv", "study,method,max_error\ns,direct,1\n"}});
+  const auto b = side_of("b", {{"accuracy.csv", "study,method,max_error,unbounded_trials\ns,direct,1,0\n"}});
+  EXPECT_EQ(compare_accuracy(a, b).methods.agreeing, 1U);
+}
+
 // The worst of 20 trials is not the worst of 10, and only the suite says how many they were.
 TEST(Accuracy, OfDifferentSuitesRowsWithoutTrialsAreLeftOut) {
   const auto a = side_of("a", {{"accuracy.csv", accuracy}, {"worst.csv", worst}});
@@ -81,6 +101,7 @@ TEST(Accuracy, OfDifferentSuitesRowsWithoutTrialsAreLeftOut) {
   const auto comparison = compare_accuracy(a, b);
   EXPECT_EQ(comparison.rows.size(), 2U);
   EXPECT_THAT(comparison.left_out, testing::ElementsAre("worst.csv"));
+  EXPECT_EQ(comparison.methods.agreeing, 4U) << "in both tables, since the digests are the same";
 }
 
 }  // namespace

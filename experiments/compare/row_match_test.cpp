@@ -13,6 +13,9 @@ using testing::ElementsAre;
 
 bundle::CsvDocument table(std::string_view text) { return bundle::parse_csv(text, "table.csv"); }
 
+/// Has most of the keys.
+const bundle::DeclaredTable& timing() { return *bundle::declared_table("timing.csv"); }
+
 std::vector<std::pair<std::size_t, std::size_t>> pairs(const RowMatch& match) {
   std::vector<std::pair<std::size_t, std::size_t>> found;
   for (const auto& pair : match.pairs) found.emplace_back(pair.a, pair.b);
@@ -22,50 +25,51 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs(const RowMatch& match) {
 TEST(RowMatch, FindsRowsByTheirInputsInAnyOrderOfRowsAndColumns) {
   const auto a = table("study,degree,error\ns,3,1\ns,4,2\nt,3,3\n");
   const auto b = table("error,degree,study\n9,3,t\n9,5,s\n9,3,s\n");
-  const auto match = match_rows(a, b);
+  const auto match = match_rows(timing(), a, b);
   EXPECT_THAT(pairs(match), ElementsAre(std::pair(0, 2), std::pair(2, 0)));
   EXPECT_EQ(match.only_a, 1U);
   EXPECT_EQ(match.only_b, 1U);
 }
 
 TEST(RowMatch, OrdersAndTolerancesTellRowsApart) {
-  const auto match = match_rows(table("study,order,tolerance\ns,1,1e-3\ns,2,1e-3\n"),
+  const auto match = match_rows(timing(), table("study,order,tolerance\ns,1,1e-3\ns,2,1e-3\n"),
                                 table("study,order,tolerance\ns,2,1e-3\ns,1,1e-6\n"));
   EXPECT_THAT(pairs(match), ElementsAre(std::pair(1, 0)));
 }
 
 TEST(RowMatch, NumbersAgreeAsValuesAndNamesAsText) {
-  const auto match =
-      match_rows(table("study,coordinate_range\n2.2,1e+06\n"), table("study,coordinate_range\n2.2,1000000\n"));
+  const auto match = match_rows(timing(), table("study,coordinate_range\n2.2,1e+06\n"),
+                                table("study,coordinate_range\n2.2,1000000\n"));
   EXPECT_EQ(match.pairs.size(), 1U);
-  EXPECT_EQ(match_rows(table("study,degree\n2.2,1\n"), table("study,degree\n2.20,1\n")).pairs.size(), 0U);
+  EXPECT_EQ(match_rows(timing(), table("study,degree\n2.2,1\n"), table("study,degree\n2.20,1\n")).pairs.size(), 0U);
 }
 
 // An older program's table may lack a column: what is left decides, and repeated rows go in order.
 TEST(RowMatch, AColumnThatOneSideLacksDoesNotPartThem) {
   const auto a = table("study,scalar,degree,error\ns,double,3,1\ns,float,3,2\n");
-  const auto match = match_rows(a, table("study,degree,error\ns,3,1\ns,3,2\n"));
+  const auto match = match_rows(timing(), a, table("study,degree,error\ns,3,1\ns,3,2\n"));
   EXPECT_THAT(pairs(match), ElementsAre(std::pair(0, 0), std::pair(1, 1)));
 }
 
 TEST(RowMatch, ConversionsAreTheMethodsOfTheirTable) {
   const auto a = table("study,conversion\nc,exact\nc,factorial\n");
-  const auto match = match_rows(a, table("study,conversion\nc,factorial\n"));
+  const auto match = match_rows(*bundle::declared_table("conversion.csv"), a, table("study,conversion\nc,factorial\n"));
   ASSERT_EQ(match.pairs.size(), 1U);
   EXPECT_EQ(match.pairs.front().inputs.field("method"), "factorial");
 }
 
 TEST(RowMatch, ResultsAreWhatIsLeft) {
-  const auto a = table("worst_id,study,degree,error,trial,note,new\n");
-  const auto b = table("worst_id,trial,study,degree,error,note\n");
-  EXPECT_THAT(result_columns(a, b), ElementsAre("error", "trial"));
+  const auto a = table("worst_id,study,degree,error,trial,t,new\n");
+  const auto b = table("worst_id,trial,study,degree,error,new\n");
+  EXPECT_THAT(result_columns(*bundle::declared_table("worst.csv"), a, b), ElementsAre("trial", "error"));
 }
 
 TEST(RowMatch, InputsInWords) {
   const auto a = table("degree,method,study,error\n4,horner,s,1\n");
-  const Inputs inputs(a, 0, a);
+  const Inputs inputs(timing(), a, 0, a);
   EXPECT_EQ(inputs.words(), "study s, method horner, degree 4");
   EXPECT_EQ(inputs.without_method().words(), "study s, degree 4");
+  EXPECT_EQ(inputs.field("statistic"), "") << "a key of another table";
   EXPECT_THROW((void)inputs.field("error"), std::invalid_argument);
 }
 

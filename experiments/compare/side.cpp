@@ -5,8 +5,8 @@
 #include <array>
 #include <iterator>
 
-#include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
+#include "experiments/bundle/schema/columns.hpp"
 
 namespace bezierbench::compare {
 namespace {
@@ -39,8 +39,8 @@ Side read_side(const std::filesystem::path& path, bundle::Damage damage) {
   Side side{.name = path.string(), .manifest = reader.manifest(), .facts = {}, .tables = {}};
   read_facts(reader, "machine.json", side);
   read_facts(reader, bundle::manifest_name, side);
-  for (const auto file : bundle::deterministic_files) read_table(reader, file, side);
-  read_table(reader, timing_file, side);
+  for (const auto& table : bundle::declared_tables())
+    if (table.is_deterministic || table.file == timing_file) read_table(reader, table.file, side);
   side.damaged = reader.told();
   return side;
 }

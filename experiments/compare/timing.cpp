@@ -137,7 +137,7 @@ TimingComparison compare_timing(const Side& a, const Side& b) {
     return comparison;
   }
   const bool fixed_work_compares = same_sentinels(a, b);
-  auto match = match_rows(*ours, *theirs);
+  auto match = match_rows(*bundle::declared_table(timing_file), *ours, *theirs);
   for (auto& pair : match.pairs) {
     const auto time_a = interval(*ours, pair.a);
     const auto time_b = interval(*theirs, pair.b);

@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
+#include "experiments/bundle/schema/columns.hpp"
 #include "experiments/suite/writer.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/tables/scorecard.hpp"
@@ -23,6 +25,7 @@ std::vector<suite::Study> studies_of(const RunRequest& request) {
 
 bundle::Manifest manifest_of(const RunRequest& request, const std::string& suite_text) {
   bundle::Manifest manifest;
+  manifest.schema_version = bundle::written_version();
   for (const auto& one : request.suites) manifest.suites.push_back(one.id);
   manifest.suite_digest = bundle::sha256_hex(suite_text);
   manifest.seed = request.suites.front().seed;
@@ -51,6 +54,8 @@ std::optional<std::string> difference(const bundle::Manifest& theirs, const bund
   const auto suites = [](const bundle::Manifest& manifest) {
     return fmt::format("{} ({})", fmt::join(manifest.suites, "+"), manifest.suite_digest.substr(0, 12));
   };
+  if (theirs.schema_version != ours.schema_version)
+    return both("schema version", theirs.schema_version, ours.schema_version);
   if (theirs.seed != ours.seed) return both("seed", theirs.seed, ours.seed);
   if (theirs.suite_digest != ours.suite_digest) return both("resolved suite", suites(theirs), suites(ours));
   if (theirs.program_version != ours.program_version)
@@ -80,8 +85,12 @@ std::vector<std::pair<std::string, std::string>> lists_of(const RunRequest& requ
 }
 
 void refuse_foreign(const RunRequest& request, const std::function<bool(const std::string&)>& is_table) {
-  std::vector<std::string> own{std::string(bundle::manifest_name), std::string(bundle::sums_name),
-                               std::string(bundle::blocks_name), suite_name, machine_name};
+  std::vector<std::string> own{std::string(bundle::manifest_name),
+                               std::string(bundle::sums_name),
+                               std::string(bundle::blocks_name),
+                               bundle::digests_name,
+                               suite_name,
+                               machine_name};
   for (const auto& list : lists_of(request)) own.push_back(list.first);
   const auto found = bundle::list_folder(request.out);
   for (const auto* names : {&found.files, &found.others})

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "experiments/metric/pareto.hpp"
-#include "experiments/number/number.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
 namespace bezierbench::tables {
@@ -65,33 +64,31 @@ void fill_errors(ChoiceGroup& group, const Judged& judged) {
   for (auto& choice : group.choices) choice.errors = judged.methods.at(choice.method);
 }
 
-std::string decimal_or_empty(const std::optional<double>& value) { return value ? number::decimal(*value) : ""; }
-
-void add_rows(bundle::CsvTable& table, const ChoiceGroup& group) {
+void add_rows(Tables& tables, const ChoiceGroup& group) {
   std::vector<metric::Tradeoff> tradeoffs;
   for (const auto& choice : group.choices) tradeoffs.push_back({choice.ns, choice.errors.in_u.observed});
   const auto fronts = metric::pareto_front(tradeoffs);
   for (std::size_t m = 0; m < group.choices.size(); ++m) {
     const Choice& choice = group.choices[m];
-    std::vector<std::string> row{group.study,
-                                 group.accuracy_study,
-                                 group.curve,
-                                 choice.method,
-                                 group.scalar,
-                                 group.dimension,
-                                 group.degree,
-                                 group.mode,
-                                 number::decimal(choice.ns.median),
-                                 number::decimal(choice.ns.low),
-                                 number::decimal(choice.ns.high),
-                                 number::decimal(choice.errors.in_u.observed),
-                                 decimal_or_empty(choice.errors.in_u.bound),
-                                 number::decimal(choice.errors.absolute.observed),
-                                 decimal_or_empty(choice.errors.absolute.bound),
-                                 choice.quality,
-                                 std::string(metric::name(fronts[m]))};
-    row.insert(row.end(), group.drawn.begin(), group.drawn.end());
-    table.add_row(std::move(row));
+    tables.add(Row("pareto.csv")
+                   .set("study", group.study)
+                   .set("accuracy_study", group.accuracy_study)
+                   .set("curve", group.curve)
+                   .set("method", choice.method)
+                   .set("scalar", group.scalar)
+                   .set("dimension", group.dimension)
+                   .set("degree", group.degree)
+                   .set("mode", group.mode)
+                   .set("ns", choice.ns.median)
+                   .set("ns_low", choice.ns.low)
+                   .set("ns_high", choice.ns.high)
+                   .set("observed_max_u", choice.errors.in_u.observed)
+                   .set("bound_u", choice.errors.in_u.bound)
+                   .set("observed_max", choice.errors.absolute.observed)
+                   .set("bound", choice.errors.absolute.bound)
+                   .set("quality", choice.quality)
+                   .set("pareto", metric::name(fronts[m]))
+                   .set_each(drawn_columns(), group.drawn));
   }
 }
 
@@ -165,12 +162,7 @@ void write_pareto(Tables& tables) {
   if (!timing) return;
   const auto groups = choice_groups(*timing, JudgedTables(std::move(accuracies), reference));
   if (groups.empty()) return;
-  std::vector<std::string> columns{"study",   "accuracy_study", "curve", "method",  "scalar",  "dimension",
-                                   "degree",  "mode",           "ns",    "ns_low",  "ns_high", "observed_max_u",
-                                   "bound_u", "observed_max",   "bound", "quality", "pareto"};
-  columns.insert(columns.end(), drawn_columns().begin(), drawn_columns().end());
-  auto& table = tables.table("pareto.csv", columns);
-  for (const auto& group : groups) add_rows(table, group);
+  for (const auto& group : groups) add_rows(tables, group);
 }
 
 }  // namespace bezierbench::tables

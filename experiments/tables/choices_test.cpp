@@ -75,6 +75,21 @@ TEST(ChoiceGroups, HaveNoBoundWhereATrialHasNone) {
   EXPECT_FALSE(bound(unbounded("s", "a", "0")));  // nobody counted the other row, as in older bundles
 }
 
+/// Since schema version 2 the rows say it themselves.
+TEST(ChoiceGroups, HaveNoBoundWhereTheRowCountsATrialWithout) {
+  const auto bound = [&](const std::string& trials) {
+    std::vector<bundle::CsvDocument> accuracies;
+    accuracies.push_back(bundle::parse_csv(
+        std::string("unbounded_trials,") + accuracy_columns_needed + trials + "," + error_of("s", "a", "1,2,44,9,0"),
+        "a.csv"));
+    const JudgedTables tables(std::move(accuracies), std::nullopt);
+    return choice_groups(timing(time_of("a", "5")), tables).at(0).choices.at(0).errors.in_u.bound;
+  };
+  EXPECT_EQ(bound("0"), 44);
+  EXPECT_FALSE(bound("3"));
+  EXPECT_FALSE(bound(""));
+}
+
 TEST(ChoiceGroups, CountAResultThatIsNotFiniteAsInfinitelyWrong) {
   const auto groups = choice_groups(timing(time_of("a", "5")), judged(error_of("s", "a", "1,2,9,9,1")));
   EXPECT_EQ(groups.at(0).choices.at(0).errors.in_u.observed, std::numeric_limits<double>::infinity());

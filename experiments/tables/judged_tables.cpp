@@ -37,7 +37,9 @@ void JudgedTables::each_row(const std::string& study, const std::function<void(c
 }
 
 std::optional<double> JudgedTables::bound(const TableRow& row, std::string_view column) const {
-  return all_bounded_.contains(cell_and_method(row)) ? row.optional_number(column) : std::nullopt;
+  const bool all_bounded =
+      row.has(unbounded) ? row.optional_number(unbounded) == 0 : all_bounded_.contains(cell_and_method(row));
+  return all_bounded ? row.optional_number(column) : std::nullopt;
 }
 
 }  // namespace bezierbench::tables

@@ -15,7 +15,8 @@ namespace bezierbench::tables {
 class JudgedTables {
  public:
   /// Whoever has no such file leaves it out. Throws Failure(input_output) for a table without the columns.
-  /// `accuracies` are accuracy.csv and unstable.csv; `reference` is reference.csv.
+  /// `accuracies` are accuracy.csv and unstable.csv; `reference` is reference.csv, which said in bundles of schema
+  /// version 1 how many trials have no bound.
   JudgedTables(std::vector<bundle::CsvDocument> accuracies, const std::optional<bundle::CsvDocument>& reference);
 
   /// Every row with numbers against the truth; of one study only where `study` is not empty.
@@ -27,7 +28,7 @@ class JudgedTables {
 
  private:
   std::vector<bundle::CsvDocument> accuracies_;
-  std::set<std::vector<std::string>> all_bounded_;  ///< the cells and methods of which every trial has a bound
+  std::set<std::vector<std::string>> all_bounded_;  ///< cells and methods of which reference.csv says so of all trials
 };
 
 }  // namespace bezierbench::tables

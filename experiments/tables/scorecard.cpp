@@ -70,30 +70,29 @@ const Series* find(std::span<const Series> series, const suite::Study& study, co
 double median(const Series& series) { return metric::quantile(series.values, 0.5); }
 std::string median_text(const Series* series) { return series == nullptr ? "" : number::decimal(median(*series)); }
 
-std::vector<std::string> leading_fields(const PrintedCell& cell) {
-  return {cell.table,
-          cell.curve,
-          cell.method,
-          cell.statistic,
-          cell.degree,
-          number::decimal(cell.coordinate_range),
-          cell.t_interval ? number::decimal(cell.t_interval->min) : "",
-          cell.t_interval ? number::decimal(cell.t_interval->max) : "",
-          number::decimal(cell.value)};
+/// Of `scorecard.csv` or `scorecard_timing.csv`: what is printed.
+Row row_of(std::string_view file, const PrintedCell& cell) {
+  Row row(file);
+  row.set("table", cell.table)
+      .set("curve", cell.curve)
+      .set("method", cell.method)
+      .set("statistic", cell.statistic)
+      .set("degree", cell.degree)
+      .set("coordinate_range", cell.coordinate_range)
+      .set("published", cell.value);
+  if (cell.t_interval) row.set("t_min", cell.t_interval->min).set("t_max", cell.t_interval->max);
+  return row;
 }
 
-const std::vector<std::string> columns{
-    "table",   "curve",     "method",      "statistic", "degree",   "coordinate_range",  "t_min",
-    "t_max",   "published", "ours_median", "ours_p05",  "ours_p95", "continuous_median", "against_exact",
-    "verdict", "note"};
+Row& set_not_in_suite(Row& row) { return row.set("verdict", "outside").set("note", "not in this suite"); }
 
 void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std::span<const Series> series,
                          Tables& tables) {
   const std::string baseline = study.kind == suite::Kind::conversion ? "exact" : study.baseline.front();
   const auto* ours = find(series, study, cell, study.generator.front(), baseline, "");
-  auto fields = leading_fields(cell);
+  Row row = row_of("scorecard.csv", cell);
   if (ours == nullptr || ours->values.empty()) {
-    fields.insert(fields.end(), {"", "", "", "", "", "outside", "not in this suite"});
+    set_not_in_suite(row);
   } else {
     const double low = metric::quantile(ours->values, 0.05);
     const double high = metric::quantile(ours->values, 0.95);
@@ -101,12 +100,15 @@ void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std
     const std::string_view verdict = inside(cell.value)                          ? "inside"
                                      : cell.corrected && inside(*cell.corrected) ? "explained"
                                                                                  : "outside";
-    fields.insert(fields.end(), {number::decimal(median(*ours)), number::decimal(low), number::decimal(high),
-                                 median_text(find(series, study, cell, "continuous", baseline, "")),
-                                 median_text(find(series, study, cell, study.generator.front(), "exact", "")),
-                                 std::string(verdict), cell.note});
+    row.set("ours_median", median(*ours))
+        .set("ours_p05", low)
+        .set("ours_p95", high)
+        .set("continuous_median", median_text(find(series, study, cell, "continuous", baseline, "")))
+        .set("against_exact", median_text(find(series, study, cell, study.generator.front(), "exact", "")))
+        .set("verdict", verdict)
+        .set("note", cell.note);
   }
-  tables.table("scorecard.csv", columns).add_row(std::move(fields));
+  tables.add(row);
 }
 
 /// A time of no more than one step of its clock is met by every machine that is fast enough: it tests nothing.
@@ -131,20 +133,20 @@ void write_timing_cell(const suite::Study& study, const PrintedCell& cell, std::
   constexpr double ns_per_unit = 1000;
   const auto* ours = find(series, study, cell, study.generator.front(), "", "one_shot");
   const auto* prepared = find(series, study, cell, study.generator.front(), "", "point");
-  auto fields = leading_fields(cell);
+  Row row = row_of("scorecard_timing.csv", cell);
   if (ours == nullptr || ours->values.empty()) {
-    fields.insert(fields.end(), {"", "", "", "", "", "outside", "not in this suite", ""});
+    set_not_in_suite(row);
   } else {
     const double low = metric::quantile(ours->values, 0.05) / ns_per_unit;
     const double high = metric::quantile(ours->values, 0.95) / ns_per_unit;
-    fields.insert(fields.end(),
-                  {number::decimal(median(*ours) / ns_per_unit), number::decimal(low), number::decimal(high), "", "",
-                   std::string(timing_verdict(cell, low, high)), timing_note(cell),
-                   prepared == nullptr ? "" : number::decimal(median(*prepared) / ns_per_unit)});
+    row.set("ours_median", median(*ours) / ns_per_unit)
+        .set("ours_p05", low)
+        .set("ours_p95", high)
+        .set("verdict", timing_verdict(cell, low, high))
+        .set("note", timing_note(cell));
+    if (prepared != nullptr) row.set("prepared_median", median(*prepared) / ns_per_unit);
   }
-  auto timing_columns = columns;
-  timing_columns.emplace_back("prepared_median");
-  tables.table("scorecard_timing.csv", timing_columns).add_row(std::move(fields));
+  tables.add(row);
 }
 
 }  // namespace

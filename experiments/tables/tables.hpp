@@ -2,21 +2,59 @@
 // The tables of a bundle while they grow, and what the scorecard compares with printed cells.
 #pragma once
 
+#include <concepts>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
+#include "experiments/bundle/schema/columns.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/suite/suite.hpp"
 
 namespace bezierbench::tables {
 
+/// A row to be written, field by field in any order. A field that is not set is empty.
+class Row {
+ public:
+  /// Of the table `file`. Throws std::logic_error for what the schema does not declare.
+  explicit Row(std::string_view file);
+
+  /// Throws std::logic_error for a column that the schema does not declare, or that was set before.
+  Row& set(std::string_view column, std::string_view text);
+  Row& set(std::string_view column, double number) { return set(column, number::decimal(number)); }
+  template <std::integral Integer>
+  Row& set(std::string_view column, Integer number) {
+    return set(column, std::to_string(number));
+  }
+  /// Empty where there is no number.
+  template <class Number>
+  Row& set(std::string_view column, const std::optional<Number>& number) {
+    return number ? set(column, *number) : set(column, "");
+  }
+  /// Each of the columns, one field each.
+  Row& set_each(const std::vector<std::string>& columns, const std::vector<std::string>& fields);
+
+  [[nodiscard]] const std::string& file() const { return table_.file; }
+  /// In the order of the schema.
+  [[nodiscard]] std::vector<std::string> fields() const;
+
+ private:
+  const bundle::DeclaredTable& table_;
+  std::map<std::string, std::string, std::less<>> fields_;  ///< those that were set
+};
+
 /// The CSV files of a bundle while they grow, by file name.
 class Tables {
  public:
-  /// The table of this name, made with these columns when first asked for.
+  /// The table of this name, made when first asked for. Throws std::logic_error for one that the schema does not
+  /// declare.
+  bundle::CsvTable& table(const std::string& file);
+  /// The same, for rows whose fields are in this order. Throws std::logic_error where it is not that of the schema.
   bundle::CsvTable& table(const std::string& file, const std::vector<std::string>& columns);
+  void add(const Row& row) { table(row.file()).add_row(row.fields()); }
   [[nodiscard]] const std::map<std::string, bundle::CsvTable>& all() const { return tables_; }
 
  private:

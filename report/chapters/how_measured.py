@@ -49,12 +49,12 @@ def _columns(bundle):
     """One group for the files that have the same columns."""
     alike = {}
     for file, table in bundle.tables.items():
-        declared = tuple((c, schema.description(file, c)) for c in schema.columns(file) if c in table.columns)
+        declared = tuple((c, schema.description(file, c), schema.unit(file, c)) for c in schema.columns(file) if c in table.columns)
         if declared:
             alike.setdefault(declared, []).append(file)
     groups = tuple(Group(listing(f"`{file}`" for file in files), " ".join(files),
-                         tuple((f"`{column}`", [Cell(meaning, meaning)]) for column, meaning in declared))
+                         tuple((f"`{column}`", [Cell(meaning, meaning), Cell(unit, unit)]) for column, meaning, unit in declared))
                    for declared, files in alike.items())
     if groups:
         yield Table(id="columns", caption="The columns of the bundle's tables", caption_zh="各列的含义", group_head="file",
-                    row_head="column", head=("meaning",), groups=groups)
+                    row_head="column", head=("meaning", "unit"), groups=groups)

@@ -167,28 +167,18 @@ struct Keyword {
   Fault (*fault)(const Question& question);
 };
 
-constexpr std::array keywords{Keyword{"$ref", reference},
-                              Keyword{"type", type},
-                              Keyword{"const", constant},
-                              Keyword{"enum", one_of},
-                              Keyword{"anyOf", any_of},
-                              Keyword{"minimum", minimum},
-                              Keyword{"maximum", maximum},
-                              Keyword{"exclusiveMinimum", exclusive_minimum},
-                              Keyword{"minLength", min_length},
-                              Keyword{"pattern", pattern},
-                              Keyword{"minItems", min_items},
-                              Keyword{"maxItems", max_items},
-                              Keyword{"minProperties", min_properties},
-                              Keyword{"items", items},
-                              Keyword{"required", required},
-                              Keyword{"properties", properties},
-                              Keyword{"additionalProperties", additional_properties},
-                              Keyword{"$schema", nothing},
-                              Keyword{"$defs", nothing},
-                              Keyword{"title", nothing},
-                              Keyword{"description", nothing},
-                              Keyword{"deprecated", nothing}};
+constexpr std::array keywords{
+    Keyword{"$ref", reference}, Keyword{"type", type}, Keyword{"const", constant}, Keyword{"enum", one_of},
+    Keyword{"anyOf", any_of}, Keyword{"minimum", minimum}, Keyword{"maximum", maximum},
+    Keyword{"exclusiveMinimum", exclusive_minimum}, Keyword{"minLength", min_length}, Keyword{"pattern", pattern},
+    Keyword{"minItems", min_items}, Keyword{"maxItems", max_items}, Keyword{"minProperties", min_properties},
+    Keyword{"items", items}, Keyword{"required", required}, Keyword{"properties", properties},
+    Keyword{"additionalProperties", additional_properties}, Keyword{"$schema", nothing}, Keyword{"$defs", nothing},
+    Keyword{"title", nothing}, Keyword{"description", nothing}, Keyword{"deprecated", nothing},
+    // Ours, of the tables and their columns; columns.hpp says what they mean.
+    Keyword{"version", nothing}, Keyword{"deterministic", nothing}, Keyword{"study", nothing},
+    Keyword{"method", nothing}, Keyword{"unit", nothing}, Keyword{"key", nothing}, Keyword{"digested", nothing},
+    Keyword{"since", nothing}};
 
 const Keyword& keyword_of(std::string_view name) {
   const auto found = std::ranges::find(keywords, name, &Keyword::name);
@@ -218,9 +208,11 @@ std::optional<std::string> Schema::fault(const Json& part, const Json& value) co
 }
 
 const Schema::Json& Schema::resolved(const Json& part) const {
-  const auto reference = part.find("$ref");
-  if (reference == part.end()) return part;
-  return resolved(document_.at(Json::json_pointer(reference->get_ref<const std::string&>().substr(1))));
+  return part.contains("$ref") ? resolved(referred(part)) : part;
+}
+
+const Schema::Json& Schema::referred(const Json& part) const {
+  return document_.at(Json::json_pointer(part.at("$ref").get_ref<const std::string&>().substr(1)));
 }
 
 const Schema& manifest_schema() {
@@ -230,6 +222,11 @@ const Schema& manifest_schema() {
 
 const Schema& machine_schema() {
   static const Schema schema(machine_schema_text);
+  return schema;
+}
+
+const Schema& tables_schema() {
+  static const Schema schema(tables_schema_text);
   return schema;
 }
 

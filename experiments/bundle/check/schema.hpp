@@ -26,14 +26,17 @@ class Schema {
   [[nodiscard]] const Json& document() const { return document_; }
   /// The schema that `part` refers to, or else `part` itself.
   [[nodiscard]] const Json& resolved(const Json& part) const;
+  /// What the `$ref` of `part` names, which may have one itself.
+  [[nodiscard]] const Json& referred(const Json& part) const;
 
  private:
   Json document_;
 };
 
-/// Of bundle.json and machine.json.
+/// Of bundle.json, of machine.json and of the tables.
 [[nodiscard]] const Schema& manifest_schema();
 [[nodiscard]] const Schema& machine_schema();
+[[nodiscard]] const Schema& tables_schema();
 
 /// What is wrong with the text of machine.json: no JSON, or not after its schema. Nothing where all is well.
 [[nodiscard]] std::optional<std::string> machine_fault(const std::string& machine_json);

@@ -11,22 +11,17 @@
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/check/pattern.hpp"
 #include "experiments/bundle/check/schema.hpp"
+#include "experiments/bundle/schema/columns.hpp"
 #include "experiments/number/number.hpp"
-#include "schemas.hpp"
 
 namespace bezierbench::bundle {
 namespace {
 
 using Json = Schema::Json;
 
-const Schema& schema() {
-  static const Schema all(tables_schema_text);
-  return all;
-}
-
 /// What the rows of a table must be.
 const Json& row_schema(std::string_view name) {
-  return schema().resolved(schema().document().at("properties").at(std::string(name))).at("items");
+  return tables_schema().resolved(tables_schema().document().at("properties").at(std::string(name))).at("items");
 }
 
 /// What a field may stand for: nothing, a number as the program writes it, text.
@@ -49,7 +44,7 @@ std::vector<Json> readings(const std::string& text) {
 std::optional<std::string> field_fault(const Json& column, const std::string& text) {
   std::optional<std::string> why;
   for (const Json& value : readings(text)) {
-    why = schema().fault(column, value);
+    why = tables_schema().fault(column, value);
     if (!why) return why;
   }
   return why;
@@ -59,13 +54,16 @@ std::string at(const CsvDocument& table, std::size_t line, const std::string& wh
   return fmt::format("{}:{}: {}", table.file_name(), line, what);
 }
 
-void check_header(const Json& rows, const CsvDocument& table, FewLines& lines) {
+void check_header(const Json& rows, const std::vector<std::string>& digested, const CsvDocument& table,
+                  FewLines& lines) {
   for (const auto& name : table.header())
     if (!rows.at("properties").contains(name))
       lines.add(at(table, 1, fmt::format("column '{}' does not belong there", name)));
-  for (const Json& name : rows.at("required"))
-    if (!table.has_column(name.get_ref<const std::string&>()))
-      lines.add(at(table, 1, fmt::format("column '{}' is missing", name.get_ref<const std::string&>())));
+  auto wanted = rows.at("required").get<std::vector<std::string>>();
+  for (const auto& name : digested)
+    if (std::ranges::find(wanted, name) == wanted.end()) wanted.push_back(name);
+  for (const auto& name : wanted)
+    if (!table.has_column(name)) lines.add(at(table, 1, fmt::format("column '{}' is missing", name)));
 }
 
 void check_column(const Json& column, std::size_t place, const CsvDocument& table, FewLines& lines) {
@@ -85,13 +83,14 @@ void check_column(const Json& column, std::size_t place, const CsvDocument& tabl
 
 }  // namespace
 
-bool is_table_name(std::string_view name) { return schema().document().at("properties").contains(std::string(name)); }
+bool is_table_name(std::string_view name) { return declared_table(name) != nullptr; }
 
-std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table) {
+std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table, int version) {
   const Json& rows = row_schema(name);
   const Json& columns = rows.at("properties");
   FewLines of_header(table.file_name());
-  check_header(rows, table, of_header);
+  const auto digested = version == 1 ? std::vector<std::string>() : declared_table(name)->digested(version);
+  check_header(rows, digested, table, of_header);
   FewLines of_fields(table.file_name());
   for (std::size_t place = 0; place < table.header().size(); ++place)
     if (const auto column = columns.find(table.header()[place]); column != columns.end())

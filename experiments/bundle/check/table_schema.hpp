@@ -15,6 +15,7 @@ namespace bezierbench::bundle {
 [[nodiscard]] bool is_table_name(std::string_view name);
 
 /// What is wrong with the table `name`, one line each with file and line; a few, and how many more there are.
-[[nodiscard]] std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table);
+/// `version` is the schema version of the bundle: in a table of version 1 digested columns may be missing.
+[[nodiscard]] std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table, int version);
 
 }  // namespace bezierbench::bundle

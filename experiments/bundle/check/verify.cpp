@@ -11,6 +11,7 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/check/few_lines.hpp"
+#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/check/schema.hpp"
 #include "experiments/bundle/check/sums.hpp"
 #include "experiments/bundle/check/table_schema.hpp"
@@ -52,6 +53,7 @@ class Verification {
   Verification(const fs::path& path, Folder folder) : path_(path), folder_(std::move(folder)) {}
 
   Findings findings(const SuiteReader& read_suites) {
+    version_ = version_of_manifest();
     if (folder_has(suite_name)) check_suites(read_suites);
     for (const auto& name : folder_.files) check_file(name);
     Findings all;
@@ -59,6 +61,7 @@ class Verification {
     for (const std::string_view name : required_files)
       if (!folder_has(name)) add(all, name, "is missing");
     if (complete_) check_tables_there(all);
+    if (complete_ && version_ > 1) check_method_digests(all);
     if (folder_has(sums_name))
       check_sums(all);
     else
@@ -80,6 +83,15 @@ class Verification {
     return contains(required_files, name) || name == sums_name || is_table_name(name);
   }
 
+  /// The first where bundle.json does not say, a finding of its own: of it the least is asked.
+  [[nodiscard]] int version_of_manifest() const {
+    try {
+      return parse_manifest(read_bundle_file(path_ / manifest_name), place(manifest_name)).schema_version;
+    } catch (const Failure&) {
+      return 1;
+    }
+  }
+
   void check_suites(const SuiteReader& read_suites) {
     or_finding(suite_findings_, [&] {
       const std::string text = read_bundle_file(path_ / suite_name);
@@ -95,24 +107,59 @@ class Verification {
     if (is_table_name(name))
       or_finding(table_findings_, [&] {
         const auto table = parse_csv(bytes, place(name));
-        append(table_findings_, table_faults(name, table));
-        check_rows(table);
+        append(table_findings_, table_faults(name, table, version_));
+        check_rows(name, table);
+        note_method_digests(name, table);
       });
   }
 
   /// A row that broke a proved bound is a finding, in whichever table it stands; likewise one whose time is not of what
   /// was judged, and one of a study that is not this bundle's.
-  void check_rows(const CsvDocument& table) {
+  void check_rows(std::string_view name, const CsvDocument& table) {
     each_field(table, "bound_violations", [](const std::string& count) {
       return count.empty() || count == "0" ? "" : count + " bound violations";
     });
     each_field(table, "checked", [](const std::string& checked) {
       return checked == "no" ? "what was timed did not give what was judged" : "";
     });
-    if (!expected_) return;
+    if (!expected_ || name == digests_name) return;  // whose rows are those of the other tables
     each_field(table, "study", [&](const std::string& study) {
       return contains(expected_->studies, study) ? "" : "its study is not one of those of suite.toml";
     });
+  }
+
+  /// What the rows of a table give, and what digests.csv says.
+  void note_method_digests(std::string_view name, const CsvDocument& table) {
+    if (name == digests_name) listed_ = parse_digests(table);
+    const auto& declared = *declared_table(name);
+    if (!declared.is_deterministic || version_ == 1) return;
+    const auto columns = declared.digested(version_);
+    if (std::ranges::all_of(columns, [&](const auto& column) { return table.has_column(column); }))
+      std::ranges::move(method_digests(declared, table, columns), std::back_inserter(computed_));
+  }
+
+  /// Method by method. Tables were read in the order of their names, which is that of digests.csv.
+  void check_method_digests(Findings& all) const {
+    if (!folder_has(digests_name)) return add(all, digests_name, "is missing");
+    FewLines lines(place(digests_name));
+    const auto differing = [&](const MethodDigest& one, const char* what) {
+      lines.add(fmt::format("{}: {}: {}", place(digests_name), one.rows.words(), what));
+    };
+    std::map<Rows, const MethodDigest*> listed;
+    for (const auto& one : listed_) listed[one.rows] = &one;
+    for (const auto& one : computed_) {
+      const auto found = listed.find(one.rows);
+      if (found == listed.end())
+        differing(one, "has no line");
+      else if (*found->second != one)
+        differing(one, "its rows give another digest");
+      if (found != listed.end()) listed.erase(found);
+    }
+    for (const auto& [rows, one] : listed) differing(*one, "has no such rows");
+    Findings found = lines.take();
+    if (found.empty() && digests_.find(digests_name)->second != sha256_hex(digests_csv(computed_)))
+      add(found, digests_name, "is not written as the tables give it");
+    append(all, found);
   }
 
   template <class Fault>
@@ -133,9 +180,9 @@ class Verification {
       add(all, manifest_name, *fault);
     complete_ = manifest.state == complete;
     if (!complete_) add(all, manifest_name, "state is partial; continue with bezierbench run");
-    if (const std::string digest = accuracy_digest_of_files(); digest != manifest.accuracy_digest)
+    if (const auto digest = accuracy_digest_of_files(); digest && *digest != manifest.accuracy_digest)
       add(all, manifest_name,
-          fmt::format("accuracy_digest is {}, the files give {}", manifest.accuracy_digest, digest));
+          fmt::format("accuracy_digest is {}, the files give {}", manifest.accuracy_digest, *digest));
     if (suite_digest_ && *suite_digest_ != manifest.suite_digest)
       add(all, manifest_name,
           fmt::format("its digest of suites is {}, suite.toml gives {}", manifest.suite_digest, *suite_digest_));
@@ -145,10 +192,16 @@ class Verification {
     if (expected_->suites != manifest.suites) add(all, manifest_name, "its suites are not those of suite.toml");
   }
 
-  [[nodiscard]] std::string accuracy_digest_of_files() const {
+  /// Nothing where there is nothing that it could be of.
+  [[nodiscard]] std::optional<std::string> accuracy_digest_of_files() const {
+    if (version_ > 1) {
+      const auto found = digests_.find(digests_name);
+      return complete_ && found != digests_.end() ? std::optional(found->second) : std::nullopt;
+    }
     std::string lines;
     for (const auto& [name, digest] : digests_)  // a map is sorted by name
-      if (contains(deterministic_files, name)) lines += fmt::format("{}  {}\n", digest, name);
+      if (const auto* table = declared_table(name); table != nullptr && table->is_deterministic)
+        lines += fmt::format("{}  {}\n", digest, name);
     return sha256_hex(lines);
   }
 
@@ -198,7 +251,10 @@ class Verification {
   bool complete_ = false;
   std::optional<Expected> expected_;
   std::optional<std::string> suite_digest_;
-  std::map<std::string, std::string> digests_;  ///< by name of the file
+  int version_ = 1;
+  std::map<std::string, std::string, std::less<>> digests_;  ///< by name of the file
+  std::vector<MethodDigest> computed_;                       ///< of the tables
+  std::vector<MethodDigest> listed_;                         ///< in digests.csv
   Findings suite_findings_;
   Findings table_findings_;
 };

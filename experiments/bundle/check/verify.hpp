@@ -23,7 +23,7 @@ using SuiteReader = std::function<Expected(const std::string& text, const std::s
 
 /// What is wrong with a bundle's files, one line each, in a fixed order; empty where all is well. Looks at bundle.json,
 /// readable, `complete`, and of this suite.toml; at the files that every bundle has and those that its suites ask for;
-/// at every listed file; the accuracy digest and the checksums; files and folders that are not the bundle's; the
+/// at every listed file; the accuracy digest, digests.csv line by line, and the checksums; files and folders that are not the bundle's; the
 /// schemas of both JSON files and of every table; rows in which a proved bound was broken, what was timed was not what
 /// was judged, or whose study is not in suite.toml. For a folder that is no bundle, one line that says so. Throws
 /// Failure(Exit::input_output) for no folder or a file that cannot be read.

@@ -60,6 +60,51 @@ TEST_F(Verify, ChangedDeterministicFileShowsInTheDigestToo) {
                                                                              "SHA256SUMS")));
 }
 
+class VerifyMethods : public testing::Test {
+ protected:
+  VerifyMethods() : bundle_(filled(folder_.path() / "b", 2)) { bundle_.finish(with_state("complete", 2)); }
+
+  void replace(const std::string& name, const std::string& from, const std::string& to) {
+    folder_.put("b/" + name, replaced(bundle_.read(name), from, to));
+  }
+  /// Those that are no checksum's.
+  [[nodiscard]] std::vector<std::string> findings() const {
+    auto all = verify(bundle_.path(), expected);
+    std::erase_if(all, [](const std::string& one) { return one.ends_with("checksum differs from SHA256SUMS"); });
+    return all;
+  }
+
+  ScratchFolder folder_;
+  BundleDirectory bundle_;
+};
+
+TEST_F(VerifyMethods, ARowThatChangedIsNamedByTableStudyAndMethod) {
+  EXPECT_THAT(findings(), IsEmpty());
+  replace("accuracy.csv", "fixture-accuracy,bezier,de_casteljau,double,2,3,",
+          "fixture-accuracy,bezier,de_casteljau,double,2,4,");
+  EXPECT_THAT(findings(),
+              ElementsAre(EndsWith("digests.csv: accuracy.csv, study fixture-accuracy, method de_casteljau: "
+                                   "its rows give another digest")));
+}
+
+TEST_F(VerifyMethods, LinesThatAreMissingOrOfNoRows) {
+  replace("digests.csv", ",direct,", ",nobody,");
+  EXPECT_THAT(findings(),
+              ElementsAre(HasSubstr("bundle.json: accuracy_digest is "), EndsWith("method direct: has no line"),
+                          EndsWith("method nobody: has no such rows")));
+  replace("digests.csv", ",nobody,", ",direct,");
+  folder_.put("b/digests.csv", bundle_.read("digests.csv") + "\n");
+  EXPECT_THAT(findings(), Contains(HasSubstr("digests.csv")));
+  fs::remove(bundle_.path() / "digests.csv");
+  EXPECT_THAT(findings(), Contains(EndsWith("digests.csv: is missing")));
+}
+
+/// A table of schema version 1 may be without it.
+TEST_F(VerifyMethods, EveryDigestedColumnIsAskedFor) {
+  replace("accuracy.csv", ",unbounded_trials\n", ",unbounded\n");
+  EXPECT_THAT(findings(), Contains(EndsWith("accuracy.csv:1: column 'unbounded_trials' is missing")));
+}
+
 TEST_F(Verify, MissingFiles) {
   remove("timing.csv");
   remove("machine.json");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -45,6 +46,31 @@ std::string first_difference_text(const compare::Side& a, const compare::Side& b
                      recorded_text(b, "b", row.inputs));
 }
 
+/// Tables, studies and methods by name, a few of them.
+std::string named_rows(std::string_view what, const std::vector<bundle::Rows>& all) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(all.size(), most); ++k)
+    text += fmt::format("    {}: {}\n", what, printable(all[k].words()));
+  if (all.size() > most) text += fmt::format("    {}: {} more\n", what, all.size() - most);
+  return text;
+}
+
+std::string methods_text(const compare::MethodComparison& methods) {
+  std::string text = fmt::format("  by table, study and method: {} agree", methods.agreeing);
+  std::string names;
+  const auto tell = [&](std::string_view what, const std::vector<bundle::Rows>& all) {
+    if (all.empty()) return;
+    text += fmt::format(", {} {}", all.size(), what);
+    names += named_rows(what, all);
+  };
+  tell("differ", methods.differing);
+  tell("have other cells or trials", methods.other_rows);
+  tell("only in a", methods.only_a);
+  tell("only in b", methods.only_b);
+  return text + "\n" + names;
+}
+
 std::string accuracy_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyComparison& accuracy) {
   std::string text;
   if (accuracy.rows.empty())
@@ -56,6 +82,8 @@ std::string accuracy_text(const compare::Side& a, const compare::Side& b, const 
                        first_difference_text(a, b, *accuracy.first_difference()));
   if (a.manifest.seed != b.manifest.seed)
     text += fmt::format("  seeds {} and {}: other inputs, so nothing to compare\n", a.manifest.seed, b.manifest.seed);
+  else
+    text += methods_text(accuracy.methods);
   if (accuracy.only_a + accuracy.only_b > 0)
     text += fmt::format("  {} rows only in a, {} only in b\n", accuracy.only_a, accuracy.only_b);
   for (const auto& file : accuracy.left_out)

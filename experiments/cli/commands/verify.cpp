@@ -7,7 +7,9 @@
 #include <memory>
 #include <string>
 
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/check/kernel_share.hpp"
+#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
@@ -27,6 +29,9 @@ void print_fine(const std::string& path) {
         "of {} evaluations that accuracy studies judged, {} went through the kernels that are timed, the others "
         "through kernels for many curves at once\n",
         share->judged, share->own);
+  if (const auto bundle = bundle::BundleDirectory::open(path); bundle.has(bundle::digests_name))
+    fmt::print("{} digests by table, study and method, each that of its rows\n",
+               bundle::parse_csv(bundle.read(bundle::digests_name), bundle::digests_name).row_count());
 }
 
 /// The build of a bundle may have had other libraries than this one.

@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: MIT
 """Bundles as an enemy or a bad disk would leave them, from a seed: `damaged(folder, chance)` changes one in place."""
+import csv
 import hashlib
 import json
 import os
 import re
 import shutil
 import socket
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[3]))
+from report import digests, schema  # noqa: E402
 
 # What a field, a value or a piece of a file may be replaced by.
 NASTY = [b"", b"nan", b"-inf", b"1e999", b"-1", b"0", b"9223372036854775808", b"18446744073709551616", b"1e308", b"0x1p-1074",
@@ -16,9 +22,7 @@ MANIFEST, SUMS = "bundle.json", "SHA256SUMS"
 
 
 def deterministic(names):
-    noisy = {"timing.csv", "complexity.csv", "pareto.csv", "roofline.csv", "scorecard_timing.csv", "reference.csv", "audit.csv",
-             "methods.csv"}
-    return [name for name in names if name.endswith(".csv") and "unstable" not in name and name not in noisy]
+    return [name for name in names if name in schema.deterministic()]
 
 
 def digest(data):
@@ -32,10 +36,15 @@ def is_plain(path):
 def sign(folder):
     """Makes the checksums those of what is there, as whoever changes a bundle on purpose can."""
     names = sorted(path.name for path in folder.iterdir() if is_plain(path) and path.name != SUMS and not path.name.startswith("."))
+    if digests.NAME in names and all(is_plain(folder / name) for name in deterministic(os.listdir(folder))):
+        try:
+            (folder / digests.NAME).write_text(digests.of_bundle(folder, schema.version()))
+        except (ValueError, LookupError, StopIteration, csv.Error):
+            pass  # a table that cannot be read
     lines = {name: f"{digest((folder / name).read_bytes())}  {name}\n" for name in names if "\n" not in name}
     manifest = folder / MANIFEST
     if is_plain(manifest):
-        whole = digest("".join(lines[name] for name in deterministic(lines)).encode())
+        whole = digest((folder / digests.NAME).read_bytes()) if digests.NAME in names else digest(b"")
         text = re.sub(rb'("accuracy_digest": ")[0-9a-f]{64}', rb"\g<1>" + whole.encode(), manifest.read_bytes())
         if is_plain(folder / "suite.toml"):
             suite = digest((folder / "suite.toml").read_bytes())

@@ -45,9 +45,8 @@ class ScalarCell final : public AccuracyCell {
            (200 + n * 150 + n * n * 2 * static_cast<double>(methods_.count()));
   }
   [[nodiscard]] run::Extent extent() const override {
-    const auto trials = static_cast<std::uint64_t>(study_.trials * study_.replicates);
     const auto rows = methods_.judgement_count();
-    return {1, 2 * rows, trials * methods_.count(),
+    return {1, 2 * rows, static_cast<std::uint64_t>(trials()) * methods_.count(),
             rows * judge::bytes_of_input(cell_)};  // of accuracy.csv and worst.csv
   }
 
@@ -71,6 +70,10 @@ class ScalarCell final : public AccuracyCell {
   void collect(const judge::CellTally& tally, std::vector<run::Violation>& violations) const override;
 
  private:
+  [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
+  [[nodiscard]] std::vector<std::string> cell_fields(std::size_t method) const {
+    return tables::cell_fields(study_, cell_, methods_.info(method).id, judge::ScalarFacts<Scalar>::kind);
+  }
   void write_worst(std::size_t method, const judge::Worst& worst, tables::Tables& tables) const;
   void write_reference(std::size_t method, const judge::CellTally& tally, tables::Tables& tables) const;
 
@@ -82,90 +85,68 @@ class ScalarCell final : public AccuracyCell {
   judge::GroupJudge<Scalar> judge_;
 };
 
-std::vector<std::string> reference_columns() {
-  std::vector<std::string> columns = tables::cell_columns();
-  columns.insert(columns.end(), {"tier", "trials", "escalated", "own_kernel", "unbounded_trials"});
-  return columns;
-}
-
-const std::vector<std::string> audit_columns{
-    "study", "curve",     "tier",   "significand_bits",    "dimension",         "degree", "coordinate_range", "t_min",
-    "t_max", "generator", "trials", "mean_axis_error_ulp", "max_axis_error_ulp"};
-
-std::vector<std::string> worst_columns() {
-  std::vector<std::string> columns{"worst_id"};
-  columns.insert(columns.end(), tables::cell_columns().begin(), tables::cell_columns().end());
-  columns.insert(columns.end(), {"trial", "error", "error_u"});
-  columns.insert(columns.end(), judge::input_columns().begin(), judge::input_columns().end());
-  return columns;
-}
-
 template <class Scalar>
 void ScalarCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& tables) const {
-  const auto number = [](double value) { return number::decimal(value); };
   for (std::size_t m = 0; m < methods_.count(); ++m) {
     for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
       if (methods_.is_baseline(m, k)) continue;
-      auto row = tables::cell_fields(study_, cell_, methods_.info(m).id, judge::ScalarFacts<Scalar>::kind);
-      row.push_back(std::to_string(study_.trials * study_.replicates));
-      row.push_back(study_.baseline[k]);
+      tables::Row row(methods_.is_stable(m, k) ? "accuracy.csv" : "unstable.csv");
+      row.set_each(tables::cell_columns(), cell_fields(m));
+      row.set("trials", trials()).set("baseline", study_.baseline[k]);
       if (!methods_.judged(m, k)) {
-        row.emplace_back(methods_.supported(methods_[m]) ? "baseline_degree_unsupported" : "degree_unsupported");
-        row.resize(accuracy_columns().size());
+        row.set("status", methods_.supported(methods_[m]) ? "baseline_degree_unsupported" : "degree_unsupported");
       } else {
         const judge::Judgement& judgement = tally.judgements[methods_.index(m, k)];
-        row.emplace_back("ok");
-        for (auto& field : accuracy_statistics(judgement, methods_.is_exact(k), tally.condition))
-          row.push_back(std::move(field));
+        row.set("status", "ok");
+        set_statistics(row, {judgement, methods_.is_exact(k), trials(), tally.condition});
         if (judgement.worst && methods_.is_stable(m, k)) write_worst(m, *judgement.worst, tables);
       }
-      tables.table(methods_.is_stable(m, k) ? "accuracy.csv" : "unstable.csv", accuracy_columns())
-          .add_row(std::move(row));
+      tables.add(row);
     }
   }
   for (std::size_t m = 0; m < methods_.count(); ++m)
     if (methods_.supported(methods_[m])) write_reference(m, tally, tables);
   if (tally.audit.count() > 0)
-    tables.table("audit.csv", audit_columns)
-        .add_row({study_.id, std::string(suite::name(study_.curve)), "long_double",
-                  std::to_string(std::numeric_limits<long double>::digits), std::to_string(cell_.dimension),
-                  std::to_string(cell_.degree), number(cell_.coordinate_range), number(cell_.t_interval.min),
-                  number(cell_.t_interval.max), cell_.generator, std::to_string(tally.audit.count()),
-                  number(tally.audit.mean()), number(tally.audit.max())});
+    tables.add(tables::Row("audit.csv")
+                   .set("study", study_.id)
+                   .set("curve", suite::name(study_.curve))
+                   .set("tier", "long_double")
+                   .set("significand_bits", std::numeric_limits<long double>::digits)
+                   .set("dimension", cell_.dimension)
+                   .set("degree", cell_.degree)
+                   .set_each(tables::drawn_columns(), tables::drawn_fields(cell_))
+                   .set("trials", tally.audit.count())
+                   .set("mean_axis_error_ulp", tally.audit.mean())
+                   .set("max_axis_error_ulp", tally.audit.max()));
 }
 
 /// Counts of a method's trials that do not depend on the baseline.
 template <class Scalar>
 void ScalarCell<Scalar>::write_reference(std::size_t method, const judge::CellTally& tally,
                                          tables::Tables& tables) const {
-  const std::int64_t trials = study_.trials * study_.replicates;
   std::uint64_t own_kernel = 0;
-  std::string unbounded;
-  for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
-    if (!methods_.judged(method, k)) continue;
-    const judge::Judgement& judgement = tally.judgements[methods_.index(method, k)];
-    own_kernel = judgement.own_kernel;  // the same of every baseline
-    if (methods_.is_exact(k)) unbounded = std::to_string(trials - static_cast<std::int64_t>(judgement.bounded));
-  }
-  auto row = tables::cell_fields(study_, cell_, methods_.info(method).id, judge::ScalarFacts<Scalar>::kind);
-  row.insert(row.end(), {std::string(reference::name(tier_)), std::to_string(trials), std::to_string(tally.escalated),
-                         std::to_string(own_kernel), unbounded});
-  tables.table("reference.csv", reference_columns()).add_row(std::move(row));
+  for (std::size_t k = 0; k < methods_.baseline_count(); ++k)
+    if (methods_.judged(method, k))
+      own_kernel = tally.judgements[methods_.index(method, k)].own_kernel;  // the same of every baseline
+  tables.add(tables::Row("reference.csv")
+                 .set_each(tables::cell_columns(), cell_fields(method))
+                 .set("tier", reference::name(tier_))
+                 .set("trials", trials())
+                 .set("escalated", tally.escalated)
+                 .set("own_kernel", own_kernel));
 }
 
 template <class Scalar>
 void ScalarCell<Scalar>::write_worst(std::size_t method, const judge::Worst& worst, tables::Tables& tables) const {
-  auto& table = tables.table("worst.csv", worst_columns());
   judge::TrialInputs<Scalar> inputs(judge::form_of(study_.curve), cell_);
   inputs.draw(sampler_, worst.trial);
-  std::vector<std::string> row{fmt::format("w{}", table.row_count() + 1)};
-  for (auto& field : tables::cell_fields(study_, cell_, methods_.info(method).id, judge::ScalarFacts<Scalar>::kind))
-    row.push_back(std::move(field));
-  row.push_back(std::to_string(worst.trial));
-  row.push_back(number::decimal(worst.error));
-  row.push_back(number::decimal(worst.error_u));
-  for (auto& field : judge::input_fields(inputs.values(), cell_.dimension)) row.push_back(std::move(field));
-  table.add_row(std::move(row));
+  tables.add(tables::Row("worst.csv")
+                 .set("worst_id", fmt::format("w{}", tables.table("worst.csv").row_count() + 1))
+                 .set_each(tables::cell_columns(), cell_fields(method))
+                 .set("trial", worst.trial)
+                 .set("error", worst.error)
+                 .set("error_u", worst.error_u)
+                 .set_each(judge::input_columns(), judge::input_fields(inputs.values(), cell_.dimension)));
 }
 
 /// One statistic of a judgement over the replicates that have it.

@@ -2,19 +2,9 @@
 #include "experiments/studies/accuracy/accuracy_row.hpp"
 
 #include "experiments/number/number.hpp"
-#include "experiments/tables/cell_fields.hpp"
 
 namespace bezierbench::studies {
 namespace {
-
-/// The row to be written and the judgement that its statistics are from.
-struct Statistics {
-  const judge::Judgement& judgement;
-  bool exact;
-  const metric::Tally& condition;
-
-  [[nodiscard]] bool bounded() const { return judgement.bounded > 0; }
-};
 
 using Value = double (*)(const metric::Tally&);
 constexpr Value mean = [](const metric::Tally& tally) { return tally.mean(); };
@@ -65,27 +55,15 @@ constexpr Column columns[]{
     {"max_one_minus_t_error", of_sources<&judge::SourceTallies::one_minus_t, largest>},
     {"mean_evaluation_error", of_sources<&judge::SourceTallies::evaluation, mean>},
     {"max_evaluation_error", of_sources<&judge::SourceTallies::evaluation, largest>},
-    {"max_bound",
-     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound) : std::string(); }}};
+    {"max_bound", [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound) : std::string(); }},
+    {"unbounded_trials", [](const Statistics& s) {
+       return s.exact ? std::to_string(s.trials - static_cast<std::int64_t>(s.judgement.bounded)) : std::string();
+     }}};
 
 }  // namespace
 
-const std::vector<std::string>& accuracy_columns() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = tables::cell_columns();
-    all.insert(all.end(), {"trials", "baseline", "status"});
-    for (const Column& column : columns) all.emplace_back(column.name);
-    return all;
-  }();
-  return names;
-}
-
-std::vector<std::string> accuracy_statistics(const judge::Judgement& judgement, bool exact,
-                                             const metric::Tally& condition) {
-  const Statistics statistics{judgement, exact, condition};
-  std::vector<std::string> fields;
-  for (const Column& column : columns) fields.push_back(column.field(statistics));
-  return fields;
+void set_statistics(tables::Row& row, const Statistics& statistics) {
+  for (const Column& column : columns) row.set(column.name, column.field(statistics));
 }
 
 }  // namespace bezierbench::studies

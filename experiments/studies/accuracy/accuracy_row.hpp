@@ -3,19 +3,24 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "experiments/judge/judgement.hpp"
+#include "experiments/tables/tables.hpp"
 
 namespace bezierbench::studies {
 
-/// All columns of accuracy.csv (and of unstable.csv): the cell's, then trials, baseline, status, then the statistics.
-const std::vector<std::string>& accuracy_columns();
+/// A method's trials in one cell against one baseline, as they were judged.
+struct Statistics {
+  const judge::Judgement& judgement;
+  bool exact;                      ///< against the exact reference
+  std::int64_t trials;             ///< of the cell
+  const metric::Tally& condition;  ///< likewise
 
-/// The fields of the statistics' columns. What is measured against the exact reference only stays empty where `exact`
-/// is false; `condition` is of the trials of the cell.
-std::vector<std::string> accuracy_statistics(const judge::Judgement& judgement, bool exact,
-                                             const metric::Tally& condition);
+  [[nodiscard]] bool bounded() const { return judgement.bounded > 0; }
+};
+
+/// Sets the statistics of a row of accuracy.csv or unstable.csv: what stands after `status`. What is measured against
+/// the exact reference only is empty for other baselines.
+void set_statistics(tables::Row& row, const Statistics& statistics);
 
 }  // namespace bezierbench::studies

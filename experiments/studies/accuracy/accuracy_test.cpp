@@ -250,7 +250,7 @@ TEST(Accuracy, CountsTrialsWithoutABound) {
   }
   EXPECT_GT(outside, 0);
   EXPECT_LT(outside, 400);
-  const auto csv = bundle::parse_csv(text_of(*job, "reference.csv"), "reference.csv");
+  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
   std::map<std::string, std::string> counts;
   for (std::size_t row = 0; row < csv.row_count(); ++row)
     counts[csv.at(row, "method")] = csv.at(row, "unbounded_trials");

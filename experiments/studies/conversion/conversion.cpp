@@ -186,33 +186,29 @@ RowTally ConversionJob::work(std::size_t block) const {
 }
 
 void ConversionJob::write(tables::Tables& tables) const {
-  std::vector<std::string> columns{"study",     "conversion", "degree",     "coordinate_range",
-                                   "generator", "trials",     "mean_error", "max_error"};
-  for (const auto& threshold : thresholds) columns.emplace_back(threshold.column);
-  columns.insert(columns.end(), {"curve", "dimension", "status", "non_finite"});
-  auto& table = tables.table("conversion.csv", columns);
+  (void)tables.table("conversion.csv");
   for (std::size_t part = 0; part < rows_.size(); ++part) {
-    const Row& row = rows_[part];
+    const auto& [cell, chain] = rows_[part];
     const RowTally& tally = state(part);
-    const bool supported = row.chain.supports(row.cell.degree);
-    const bool judged = tally.error.count() > 0;
-    std::vector<std::string> fields{study_.id,
-                                    row.chain.id,
-                                    std::to_string(row.cell.degree),
-                                    number::decimal(row.cell.coordinate_range),
-                                    row.cell.generator,
-                                    std::to_string(study_.trials * study_.replicates),
-                                    judged ? number::decimal(tally.error.mean()) : "",
-                                    judged ? number::decimal(tally.error.max()) : ""};
-    for (std::size_t i = 0; i < thresholds.size(); ++i) {
+    tables::Row row("conversion.csv");
+    row.set("study", study_.id)
+        .set("conversion", chain.id)
+        .set("degree", cell.degree)
+        .set("coordinate_range", cell.coordinate_range)
+        .set("generator", cell.generator)
+        .set("trials", study_.trials * study_.replicates)
+        .set("curve", suite::name(study_.curve))
+        .set("dimension", cell.dimension);
+    if (tally.error.count() > 0) row.set("mean_error", tally.error.mean()).set("max_error", tally.error.max());
+    const bool supported = chain.supports(cell.degree);
+    row.set("status", supported ? "ok" : "degree_unsupported");
+    for (std::size_t i = 0; i < thresholds.size() && supported; ++i) {
       std::int64_t sum = 0;
       for (const auto& [replicate, within] : tally.within) sum += within[i];
-      fields.push_back(supported ? std::to_string(sum) : "");
+      row.set(thresholds[i].column, sum);
     }
-    fields.insert(fields.end(),
-                  {std::string(suite::name(study_.curve)), std::to_string(row.cell.dimension),
-                   supported ? "ok" : "degree_unsupported", supported ? std::to_string(tally.non_finite) : ""});
-    table.add_row(std::move(fields));
+    if (supported) row.set("non_finite", tally.non_finite);
+    tables.add(row);
   }
 }
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/inverse_arc_length/spacing.hpp"
 
-#include <string>
 #include <string_view>
-#include <vector>
 
-#include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/length_along.hpp"
@@ -23,14 +20,10 @@ struct Spacing {
   bool measured;  ///< has shares and gaps
 };
 
+constexpr const char* axes[]{"x", "y", "z"};
+
 constexpr Spacing spacings[]{
     {"outline", 200, false, false}, {"parameter", 20, false, true}, {"arc_length", 20, true, true}};
-
-const std::vector<std::string> columns{
-    "study", "dimension", "degree", "coordinate_range", "generator", "trial", "spacing", "index", "t", "x", "y",
-    "z",     "share",     "gap"};
-
-std::string decimal(const LongReal& value) { return number::decimal(value.convert_to<double>()); }
 
 }  // namespace
 
@@ -40,7 +33,6 @@ void add_spacing(tables::Tables& tables, const suite::Study& study, const sample
   const CurveView<double> curve{Form::bernstein, cell.dimension, cell.degree, drawn.coefficients};
   const reference::LengthAlong lengths(curve);
   reference::ExactCurve exact;
-  auto& table = tables.table("spacing.csv", columns);
   for (const auto& [id, steps, by_length, measured] : spacings) {
     const bool any = measured && lengths.whole() > 0;
     LongReal before = 0;
@@ -48,24 +40,23 @@ void add_spacing(tables::Tables& tables, const suite::Study& study, const sample
       const LongReal part = LongReal(k) / steps;
       const double t = LongReal(by_length ? lengths.parameter_at(part * lengths.whole()) : part).convert_to<double>();
       const LongReal share = any ? LongReal(lengths.length_to(LongReal(t)) / lengths.whole()) : LongReal(0);
-      std::vector<std::string> row{study.id,
-                                   std::to_string(cell.dimension),
-                                   std::to_string(cell.degree),
-                                   number::decimal(cell.coordinate_range),
-                                   cell.generator,
-                                   "0",
-                                   std::string(id),
-                                   std::to_string(k),
-                                   number::decimal(t)};
+      tables::Row row("spacing.csv");
+      row.set("study", study.id)
+          .set("dimension", cell.dimension)
+          .set("degree", cell.degree)
+          .set("coordinate_range", cell.coordinate_range)
+          .set("generator", cell.generator)
+          .set("trial", 0)
+          .set("spacing", id)
+          .set("index", k)
+          .set("t", t);
       const auto& point = exact.point(curve, t);
-      for (int axis = 0; axis < 3; ++axis)
-        row.push_back(axis < cell.dimension
-                          ? number::decimal(reference::round_to(reference::binary64, point.coordinate(axis)))
-                          : "");
-      row.push_back(any ? decimal(share) : "");
-      row.push_back(any && k > 0 ? decimal((share - before) * steps) : "");
+      for (int axis = 0; axis < cell.dimension; ++axis)
+        row.set(axes[axis], reference::round_to(reference::binary64, point.coordinate(axis)));
+      if (any) row.set("share", share.convert_to<double>());
+      if (any && k > 0) row.set("gap", LongReal((share - before) * steps).convert_to<double>());
       before = share;
-      table.add_row(std::move(row));
+      tables.add(row);
     }
   }
 }

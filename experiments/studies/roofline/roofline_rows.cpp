@@ -22,10 +22,6 @@ metric::Interval interval(std::span<const double> sample) {
   return metric::median_interval(sample, metric::timing_confidence);
 }
 
-std::vector<std::string> fields(const metric::Interval& values) {
-  return {number::decimal(values.median), number::decimal(values.low), number::decimal(values.high)};
-}
-
 /// The goal of a rival's row.
 struct Goal {
   std::optional<double> share;  ///< of the peak, at least
@@ -83,8 +79,6 @@ metric::Interval share(const race::Lap& lap, const race::Lap& peak, double flops
   return interval(shares);
 }
 
-std::string text(const std::optional<double>& value) { return value ? number::decimal(*value) : ""; }
-
 /// The fastest time of each target's peak in any race of a study, in each scalar type: ns per operation.
 using Fastest = std::map<std::pair<const batch::Target*, suite::ScalarKind>, double>;
 
@@ -100,57 +94,66 @@ Fastest fastest_peaks(const std::vector<RooflineRace>& races) {
   return fastest;
 }
 
-void add_row(bundle::CsvTable& table, const suite::Study& study, const RooflineRace& race, std::size_t place,
-             const Fastest& fastest) {
+double flops_of(const RooflineRace& race, const TargetRival& who) {
+  return batch::flops_per_point(*who.evaluator, race.cell.degree, race.cell.dimension);
+}
+
+/// What only a kernel of a target has: its share of the peak, and what it is asked to reach.
+void set_share(tables::Row& row, const suite::Study& study, const RooflineRace& race, std::size_t place,
+               const Fastest& fastest) {
   const auto& who = race.rivals[place];
   const auto& lap = race.laps[place];
   const Race all(race);
+  const double peak = all.peak(Work::multiply_add, who.target);
+  const auto used = share(lap, *all.lap(Work::multiply_add, who.target), flops_of(race, who));
+  const auto goal = all.goal(who, study.goals);
+  row.set("peak_gflops", peak)
+      .set("mixed_peak_gflops", all.peak(Work::multiply_add_and_add, who.target))
+      .set("share_of_peak", used.median)
+      .set("share_low", used.low)
+      .set("share_high", used.high)
+      .set("goal_share", goal.share)
+      .set("goal_ns", goal.ns);
+  const double ns = interval(lap.ns_per_point).median;
+  const bool met = (!goal.share || used.median >= *goal.share) && (!goal.ns || ns <= *goal.ns);
+  if (goal.share || goal.ns) row.set("goal_met", met ? "yes" : "no");
+  const bool steady = 1 / peak <= (1 + metric::tolerated_drift) * fastest.at({who.target, race.scalar});
+  row.set("quality", steady ? "ok" : "noisy");
+}
+
+tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::size_t place, const Fastest& fastest) {
+  const auto& who = race.rivals[place];
+  const auto& lap = race.laps[place];
   const auto ns = interval(lap.ns_per_point);
-  const double flops = batch::flops_per_point(*who.evaluator, race.cell.degree, race.cell.dimension);
-  std::vector<std::string> row{study.id,
-                               std::string(suite::name(study.curve)),
-                               std::string(who.method->id),
-                               std::string(suite::name(race.scalar)),
-                               std::to_string(race.cell.dimension),
-                               std::to_string(race.cell.degree),
-                               std::string(who.target == nullptr ? scalar_kernel : who.target->name)};
-  const auto append = [&](const std::vector<std::string>& more) { row.insert(row.end(), more.begin(), more.end()); };
-  append(fields(ns));
-  append({number::decimal(flops), number::decimal(flops / ns.median)});
-  if (who.target == nullptr) {
-    append({"", "", "", "", "", "", "", "", ""});
-  } else {
-    const auto used = share(lap, *all.lap(Work::multiply_add, who.target), flops);
-    const auto goal = all.goal(who, study.goals);
-    append({number::decimal(all.peak(Work::multiply_add, who.target)),
-            number::decimal(all.peak(Work::multiply_add_and_add, who.target))});
-    append(fields(used));
-    append({text(goal.share), text(goal.ns)});
-    const bool met = (!goal.share || used.median >= *goal.share) && (!goal.ns || ns.median <= *goal.ns);
-    append({!goal.share && !goal.ns ? "" : met ? "yes" : "no"});
-    const double peak_ns = 1 / all.peak(Work::multiply_add, who.target);
-    const bool steady = peak_ns <= (1 + metric::tolerated_drift) * fastest.at({who.target, race.scalar});
-    append({steady ? "ok" : "noisy"});
-  }
-  append({std::to_string(lap.ns_per_point.size()), lap.checked ? "yes" : "no"});
-  append(tables::drawn_fields(race.cell));
-  table.add_row(std::move(row));
+  const double flops = flops_of(race, who);
+  tables::Row row("roofline.csv");
+  row.set("study", study.id)
+      .set("curve", suite::name(study.curve))
+      .set("method", who.method->id)
+      .set("scalar", suite::name(race.scalar))
+      .set("dimension", race.cell.dimension)
+      .set("degree", race.cell.degree)
+      .set("target", who.target == nullptr ? scalar_kernel : who.target->name)
+      .set("median_ns", ns.median)
+      .set("low_ns", ns.low)
+      .set("high_ns", ns.high)
+      .set("flops", flops)
+      .set("gflops", flops / ns.median)
+      .set("rounds", lap.ns_per_point.size())
+      .set("checked", lap.checked ? "yes" : "no")
+      .set_each(tables::drawn_columns(), tables::drawn_fields(race.cell));
+  if (who.target != nullptr) set_share(row, study, race, place, fastest);
+  return row;
 }
 
 }  // namespace
 
 void write_roofline_rows(const suite::Study& study, const std::vector<RooflineRace>& races, tables::Tables& tables) {
-  std::vector<std::string> columns{
-      "study",         "curve",     "method",     "scalar",     "dimension", "degree",      "target",
-      "median_ns",     "low_ns",    "high_ns",    "flops",      "gflops",    "peak_gflops", "mixed_peak_gflops",
-      "share_of_peak", "share_low", "share_high", "goal_share", "goal_ns",   "goal_met",    "quality",
-      "rounds",        "checked"};
-  columns.insert(columns.end(), tables::drawn_columns().begin(), tables::drawn_columns().end());
-  auto& table = tables.table("roofline.csv", columns);
+  (void)tables.table("roofline.csv");
   const auto fastest = fastest_peaks(races);
   for (const auto& race : races)
     for (std::size_t k = 0; k < race.laps.size(); ++k)
-      if (race.rivals[k].method != nullptr) add_row(table, study, race, k, fastest);
+      if (race.rivals[k].method != nullptr) tables.add(row_of(study, race, k, fastest));
 }
 
 }  // namespace bezierbench::studies

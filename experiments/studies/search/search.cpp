@@ -76,20 +76,23 @@ class ScalarSearch final : public Search {
   }
 
   void write(const Outcome& outcome, tables::Tables& tables) const override {
-    auto& table = tables.table("search.csv", columns());
-    std::vector<std::string> row{fmt::format("s{}", table.row_count() + 1)};
-    append(row, tables::cell_fields(study_, cell_, kernel_.info->id, judge::ScalarFacts<Scalar>::kind));
+    tables::Row row("search.csv");
+    row.set("search_id", fmt::format("s{}", tables.table("search.csv").row_count() + 1))
+        .set_each(tables::cell_columns(),
+                  tables::cell_fields(study_, cell_, kernel_.info->id, judge::ScalarFacts<Scalar>::kind))
+        .set("trials", study_.trials)
+        .set("budget", study_.budget);
     const Found& worst = outcome.worst;
-    if (worst.error_u < 0) {
-      row.insert(row.end(), {std::to_string(study_.trials), std::to_string(study_.budget), "non_finite"});
-      row.resize(columns().size());
-    } else {
-      append(row, {std::to_string(study_.trials), std::to_string(study_.budget), status(outcome),
-                   number::decimal(outcome.sampled_error_u), number::decimal(worst.error_u),
-                   worst.bound_u ? number::decimal(*worst.bound_u) : "", number::decimal(worst.error)});
-      append(row, judge::input_fields(worst.input, cell_.dimension));
-    }
-    table.add_row(std::move(row));
+    if (worst.error_u < 0)
+      row.set("status", "non_finite");
+    else
+      row.set("status", status(outcome))
+          .set("sampled_error_u", outcome.sampled_error_u)
+          .set("searched_error_u", worst.error_u)
+          .set("bound_u", worst.bound_u)
+          .set("error", worst.error)
+          .set_each(judge::input_columns(), judge::input_fields(worst.input, cell_.dimension));
+    tables.add(row);
   }
 
   void collect(const Outcome& outcome, std::vector<run::Violation>& violations) const override {
@@ -103,18 +106,6 @@ class ScalarSearch final : public Search {
   [[nodiscard]] const sample::Cell& cell() const override { return cell_; }
 
  private:
-  static std::vector<std::string> columns() {
-    std::vector<std::string> all{"search_id"};
-    append(all, tables::cell_columns());
-    append(all, {"trials", "budget", "status", "sampled_error_u", "searched_error_u", "bound_u", "error"});
-    append(all, judge::input_columns());
-    return all;
-  }
-
-  static void append(std::vector<std::string>& row, const std::vector<std::string>& fields) {
-    row.insert(row.end(), fields.begin(), fields.end());
-  }
-
   /// `reached`: the climb raised the error by the required factor. `near_bound`: it cannot, because the sample is
   /// already that close to the proved bound. `short`: neither.
   [[nodiscard]] static std::string status(const Outcome& outcome) {

@@ -8,7 +8,6 @@
 #include "experiments/metric/growth.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
-#include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
@@ -54,36 +53,35 @@ int claimed_exponent(const MethodInfo& method, suite::Mode mode) {
 void write_complexity_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells, race::Size size,
                            tables::Tables& tables) {
   if (size == race::Size::unclaimed) return;
-  std::vector<std::string> columns{"study",         "curve",        "method",      "scalar",   "dimension",
-                                   "mode",          "first_degree", "last_degree", "exponent", "exponent_low",
-                                   "exponent_high", "claimed",      "verdict"};
-  columns.insert(columns.end(), tables::drawn_columns().begin(), tables::drawn_columns().end());
-  columns.insert(columns.end(), {"first_points", "last_points"});
-  auto& table = tables.table("complexity.csv", columns);
+  (void)tables.table("complexity.csv");
   for (const auto& ladder : ladders_of(race_cells, size)) {
     const auto fitted = metric::growth(ladder.sizes, ladder.ns, metric::timing_confidence);
     if (!fitted) continue;
     const int claimed = claimed_exponent(*ladder.method, ladder.first->mode);
     const auto [least, most] = std::ranges::minmax(ladder.sizes);
     const bool of_points = size == race::Size::points;
-    const auto degree = std::to_string(ladder.first->cell.degree);
-    std::vector<std::string> row{study.id,
-                                 std::string(suite::name(study.curve)),
-                                 std::string(ladder.method->id),
-                                 std::string(suite::name(ladder.first->scalar)),
-                                 std::to_string(ladder.first->cell.dimension),
-                                 std::string(suite::name(ladder.first->mode)),
-                                 of_points ? degree : number::decimal(least),
-                                 of_points ? degree : number::decimal(most),
-                                 number::decimal(fitted->exponent),
-                                 number::decimal(fitted->low),
-                                 number::decimal(fitted->high),
-                                 std::to_string(claimed),
-                                 std::string(metric::name(metric::verdict(*fitted, claimed)))};
-    for (auto& field : tables::drawn_fields(ladder.first->cell)) row.push_back(std::move(field));
-    row.push_back(of_points ? number::decimal(least) : "");
-    row.push_back(of_points ? number::decimal(most) : "");
-    table.add_row(std::move(row));
+    const auto& first = *ladder.first;
+    tables::Row row("complexity.csv");
+    row.set("study", study.id)
+        .set("curve", suite::name(study.curve))
+        .set("method", ladder.method->id)
+        .set("scalar", suite::name(first.scalar))
+        .set("dimension", first.cell.dimension)
+        .set("mode", suite::name(first.mode))
+        .set("exponent", fitted->exponent)
+        .set("exponent_low", fitted->low)
+        .set("exponent_high", fitted->high)
+        .set("claimed", claimed)
+        .set("verdict", metric::name(metric::verdict(*fitted, claimed)))
+        .set_each(tables::drawn_columns(), tables::drawn_fields(first.cell));
+    if (of_points)
+      row.set("first_degree", first.cell.degree)
+          .set("last_degree", first.cell.degree)
+          .set("first_points", least)
+          .set("last_points", most);
+    else
+      row.set("first_degree", least).set("last_degree", most);
+    tables.add(row);
   }
 }
 

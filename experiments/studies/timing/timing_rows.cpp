@@ -2,10 +2,10 @@
 #include "experiments/studies/timing/timing_rows.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
-#include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
@@ -19,9 +19,10 @@ std::string_view quality(const race::RaceCell& race_cell, const race::RaceCellLa
   return race::drifted(race_cell.laps, fastest) || race::repetitions_disagree(lap) ? noisy : ok;
 }
 
-std::vector<std::string> interval_fields(std::span<const double> sample) {
+/// Median and interval of a sample, in NAME of `names`.
+void set_interval(tables::Row& row, const std::array<std::string_view, 3>& names, std::span<const double> sample) {
   const auto interval = metric::median_interval(sample, metric::timing_confidence);
-  return {number::decimal(interval.median), number::decimal(interval.low), number::decimal(interval.high)};
+  row.set(names[0], interval.median).set(names[1], interval.low).set(names[2], interval.high);
 }
 
 std::vector<double> quotients(std::span<const double> a, std::span<const double> b) {
@@ -30,68 +31,56 @@ std::vector<double> quotients(std::span<const double> a, std::span<const double>
   return all;
 }
 
-/// relative_to, ratio, ratio_low, ratio_high: over repetitions, of each of which the ratio is taken round by round.
-std::vector<std::string> ratio_fields(const race::RaceCell& race_cell, const race::RaceCellLap& lap,
-                                      std::optional<std::size_t> base) {
-  if (!base) return {"", "", "", ""};
-  auto fields = interval_fields(race::repetition_ratios(lap.repetitions, race_cell.laps[*base].repetitions));
-  fields.insert(fields.begin(), std::string(race_cell.methods[*base]->id));
-  return fields;
+/// Over repetitions, of each of which the ratio is taken round by round.
+void set_ratio(tables::Row& row, const race::RaceCell& race_cell, const race::RaceCellLap& lap, std::size_t base) {
+  row.set("relative_to", race_cell.methods[base]->id);
+  set_interval(row, {"ratio", "ratio_low", "ratio_high"},
+               race::repetition_ratios(lap.repetitions, race_cell.laps[base].repetitions));
 }
 
-std::string median_text(std::span<const double> counts) {
-  return counts.empty() ? "" : number::decimal(metric::median_interval(counts, metric::timing_confidence).median);
+void set_median(tables::Row& row, std::string_view column, std::span<const double> counts) {
+  if (!counts.empty()) row.set(column, metric::median_interval(counts, metric::timing_confidence).median);
 }
 
-/// The fields of a row that do not come from its lap, which gives times, rounds, counts and the check.
-struct RowParts {
-  std::vector<std::string> key;    ///< study to mode
-  std::vector<std::string> ratio;  ///< relative_to to ratio_high
-  std::string_view quality;
-  std::vector<std::string> inputs;       ///< coordinate_range to generator
-  std::vector<std::string> units;        ///< sentinel_units to sentinel_units_high
-  std::vector<std::string> case_values;  ///< order to data
-  race::Pace pace;                       ///< sentinel_ns, sweep_ns
-};
-
-void add_row(bundle::CsvTable& table, RowParts parts, const race::RaceCellLap& lap) {
+/// The times, rounds, counts and the check of one lap; `pace` is what the sentinels took beside.
+tables::Row row_of(const suite::Study& study, suite::Mode mode, const race::RaceCellLap& lap, const race::Pace& pace) {
   const auto rounds = lap.rounds();
-  auto row = std::move(parts.key);
-  const auto append = [&](const std::vector<std::string>& more) { row.insert(row.end(), more.begin(), more.end()); };
-  append(interval_fields(lap.repetition_ns()));
-  append({std::to_string(rounds.ns_per_point.size()), std::to_string(rounds.points_per_round)});
-  append(parts.ratio);
-  append({median_text(rounds.cycles_per_point), median_text(rounds.instructions_per_point), std::string(parts.quality),
-          rounds.checked ? "yes" : "no"});
-  append(parts.inputs);
-  append({std::to_string(lap.repetitions.size())});
-  append(parts.units);
-  append(parts.case_values);
-  append({number::decimal(parts.pace.chain_ns), number::decimal(parts.pace.sweep_ns)});
-  table.add_row(std::move(row));
+  tables::Row row("timing.csv");
+  row.set("study", study.id).set("curve", suite::name(study.curve)).set("mode", suite::name(mode));
+  set_interval(row, {"median_ns", "low_ns", "high_ns"}, lap.repetition_ns());
+  row.set("rounds", rounds.ns_per_point.size()).set("points_per_round", rounds.points_per_round);
+  set_median(row, "cycles", rounds.cycles_per_point);
+  set_median(row, "instructions", rounds.instructions_per_point);
+  row.set("checked", rounds.checked ? "yes" : "no")
+      .set("sittings", lap.repetitions.size())
+      .set("sentinel_ns", pace.chain_ns)
+      .set("sweep_ns", pace.sweep_ns);
+  return row;
 }
 
-void add_race_cell(bundle::CsvTable& table, const suite::Study& study, const race::RaceCell& race_cell,
+void add_race_cell(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
                    const race::Pace& fastest) {
   const auto base = race::relative_to(race_cell, study);
   const auto beside = race::pace(race_cell.laps);
-  for (std::size_t m = 0; m < race_cell.methods.size(); ++m)
-    add_row(
-        table,
-        {.key = {study.id, std::string(suite::name(study.curve)), std::string(race_cell.methods[m]->id),
-                 std::string(suite::name(race_cell.scalar)), std::to_string(race_cell.cell.dimension),
-                 std::to_string(race_cell.cell.degree), std::string(suite::name(race_cell.mode))},
-         .ratio = ratio_fields(race_cell, race_cell.laps[m], base),
-         .quality = quality(race_cell, race_cell.laps[m], fastest),
-         .inputs = tables::drawn_fields(race_cell.cell),
-         .units = interval_fields(quotients(race_cell.laps[m].repetition_ns(), race_cell.laps.back().repetition_ns())),
-         .case_values = judge::case_fields(race_cell.case_values),
-         .pace = beside},
-        race_cell.laps[m]);
+  for (std::size_t m = 0; m < race_cell.methods.size(); ++m) {
+    const auto& lap = race_cell.laps[m];
+    tables::Row row = row_of(study, race_cell.mode, lap, beside);
+    row.set("method", race_cell.methods[m]->id)
+        .set("scalar", suite::name(race_cell.scalar))
+        .set("dimension", race_cell.cell.dimension)
+        .set("degree", race_cell.cell.degree)
+        .set("quality", quality(race_cell, lap, fastest))
+        .set_each(tables::drawn_columns(), tables::drawn_fields(race_cell.cell))
+        .set_each(judge::case_columns(), judge::case_fields(race_cell.case_values));
+    if (base) set_ratio(row, race_cell, lap, *base);
+    set_interval(row, {"sentinel_units", "sentinel_units_low", "sentinel_units_high"},
+                 quotients(lap.repetition_ns(), race_cell.laps.back().repetition_ns()));
+    tables.add(row);
+  }
 }
 
 /// The sentinel over all race cells of a mode.
-void add_sentinel(bundle::CsvTable& table, const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
+void add_sentinel(tables::Tables& tables, const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
                   suite::Mode mode, const race::Pace& fastest) {
   race::RaceCellLaps all;
   std::string_view worst = ok;
@@ -101,35 +90,21 @@ void add_sentinel(bundle::CsvTable& table, const suite::Study& study, const std:
     if (race::drifted(race_cell.laps, fastest)) worst = noisy;
   }
   if (all.each.empty()) return;
-  add_row(table,
-          {.key = {study.id, std::string(suite::name(study.curve)), std::string(race::sentinel_name),
-                   std::string(suite::name(suite::ScalarKind::float64)), "", "", std::string(suite::name(mode))},
-           .ratio = {"", "", "", ""},
-           .quality = worst,
-           .inputs = {"", "", "", ""},
-           .units = {"", "", ""},
-           .case_values = judge::case_fields({}),
-           .pace = race::pace(all.each)},
-          all.each.back());
+  tables.add(row_of(study, mode, all.each.back(), race::pace(all.each))
+                 .set("method", race::sentinel_name)
+                 .set("scalar", suite::name(suite::ScalarKind::float64))
+                 .set("quality", worst));
 }
 
 }  // namespace
 
 void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
                        tables::Tables& tables) {
-  std::vector<std::string> columns{
-      "study",     "curve",      "method",  "scalar",       "dimension",        "degree",      "mode",
-      "median_ns", "low_ns",     "high_ns", "rounds",       "points_per_round", "relative_to", "ratio",
-      "ratio_low", "ratio_high", "cycles",  "instructions", "quality",          "checked"};
-  columns.insert(columns.end(), tables::drawn_columns().begin(), tables::drawn_columns().end());
-  columns.insert(columns.end(), {"sittings", "sentinel_units", "sentinel_units_low", "sentinel_units_high"});
-  columns.insert(columns.end(), judge::case_columns().begin(), judge::case_columns().end());
-  columns.insert(columns.end(), {"sentinel_ns", "sweep_ns"});
-  auto& table = tables.table("timing.csv", columns);
+  (void)tables.table("timing.csv");
   const race::Pace fastest = race::fastest_pace(race_cells);
   for (const auto& race_cell : race_cells)
-    if (!race_cell.laps.empty()) add_race_cell(table, study, race_cell, fastest);
-  for (const auto mode : study.modes) add_sentinel(table, study, race_cells, mode, fastest);
+    if (!race_cell.laps.empty()) add_race_cell(tables, study, race_cell, fastest);
+  for (const auto mode : study.modes) add_sentinel(tables, study, race_cells, mode, fastest);
 }
 
 }  // namespace bezierbench::studies

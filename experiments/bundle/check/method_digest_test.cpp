@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/check/method_digest.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/scratch_folder_test.hpp"
+#include "experiments/failure.hpp"
+
+namespace bezierbench::bundle {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsSupersetOf;
+
+// FIPS 180-4 examples.
+constexpr std::string_view of_nothing = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
+constexpr std::string_view of_abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+
+const DeclaredTable& accuracy() { return *declared_table("accuracy.csv"); }
+
+std::vector<MethodDigest> digests(std::string_view text, const std::vector<std::string>& columns) {
+  return method_digests(accuracy(), parse_csv(text, "accuracy.csv"), columns);
+}
+
+constexpr auto rows =
+    "study,method,degree,max_error\n"
+    "s,direct,3,1e-17\n"
+    "s,horner,3,2e-17\n"
+    "s,direct,4,3e-17\n";
+
+TEST(MethodDigest, IsOfTheRowsOfOneMethodInOneStudyAsACsvFile) {
+  EXPECT_THAT(digests(rows, {"method", "max_error"}),
+              ElementsAre(
+                  MethodDigest{
+                      {"accuracy.csv", "s", "direct"}, 2, sha256_hex("method,max_error\ndirect,1e-17\ndirect,3e-17\n")},
+                  MethodDigest{{"accuracy.csv", "s", "horner"}, 1, sha256_hex("method,max_error\nhorner,2e-17\n")}));
+}
+
+TEST(MethodDigest, OfAMethodThatIsAddedChangesNoOther) {
+  const auto before = digests(rows, {"degree", "max_error"});
+  const auto after = digests(
+      "study,method,degree,max_error\n"
+      "s,new,3,9e-17\n"
+      "s,direct,3,1e-17\n"
+      "s,horner,3,2e-17\n"
+      "s,new,4,9e-17\n"
+      "s,direct,4,3e-17\n"
+      "t,direct,4,3e-17\n",
+      {"degree", "max_error"});
+  EXPECT_EQ(after.size(), before.size() + 2);
+  EXPECT_THAT(after, IsSupersetOf(before));
+}
+
+TEST(MethodDigest, OfColumnsOfThatVersionOnlyAndOfNoNumbersOfRows) {
+  EXPECT_THAT(accuracy().digested(2), Contains("unbounded_trials"));
+  EXPECT_THAT(accuracy().digested(1), testing::Not(Contains("unbounded_trials")));
+  EXPECT_THAT(declared_table("worst.csv")->digested(2), testing::Not(Contains("worst_id")));
+  EXPECT_THROW((void)digests(rows, {"unbounded_trials"}), Failure);
+}
+
+TEST(MethodDigest, AreReadBackFromTheirTable) {
+  const auto all = digests(rows, {"degree"});
+  EXPECT_EQ(parse_digests(parse_csv(digests_csv(all), digests_name)), all);
+  EXPECT_THROW((void)parse_digests(parse_csv("table,study,method,rows,digest\na,b,c,-1,d\n", digests_name)), Failure);
+}
+
+TEST(MethodDigest, OfABundleAreOfItsDeterministicTablesSortedByName) {
+  const ScratchFolder folder;
+  const auto fill = [&](const std::string& name, const std::string& study, const std::string& method) {
+    std::string header;
+    std::string row;
+    for (const auto& column : declared_table(name)->header()) {
+      header += (header.empty() ? "" : ",") + column;
+      row += std::string(row.empty() ? "" : ",") + (column == study ? "s" : column == method ? "m" : "1");
+    }
+    folder.put(name, header + "\n" + row + "\n");
+  };
+  std::vector<std::string> expected;
+  for (const auto& table : declared_tables()) {
+    fill(table.file, table.study, table.method);
+    if (table.is_deterministic) expected.push_back(table.file);
+  }
+  std::ranges::sort(expected);
+  std::vector<std::string> found;
+  for (const auto& [rows_of, count, digest] : digests_of(folder.path(), 2)) {
+    EXPECT_EQ(rows_of.study, "s");
+    EXPECT_EQ(rows_of.method, "m");
+    found.push_back(rows_of.table);
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST(AccuracyDigest, OfSchemaVersion1CoversTheDeterministicFilesAndNoOther) {
+  const ScratchFolder folder;
+  EXPECT_EQ(accuracy_digest(folder.path(), 1), of_nothing);
+  folder.put("worst.csv", "");
+  folder.put("accuracy.csv", "abc");
+  const std::string digest = accuracy_digest(folder.path(), 1);
+  EXPECT_EQ(digest, sha256_hex(std::string(of_abc) + "  accuracy.csv\n" + std::string(of_nothing) + "  worst.csv\n"));
+  for (const char* noisy : {"timing.csv", "audit.csv", "unstable.csv", "bundle.json", "machine.json"}) {
+    folder.put(noisy, "noise");
+  }
+  EXPECT_EQ(accuracy_digest(folder.path(), 1), digest);
+
+  std::set<std::string> seen{digest};
+  for (const auto& table : declared_tables()) {
+    folder.put(table.file, "changed " + table.file);
+    EXPECT_EQ(seen.insert(accuracy_digest(folder.path(), 1)).second, table.is_deterministic) << table.file;
+  }
+}
+
+TEST(AccuracyDigest, UnreadableDeterministicFileDoesNotCountAsAbsent) {
+  const ScratchFolder folder;
+  std::filesystem::create_symlink("nowhere", folder.path() / "accuracy.csv");
+  EXPECT_THROW((void)accuracy_digest(folder.path(), 1), Failure);
+  EXPECT_THROW((void)accuracy_digest(folder.path(), 2), Failure);
+}
+
+}  // namespace
+}  // namespace bezierbench::bundle

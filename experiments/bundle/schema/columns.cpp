@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/bundle/schema/columns.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "experiments/bundle/check/schema.hpp"
+
+namespace bezierbench::bundle {
+namespace {
+
+using Json = Schema::Json;
+
+/// One schema with all to which it refers.
+class Declaration {
+ public:
+  explicit Declaration(const Json& part) : part_(part) {}
+
+  /// What the keyword says, or null: beside a reference it goes before that of what is referred to.
+  [[nodiscard]] const Json* find(const char* keyword) const {
+    for (const Json* part = &part_;; part = &tables_schema().referred(*part)) {
+      if (const auto found = part->find(keyword); found != part->end()) return &*found;
+      if (!part->contains("$ref")) return nullptr;
+    }
+  }
+  template <class T>
+  [[nodiscard]] T value(const char* keyword, T otherwise) const {
+    const Json* found = find(keyword);
+    return found == nullptr ? otherwise : found->get<T>();
+  }
+
+ private:
+  const Json& part_;
+};
+
+bool is_number_type(const Json& type) {
+  if (type.is_array())
+    return std::ranges::all_of(type, [](const Json& one) { return one == "null" || is_number_type(one); });
+  return type == "number" || type == "integer";
+}
+
+/// Numbers that are not finite.
+bool is_number_word(const Json& word) { return word == "inf" || word == "-inf" || word == "nan"; }
+
+bool holds_numbers(const Json& part) {
+  const Declaration declared(part);
+  if (const Json* several = declared.find("anyOf")) {
+    const auto is_null = [](const Json& one) { return one.contains("type") && one.at("type") == "null"; };
+    return std::ranges::all_of(*several, [&](const Json& one) { return is_null(one) || holds_numbers(one); });
+  }
+  if (const Json* words = declared.find("enum")) return std::ranges::all_of(*words, is_number_word);
+  if (const Json* word = declared.find("const")) return is_number_word(*word);
+  const Json* type = declared.find("type");
+  return type != nullptr && is_number_type(*type);
+}
+
+Column column_of(const std::string& name, const Json& part, bool of_deterministic) {
+  const Declaration declared(part);
+  Column column{.name = name,
+                .is_key = declared.value("key", false),
+                .is_number = holds_numbers(part),
+                .is_digested = false,
+                .is_deprecated = declared.value("deprecated", false),
+                .since = declared.value("since", 1)};
+  column.is_digested = of_deterministic && !column.is_deprecated && declared.value("digested", true);
+  return column;
+}
+
+DeclaredTable table_of(const std::string& file, const Json& part) {
+  const Declaration declared(part);
+  DeclaredTable table{.file = file,
+                      .is_deterministic = declared.value("deterministic", false),
+                      .study = declared.value("study", std::string("study")),
+                      .method = declared.value("method", std::string()),
+                      .columns = {}};
+  for (const auto& [name, column] : declared.find("items")->at("properties").items())
+    table.columns.push_back(column_of(name, column, table.is_deterministic));
+  return table;
+}
+
+/// The names of those columns that `is_meant`.
+template <class Predicate>
+std::vector<std::string> names(const std::vector<Column>& columns, Predicate is_meant) {
+  std::vector<std::string> all;
+  for (const auto& column : columns)
+    if (is_meant(column)) all.push_back(column.name);
+  return all;
+}
+
+}  // namespace
+
+const Column* DeclaredTable::column(std::string_view name) const {
+  const auto found = std::ranges::find(columns, name, &Column::name);
+  return found == columns.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> DeclaredTable::header() const {
+  return names(columns, [](const Column& column) { return !column.is_deprecated; });
+}
+
+std::vector<std::string> DeclaredTable::digested(int version) const {
+  return names(columns, [version](const Column& column) { return column.is_digested && column.since <= version; });
+}
+
+const std::vector<DeclaredTable>& declared_tables() {
+  static const std::vector<DeclaredTable> tables = [] {
+    std::vector<DeclaredTable> all;
+    for (const auto& [file, part] : tables_schema().document().at("properties").items())
+      all.push_back(table_of(file, part));
+    return all;
+  }();
+  return tables;
+}
+
+const DeclaredTable* declared_table(std::string_view file) {
+  const auto found = std::ranges::find(declared_tables(), file, &DeclaredTable::file);
+  return found == declared_tables().end() ? nullptr : &*found;
+}
+
+int written_version() { return tables_schema().document().at("version").get<int>(); }
+
+}  // namespace bezierbench::bundle

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+"""Digests of a bundle's rows, method by method, computed from its tables as the program computes them for digests.csv."""
+
+import csv
+import hashlib
+import io
+from collections import Counter
+from typing import NamedTuple
+
+from . import schema
+
+NAME = "digests.csv"
+
+
+class Rows(NamedTuple):
+    """Some rows of a table: those of one method in one study."""
+
+    table: str
+    study: str
+    method: str
+
+    def words(self):
+        """For a message."""
+        return f"{self.table}, study {self.study}" + (f", method {self.method}" if self.method else "")
+
+
+def line(fields):
+    """One line of CSV, quoted only where needed."""
+    quoted = ['"' + field.replace('"', '""') + '"' if set(field) & set(',"\r\n') or field == "" and len(fields) == 1 else field
+              for field in fields]
+    return ",".join(quoted) + "\n"
+
+
+def of_table(file, text, columns):
+    """{Rows: (number of rows, digest)} in the order of their first rows, over those columns of a table's text."""
+    header, *rows = csv.reader(io.StringIO(text, newline=""), strict=True)
+    study, method = (header.index(schema.table(file).get(key, key)) for key in ("study", "method"))
+    places = [header.index(column) for column in columns]
+    texts, counts = {}, Counter()
+    for row in rows:
+        at = Rows(file, row[study], row[method])
+        texts.setdefault(at, [line(columns)]).append(line([row[place] for place in places]))
+        counts[at] += 1
+    return {at: (counts[at], hashlib.sha256("".join(lines).encode()).hexdigest()) for at, lines in texts.items()}
+
+
+def of_bundle(bundle, version):
+    """The text of the digests.csv of a bundle of this schema version."""
+    lines = [line(schema.written(NAME))]
+    for file in schema.deterministic():
+        if (bundle / file).exists():
+            found = of_table(file, _text(bundle / file), schema.digested(file, version))
+            lines += [line([*at, str(count), digest]) for at, (count, digest) in found.items()]
+    return "".join(lines)
+
+
+class Agreement:
+    """Which rows of two bundles agree, over the digested columns that both have."""
+
+    def __init__(self, base, other, studies=None):
+        """`studies`: only of these, if given."""
+        self.agreeing, self.differing, self.only_base, self.only_other = [], [], [], []
+        for file in schema.deterministic():
+            a, b = (_text(bundle / file) if (bundle / file).exists() else None for bundle in (base, other))
+            headers = [set(next(csv.reader([text.split("\n", 1)[0]]))) for text in (a, b) if text is not None]
+            columns = [column for column in schema.digested(file, schema.version()) if all(column in one for one in headers)]
+            ours, theirs = (of_table(file, text, columns) if text is not None else {} for text in (a, b))
+            for at in dict.fromkeys([*ours, *theirs]):
+                if studies is None or at.study in studies:
+                    self._sort_in(at, ours.get(at), theirs.get(at))
+
+    def _sort_in(self, at, ours, theirs):
+        kind = self.only_base if theirs is None else self.only_other if ours is None else self.agreeing if ours == theirs else self.differing
+        kind.append(at)
+
+    def holds(self):
+        """Whether the other bundle has all rows of the base, bit for bit; it may have more methods and studies."""
+        return bool(self.agreeing) and not self.differing and not self.only_base
+
+    def counts(self):
+        """Both bundles in one line."""
+        kinds = {"agree": self.agreeing, "differ": self.differing, "are missing": self.only_base, "are new": self.only_other}
+        return "by table, study and method: " + ", ".join(f"{len(rows)} {what}" for what, rows in kinds.items() if rows or what == "agree")
+
+    def named(self, most=5):
+        """Lines that name a few of those that do not agree."""
+        for what, rows in (("differs", self.differing), ("is missing", self.only_base), ("is new", self.only_other)):
+            yield from (f"{what}: {at.words()}" for at in rows[:most])
+            if len(rows) > most:
+                yield f"{what}: {len(rows) - most} more"
+
+
+def _text(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return file.read()

@@ -1,0 +1,21 @@
+#!/usr/bin/python3 -I
+# SPDX-License-Identifier: MIT
+"""Does a bundle have all that another one says of accuracy, bit for bit, table by table, study by study and method by method?
+
+agreement.py BASE OTHER    exits 1 where rows of BASE are missing or differ; methods and studies that OTHER has beside are named
+
+Computed from the tables, over the digested columns that both have: bundles of any schema version can be compared.
+"""
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parent.parent))
+sys.dont_write_bytecode = True  # the source tree may be read-only
+from report.digests import Agreement  # noqa: E402
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    agreement = Agreement(*map(Path, sys.argv[1:]))
+    print(agreement.counts(), *agreement.named(), sep="\n")
+    sys.exit(0 if agreement.holds() else 1)
