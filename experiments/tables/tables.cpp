@@ -46,11 +46,4 @@ bundle::CsvTable& Tables::table(const std::string& file) {
   return found != tables_.end() ? found->second : tables_.try_emplace(file, declared(file).header()).first->second;
 }
 
-bundle::CsvTable& Tables::table(const std::string& file, const std::vector<std::string>& columns) {
-  if (columns != declared(file).header())
-    throw std::logic_error(fmt::format("{}: columns {}, in tables.schema.json {}", file, fmt::join(columns, ","),
-                                       fmt::join(declared(file).header(), ",")));
-  return table(file);
-}
-
 }  // namespace bezierbench::tables

@@ -52,8 +52,6 @@ class Tables {
   /// The table of this name, made when first asked for. Throws std::logic_error for one that the schema does not
   /// declare.
   bundle::CsvTable& table(const std::string& file);
-  /// The same, for rows whose fields are in this order. Throws std::logic_error where it is not that of the schema.
-  bundle::CsvTable& table(const std::string& file, const std::vector<std::string>& columns);
   void add(const Row& row) { table(row.file()).add_row(row.fields()); }
   [[nodiscard]] const std::map<std::string, bundle::CsvTable>& all() const { return tables_; }
 

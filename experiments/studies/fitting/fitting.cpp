@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "experiments/failure.hpp"
 #include "experiments/judge/companions.hpp"
@@ -73,21 +75,27 @@ void FittingProblem::write_example(tables::Tables& tables, const suite::Study& s
   const auto parts = judge::parts_of(study, axes, problem);
   const auto first = std::ranges::find_if(parts, [](const auto& part) { return part.cell.dimension == plane; });
   if (first == parts.end()) return;
-  auto& table =
-      tables.table("fitting_example.csv", {"study", "data", "tolerance", "method", "segment", "index", "x", "y"});
   const double tolerance = study.tolerance.front();
   for (auto part = first;
        part != parts.end() && part->cell == first->cell && part->values.points == first->values.points; ++part) {
     Drawn data;
     FittingProblem(study, seed, *part).draw(0, data);
-    const auto add = [&](std::string_view method, const std::string& segment, std::size_t index, const double* point) {
-      table.add_row({study.id, std::string(part->values.data), number::decimal(tolerance), std::string(method), segment,
-                     std::to_string(index), number::decimal(point[0]), number::decimal(point[1])});
+    const auto add = [&](std::string_view method, std::optional<std::size_t> segment, std::size_t index,
+                         const double* point) {
+      tables.add(tables::Row("fitting_example.csv")
+                     .set("study", study.id)
+                     .set("data", part->values.data)
+                     .set("tolerance", tolerance)
+                     .set("method", method)
+                     .set("segment", segment)
+                     .set("index", index)
+                     .set("x", point[0])
+                     .set("y", point[1]));
     };
-    for (std::size_t i = 0; 2 * i < data.size(); ++i) add("", "", i, &data[2 * i]);
+    for (std::size_t i = 0; 2 * i < data.size(); ++i) add("", std::nullopt, i, &data[2 * i]);
     for (const auto* method : judge::chosen_trial_kernels<FittingProblem>(study, plane)) {
       const auto b = method->fit(data, tolerance).control_points;
-      for (std::size_t i = 0; 2 * i < b.size(); ++i) add(method->info->id, std::to_string(i / 4), i % 4, &b[2 * i]);
+      for (std::size_t i = 0; 2 * i < b.size(); ++i) add(method->info->id, i / 4, i % 4, &b[2 * i]);
     }
   }
 }

@@ -28,8 +28,8 @@ namespace bezierbench::studies {
 ///
 /// `judge` adds what is found of an answer to the tallies of its row; they merge by metric::merge_fields. A trial is
 /// not const, for what is costly of its truth may be computed when it is first judged. `table` is NAME in NAME.csv, and
-/// NAME_unstable.csv for methods that are not bit-stable. `case_columns` come before `trials` and `status`, `columns`
-/// after them. `trial_nanoseconds` is what a trial costs with so many methods, see run::Job::cost.
+/// NAME_unstable.csv for methods that are not bit-stable. `case_columns` and `columns` say how the fields of a row are
+/// made; tables.schema.json declares them, and their order. `trial_nanoseconds` is what a trial costs with so many methods, see run::Job::cost.
 template <class P>
 concept StudiedProblem = judge::TrialProblem<P> &&
     requires(const P& trials, const typename P::Kernel& method, typename P::Drawn& drawn,
@@ -75,11 +75,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     return sum;
   }
   void write(tables::Tables& tables) const override {
-    each_row([&](const Row& row) {
-      const MethodInfo& info = *row.method.info;
-      tables.table(fmt::format("{}{}.csv", P::table, info.bit_stable ? "" : "_unstable"), columns())
-          .add_row(fields_of(row));
-    });
+    each_row([&](const Row& row) { tables.add(row_of(row)); });
     if constexpr (requires { P::write_example(tables, study_, seed_); }) P::write_example(tables, study_, seed_);
   }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
@@ -160,24 +156,17 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     }
   }
 
-  static const std::vector<std::string>& columns() {
-    static const std::vector<std::string> names = [] {
-      auto all = tables::cell_columns();
-      for (const judge::CaseColumn& column : P::case_columns) all.emplace_back(column.name);
-      all.insert(all.end(), {"trials", "status"});
-      for (const auto& column : P::columns) all.emplace_back(column.name);
-      return all;
-    }();
-    return names;
-  }
-
-  [[nodiscard]] std::vector<std::string> fields_of(const Row& row) const {
-    const bool taken = judge::takes<P>(*row.method.info, row.cell);
-    auto fields = tables::cell_fields(study_, row.cell, row.method.info->id, suite::ScalarKind::float64);
-    for (const judge::CaseColumn& column : P::case_columns) fields.push_back(column.field(row.values));
-    fields.insert(fields.end(), {std::to_string(row.trials), taken ? "ok" : "degree_unsupported"});
-    for (const auto& column : P::columns) fields.push_back(taken ? column.field(row) : "");
-    return fields;
+  [[nodiscard]] tables::Row row_of(const Row& row) const {
+    const MethodInfo& info = *row.method.info;
+    const bool taken = judge::takes<P>(info, row.cell);
+    tables::Row written(fmt::format("{}{}.csv", P::table, info.bit_stable ? "" : "_unstable"));
+    written.set_each(tables::cell_columns(), tables::cell_fields(study_, row.cell, info.id, suite::ScalarKind::float64))
+        .set("trials", row.trials)
+        .set("status", taken ? "ok" : "degree_unsupported");
+    for (const judge::CaseColumn& column : P::case_columns) written.set(column.name, column.field(row.values));
+    if (taken)
+      for (const auto& column : P::columns) written.set(column.name, column.field(row));
+    return written;
   }
 
   [[nodiscard]] std::string where(const Row& row, std::string_view what, std::uint64_t first) const {
