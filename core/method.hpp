@@ -13,7 +13,7 @@
 
 namespace bezierbench {
 
-/// The question that a method answers.
+/// The problem that a method solves.
 enum class Problem {
   evaluation,
   conversion,
@@ -57,7 +57,7 @@ struct MethodInfo {
   Form form = Form::bernstein;  ///< form of the curve that the method takes
   int min_degree = 0;
   int max_degree = bezierbench::max_degree;        ///< in double
-  int max_degree_float = bezierbench::max_degree;  ///< in float, whose range ends sooner
+  int max_degree_float = bezierbench::max_degree;  ///< in float, whose range is smaller
   std::optional<ErrorBound> bound = std::nullopt;
   std::string_view promise = {};  ///< of a companion problem's method: the property that its results have, for people
   bool bit_stable = true;         ///< false where libm decides the last bits

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What came from a file, its name or the command line, as it is shown to a person: nothing of it can move the cursor,
-// end the line, change the direction of writing or fill the terminal. Data files are not written through this.
+// Text from a file, a file name or the command line, made safe for a terminal: it cannot move the cursor, end the line,
+// change the direction of writing or fill the screen. Data files are not written through this.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ inline Character first_character(std::string_view text) {
   return code < least.at(length) || code > 0x10ffff || surrogate ? Character{0, 0} : Character{length, code};
 }
 
-/// Control characters, and those that end lines or turn the direction of writing.
+/// True for control characters and those that end lines or change the direction of writing.
 inline bool acts_on_terminal(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || (code >= 0x200b && code <= 0x200f) ||
          (code >= 0x2028 && code <= 0x202e) || (code >= 0x2060 && code <= 0x206f) || code == 0xfeff ||
@@ -42,7 +42,7 @@ inline bool acts_on_terminal(std::uint32_t code) {
 
 }  // namespace echo_detail
 
-/// `text` with every byte of such characters, and of what is no UTF-8, as \xNN.
+/// `text` with every byte of such characters, and every byte that is not UTF-8, as \xNN.
 inline std::string printable(std::string_view text) {
   std::string shown;
   shown.reserve(text.size());
@@ -66,7 +66,7 @@ inline std::string printable(std::string_view text) {
   return shown;
 }
 
-/// printable(text) of the beginning and the end where `text` has more than `most` bytes, with how many are left out.
+/// printable(text); where `text` has more than `most` bytes, its beginning and end with the number of bytes left out.
 inline std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return printable(text);
   const auto is_inner = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U; };

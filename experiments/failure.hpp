@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How anything in experiments says that it cannot go on: the exit code and the one line that the user reads.
+// The exception of experiments: an exit code and one line for the user.
 #pragma once
 
 #include <stdexcept>
@@ -18,7 +18,7 @@ enum class Exit : int {
   interrupted = 130,  ///< resumable
 };
 
-/// Ends the program with `exit` after printing what(), one line that names the file and says what to do.
+/// Ends the program with `exit` and prints what(), one line that names the file and the remedy.
 class Failure : public std::runtime_error {
  public:
   Failure(Exit exit, const std::string& line) : std::runtime_error(line), exit_(exit) {}

@@ -52,7 +52,7 @@ constexpr int kept_bits = 24;
 constexpr int dropped_bits = 53 - kept_bits;
 constexpr std::uint64_t fraction = (1ULL << 52U) - 1;
 
-/// An integer below 2^52 as a double, without the instruction for it, which vectors lack.
+/// An integer below 2^52 as a double. Vectors have no instruction for this conversion, so it uses the bits.
 inline double to_double(std::uint64_t value) {
   constexpr std::uint64_t bits_of_2_52 = 0x4330000000000000;
   return std::bit_cast<double>(bits_of_2_52 | value) - 0x1p+52;
@@ -67,8 +67,9 @@ inline double difference(double computed, double high, double low) {
 
 inline double larger(double a, double b) { return a < b ? b : a; }
 
-/// The length of three differences, each with an error of at most `error`, rounded to 24 bits. NaN where the numbers
-/// that it may be do not all round alike. There are no branches, so that compilers vectorise it.
+/// The length of three differences, each with an error of at most `error`, rounded to 24 bits. NaN where the interval
+/// that contains the length holds numbers that round differently. There are no branches, so that compilers vectorise
+/// it.
 inline double certain_length(double x, double y, double z, double error) {
   const double largest = larger(larger(std::abs(x), std::abs(y)), std::abs(z));
   const double unit = std::bit_cast<double>(std::bit_cast<std::uint64_t>(largest) & ~fraction);

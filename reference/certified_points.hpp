@@ -57,7 +57,7 @@ struct CertifiedBlock {
   [[nodiscard]] CertifiedLanes distances(const PointLanes& points) const;
 };
 
-/// A block of trials of one form, dimension and degree, side by side, so that the processor's vectors are full.
+/// A block of trials of one form, dimension and degree, a lane for each, so that the processor's vectors are full.
 class CertifiedPoints {
  public:
   static constexpr std::size_t lanes = certified_lanes;

@@ -23,7 +23,7 @@ CurveView<double> weights_of(const CurveView<double>& curve) {
   return {Form::bernstein, 1, curve.degree, curve.weights};
 }
 
-/// What is asked of each part of the curve: its point, or its p~.
+/// The two results for each part of the curve: its point, or its p~.
 using Ask = const ExactPoint& (ExactCurve::*)(const CurveView<double>&, double);
 
 void append(ExactCurve& exact, Ask ask, const CurveView<double>& control, double t, ExactHalf& half) {
@@ -42,7 +42,7 @@ ExactHalves halves(const CurveView<double>& curve, double t, Ask ask) {
   return result;
 }
 
-/// What a Bernstein sum is over.
+/// The coefficients of a Bernstein sum.
 using Coefficient = Rational (*)(const CurveView<double>& curve, int axis, int i);
 
 Rational plain(const CurveView<double>& curve, int axis, int i) { return exactly(curve(axis, i)); }

@@ -32,9 +32,9 @@ struct ExactHalves {
 /// t.
 ExactHalves exact_split(const CurveView<double>& curve, double t);
 
-/// What the errors of those control points are measured by, p~ of each: on each axis the sums above with |b_j| for b_j
-/// and the magnitudes of the Bernstein values; of a rational curve sum |w_j b_j| |B_j(t)| over |weight of the point|,
-/// and of a weight sum |w_j| |B_j(t)|.
+/// p~ of each of those control points, the scale of its error: on each axis the sums above with |b_j| for b_j and the
+/// magnitudes of the Bernstein values; of a rational curve sum |w_j b_j| |B_j(t)| over |weight of the point|, and of a
+/// weight sum |w_j| |B_j(t)|.
 ExactHalves split_p_tilde(const CurveView<double>& curve, double t);
 
 /// Coordinates of points of the whole curve; none where there is no point, because the weights sum to zero.

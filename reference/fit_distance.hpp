@@ -9,7 +9,7 @@
 
 namespace bezierbench::reference {
 
-/// A claimed place of a piecewise curve near a point. It affects the time of the search only, not its result.
+/// A place on a piecewise curve that a method claims to be near a point. It affects the time of the search only.
 struct NearPlace {
   int segment;  ///< from 0
   double t;     ///< in [0, 1]

@@ -30,10 +30,10 @@ LongReal rounding_of_part(const LongHodograph& h, const LongReal& largest_size, 
   return off;
 }
 
-/// What 70 digits leave open of a length. The values of h that a series is made of are right to 8 (m + 1) units of the
-/// largest control vector, and so its coefficients, of which there are m + 1. Halving a panel and Clenshaw's algorithm
-/// change values by at most 4 (m + 1)^2 units of the sum of the coefficients, and no panel is halved more than 200
-/// times.
+/// The uncertainty of a length that is computed with 70 digits. The values of h that a series is made of are right to 8
+/// (m + 1) units of the largest control vector, and so its coefficients, of which there are m + 1. Halving a panel and
+/// Clenshaw's algorithm change values by at most 4 (m + 1)^2 units of the sum of the coefficients, and no panel is
+/// halved more than 200 times.
 LongReal rounding(const LongHodograph& h, const SpeedSeries& series) {
   const auto count = static_cast<double>(h.degree() + 1);
   return unit() * static_cast<double>(h.dimension) * count * count *
@@ -63,7 +63,7 @@ LengthPanels::LengthPanels(const LongHodograph& hodograph) : halving_(hodograph.
   negligible_ = series.mean_speed_to(1) * LongReal("1e-36");
   add(series, 0, 1, 0, 0);
   uncertainty_ += hodograph.off + rounding(hodograph, series);
-  // Of a straight line that does not turn the chord is the length, without the roundings of a rule.
+  // The length of a straight line that does not turn is its chord, without the roundings of a rule.
   const LongReal chord = hodograph.chord();
   const LongReal longer = hodograph.polygon() - chord;
   if (longer > chord * LongReal("1e-60")) return;

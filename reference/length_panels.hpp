@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The integral of the speed of a Bezier curve in 70 digits, panel by panel: what true lengths are made of.
+// The integral of the speed of a Bezier curve in 70 digits, panel by panel, for true lengths.
 //
-// A panel is taken where a Gauss-Legendre rule with 44 points is proved to be right (speed_series.hpp), or where chord
-// and largest speed differ by next to nothing; else it is halved. At a cusp, whose place need not be known, the second
-// of these ends the halving: the length of the panels next to it falls like the square of their width. What is open in
-// all panels, and what roundings and terms that are left out may be, is summed and stated.
+// A panel is taken where a Gauss-Legendre rule with 44 points is proved to be right (speed_series.hpp), or where the
+// difference of chord and largest speed is negligible; else it is halved. At a cusp the second condition ends the
+// halving, because the length of the panels next to it falls like the square of their width; its parameter need not be
+// known. The uncertainties of all panels, of roundings and of terms that are left out are summed and returned.
 #pragma once
 
 #include <cstddef>
@@ -49,11 +49,11 @@ class LengthPanels {
   double work_ = 0;  ///< products so far
 };
 
-/// A length is not certain to 30 digits. Ends in one line, which says to how many it is.
+/// Thrown where a length is not certain to 30 digits. Its message is one line with the number of certain digits.
 class NotCertain : public std::runtime_error {
  public:
   NotCertain(LongReal length, const LongReal& uncertainty);
-  /// The length as far as it is known.
+  /// The computed length.
   [[nodiscard]] const LongReal& length() const { return length_; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A cheap tier: the same sums in long double. Nothing relies on it: its error against the exact point is audited and
-// written beside every accuracy study. The audit also shows on which platforms long double is the same as double.
+// A cheap tier: the same sums in long double. No result depends on it; every accuracy study audits its error against
+// the exact point. The audit also shows on which platforms long double is the same as double.
 #pragma once
 
 #include <array>

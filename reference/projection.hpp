@@ -36,13 +36,12 @@ struct ExactProjection {
 /// Projects a finite point on a curve of as many dimensions: finite coefficients in Bernstein form, degree >= 1.
 ExactProjection projection(const CurveView<double>& curve, std::span<const double> point);
 
-/// How far a foot point is off, at t and with what is said to be its distance, rounded once to `format`: |distance -
-/// d|, d the least distance; or |C(t) - P| - d where that is more than twice as much, more than the rounding of a
-/// distance can make of it: a method to which everything near is 0 says the right distance of the wrong place. Infinite
-/// where t or distance is not finite.
+/// The error of a foot point at t with its claimed distance, rounded once to `format`: |distance - d|, d the least
+/// distance; or |C(t) - P| - d where that is more than twice as much. The rounding of a distance cannot explain such a
+/// difference: the claimed distance may be right, but t is not. Infinite where t or distance is not finite.
 double foot_error(const Format& format, double t, double distance, const ExactProjection& exact);
 
-/// |a - sqrt(b)| for a double a >= 0 and b >= 0, rounded once to `format`, but that the root is cut to 256 bits.
+/// |a - sqrt(b)| for a double a >= 0 and b >= 0, rounded once to `format`, with the root cut to 256 bits.
 double distance_error(const Format& format, double a, const Rational& b);
 
 }  // namespace bezierbench::reference

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A hodograph in 70 digits as a series of Chebyshev polynomials of z in [-1, 1], and what it proves about the speed.
+// A hodograph in 70 digits as a series of Chebyshev polynomials of z in [-1, 1], and the bounds of the speed that it
+// proves.
 //
-// A part that is half as wide has a series that falls off faster, so terms that no longer count are left out: of a
-// panel next to a cusp or a turn soon a few are left, whatever the degree was.
+// The series of a part that is half as wide converges faster, so negligible terms are left out. A panel next to a cusp
+// or a turn soon needs a few terms only, whatever the degree is.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -54,14 +55,14 @@ class SpeedSeries {
   /// True where h has one axis and no root, because a_0 is larger than all other terms together.
   [[nodiscard]] bool stays_ahead() const;
 
-  /// By how much mean_speed_to(1), and on a shorter part of [-1, 1] just as much, is proved to be off at most; negative
-  /// where nothing is proved that is at most `allowed`.
+  /// A proved bound of the error of mean_speed_to(1), valid for shorter parts of [-1, 1] as well; negative where none
+  /// of at most `allowed` is proved.
   [[nodiscard]] LongReal proved_miss(const LongReal& allowed) const;
 
-  /// Leaves out the last terms, as many as change |h| by at most `allowed`; returns by how much they may.
+  /// Removes as many of the last terms as change |h| by at most `allowed`; returns a bound of the change.
   LongReal shorten(const LongReal& allowed);
 
-  /// How T_k of half an interval is made of those of the whole, for series up to this degree.
+  /// The coefficients by which T_k on a whole interval is a sum of T_j on one half, for series up to this degree.
   class Halving;
 
   /// The half on [-1, 0] stays here, that on [0, 1] is returned; both have z in [-1, 1] again.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The true arc length of a Bezier curve, to at least 30 digits.
 //
-// How it is integrated, and what it proves, is in length_panels.hpp.
+// length_panels.hpp says how it is integrated and what is proved.
 #pragma once
 
 #include <string>

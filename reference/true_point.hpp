@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The true point of one trial, as far as a caller asks for it: from a certificate where that proves the answer, else
-// from the integers, which are computed on demand. Both give the same bits.
+// The true point of one trial, computed on demand: from a certificate where that proves the result, else from big
+// integers. Both give the same bits.
 #pragma once
 
 #include <optional>

@@ -5,10 +5,10 @@
 //   factor 15: the error falls by 16 when a panel of a smooth integrand is halved.
 // Cost: per panel bounds from the control vectors, and 7 speeds. Hodographs are halved by de Casteljau's algorithm.
 // Bound: proved. S misses at most F/6480 of the mean of a speed whose fourth derivative is at most F, over a panel of
-//   width 1 ([Davis and Rabinowitz 1984], section 2.2), so the halves F/103680, and what is extrapolated
-//   16/15 F/103680 + F/97200 = F/48600. F is that of fourth_derivative.hpp. Where it proves nothing, as at a cusp or a
-//   turn, the length lies between those of the chord and of the control polygon. The differences of sums that agree
-//   would prove nothing: a turn between two abscissae is seen by no sum.
+//   width 1 ([Davis and Rabinowitz 1984], section 2.2), so the halves F/103680, and what is extrapolated 16/15 F/103680
+//   + F/97200 = F/48600. F is that of fourth_derivative.hpp. Where it proves nothing, as at a cusp or a turn, the
+//   length lies between those of the chord and of the control polygon. The difference of two sums proves nothing:
+//   neither sum changes by a turn between two abscissae.
 // Fails: slow below about 1e-12; a tolerance near u is refused in the end, for the roundings are part of the estimate.
 #pragma once
 

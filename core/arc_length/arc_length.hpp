@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method for arc length is: data about itself and one function from a hodograph to a length with its error.
+// The concept of a method for arc length: `info`, and one function from a hodograph to a length with its error.
 #pragma once
 
 #include <concepts>

@@ -43,7 +43,7 @@ class ChebyshevSeries {
   /// The curve and the series are never farther apart than this on [-1, 1].
   [[nodiscard]] double cut() const { return cut_; }
 
-  /// What rounding alone may cut, for control points of this size.
+  /// The part of `cut` that is due to rounding, for control points of this size.
   [[nodiscard]] double rounding(double largest) const { return rounding_ * largest; }
 
   /// Makes it the series of h, whose control points have at most the size `largest`.
@@ -66,7 +66,7 @@ class ChebyshevSeries {
     }
   }
 
-  /// Leaves out the last terms, as many as change the series by at most `allowed` together with what was cut before.
+  /// Removes as many of the last terms as change the series by at most `allowed`, including the terms removed before.
   void shorten(double allowed) {
     while (degree_ > 0 && cut_ + sizes_[degree_] <= allowed) cut_ += sizes_[degree_--];
   }

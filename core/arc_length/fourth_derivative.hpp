@@ -24,10 +24,10 @@
 
 namespace bezierbench {
 
-/// |f''''| on [0, 1], f the speed; infinite where h is not known to keep away from 0.
+/// A bound of |f''''| on [0, 1], f the speed; infinite where no positive lower bound of |h| is known.
 struct FourthDerivative {
   double bound = std::numeric_limits<double>::infinity();
-  /// What roundings alone may add to the bound as panels get ever smaller: halving never gets below this.
+  /// The part of the bound that is due to roundings. It remains when panels are halved.
   double rounding = 0;
 };
 

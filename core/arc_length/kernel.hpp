@@ -22,7 +22,7 @@ struct ArcLengthKernel {
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const ArcLengthKernel> arc_length_kernels(int dimension);
 
-/// What they say of themselves, in roster order.
+/// The info of every method, in roster order.
 std::span<const MethodInfo* const> arc_length_infos();
 
 }  // namespace bezierbench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is known of the length of a panel from the control vectors of its hodograph alone, and panels in halves.
+// Bounds of the length of a panel from the control vectors of its hodograph, and the halving of panels.
 #pragma once
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 
 namespace bezierbench {
 
-/// A length, and what its method says of it.
+/// A length with its method's estimate of the error.
 struct ArcLength {
   double length = 0;
   double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< absolute; NaN: the method has none

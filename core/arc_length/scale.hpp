@@ -52,7 +52,7 @@ int normalise(Curve<Form::bernstein, double, Dimension>& h) {
   return detail::normalise<Dimension>(h, {});
 }
 
-/// True where all control vectors are 0: a point has no length, and that is known without a method.
+/// True where all control vectors are 0: the curve is a point, whose length 0 needs no method.
 template <int Dimension>
 bool is_zero(const Curve<Form::bernstein, double, Dimension>& h) {
   for (int i = 0; i <= h.degree(); ++i)

@@ -21,7 +21,7 @@ constexpr std::array all_targets{Target{"NEON", HWY_NEON, &Tables<float>::neon, 
 constexpr std::array<Target, 0> all_targets{};
 #endif
 
-/// An evaluator of the roster as this translation unit knows it.
+/// An evaluator of the roster, and for each dimension the function that reads its prepared state.
 template <class Scalar>
 struct Known {
   const MethodInfo* evaluator;

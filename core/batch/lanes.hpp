@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Many parameters t as one scalar. The methods' own headers, instantiated with it, evaluate at all of them at once, on
-// one curve or each on a curve of its own.
+// Many numbers as one scalar. Instantiated with it, the methods' own headers evaluate at many parameters t at once, on
+// one curve or on a curve for each; experiments/metric/scale_lanes.cpp computes the scales of many trials.
 //
-// Every lane performs the IEEE operations of the scalar method in the same order, and has the same bits. Where the
-// result is NaN, only that it is NaN is the same, not its payload. Each target includes this in one translation unit,
-// compiled for it; the namespace bears the target's name, so that no two targets share an inline function.
+// Every lane performs the IEEE operations of the scalar method in the same order, and has the same bits. The payload of
+// a NaN may differ. Each translation unit that includes this is compiled for one target; the namespace has the target's
+// name, so that no two targets share an inline function.
 #pragma once
 
 #include <hwy/highway.h>
@@ -16,7 +16,7 @@ namespace bezierbench::batch::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One choice per lane.
+/// A truth value per lane.
 template <class Scalar, int Count>
 struct LaneMask {
   hn::Mask<hn::ScalableTag<Scalar>> mask[Count];
@@ -38,7 +38,7 @@ struct LaneMask {
   }
 };
 
-/// One number for all lanes: a value that many curves share is computed once.
+/// One number for all lanes, for a value that many curves share and that is computed once.
 template <class Scalar>
 class Same {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a conversion is: data about itself, the form that it makes, and one function from a curve to the same curve in
-// that form.
+// The concept of a conversion: `info`, the form of the result, and one function from a curve to the same curve in that
+// form.
 #pragma once
 
 #include <concepts>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method for derivatives is: data about itself, per-curve work for one order, per-point work.
+// The concept of a method for derivatives: `info`, the work per curve for one order, and the work per point.
 #pragma once
 
 #include <concepts>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an evaluator is: data about itself, per-curve work, per-point work.
+// The concept of an evaluator: `info`, the work per curve, and the work per point.
 #pragma once
 
 #include <concepts>

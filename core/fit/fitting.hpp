@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a method for piecewise fitting is: data about itself, and two functions. One makes a cubic segment near a
-// section of the data. The other gives the direction in which the curve passes a point, from the two chords at that
-// point. Where a segment is too far from the data, piecewise.hpp splits the section.
+// The concept of a method for piecewise fitting: `info`, and two functions. One makes a cubic segment near a section of
+// the data. The other gives the direction in which the curve passes a point, from the two chords at that point. Where a
+// segment is too far from the data, piecewise.hpp splits the section.
 #pragma once
 
 #include <concepts>

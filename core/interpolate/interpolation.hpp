@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method for interpolation is: data about itself, and one function from points to the cubic Bezier segments that
+// The concept of a method for interpolation: `info`, and one function from points to the cubic Bezier segments that
 // join them with continuous first and second derivatives. Axes are independent, so a method is handed one at a time.
 #pragma once
 

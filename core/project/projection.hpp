@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a method for point projection is: data about itself, and one function from a curve and a point to the parameter
-// in [0, 1] at which the curve is nearest.
+// The concept of a method for point projection: `info`, and one function from a curve and a point to the parameter in
+// [0, 1] at which the curve is nearest.
 #pragma once
 
 #include <concepts>

@@ -8,7 +8,7 @@
 
 namespace bezierbench {
 
-/// An estimate of a root, from Newton's method, whose last step was `step`, or from elsewhere.
+/// An estimate of a root. From Newton's method, `step` is its last step.
 struct RootEstimate {
   double t;
   double step;  ///< the next step should be half as long or less

@@ -11,7 +11,7 @@
 //   piece that it was cut from; or where it is narrower than 2^-54. The distance is then minimised from the best
 //   parameter.
 // Fails: beyond degree 512 the binomials of degree 2n overflow. Next to a curve whose distance is constant up to
-//   rounding over a long part it gives up after 20,000 pieces, and says so.
+//   rounding over a long part it ends after 20,000 pieces, and `converged` is false.
 #pragma once
 
 #include <vector>

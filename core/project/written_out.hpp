@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Loops whose length is known when compiled, written out step by step: GCC unrolls nested loops too late to keep small
-// polygons in registers.
+// Loops of a length that is known at compile time, written out step by step: GCC unrolls nested loops too late to keep
+// small polygons in registers.
 #pragma once
 
 #include <utility>

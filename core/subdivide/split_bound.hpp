@@ -15,7 +15,7 @@
 
 namespace bezierbench {
 
-/// What the bound of a control point multiplies.
+/// The amplification that the bound of a control point multiplies.
 enum class SplitAmplification {
   p_tilde,  ///< sum |c_j| B_j(t)
   largest   ///< max |c_j|

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method for subdivision is: data about itself, and one function from a curve and t to the control points of the
+// The concept of a method for subdivision: `info`, and one function from a curve and t to the control points of the
 // curve over [0, t] and over [t, 1].
 #pragma once
 
@@ -18,8 +18,8 @@ struct Halves {
   C right;  ///< over [t, 1]; its first control point is the junction
 };
 
-/// What is sure of the bits of the halves for every curve and every t in [0, 1] while nothing overflows. A method that
-/// does not promise something breaks it for some curve: the tests know one.
+/// Properties of the bits of the halves that hold for every curve and every t in [0, 1] while nothing overflows. For
+/// every property that a method does not promise, the tests have a curve without it.
 struct SplitPromises {
   bool keeps_ends;            ///< the first control point of left is b_0 and the last of right b_n
   bool shares_junction;       ///< the last control point of left is the first of right

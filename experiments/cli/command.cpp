@@ -33,8 +33,8 @@ std::vector<std::string> options_of(const CLI::App& command) {
   return known;
 }
 
-/// What is wrong with the first word that the parser could not place. Empty where it placed all, or where the word is
-/// one argument too many. The parser itself says only what is missing, not that a mistyped word stands in its place.
+/// The error of the first word that the parser did not recognise. Empty where it recognised all, or where the word is
+/// one argument too many. The parser itself only says what is missing, and not that a word is mistyped.
 std::string misplaced_word(const CLI::App& app) {
   const auto words = app.remaining(true);
   const auto& command = chosen_command(app);
@@ -111,7 +111,7 @@ Program::~Program() = default;
 void Program::run(int argc, const char* const* argv) {
   try {
     app_->parse(argc, argv);
-  } catch (const CLI::Success& asked) {  // help or version, of whatever words the parser knows
+  } catch (const CLI::Success& asked) {  // help or version
     if (const auto what = misplaced_word(*app_); !what.empty()) refuse(what);
     app_->exit(asked, std::cout, std::cerr);
   } catch (const CLI::ParseError& error) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command line as the subcommands see it. CLI11 is behind it, in command.cpp alone: its one header takes 4 s to
-// compile, wherever it is included.
+// The interface of the subcommands to the command line. Only command.cpp includes CLI11, whose header takes 4 s to
+// compile.
 #pragma once
 
 #include <functional>
@@ -17,13 +17,13 @@ class Option;
 
 namespace bezierbench::cli {
 
-/// An option or argument that a command has; what is asked of its value.
+/// An option or argument of a command, with the checks of its value.
 class Option {
  public:
   explicit Option(CLI::Option& option) : option_(&option) {}
 
   Option required();
-  Option once();  ///< of several values
+  Option once();  ///< at most once, where several values are allowed
   Option one_of(const std::vector<std::string>& words);
   Option within(int least, int most = std::numeric_limits<int>::max());
 
@@ -38,19 +38,19 @@ class Command {
 
   Command command(const std::string& name, const std::string& help);
 
-  /// Its value is written to `value` before the action; what was there is the default. A name without -- is that of an
-  /// argument, which is told by its place. Numbers but small whole ones are read as text, for experiments/number to
-  /// parse: the parser's own reading takes nan for a number and 1e-999 for 0.
+  /// Adds an option. Its value is written to `value` before the action; the value before that is the default. A name
+  /// without -- is that of a positional argument. All numbers except small integers are read as text, for
+  /// experiments/number to parse, because the parser would accept nan, and 1e-999 as 0.
   template <class Value>
   Option option(const std::string& name, Value& value, const std::string& help);
   Option flag(const std::string& name, bool& value, const std::string& help);
 
-  /// What is added to the result are options of this command, exactly one of which must be there.
+  /// A group of options of this command, exactly one of which must be given.
   Command alternatives(const std::string& name, const std::string& help);
 
   void needs_command();
   void takes_options_of_its_parent();
-  void action(std::function<void()> what);  ///< when the command is chosen
+  void action(std::function<void()> what);  ///< runs when the command is chosen
 
  private:
   CLI::App* app_;
@@ -71,8 +71,8 @@ class Program {
 
   [[nodiscard]] Command command() { return Command(*app_); }
 
-  /// Does what the chosen command is for, or prints help or version to std::cout. Throws Failure(Exit::usage) for a
-  /// command line that makes no sense, and whatever the action throws.
+  /// Runs the action of the chosen command, or prints help or version to std::cout. Throws Failure(Exit::usage) for a
+  /// wrong command line, and whatever the action throws.
   void run(int argc, const char* const* argv);
 
  private:

@@ -25,8 +25,8 @@ int fail(Exit exit, const std::string& line) {
   return static_cast<int>(exit);
 }
 
-/// A standard stream that is closed would give its number to the next file that is opened, a result: occupies it with
-/// one that fails just as well.
+/// The next file that is opened, perhaps a result, would get the number of a closed standard stream. Such numbers are
+/// therefore given to descriptors on which reading and writing fail, too.
 void occupy_closed_streams() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(number, F_GETFD) == -1) open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);

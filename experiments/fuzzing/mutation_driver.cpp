@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A fuzzer without libFuzzer, for every compiler and for seconds: `FUZZER --mutations N --seed S FILE...` gives the
-// function under test each file as it is, and then N changed ones. The same arguments give the same inputs. The input
-// at which it crashed is left in `crash-input`.
+// A fuzzer without libFuzzer, for every compiler and short runs: `FUZZER --mutations N --seed S FILE...` calls the
+// function under test with each file, and then with N mutations. The same arguments give the same inputs. The input at
+// which it crashed is left in `crash-input`.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -22,7 +22,7 @@
 
 namespace {
 
-std::string current;  // what a signal handler may still want
+std::string current;  // read by the signal handler
 
 extern "C" void keep_input(int signal) {
   const int file = open("crash-input", O_WRONLY | O_CREAT | O_TRUNC, 0666);
@@ -31,7 +31,7 @@ extern "C" void keep_input(int signal) {
   std::raise(signal);
 }
 
-/// On a stack of its own: the program's may be what overflowed.
+/// The handler has its own stack, because the program's may have overflowed.
 void watch_for_crashes() {
   static std::array<char, 1 << 16> place;
   stack_t stack{};
@@ -100,7 +100,7 @@ class Mutator {
     }
   }
 
-  /// Nests deeply where the tokens open and close something.
+  /// Inserts deep nesting where the tokens are brackets.
   void repeat(std::string& input, std::size_t at) {
     using Pair = std::pair<std::string_view, std::string_view>;
     static constexpr std::array<Pair, 6> tokens{

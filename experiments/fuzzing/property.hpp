@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a fuzzer holds a reader of files to. Where it does not hold, the program ends so that the fuzzer notices.
+// The properties of file readers that fuzzers check. Where one does not hold, the program aborts, which the fuzzer
+// reports.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +21,8 @@ inline void require(bool holds, const std::string& what) {
   std::abort();
 }
 
-/// Whether `read()` reads. A refusal must be the Failure of the given exit code that names the file; any other
-/// exception goes on its way and ends the program.
+/// True where `read()` succeeds. It may refuse with a Failure of the given exit code that names the file; any other
+/// exception ends the program.
 template <class Read>
 bool reads(Exit refusal, Read read) {
   try {
@@ -41,5 +42,5 @@ inline std::string_view text_of(const std::uint8_t* bytes, std::size_t size) {
 
 }  // namespace bezierbench::fuzzing
 
-/// What libFuzzer calls with every input, and mutation_driver.cpp too; 0.
+/// The function that libFuzzer and mutation_driver.cpp call with every input; returns 0.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size);

@@ -16,7 +16,7 @@ void check_key(const suite::Study& study, std::string_view problem, std::string_
                                          wanted ? "needs" : "does not have", key, wanted ? "add" : "remove"));
 }
 
-/// Every case once for each value; as they are where there is none.
+/// Every case once for each value. An empty list of values leaves the cases unchanged.
 template <class T, class Set>
 void sweep(std::vector<CaseValues>& all, const std::vector<T>& values, Set set) {
   if (values.empty()) return;

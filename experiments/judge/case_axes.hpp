@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a companion problem is asked besides its curves: the columns that tell its rows apart, empty for other problems.
+// The case axes of a companion problem: what a study varies besides the curves (order, tolerance, points, data). Their
+// columns tell rows apart and are empty for other problems.
 #pragma once
 
 #include <optional>
@@ -25,7 +26,7 @@ struct CaseAxes {
   bool order = false;
   bool tolerance = false;
   bool points = false;
-  bool data = false;  ///< every kind of data is a case of its own
+  bool data = false;  ///< every kind of data is a case
 };
 
 /// order,tolerance,points,data
@@ -34,8 +35,8 @@ const std::vector<std::string>& case_columns();
 /// The fields of those columns.
 std::vector<std::string> case_fields(const CaseValues& case_values);
 
-/// The cross product of what the study asks, order outermost; one that asks nothing where `asks` has nothing. Throws
-/// Failure(usage), which names `problem`, for a key that is missing or that the problem has not.
+/// The cross product of the study's case axes, order outermost; a single case without values where `asks` has no axis.
+/// Throws Failure(usage), which names `problem`, for a key that is missing or that belongs to another problem.
 std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes, std::string_view problem);
 
 }  // namespace bezierbench::judge

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What blocks of trials of one cell of an accuracy study gave, in a form that merges in any order to the same.
+// The results of blocks of trials of one cell of an accuracy study. The order in which they are merged changes nothing.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace bezierbench::judge {
 
-/// The errors of one replicate, per judgement, while not all of its blocks are in.
+/// The errors of one replicate, per judgement, until all of its blocks are merged.
 struct OpenReplicate {
   std::vector<metric::Tally> errors;
   std::int64_t blocks = 0;
@@ -25,7 +25,7 @@ struct OpenReplicate {
   }
 };
 
-/// What is kept of one replicate, per judgement. NaN where no trial was finite: it has no such statistic.
+/// The statistics of one replicate, per judgement. NaN where no trial was finite.
 struct ReplicateStatistic {
   double mean = 0;
   double max = 0;
@@ -39,9 +39,9 @@ struct ReplicateStatistic {
 struct CellTally {
   std::int64_t blocks_per_replicate = 1;
   std::vector<Judgement> judgements;
-  metric::Tally audit;          ///< of the long double tier: largest error of an axis, in ulp there
+  metric::Tally audit;          ///< of the long double tier: the largest error of an axis, in ulp of that axis
   metric::Tally condition;      ///< p~ over |p|
-  std::uint64_t escalated = 0;  ///< trials that a certificate left to the integers
+  std::uint64_t escalated = 0;  ///< trials that needed big integers, because no certificate decided them
   std::map<std::int64_t, OpenReplicate> open;
   std::map<std::int64_t, std::vector<ReplicateStatistic>> closed;
 
@@ -51,7 +51,7 @@ struct CellTally {
           self.closed);
   }
 
-  /// The judgements are of one block of this replicate: keeps what the replicate needs of them.
+  /// Adds the judgements of one block of this replicate.
   void end_block(std::int64_t replicate) {
     OpenReplicate block;
     for (const Judgement& judgement : judgements) block.errors.push_back(judgement.error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first trials of a cell, kept: curves with a parameter each.
+// The first trials of a cell, kept in memory: curves with a parameter each.
 #pragma once
 
 #include <cstdint>

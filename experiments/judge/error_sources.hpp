@@ -47,12 +47,12 @@ struct SourceTallies {
   }
 };
 
-/// Takes errors apart; keeps its big integers between calls (so one object per thread).
+/// Splits errors into their sources. Keeps its big integers between calls, so every thread needs its own object.
 template <class Scalar>
 class SourceMeter {
  public:
-  /// `truth` is the exact point of `curve` at `t`, `computed` what `kernel` returned (finite). Nothing where a
-  /// converted coefficient is not finite, or where the weights of a rational curve sum to zero with the rounded 1 - t.
+  /// `truth` is the exact point of `curve` at `t`, `computed` what `kernel` returned (finite). Empty where a converted
+  /// coefficient is not finite, or where the weights of a rational curve sum to zero with the rounded 1 - t.
   std::optional<ErrorSources> measure(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve, Scalar t,
                                       std::span<const double> computed, const reference::ExactPoint& truth) {
     load(kernel, curve);

@@ -48,8 +48,8 @@ void add(const Lanes& errors, LaneSet lanes, metric::Tally& tally) {
 template <class Scalar>
 struct GroupJudge<Scalar>::Origin {
   bool is_truth = true;
-  LaneSet exists = 0;      ///< without those where a baseline is not finite, or the weights sum to zero
-  LaneSet has_length = 0;  ///< with a finite one
+  LaneSet exists = 0;      ///< lanes with such a point: the baseline is finite, the weights do not sum to zero
+  LaneSet has_length = 0;  ///< lanes where |true point| is finite
   reference::CertifiedBlock points;
   Lanes length{};  ///< of the true point, and the spacing of numbers there
   Lanes ulp{};
@@ -59,7 +59,7 @@ struct GroupJudge<Scalar>::Origin {
 template <class Scalar>
 struct GroupJudge<Scalar>::Lane {
   TrialNumber number;
-  std::uint64_t counted;  ///< its number through all replicates
+  std::uint64_t counted;  ///< trial number, counted on through the replicates
   TrialInputs<Scalar> inputs;
   metric::TrialScale scale;
   reference::ExactCurve exact;
@@ -73,11 +73,11 @@ struct GroupJudge<Scalar>::Scratch {
   GroupPoints<Scalar> points;
   SourceMeter<Scalar> sources;
   std::vector<PointsOfGroup> computed;    ///< per method
-  std::vector<std::uint64_t> own_kernel;  ///< likewise: trials whose point its own kernel gave, alone or as well
+  std::vector<std::uint64_t> own_kernel;  ///< per method: trials whose point its own kernel computed
   reference::CertifiedBlock truths;
   metric::ScaleLanes scales;
   Lanes p_tilde{};
-  Origin from;  ///< what is measured from now
+  Origin from;  ///< what errors are measured from at present
 };
 
 template <class Scalar>
@@ -230,7 +230,7 @@ void GroupJudge<Scalar>::take_apart(std::size_t method, Lane& lane, std::span<co
   if (apart) judgement.sources.add(*apart);
 }
 
-/// What is known of the trials themselves, whatever the methods.
+/// Adds what depends on the trials only and not on the methods.
 template <class Scalar>
 void GroupJudge<Scalar>::add_truth(Group group, Scratch& scratch, CellTally& block) const {
   const Origin& from = scratch.from;

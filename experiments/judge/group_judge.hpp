@@ -19,7 +19,7 @@ struct TrialNumber {
   std::int64_t trial;
 };
 
-/// Refers to what it is made of. Safe to use from several threads.
+/// Keeps references to the arguments of its constructor. Safe to use from several threads.
 template <class Scalar>
 class GroupJudge {
  public:
@@ -27,8 +27,8 @@ class GroupJudge {
              const JudgedMethods<Scalar>& methods, reference::Tier tier)
       : study_(study), cell_(cell), sampler_(sampler), methods_(methods), tier_(tier) {}
 
-  /// `count` trials from `first` on, at most trials_at_once. With `check`, the first is evaluated by the methods' own
-  /// kernels as well, and one bit that differs stops the program.
+  /// `count` trials from `first` on, at most trials_at_once. With `check`, the methods' own kernels evaluate the first
+  /// one as well; a bit that differs throws std::logic_error.
   void judge(TrialNumber first, std::int64_t count, bool check, CellTally& block) const;
 
  private:

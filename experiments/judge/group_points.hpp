@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The points of a group of trials, one method after the other: side by side in the vectors of this processor where
-// core/batch has kernels for that, else curve by curve. No bit depends on which.
+// The points of a group of trials, one method after the other. Where core/batch has a kernel for groups, the trials are
+// lanes of this processor's vectors, else they are evaluated one by one. Both give the same bits.
 #pragma once
 
 #include <array>
@@ -16,20 +16,20 @@ namespace bezierbench::judge {
 inline constexpr std::size_t trials_at_once = batch::curves_at_once;
 static_assert(trials_at_once == reference::certified_lanes);
 
-/// Coordinates of a group's points; in double, which holds any float.
+/// Coordinates of a group's points, as doubles for both scalar types.
 using PointsOfGroup = reference::PointLanes;
 
-/// A method as groups are evaluated by it.
+/// A method with its kernels for one curve and for groups.
 template <class Scalar>
 struct GroupMethod {
-  /// Of this processor's best target.
+  /// The kernels for groups are those of this processor's best target.
   explicit GroupMethod(const Kernel<Scalar>& method);
 
   const Kernel<Scalar>* kernel;
-  const Kernel<Scalar>* evaluator;  ///< of a path, if it can be had alone; else the method itself
+  const Kernel<Scalar>* evaluator;  ///< of a path, if it has a kernel of its own; else the method's
   batch::GroupKernel<Scalar> side_by_side;
 
-  /// True where there are no kernels for groups: every point comes from the method's own.
+  /// True where there are no kernels for groups, so that every point comes from the method's own kernel.
   [[nodiscard]] bool is_judged_alone() const { return side_by_side.evaluate == nullptr && evaluator == kernel; }
 };
 
@@ -37,7 +37,7 @@ struct GroupMethod {
 template <class Scalar>
 class GroupPoints {
  public:
-  /// Another group of curves; they must live until its points are computed.
+  /// Begins another group of curves, which must live until its points are computed.
   void begin(int dimension, int degree) {
     dimension_ = dimension;
     degree_ = degree;
@@ -45,13 +45,13 @@ class GroupPoints {
     conversion_ = nullptr;
     given_.resize(static_cast<std::size_t>(degree + 1) * static_cast<std::size_t>(dimension) * trials_at_once);
   }
-  /// The next one of at most `trials_at_once` trials.
+  /// Adds a trial; at most `trials_at_once`.
   void add(const CurveView<Scalar>& curve, Scalar t);
 
-  /// The points of the trials that were added; leaves axes that there are none of as they are.
+  /// Writes the points of the trials that were added. Axes beyond the dimension are not written.
   void evaluate(const GroupMethod<Scalar>& method, PointsOfGroup& points);
-  /// Throws std::logic_error where the first of these points is not, bit by bit, that of the method's own kernel, which
-  /// is the one that is timed.
+  /// Throws std::logic_error unless the first of these points has the bits that the method's own kernel computes. That
+  /// kernel is the one that is timed.
   void check_first(const GroupMethod<Scalar>& method, const PointsOfGroup& points);
 
  private:
@@ -65,8 +65,8 @@ class GroupPoints {
   std::array<Scalar, trials_at_once> t_{};
   std::vector<Scalar> given_;               ///< side by side, as core/batch/target_table.hpp says
   std::vector<Scalar> converted_;           ///< likewise
-  const MethodInfo* conversion_ = nullptr;  ///< that gave `converted_`: many methods share one
-  std::vector<Scalar> one_;                 ///< curve, converted
+  const MethodInfo* conversion_ = nullptr;  ///< the conversion that computed `converted_`; methods share it
+  std::vector<Scalar> one_;                 ///< coefficients of one converted curve
   PreparedStorage prepared_;
 };
 

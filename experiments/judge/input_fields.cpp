@@ -19,7 +19,7 @@ void append(std::string& list, double value) {
   list += number::hexadecimal(value);
 }
 
-/// The numbers of a list that has `count` of them.
+/// The numbers of a list that must have `count` of them.
 std::optional<std::vector<double>> parse_list(std::string_view list, std::size_t count) {
   std::vector<double> values;
   while (!list.empty()) {

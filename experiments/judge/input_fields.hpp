@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How an input that can be replayed is written: every bit of it, in hexadecimal floating point.
+// The fields of an input that can be replayed: every number in hexadecimal floating point, which keeps all bits.
 #pragma once
 
 #include <optional>
@@ -15,20 +15,20 @@ namespace bezierbench::judge {
 const std::vector<std::string>& input_columns();
 
 /// The fields of those columns: coefficients separated by blanks, all of the first axis, then of the next; weights
-/// likewise, none but for rational curves.
+/// likewise, empty unless the curve is rational.
 std::vector<std::string> input_fields(const sample::Trial& trial, int dimension);
 
-/// About how many bytes they have.
+/// The approximate size of these fields in bytes.
 std::size_t bytes_of_input(const sample::Cell& cell);
 
-/// What those columns hold of one input.
+/// One input, as those columns hold it.
 struct InputTexts {
   std::string_view t;
   std::string_view coefficients;
   std::string_view weights;
 };
 
-/// Reads such fields; nothing where one is not a finite number or there are more or fewer than the cell's curve has.
+/// Reads such fields. Empty where a number is not finite or their count is not that of the cell's curve.
 std::optional<sample::Trial> parse_input(const InputTexts& texts, const sample::Cell& cell);
 
 }  // namespace bezierbench::judge

@@ -24,11 +24,11 @@ class JudgedMethods {
   [[nodiscard]] const GroupMethod<Scalar>& operator[](std::size_t method) const { return methods_[method]; }
   [[nodiscard]] const MethodInfo& info(std::size_t method) const { return *methods_[method].kernel->info; }
   [[nodiscard]] const std::optional<metric::BoundAtDegree>& bound(std::size_t method) const { return bounds_[method]; }
-  /// Nothing for the exact reference.
+  /// Empty for the exact reference.
   [[nodiscard]] const std::optional<GroupMethod<Scalar>>& baseline(std::size_t baseline) const {
     return baselines_[baseline];
   }
-  /// What the bounds need of a trial, and p~.
+  /// The amplifications that the bounds multiply, and that of p~.
   [[nodiscard]] const std::set<Amplification>& amplifications() const { return amplifications_; }
 
   /// Judgements are method by method, baseline by baseline.

@@ -11,7 +11,7 @@
 
 namespace bezierbench::judge {
 
-/// The trial in which a method was worst, in units of u p~; of equally bad ones the first.
+/// The trial with a method's largest error in units of u p~; of equal ones the first.
 struct Worst {
   double error_u = 0;
   double error = 0;
@@ -27,7 +27,7 @@ struct Worst {
   }
 };
 
-/// What is kept of one method against one baseline.
+/// The errors of one method, measured from one baseline.
 struct Judgement {
   metric::Tally error;
   metric::Tally error_u;
@@ -36,7 +36,7 @@ struct Judgement {
   std::optional<Worst> worst;
   SourceTallies sources;
   std::uint64_t non_finite = 0;
-  std::uint64_t own_kernel = 0;  ///< trials whose point is sure to be that of the method's own kernel, which is timed
+  std::uint64_t own_kernel = 0;  ///< trials whose point was computed by the method's own kernel, the one that is timed
   std::uint64_t bounded = 0;     ///< trials for which a bound is proved
   std::uint64_t violations = 0;
   std::int64_t first_violation = std::numeric_limits<std::int64_t>::max();  ///< trial

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which kernels a study means by its `methods` and `baseline`, for one scalar type and dimension.
+// The kernels that a study's `methods` and `baseline` name, for one scalar type and dimension.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All methods of this build that have peers: our own and, where it was configured so, those of other libraries.
+// All methods of the problems that peers solve as well: our own methods and, in a build with peers, those of other
+// libraries.
 #pragma once
 
 #include <span>
@@ -19,7 +20,7 @@ std::span<const Kernel<Scalar>> methods(int dimension);
 std::span<const ArcLengthKernel> arc_length_methods(int dimension);
 std::span<const ProjectionKernel> projection_methods(int dimension);
 
-/// What those of the peers that are no evaluators say of themselves, each once, in roster order.
+/// The info of every peer that is not an evaluator, each once, in roster order.
 std::span<const MethodInfo* const> companion_peer_infos();
 
 /// The entry for a method of this form; nullptr if there is none.

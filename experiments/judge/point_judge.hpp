@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One method at one input against the truth: what a search climbs on and what a replay recomputes.
+// Judges one method at one input. A search maximises this error, and a replay recomputes it.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ namespace bezierbench::judge {
 /// Computed with the same roundings as a row of accuracy.csv.
 struct PointVerdict {
   std::array<double, reference::max_dimension> point{};
-  bool finite = false;                 ///< all below only if so
+  bool finite = false;                 ///< the members below are set only if it is
   double error = 0;                    ///< to 24 bits
   double error_u = 0;                  ///< to 24 bits; infinite where p~ is 0
-  std::optional<double> bound_u = {};  ///< of this very input; empty where nothing is proved
+  std::optional<double> bound_u = {};  ///< at this input; empty where nothing is proved
   bool violates = false;
 };
 
-/// Keeps its scratch between calls (so one object per thread).
+/// Keeps its scratch between calls, so every thread needs its own object.
 template <class Scalar>
 class PointJudge {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a study must know of the scalar type that methods compute in.
+// Properties of the scalar type that methods compute in.
 #pragma once
 
 #include "experiments/metric/trial_scale.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One trial as the methods see it: drawn in double, rounded to their scalar type; the truth is that of the rounded one.
+// The inputs of one trial: drawn in double, then rounded to the scalar type of the methods. The truth is that of the
+// rounded inputs.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +12,14 @@
 
 namespace bezierbench::judge {
 
-/// Reusable; views point into it and end with the next change.
+/// Reusable. Views of it are valid until its next change.
 template <class Scalar>
 class TrialInputs {
  public:
   TrialInputs() = default;
   /// `form` is that of the drawn curves.
   TrialInputs(Form form, const sample::Cell& cell) { be_of(form, cell); }
-  /// Of another cell from the next draw on; keeps its memory.
+  /// The next draws are of this cell; memory is kept.
   void be_of(Form form, const sample::Cell& cell) {
     form_ = form;
     dimension_ = cell.dimension;
@@ -29,7 +30,7 @@ class TrialInputs {
     sampler.draw(trial, drawn_);
     round();
   }
-  /// Takes values that were made elsewhere, rounding them likewise.
+  /// Takes given values instead of drawing them, and rounds them likewise.
   void assign(const sample::Trial& values) {
     drawn_ = values;
     round();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory that a thread reuses from trial to trial.
+// Scratch memory that a thread reuses from trial to trial.
 #pragma once
 
 #include <cstddef>

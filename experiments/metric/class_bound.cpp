@@ -16,9 +16,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// The largest Euclidean norm of a coefficient.
 double largest_norm(const CurveClass& of) { return of.range * std::sqrt(static_cast<double>(of.dimension)); }
 
-/// Where any amplification, and its quotient by p~, is largest over the interval: with all coefficients alike each is
-/// monotone in t between 0 and 1 and beyond either, or has a single minimum there (core/basis/amplification.hpp has the
-/// formulas: powers of |t|, 1 + |t|, |t| + |1 - t|, 3|t| + |1 - t| and 1/2 + |t - 1/2|).
+/// The parameters at which an amplification, or its quotient by p~, can be largest over the interval: with all
+/// coefficients equal each is monotone on every piece between and beyond 0 and 1, or has a single minimum there
+/// (core/basis/amplification.hpp has the formulas: powers of |t|, 1 + |t|, |t| + |1 - t|, 3|t| + |1 - t| and 1/2 + |t -
+/// 1/2|).
 std::vector<double> extreme_parameters(const CurveClass& of) {
   std::vector<double> all{of.t_min, of.t_max};
   for (const double t : {0.0, 1.0})
@@ -26,7 +27,7 @@ std::vector<double> extreme_parameters(const CurveClass& of) {
   return all;
 }
 
-/// Over all members: an amplification grows with each coefficient.
+/// The largest amplification over all members of the class; it grows with each coefficient.
 double largest_amplification(Amplification kind, const CurveClass& of) {
   const std::vector<double> norms(static_cast<std::size_t>(of.degree) + 1, largest_norm(of));
   double largest = 0;
@@ -34,9 +35,9 @@ double largest_amplification(Amplification kind, const CurveClass& of) {
   return largest;
 }
 
-/// Over all members, the largest amplification / p~: that of a curve with a single coefficient, for a quotient of sums
-/// of positive terms is at most the largest quotient of two terms. Those quotients ascend or descend in the index of
-/// the coefficient, so the first or the last is the largest.
+/// The largest amplification / p~ over all members of the class. A curve with a single coefficient has it, because a
+/// quotient of sums of positive terms is at most the largest quotient of two terms. Those quotients ascend or descend
+/// in the index of the coefficient, so the first or the last is the largest.
 double largest_quotient(Amplification kind, const CurveClass& of) {
   double largest = 1;  // no amplification is below p~
   for (const double t : extreme_parameters(of))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method's proved bound says of a whole class of curves, whatever was drawn from it.
+// A method's proved bound over a whole class of curves; it does not depend on what was drawn.
 #pragma once
 
 #include "core/basis/error_bound.hpp"
@@ -22,14 +22,14 @@ struct CurveClass {
 /// No error of a member is larger; infinite where that is not proved.
 struct ClassBound {
   double coordinate = 0;  ///< in coordinate units
-  double in_u = 0;        ///< in units of u p~, for members with p~ of at least least_p_tilde()
+  double in_u = 0;        ///< in units of u p~, for members with p~ >= least_p_tilde()
 };
 
-/// Below it the class has no bound in units of u p~: what underflow loses does not shrink with p~.
+/// For a smaller p~ the class has no bound in units of u p~, because underflow terms do not shrink with p~.
 double least_p_tilde(const CurveClass& of, const Arithmetic& arithmetic);
 
 /// The bound of a method with its worst amplification over the class. Known to a relative 2^-20, as TrialScale::bound.
-/// Infinite for rational curves, whose weights the class does not name, and where an intermediate result might
+/// Infinite for rational curves, because the class says nothing about weights, and where an intermediate result might
 /// overflow.
 ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const Arithmetic& arithmetic);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the error of a derivative is compared with: p~ and A of core/basis/derivative_bound.hpp and the proved bound,
-// with Euclidean norms as in TrialScale.
+// The scales of a derivative's error: p~ and A of core/basis/derivative_bound.hpp, and the proved bound, with Euclidean
+// norms as in TrialScale.
 #pragma once
 
 #include <vector>

@@ -10,14 +10,14 @@ namespace bezierbench::metric {
 
 struct Growth {
   double exponent;
-  double low;  ///< of the interval that holds the exponent if the residuals of the logarithms are normal
+  double low;  ///< end of the confidence interval of k, if residuals of logarithms are normal
   double high;
 };
 
 /// Least squares of log cost = log c + k log n: k = S_xy / S_xx, with the interval k +- t_(N-2) sqrt(S_rr / ((N-2)
 /// S_xx)) of Student's t (Draper and Smith, Applied Regression Analysis, 3rd ed., section 1.4). A cost with a constant
-/// part bends this line, which widens the interval. Degrees and costs are as many; those that are not positive and
-/// finite are left out. Empty with fewer than three different degrees left.
+/// part bends this line, which widens the interval. There are as many degrees as costs; pairs that are not positive and
+/// finite are left out. Empty where fewer than three different degrees remain.
 std::optional<Growth> growth(std::span<const double> degrees, std::span<const double> costs, double confidence);
 
 enum class GrowthVerdict { within, above, unresolved };
@@ -31,9 +31,9 @@ constexpr std::string_view name(GrowthVerdict verdict) {
   return "";
 }
 
-/// Between a claim and the next power. Machines bend the line upwards too: the shorter a chain of dependent steps, the
-/// more points are in flight at once, and what that saves is lost as n grows (a linear method reaches exponents of 1.3
-/// over 3 <= n <= 30 where points are independent). That is a factor of the machine, not a power of n.
+/// A tolerance between a claimed exponent and the next one. Processors raise the fitted exponent: with a short chain of
+/// dependent steps they work on several independent points at once, and they lose this saving as n grows. A linear
+/// method then reaches exponents of 1.3 over 3 <= n <= 30. This is a property of the processor, not a power of n.
 inline constexpr double growth_margin = 0.5;
 
 /// A claim O(n^k) is a bound from above, and terms of lower order make the fitted exponent smaller: `within` where the

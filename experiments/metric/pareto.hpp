@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of several methods are worth choosing when both time and error count.
+// The methods on the Pareto front of time and error.
 #pragma once
 
 #include <span>
@@ -10,13 +10,13 @@
 
 namespace bezierbench::metric {
 
-/// What one method costs and how wrong it was seen to be, on the same inputs as its rivals.
+/// The time of one method and its observed maximum error, on the same inputs as its rivals.
 struct Tradeoff {
   Interval time;         ///< median with its interval, any unit
-  double largest_error;  ///< the worst seen; infinite where a result was not finite
+  double largest_error;  ///< observed maximum; infinite where a result was not finite
 };
 
-/// Whether a method lies on the front: `off` where a rival that is at least as right is certainly faster; `unresolved`
+/// Whether a method lies on the front: `off` where a rival whose error is no larger is certainly faster; `unresolved`
 /// where such a rival is faster by its median, but the intervals of the two times overlap; else `on`.
 enum class Front { on, off, unresolved };
 
@@ -29,8 +29,8 @@ constexpr std::string_view name(Front front) {
   return "";
 }
 
-/// For each of the methods, against all others. Of two with the same median and error neither beats the other. Times
-/// are known to their intervals only; errors are compared as they were seen, for the inputs are the same.
+/// Compares each method with all others. Of two with the same median and error neither beats the other. Times are
+/// compared by their intervals. Observed errors are compared directly, because the inputs are the same.
 std::vector<Front> pareto_front(std::span<const Tradeoff> methods);
 
 }  // namespace bezierbench::metric

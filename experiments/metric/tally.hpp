@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The errors of many trials, kept exactly: sums are integers per binade, quantiles come from a histogram of leading
-// bits. Adding and merging are therefore free of order: threads, blocks and shards cannot change a byte of a statistic.
+// bits. The order of adding and merging therefore changes nothing: threads, blocks and shards cannot change a byte of a
+// statistic.
 #pragma once
 
 #include <array>
@@ -40,7 +41,7 @@ class Tally {
   [[nodiscard]] double quantile(double q) const;
   [[nodiscard]] double max() const;
 
-  /// All of it, exactly. load() throws number::MalformedBytes for what save() never writes.
+  /// Saves and loads the tally exactly. load() throws number::MalformedBytes for bytes that save() never writes.
   void save(number::ByteWriter& bytes) const;
   void load(number::ByteReader& bytes);
 
@@ -65,8 +66,8 @@ class Tally {
   double max_ = 0;
 };
 
-/// Rounds to 24 significant bits, ties to even: how an error is kept when it was not rounded already. What is not
-/// finite stays.
+/// Rounds to 24 significant bits, ties to even: the precision in which errors are kept. Infinities and NaN stay as they
+/// are.
 inline double to_24_bits(double value) {
   constexpr int dropped_bits = 53 - 24;
   constexpr std::uint64_t low = (1ULL << dropped_bits) - 1;

@@ -69,7 +69,7 @@ void TrialScale::weigh(const CurveView<double>& curve) {
 void TrialScale::weigh_exactly(const CurveView<double>& norms) {
   auto& p_tilde = amplified_[static_cast<std::size_t>(Amplification::p_tilde_bernstein)];
   p_tilde = infinite;
-  if (!std::isfinite(weights_.largest_point)) return;  // so long are the points that their norms overflow
+  if (!std::isfinite(weights_.largest_point)) return;  // a norm overflows
   const auto& exact = exact_.p_tilde(norms, t_);
   if (!exact.exists()) return;
   p_tilde = reference::round_to(reference::binary64, exact.coordinate(0));
@@ -95,11 +95,12 @@ double TrialScale::in_bound_units(double error, const Arithmetic& arithmetic) {
 double TrialScale::polynomial_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic, double rounding) {
   if (!growth_) growth_ = integer_power(std::abs(t_) + std::abs(1 - t_), degree());
   const double size = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
-  // Subnormal numbers take a processor a hundred times as long: they are left out where they cannot change a bit.
+  // Operations on subnormal numbers take a processor up to a hundred times as long. The term is left out where it
+  // cannot change a bit.
   const bool is_lost = rounding > 0x1p-800 && size * bound.underflow * *growth_ < 0x1p+100 &&
                        arithmetic.smallest_subnormal == double_arithmetic.smallest_subnormal;
   if (is_lost) return 0;
-  // The tiny unit first, so that large factors do not overflow on the way.
+  // Multiplied from the left, beginning with the smallest subnormal, so that large factors do not overflow.
   return arithmetic.smallest_subnormal * size * bound.underflow * *growth_;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the error of one trial is compared with: p~ and the proved bound, with the Euclidean norm of each coefficient.
+// The scales of one trial's error: p~ and the proved bound, with the Euclidean norm of each coefficient.
 //
 // A bound that holds on each axis holds for the Euclidean norm: by the triangle inequality the norm of the
 // amplifications is at most the amplification of the norms, and d axes add at most d underflow terms.
@@ -18,16 +18,16 @@
 
 namespace bezierbench::metric {
 
-/// Rounding facts of the scalar type that the methods computed in.
+/// Rounding properties of the scalar type that the methods compute in.
 struct Arithmetic {
   double unit_roundoff;       ///< u = 2^-53, or 2^-24 for float
   double smallest_subnormal;  ///< 2^-1074, or 2^-149
-  double range;               ///< a power of two that, and whose reciprocal, is far from overflow and underflow
+  double range;               ///< a power of two; it and its reciprocal are far from overflow and underflow
 };
 inline constexpr Arithmetic double_arithmetic{0x1p-53, 0x1p-1074, 0x1p+1000};
 inline constexpr Arithmetic float_arithmetic{0x1p-24, 0x1p-149, 0x1p+120};
 
-/// A bound at one degree: what of it does not depend on the trial.
+/// A bound at one degree: the factors that do not depend on the trial.
 struct BoundAtDegree {
   BoundAtDegree(const ErrorBound& error_bound, int degree, const Arithmetic& arithmetic)
       : bound(error_bound),
@@ -49,7 +49,7 @@ struct BoundCheck {
 /// Scales of one (curve, t); amplifications are computed when first asked for. Reusable.
 class TrialScale {
  public:
-  /// Must be called before anything else, for every trial.
+  /// Sets the trial. Must be called before any other member.
   void set(const CurveView<double>& curve, double t);
   /// The same for a lane of a group, whose scales are computed. The curve, not rational, must live until the next call.
   void set(const CurveView<double>& curve, double t, const ScaleLanes& group, std::size_t lane);
@@ -60,8 +60,8 @@ class TrialScale {
   /// error / (u p~); where p~ is 0: 0 for error 0, else infinite.
   double in_bound_units(double error, const Arithmetic& arithmetic);
 
-  /// The bound in coordinate units. `length` is |p| to 24 bits where it is known: a compensated method promises a few
-  /// roundings of the result itself, which may be far less than those of p~.
+  /// The bound in coordinate units. `length` is |p| to 24 bits where it is known: the bound of a compensated method has
+  /// a few roundings of |p|, which may be far smaller than p~.
   double bound(const BoundAtDegree& bound, const Arithmetic& arithmetic, std::optional<double> length = std::nullopt);
   double bound(const ErrorBound& bound, const Arithmetic& arithmetic, std::optional<double> length = std::nullopt) {
     return this->bound(BoundAtDegree(bound, degree(), arithmetic), arithmetic, length);
@@ -75,7 +75,7 @@ class TrialScale {
   static bool violates(double error, double bound) { return error > bound * (1 + 0x1p-20); }
 
  private:
-  /// What is known of the weights of a rational curve.
+  /// Sums and extremes of the weights of a rational curve.
   struct Weights {
     double smallest = 0;
     double largest = 0;
@@ -87,10 +87,11 @@ class TrialScale {
   void begin(const CurveView<double>& curve, double t);
   void take_norms();
   void weigh(const CurveView<double>& curve);
-  /// For sums that may cancel and magnitudes that leave the range of double; `norms` holds |b_i| and w_i.
+  /// Sums in big integers, for weights of both signs and magnitudes that leave the range of double; `norms` holds |b_i|
+  /// and w_i.
   void weigh_exactly(const CurveView<double>& norms);
   double amplified(Amplification kind);
-  /// `rounding` is what the bound is without it.
+  /// The underflow term; `rounding` is the bound without it.
   [[nodiscard]] double polynomial_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic, double rounding);
   [[nodiscard]] double rational_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic);
 
@@ -99,7 +100,7 @@ class TrialScale {
   double t_ = 0;
   int dimension_ = 0;
   double largest_ = 0;
-  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|; none before they are needed
+  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|; empty until they are needed
   Weights weights_;
   reference::ExactCurve exact_;
   std::array<std::optional<double>, amplification_count> amplified_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a ratio of two times says: the one rule for rows of a table, comparisons of bundles and choices of a method.
+// The verdict on a ratio of two times. Tables, comparisons of bundles and choices of a method all use this rule.
 #pragma once
 
 #include <string_view>
@@ -8,14 +8,14 @@
 
 namespace bezierbench::metric {
 
-/// Of every interval of a time or a ratio.
+/// The confidence of every interval of a time or a ratio.
 inline constexpr double timing_confidence = 0.99;
 
 /// Differences below it are of no practical interest.
 inline constexpr double practical_margin = 0.01;
 
-/// Of fixed work that runs beside: where it takes longer than at other times by more than this, the machine changed its
-/// speed, and times taken then do not compare with those others.
+/// A tolerance for the sentinels. Where a sentinel takes longer than its fastest time by more than this, the machine
+/// changed its speed, and times from then are not compared with others.
 inline constexpr double tolerated_drift = 2 * practical_margin;
 
 enum class Verdict { same, slower, faster, unresolved };
@@ -30,9 +30,9 @@ constexpr std::string_view name(Verdict verdict) {
   return "";
 }
 
-/// `ratio` is time over the time that it is compared with: `same` where the whole interval lies in
-/// [1 - margin, 1 + margin], `slower` where it lies above, `faster` where it lies below, else `unresolved` (also for
-/// NaN). So `same` is shown, not merely never refuted.
+/// `ratio` is time over the time that it is compared with: `same` where the whole interval lies in [1 - margin, 1 +
+/// margin], `slower` where it lies above, `faster` where it lies below, else `unresolved` (also for NaN). So `same` is
+/// a positive result, not the absence of evidence.
 constexpr Verdict verdict(const Interval& ratio, double margin = practical_margin) {
   if (ratio.low > 1 + margin) return Verdict::slower;
   if (ratio.high < 1 - margin) return Verdict::faster;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values as bytes and back, exactly, the same on every machine: what unfinished work is kept in. Integers are written
-// seven bits at a time, least first; a double as its 64 bits.
+// Values as bytes and back, exactly and equal on every machine, for checkpoints. Integers are written seven bits at a
+// time, least significant first; a double as its 64 bits.
 //
 // A type takes part with `each_field(bytes, self)`, which hands all its fields to `bytes` and serves both directions,
 // or with `save(ByteWriter&) const` and `load(ByteReader&)`.
@@ -140,7 +140,7 @@ class ByteReader {
     for (unsigned k = 0; k < sizeof bits; ++k) bits |= static_cast<std::uint64_t>(next()) << (8 * k);
     value = std::bit_cast<double>(bits);
   }
-  /// Every item takes a byte at least: a wrong size asks for no memory.
+  /// Every item takes at least one byte, so a wrong size is found before memory is allocated.
   std::size_t get_size() {
     std::size_t size = 0;
     get(size);

@@ -17,8 +17,8 @@ std::string non_finite(double value) { return std::isnan(value) ? "nan" : (value
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_hex_digit(char c) { return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
-// from_chars is laxer than the contract: it takes "infinity" and "nan(...)" and a minus of its own. A digit first, or
-// a point and a digit, leaves only the plain numbers.
+// from_chars accepts more than this function may: "infinity", "nan(...)" and a second minus. The first character must
+// therefore be a digit, or a point before a digit.
 bool starts_number(std::string_view text, bool (*digit)(char)) {
   if (text.starts_with('.')) text.remove_prefix(1);
   return !text.empty() && digit(text.front());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers as text: how every data file and option writes and reads a double. No locale changes a byte.
+// Numbers as text, for every data file and option. The locale has no effect.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace bezierbench::number {
 /// Reads a whole number in the range of int64, also when written as `1e4` or `0x1p3`.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// The whole number that `value` is, where it is one in the range of int64.
+/// `value` as an integer, where it is one in the range of int64.
 [[nodiscard]] std::optional<std::int64_t> whole(double value);
 
 }  // namespace bezierbench::number

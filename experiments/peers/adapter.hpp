@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What turns an adapter into kernels: the same step that our own methods take.
+// Makes kernels of an adapter, by the same step as for our own methods.
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 
 namespace bezierbench::peers {
 
-/// Of a method for Bezier curves of degree 1 to `max_degree` that promises neither bits nor errors.
+/// The info of a method for Bezier curves of degree 1 to `max_degree` that is not bit-stable and has no bound.
 constexpr MethodInfo companion_info(std::string_view id, std::string_view label, Problem problem,
                                     std::string_view citation, int max_degree = 100) {
   return {.id = id,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Methods of other libraries, as kernels. Which of them there are is decided when the program is configured: the roster
-// is experiments/peers/CMakeLists.txt.
+// Methods of other libraries, as kernels. The roster is experiments/peers/CMakeLists.txt; CMake chooses those whose
+// libraries are installed.
 #pragma once
 
 #include <span>
@@ -17,8 +17,8 @@ std::span<const K> none(int /*dimension*/) {
   return {};
 }
 
-/// A method of another library in this build. It solves one problem: one of the tables has one kernel, or none for this
-/// dimension, the others are empty.
+/// A method of another library in this build. It solves one problem: one of the functions returns its kernel, if it has
+/// one for the dimension, and the others return an empty table.
 struct Peer {
   std::string_view id;       ///< of the method
   std::string_view library;  ///< several peers may share one
@@ -28,7 +28,7 @@ struct Peer {
   std::span<const ProjectionKernel> (*projection_kernels)(int dimension) = none<ProjectionKernel>;
 };
 
-/// A peer that this program knows by name only.
+/// A peer that this build lacks.
 struct AbsentPeer {
   std::string_view id;
   std::string_view remedy;  ///< what to do to have it
@@ -37,7 +37,7 @@ struct AbsentPeer {
 /// The peers in this build, in roster order; none unless it was configured with -DBEZIERBENCH_PEERS=ON.
 std::span<const Peer> present();
 
-/// The others of the roster.
+/// The peers of the roster that this build lacks.
 std::span<const AbsentPeer> absent();
 
 }  // namespace bezierbench::peers

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The clock that races are timed by, and whether it is fit for that. A clock that stands still, goes back or takes
-// steps that are not small against what it times gives times that look like any others, or lets a race wait for ever.
+// The clock of races, and the check that it is fit for them. A clock that stands still, goes back or has coarse steps
+// gives plausible but wrong times, or lets a race wait for ever.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +18,13 @@ std::int64_t steady_ns();
 /// The least time of one rival's turn in one round of a race, unless its options say otherwise.
 inline constexpr double shortest_turn_seconds = 5e-5;
 
-/// The largest step of a clock, as a share of a turn: the practical margin of verdicts. Coarser steps would make
-/// differences of that size, or hide them.
+/// The largest step of a clock, as a share of a turn: the practical margin of verdicts. A coarser clock could cause or
+/// hide a difference of that size.
 inline constexpr double largest_step_share = 0.01;
 
-/// Why turns of this length cannot be timed by the clock; nothing where they can. Reads it a million times at most, so
-/// that it ends whatever the clock does. A step is the least change seen between two readings, the time that a reading
-/// takes included.
+/// Says why the clock cannot time turns of this length; empty where it can. Reads the clock a million times at most, so
+/// it ends even if the clock stands still. A step is the least change seen between two readings, the time that a
+/// reading takes included.
 std::optional<std::string> clock_fault(Clock clock, double turn_seconds = shortest_turn_seconds);
 
 /// Throws Failure(Exit::environment) where the clock of races is not fit for them.

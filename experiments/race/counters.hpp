@@ -13,11 +13,11 @@ struct Counts {
   double instructions;
 };
 
-/// What the kernel hands over for the group, as `perf_event_open(2)` lays it out.
+/// A reading of the group, in the layout of `perf_event_open(2)`.
 struct CounterReading {
   std::uint64_t members = 0;
   std::uint64_t enabled_ns = 0;  ///< since the counters were opened
-  std::uint64_t running_ns = 0;  ///< of that, while they really counted: others may want them too
+  std::uint64_t running_ns = 0;  ///< the part of it in which they counted: processes share the counters
   std::uint64_t cycles = 0;
   std::uint64_t instructions = 0;
 };
@@ -25,7 +25,7 @@ struct CounterReading {
 /// Counts between two readings, scaled up by enabled / running time. Empty where the counters did not run in between.
 std::optional<Counts> counts_between(const CounterReading& before, const CounterReading& after);
 
-/// One group, cycles and instructions of this thread in user mode. Counts from its beginning to its end.
+/// A group of two counters, cycles and instructions of this thread in user mode. Counts while the object lives.
 class Counters {
  public:
   Counters();

@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t third_of_page = 1344;  // in whole cache lines
 constexpr std::size_t place_of_state = 960;  // in its first third, behind all but the largest prepared states
 
-/// What a rival owns: the prepared state, its parameters, the points of its last batch, and the points it must
-/// reproduce. What batches touch lies in another third of a page each, for every rival alike.
+/// The memory of a rival: the prepared state, the parameters, the points of its last batch, and the points it must
+/// reproduce. State, parameters and points lie in different thirds of a page, at the same offsets for every rival.
 template <class Scalar>
 struct State {
   const Kernel<Scalar>& kernel;
@@ -46,13 +46,14 @@ struct State {
   State& operator=(State&&) = delete;
   ~State() { destroy(); }
 
-  /// Takes another curve. Ending the object of the last one is part of what a curve costs.
+  /// Prepares another curve. Destroying the state of the last one is part of the cost of a curve.
   void prepare(std::size_t k) {
     destroy();
     kernel.prepare(inputs.curve(k), prepared.data());
   }
 
-  /// Are the points the judged ones? Spoils them, so that a batch that writes nothing cannot pass the next check.
+  /// True where the points are the judged ones. Overwrites them, so that a batch that writes nothing fails the next
+  /// check.
   bool check() {
     const bool same = std::memcmp(points.data(), judged.data(), points.size() * sizeof(Scalar)) == 0;
     std::ranges::fill(points, spoilt);
@@ -66,8 +67,8 @@ struct State {
   }
 };
 
-/// One t at a time. Copied out of the state before a loop: what the loop reads then lies in registers, on the stack, or
-/// at the places of the state's vectors.
+/// Evaluates one t at a time. The members are copied before the loop, so that the loop reads registers, the stack, and
+/// the vectors of the state only.
 template <class Scalar>
 struct PointByPoint {
   explicit PointByPoint(State<Scalar>& s)
@@ -146,7 +147,7 @@ Rival rival_of(const std::shared_ptr<State<Scalar>>& state, std::function<void()
   return {std::string(state->kernel.info->id), state->t.size(), std::move(run), [state] { return state->check(); }};
 }
 
-/// Point by point, to axis by axis.
+/// Reorders points: from point by point to axis by axis.
 template <class Scalar>
 std::vector<Scalar> by_axis(const std::vector<Scalar>& points, std::size_t dimension) {
   std::vector<Scalar> sorted;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A kernel as a contestant in one of the timing modes, over inputs that were drawn and judged beforehand.
+// A kernel as a rival in one of the timing modes, over inputs that were drawn and judged beforehand.
 #pragma once
 
 #include <memory>
@@ -27,7 +27,7 @@ struct Inputs {
     if (form == Form::rational) view.weights = weights[k];
     return view;
   }
-  /// The curve that t k is evaluated on.
+  /// The curve of t[k].
   [[nodiscard]] CurveView<Scalar> curve_of(std::size_t k, suite::Mode mode) const {
     return curve(mode == suite::Mode::one_shot ? k : 0);
   }

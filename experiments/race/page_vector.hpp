@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A vector that begins at a given place within a page of 4096 bytes, so that like data of all rivals lie alike.
+// A vector that begins at a given offset within a page of 4096 bytes, so that corresponding data of all rivals have the
+// same offset.
 //
-// A processor first compares the addresses of a load and of stores under way by their place within a page: a load
-// behind a store at the same place of another page may wait for it in vain, so that the allocator would decide which of
-// two equal kernels is the faster. Sources: AMD, Software Optimization Guide 25112, section 5.5, on false dependencies;
-// Intel, IA-32 Optimization Reference Manual, section 2, on aliasing by multiples of 4 kilobytes.
+// A processor first compares the addresses of a load and of pending stores by their offsets within a page. A load after
+// a store at the same offset of another page may wait for it needlessly, so the allocator could make one of two equal
+// kernels faster. Sources: AMD, Software Optimization Guide 25112, section 5.5, on false dependencies; Intel, IA-32
+// Optimization Reference Manual, section 2, on aliasing by multiples of 4 kilobytes.
 #pragma once
 
 #include <cstddef>

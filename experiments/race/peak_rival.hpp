@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The peak of a target as a contestant: fixed work that fills its arithmetic units, beside the methods in their race.
+// The peak of a target as a rival: fixed work that fills its arithmetic units, in the same race as the methods.
 #pragma once
 
 #include "core/batch/batch.hpp"

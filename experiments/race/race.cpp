@@ -12,14 +12,14 @@ namespace {
 
 constexpr double ns_per_second = 1e9;
 
-/// Runs a copy of what the rival runs: it lies at the same place of the stack, and what it allocates in the memory that
-/// the last one left, whichever rival it is (page_vector.hpp says why that matters).
+/// Runs a copy of the rival's function. The copy has the same place on the stack for every rival, and it allocates from
+/// the memory that the last copy freed (page_vector.hpp says why places matter).
 double seconds_of(const Rival& rival, std::size_t repetitions, Clock clock) {
   const auto run = rival.run;
   const std::int64_t start = clock();
   for (std::size_t k = 0; k < repetitions; ++k) {
     run();
-    benchmark::ClobberMemory();  // the results are read, as far as the compiler knows
+    benchmark::ClobberMemory();  // the compiler must assume that the results are read
   }
   return static_cast<double>(clock() - start) / ns_per_second;
 }
@@ -28,7 +28,7 @@ double seconds_of(const Rival& rival, std::size_t repetitions, Clock clock) {
 /// must not end the search, and not rounded to a power of two, as rivals of equal speed must get equal turns. Doubling
 /// also warms it up. A clock that has hardly moved after so many calls would let the search go on for ever.
 std::size_t calibrated_repetitions(const Rival& rival, double least_seconds, Clock clock) {
-  constexpr std::size_t many = 4096;            // take longer than the largest step that a clock may have
+  constexpr std::size_t many = 4096;            // calls that take longer than the largest step that a clock may have
   constexpr double least_call_seconds = 1e-11;  // a twentieth of a processor's cycle or less
   const auto fastest_of_three = [&](std::size_t repetitions) {
     const double seconds = std::min({seconds_of(rival, repetitions, clock), seconds_of(rival, repetitions, clock),
@@ -47,8 +47,8 @@ std::size_t calibrated_repetitions(const Rival& rival, double least_seconds, Clo
   return static_cast<std::size_t>(std::ceil(static_cast<double>(repetitions) * least_seconds / seconds));
 }
 
-/// Orders of the rivals, one per round: Williams' design, in which every rival stands in every place and directly
-/// follows every other equally often. Source: Williams, Australian J. Sci. Res. A 2 (1949) 149-168.
+/// Orders of the rivals, one per round: Williams' design, in which every rival has every position and directly follows
+/// every other rival equally often. Source: Williams, Australian J. Sci. Res. A 2 (1949) 149-168.
 std::vector<std::vector<std::size_t>> counterbalanced_orders(std::size_t rivals) {
   std::vector<std::vector<std::size_t>> orders;
   for (std::size_t shift = 0; shift < rivals; ++shift) {
@@ -116,7 +116,7 @@ std::vector<Lap> race(const std::string& name, std::span<const Rival> rivals, co
   };
   const double enough_seconds = options.rival_seconds * static_cast<double>(rivals.size());
 
-  bool clock_stopped = false;  // thrown once Google Benchmark is done: it does not expect exceptions
+  bool clock_stopped = false;  // reported after Google Benchmark has returned, which does not expect exceptions
   const auto body = [&](benchmark::State& state) {
     std::size_t round = 0;
     double total_seconds = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Times rivals against each other: in every round each runs once, in an order that changes from round to round, so that
-// drift of the machine meets all of them alike and ratios can be taken within rounds.
+// Times rivals against each other. In every round each runs once, in an order that changes from round to round. Drift
+// of the machine therefore affects all rivals equally, and ratios are taken within rounds.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,23 @@
 
 namespace bezierbench::race {
 
-/// One contestant. `run` does its whole batch once and writes its results where `check` looks.
+/// One rival. `run` does its whole batch once and writes the results that `check` reads.
 struct Rival {
   std::string name;
   std::size_t points_per_batch;
   std::function<void()> run;
-  std::function<bool()> check;  ///< outside the clock, after every round: are the results the judged ones?
+  std::function<bool()> check;  ///< after every round, not timed: true where the results are the judged ones
 };
 
-/// What a race says of one rival.
+/// The times of one rival in a race.
 struct Lap {
   std::vector<double> ns_per_point;            ///< one per round
   std::vector<double> cycles_per_point;        ///< one per round in which the counters ran; none without counters
   std::vector<double> instructions_per_point;  ///< likewise
-  std::size_t points_per_round = 0;            ///< the most, of several races
+  std::size_t points_per_round = 0;            ///< the largest number, of several races
   bool checked = true;                         ///< every check held
 
-  /// The rounds of another race of the same rival.
+  /// Appends the rounds of another race of the same rival.
   void append(const Lap& other);
 
   template <class Bytes, class Self>
@@ -39,18 +39,19 @@ struct Lap {
   }
 };
 
-/// Many short turns beat few long ones: a turn shorter than the scheduler's slices is seldom interrupted, and its
-/// neighbours in the round meet the same machine. On two processors with a load of 12, half the interval of the ratio
-/// of a kernel to itself was 68 % with 41 rounds of 0.5 ms and 0.07 % with 400 rounds of 0.05 ms, in half the time.
+/// Many short turns measure better than few long ones: a turn shorter than the scheduler's time slice is seldom
+/// interrupted, and the other turns of the round meet the same state of the machine. On two processors with a load of
+/// 12, half the interval of the ratio of a kernel to itself was 68 % with 41 rounds of 0.5 ms and 0.07 % with 400
+/// rounds of 0.05 ms, in half the time.
 struct RaceOptions {
-  std::size_t rounds = 400;                      ///< at most, and about
+  std::size_t rounds = 400;                      ///< at most, approximately
   std::size_t least_rounds = 41;                 ///< before `rival_seconds` may end the race
   double round_seconds = shortest_turn_seconds;  ///< least time of one rival's turn in one round
   double rival_seconds = 0.04;                   ///< of all turns of one rival, on average
-  double most_seconds = 30;                      ///< ends the race after the round that reaches it, come what may
+  double most_seconds = 30;                      ///< the race ends after the round that reaches this, in any case
   Clock clock = steady_ns;
   const Counters* counters = nullptr;
-  bool (*stop)() = nullptr;  ///< asked between rounds; true ends the race early
+  bool (*stop)() = nullptr;  ///< called between rounds; true ends the race early
 };
 
 /// Runs the race as one Google Benchmark benchmark with manual time; laps are in the order of the rivals. Unless

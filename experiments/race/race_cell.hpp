@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One cell of a timing study in one scalar type and mode: its methods race each other, with sentinels beside them, in
-// several repetitions. They all answer one question, evaluation or that of a companion problem.
+// several repetitions. All of them solve the same problem: evaluation or one companion problem.
 //
 // Repetitions are spread over the time of the whole suite, and intervals are over repetitions; timing/repetition.hpp
 // says why.
@@ -22,9 +22,9 @@
 
 namespace bezierbench::race {
 
-/// What a method, or a sentinel, has from the repetitions of a race cell.
+/// The laps of a method or a sentinel in the repetitions of a race cell.
 struct RaceCellLap {
-  /// The k-th of all methods of the race cell is the same repetition, and its rounds are the same rounds.
+  /// Element k is the same repetition, with the same rounds, for all methods of the race cell.
   std::vector<Lap> repetitions;
 
   template <class Bytes, class Self>
@@ -38,7 +38,7 @@ struct RaceCellLap {
   [[nodiscard]] std::vector<double> repetition_ns() const;
 };
 
-/// What repetitions of a race cell gave: the lap of each method, then of the sentinels.
+/// The result of repetitions of a race cell: the laps of each method, then those of the sentinels.
 struct RaceCellLaps {
   std::vector<RaceCellLap> each;
 
@@ -47,7 +47,7 @@ struct RaceCellLaps {
     bytes(self.each);
   }
 
-  /// Other repetitions of the same race cell, in whatever order they come.
+  /// Adds other repetitions of the same race cell; their order does not matter.
   void merge(const RaceCellLaps& other);
 };
 
@@ -59,7 +59,7 @@ struct RaceCell {
   suite::Mode mode;
   std::vector<const MethodInfo*> methods;  ///< those that support the degree
   judge::CaseValues case_values = {};      ///< of a companion problem
-  std::vector<RaceCellLap> laps = {};      ///< what it gave, see RaceCellLaps; empty where none ran
+  std::vector<RaceCellLap> laps = {};      ///< see RaceCellLaps; empty until a repetition ran
 };
 
 /// One repetition, 0 <= repetition < repetitions_per_race: judges the methods, then races them. A method whose points
@@ -67,12 +67,12 @@ struct RaceCell {
 RaceCellLaps run(const TimedProblem& problem, const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,
                  std::size_t repetition, const RaceOptions& options);
 
-/// How long the sentinels took.
+/// The times of the two sentinels.
 struct Pace {
   double chain_ns = std::numeric_limits<double>::infinity();
   double sweep_ns = std::numeric_limits<double>::infinity();
 
-  /// Takes over what is faster.
+  /// Keeps the faster time of each sentinel.
   void speed_up(const Pace& other);
   /// The greater of the ratios to `other`.
   [[nodiscard]] double over(const Pace& other) const;
@@ -81,7 +81,7 @@ struct Pace {
 /// Medians over the repetitions that were run; `laps` holds some.
 Pace pace(const std::vector<RaceCellLap>& laps);
 
-/// Each sentinel's fastest repetition; infinite where none ran.
+/// The fastest repetition of each sentinel; infinite where none ran.
 Pace fastest_pace(const std::vector<RaceCellLap>& laps);
 /// The same over all race cells.
 Pace fastest_pace(const std::vector<RaceCell>& race_cells);
@@ -91,8 +91,7 @@ Pace fastest_pace(const std::vector<RaceCell>& race_cells);
 bool drifted(const std::vector<RaceCellLap>& laps, const Pace& fastest);
 
 /// Whether the repetitions of one method disagree: the slowest quarter of them takes longer than the fastest by more
-/// than is tolerated. Then the median says which part of the time was quiet, or where the memory lay, more than what
-/// the method takes.
+/// than is tolerated. Then the median depends more on disturbances and on where memory lies than on the method.
 bool repetitions_disagree(const RaceCellLap& lap);
 
 /// The method id that a study names as its baseline; empty where it names none.

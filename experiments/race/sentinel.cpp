@@ -15,7 +15,7 @@ constexpr double start = 0.25;
 constexpr std::size_t numbers_of_sweep = 256;  // two kilobytes, as the parameters of methods
 constexpr std::size_t sweeps_per_batch = 16;   // even
 
-/// A compiler that knew the factor would do without the product.
+/// Not a constant for the compiler, which would otherwise remove the product.
 double one() {
   volatile double hidden = 1;
   return hidden;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs code with its stack elsewhere: local arrays that straddle cache lines, or share sets of a cache with the data,
-// cost time that says nothing of the method, so that several places must be tried.
+// Runs code with an offset of its stack. Local arrays that straddle cache lines, or share sets of a cache with the
+// data, cost time that is not the method's, so several offsets are tried.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace bezierbench::race {
 
-/// Calls `body()` with the stack 528 * step bytes further down: another 16-byte place within a cache line, and another
-/// eighth of a page. step < 1024.
+/// Calls `body()` with the stack 528 * step bytes further down: each step has another 16-byte offset within a cache
+/// line and another eighth of a page. step < 1024.
 template <class Body>
 [[gnu::noinline]] auto with_stack_moved(std::size_t step, Body&& body) {
   constexpr std::size_t bytes_per_step = 528;
   auto* room = static_cast<volatile char*>(__builtin_alloca(bytes_per_step * step + 1));
-  *room = 0;  // or else the compiler may do without the room
+  *room = 0;  // keeps the compiler from removing the allocation
   return std::forward<Body>(body)();
 }
 

@@ -12,8 +12,8 @@
 namespace bezierbench::race {
 namespace {
 
-/// What is asked of a method where no bound is proved. Of those, interpolation at uniform nodes loses most: its
-/// Lebesgue constant grows like 2^n / (e n ln n) (Trefethen, Approximation Theory and Approximation Practice,
+/// The accuracy that is required of a method without a proved bound. Of these, interpolation at uniform nodes loses
+/// most: its Lebesgue constant grows like 2^n / (e n ln n) (Trefethen, Approximation Theory and Approximation Practice,
 /// theorem 15.2).
 ErrorBound bound_without_proof(Form form) {
   return {
@@ -24,7 +24,7 @@ ErrorBound bound_without_proof(Form form) {
       .underflow_scales_with_coefficients = true};
 }
 
-/// What is given, in double: exactly.
+/// The given curve in double, exactly.
 std::vector<double> widened(std::span<const float> values) { return {values.begin(), values.end()}; }
 std::span<const double> widened(std::span<const double> values) { return values; }
 

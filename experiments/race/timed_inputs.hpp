@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the methods of a cell are timed on: the first trials that a study would draw for it.
+// The inputs on which the methods of a cell are timed: its first trials.
 #pragma once
 
 #include <cstdint>

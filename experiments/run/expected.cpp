@@ -9,7 +9,7 @@ namespace {
 bool gives_rows(const suite::Study& study, std::uint64_t seed, const Kinds& kinds) {
   try {
     return kinds.make_job(study, {seed, reference::Tier::exact})->extent().rows > 0;
-  } catch (const Failure&) {  // its methods are not in this build
+  } catch (const Failure&) {  // this build lacks its methods
     return false;
   }
 }

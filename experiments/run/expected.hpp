@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bundle of some suites has, for whoever verifies one.
+// The contents that `verify` expects in a bundle of some suites.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace bezierbench::run {
 
-/// What `verify` is to find in a bundle of these suites. A study with methods that this build does not have asks for no
-/// table: which rows it gives is known where they are.
+/// The contents that `verify` expects in a bundle of these suites. For a study with methods that this build lacks it
+/// expects no table, because this build does not know which rows they write.
 [[nodiscard]] bundle::Expected expected_of(const std::vector<suite::Suite>& suites, const Kinds& kinds);
 
 }  // namespace bezierbench::run

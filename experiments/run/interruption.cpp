@@ -19,7 +19,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may use 
 extern "C" void end_or_remember(int /*signal*/) {
   if (at_work.load(std::memory_order_relaxed)) return arrived.store(true, std::memory_order_relaxed);
   constexpr std::string_view line = "bezierbench: interrupted before any work began; run the same command again\n";
-  // Nothing can be done about a line that cannot be written.
+  // A line that cannot be written is ignored.
   (void)!::write(STDERR_FILENO, line.data(), line.size());
   ::_exit(static_cast<int>(Exit::interrupted));
 }

@@ -17,18 +17,18 @@
 
 namespace bezierbench::run {
 
-/// Where a proved bound was seen to fail.
+/// A trial whose error is beyond a proved bound.
 struct Violation {
   std::string where;  ///< study, method, cell and trial
   std::uint64_t count;
 };
 
-/// How much a study is, before it is done.
+/// The size of a study, known before it runs.
 struct Extent {
   std::size_t cells = 0;
   std::size_t rows = 0;           ///< of CSV
   std::uint64_t evaluations = 0;  ///< of methods or conversions
-  std::size_t input_bytes = 0;    ///< about, of the inputs that rows record in full
+  std::size_t input_bytes = 0;    ///< approximately, of the inputs that rows record in full
 
   Extent& operator+=(const Extent& other) {
     cells += other.cells;
@@ -39,13 +39,14 @@ struct Extent {
   }
 };
 
-/// What all studies of a run share.
+/// Settings that all studies of a run share.
 struct JobContext {
   std::uint64_t seed = 1;
   reference::Tier tier = reference::Tier::exact;
 };
 
-/// What blocks of one part of a job gave: merges in any order to the same, and survives the program as bytes.
+/// The result of blocks of one part of a job. The order of merging changes nothing, and bytes keep it between
+/// processes.
 class Result {
  public:
   Result() = default;
@@ -60,8 +61,8 @@ class Result {
   virtual void save(number::ByteWriter& bytes) const = 0;
 };
 
-/// Work is cut into parts (one cell, say), each of as many blocks, numbered part by part. Blocks are independent of
-/// each other; the results of a part's blocks are merged.
+/// The work is divided into parts (for example cells) of equally many blocks, which are numbered part by part. Blocks
+/// are independent of each other; the results of a part's blocks are merged.
 class Job {
  public:
   Job() = default;
@@ -76,31 +77,32 @@ class Job {
   [[nodiscard]] std::size_t blocks() const { return parts() * blocks_per_part(); }
   [[nodiscard]] std::size_t part_of(std::size_t block) const { return block / blocks_per_part(); }
 
-  /// Any block, on any thread unless `exclusive`. Where an interruption arrived meanwhile the result is worthless.
+  /// Runs a block, on any thread unless `exclusive`. If an interruption arrives meanwhile, the result must be
+  /// discarded.
   [[nodiscard]] virtual std::unique_ptr<Result> run_block(std::size_t block) const = 0;
-  /// Throws number::MalformedBytes for what no result of this kind writes.
+  /// Throws number::MalformedBytes for bytes that no result of this kind writes.
   [[nodiscard]] virtual std::unique_ptr<Result> read_result(number::ByteReader& bytes) const = 0;
 
-  /// Adds to what write() writes. From one thread at a time.
+  /// Adds a result to those that write() writes. To be called by one thread at a time.
   void add(std::size_t part, std::unique_ptr<Result> result);
-  /// What was added so far, if anything.
+  /// The sum of what was added so far; null before the first.
   [[nodiscard]] const Result* total(std::size_t part) const {
     return part < totals_.size() ? totals_[part].get() : nullptr;
   }
 
-  /// Nanoseconds of one thread for a block of this part, to an order of magnitude, and the same on every machine:
-  /// shares the blocks out among shards, and says how far a run is. What --dry-run says is measured; see estimate.hpp.
+  /// Nanoseconds of one thread for a block of this part, to an order of magnitude and equal on every machine. Shards
+  /// and the progress line use it. --dry-run measures instead; see estimate.hpp.
   [[nodiscard]] virtual double cost(std::size_t part) const = 0;
   [[nodiscard]] double total_cost() const;
-  /// True for timings: nothing else may run beside them.
+  /// True for timings, beside which nothing else may run.
   [[nodiscard]] virtual bool exclusive() const { return false; }
-  /// Throws Failure(environment) where this machine is not fit for the work, as one without a steady clock is for
-  /// times.
+  /// Throws Failure(environment) where this machine is not fit for the work, for example without a steady clock for
+  /// timings.
   virtual void require_machine() const {}
   /// For --dry-run.
   [[nodiscard]] virtual Extent extent() const = 0;
 
-  /// Appends this study's rows; the results of all blocks were added.
+  /// Appends this study's rows. To be called when the results of all blocks were added.
   virtual void write(tables::Tables& tables) const = 0;
   [[nodiscard]] virtual std::vector<tables::Series> series() const = 0;
   [[nodiscard]] virtual std::vector<Violation> violations() const { return {}; }
@@ -109,8 +111,8 @@ class Job {
   std::vector<std::unique_ptr<Result>> totals_;  ///< per part
 };
 
-/// A job whose results are values of type State: what number::ByteWriter takes and, where a part has several blocks,
-/// with `merge(const State&)`.
+/// A job whose results are values of type State, which number::ByteWriter takes and which has `merge(const State&)`
+/// where a part has several blocks.
 template <class State>
 class JobOf : public Job {
  public:
@@ -126,7 +128,7 @@ class JobOf : public Job {
  protected:
   [[nodiscard]] virtual State work(std::size_t block) const = 0;
 
-  /// All that was added of this part.
+  /// The merged results of this part.
   [[nodiscard]] const State& state(std::size_t part) const {
     static const State nothing{};
     const auto* result = static_cast<const Held*>(total(part));
@@ -147,7 +149,7 @@ class JobOf : public Job {
   };
 };
 
-/// Does all blocks, one after the other.
+/// Runs all blocks, one after the other.
 void run_all(Job& job);
 
 }  // namespace bezierbench::run

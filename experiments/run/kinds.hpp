@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the engine must know of the kinds of studies, of which it knows none by name: the roster in studies/ hands it
-// over.
+// The functions by which the engine uses kinds of studies. It knows no kind by name; the roster in studies/ passes
+// them.
 #pragma once
 
 #include <memory>

@@ -65,8 +65,8 @@ void require_same(const Source& source, const Plan& plan, const RunRequest& requ
   require_same(source.found, plan, Exit::finding);
 }
 
-/// What machine.json says is what SHA256SUMS lists or, where a merge into one of the bundles was killed, what another
-/// bundle has: it was put there from that one.
+/// The machine.json that SHA256SUMS lists. A merge into one of the bundles may have been killed after it had put
+/// another bundle's machine.json there; then that one counts.
 void refuse_damaged_machines(const std::vector<Source>& sources) {
   const auto listed = [](const Source& one) { return one.directory.read_if_listed(machine_name).has_value(); };
   for (const auto& source : sources)
@@ -79,7 +79,7 @@ void refuse_damaged_machines(const std::vector<Source>& sources) {
       refuse(source.path / machine_name, fmt::format("{}; restore it", *why));
 }
 
-/// Times of another machine than the bundle's last do not count: they were to be taken again.
+/// Times of a machine other than the bundle's last do not count, because that machine was to take them again.
 void drop_stale_times(Source& source, const Jobs& jobs) {
   for (auto& [path, file] : source.found.readable)
     if (file.machine != source.machine)
@@ -94,7 +94,7 @@ std::string study_of(const RunRequest& request, std::size_t job) {
   return "?";
 }
 
-/// Every block is in one bundle at most.
+/// Checks that every block is in one bundle at most.
 void refuse_overlaps(const std::vector<Source>& sources, const RunRequest& request, std::size_t jobs) {
   std::vector<BlockSet> seen(jobs);
   for (std::size_t k = 0; k < sources.size(); ++k) {
@@ -129,8 +129,8 @@ void refuse_gaps(const Checkpoints& checkpoints, const Plan& plan, const RunRequ
                        all - there, all, study_of(request, *first)));
 }
 
-/// The bundle whose machine.json goes into the result: the one with the times, or else the one with the first block,
-/// whatever the order in which they are named.
+/// The bundle whose machine.json goes into the result: the one with the times, or else the one with the first block.
+/// The order in which bundles are named does not matter.
 const Source& with_machine(const std::vector<Source>& sources, const Jobs& jobs) {
   const auto first_block = [&](const Source& source) {
     std::tuple<bool, std::uint64_t, std::uint64_t> least{true, jobs.size(), 0};
@@ -151,7 +151,7 @@ const Source& with_machine(const std::vector<Source>& sources, const Jobs& jobs)
   return *std::ranges::min_element(sources, {}, first_block);
 }
 
-/// What a complete bundle consists of, as it was written.
+/// The files of a complete bundle, as they were written.
 Files files_of(const Source& source) {
   if (bundle::accuracy_digest(source.path) != source.manifest.accuracy_digest)
     refuse(source.path, "is complete, but its accuracy digest is that of other files; see bezierbench verify");
@@ -166,8 +166,8 @@ Files files_of(const Source& source) {
   return files;
 }
 
-/// Of the bundles the complete one, which has all blocks: those of few studies may all be in one shard's share. Null
-/// where none is. Refuses blocks that it has as well.
+/// The complete bundle among them, null where there is none: one shard may have all blocks of a run with few studies.
+/// Refuses blocks in other bundles, which it has as well.
 const Source* the_complete_one(const std::vector<Source>& sources) {
   const Source* whole = nullptr;
   for (const auto& source : sources)
@@ -187,7 +187,7 @@ const Source* the_complete_one(const std::vector<Source>& sources) {
   return whole;
 }
 
-/// The tables of all blocks, with what else belongs to a bundle.
+/// The files of the bundle of all blocks: the tables and the rest.
 Files joined(std::vector<Source>& sources, const Plan& plan, const RunRequest& request) {
   refuse_damaged_machines(sources);
   for (auto& source : sources) drop_stale_times(source, plan.jobs);

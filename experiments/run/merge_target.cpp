@@ -11,7 +11,7 @@
 namespace bezierbench::run {
 namespace {
 
-/// Whether the result is there already. Refuses whatever must not be written over.
+/// Whether the result is there already. Refuses a target that must not be overwritten.
 bool is_there(const RunRequest& request, const Plan& plan, const Files& files, bool is_source) {
   const auto manifest = existing(request, plan);
   const auto blocks = request.out / bundle::blocks_name;
@@ -50,7 +50,7 @@ void put_whole(const RunRequest& request, const Plan& plan, const Files& files, 
   if (is_there(request, plan, files, is_source) && !bundle::is_inner_folder(request.out / bundle::blocks_name)) return;
   const auto directory = bundle::BundleDirectory::create(request.out);
   const auto lock = is_locked ? nullptr : lock_of_run(directory);
-  if (is_there(request, plan, files, is_source)) return directory.clear_away();  // a run may have come in between
+  if (is_there(request, plan, files, is_source)) return directory.clear_away();  // a run may have begun meanwhile
   for (const auto& [name, bytes] : files) directory.write(name, bytes);
   bundle::Manifest manifest = plan.manifest;
   manifest.state = bundle::complete;

@@ -5,8 +5,7 @@
 
 namespace bezierbench::run {
 
-/// One line on standard error about how a run goes, whatever `line` holds; see experiments/echo.hpp. A standard error
-/// that cannot be written is no reason to stop.
+/// Writes one line about the run to standard error, escaped by experiments/echo.hpp. Errors of writing are ignored.
 void note(const std::string& line);
 
 }  // namespace bezierbench::run

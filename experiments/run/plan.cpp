@@ -66,7 +66,7 @@ std::optional<std::string> difference(const bundle::Manifest& theirs, const bund
 
 std::optional<bundle::Manifest> existing(const RunRequest& request, const Plan& plan) {
   const auto path = request.out / bundle::manifest_name;
-  std::error_code ignored;  // a place that cannot be looked at cannot be made either, which says why
+  std::error_code ignored;  // if the folder cannot be read, making it fails with the reason
   if (!std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) return std::nullopt;
   const auto theirs = bundle::parse_manifest(bundle::read_bundle_file(path), path.string());
   if (const auto why = difference(theirs, plan.manifest))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run before it starts: its jobs, and what tells it from any other run.
+// A run before it starts: its jobs, and the manifest that identifies it.
 #pragma once
 
 #include <filesystem>
@@ -25,21 +25,21 @@ struct Plan {
   std::string reference;      ///< the tier
 };
 
-/// Why results of `theirs` are none of `ours`, naming both: "seed 1, this run has 2". Nothing where they may be mixed.
+/// The first difference between two manifests whose results must not be mixed, for example "seed 1, this run has 2".
+/// Empty where there is none.
 std::optional<std::string> difference(const bundle::Manifest& theirs, const bundle::Manifest& ours);
 
-/// The manifest of the bundle that is in `request.out` already, if there is any. Throws Failure(usage) where that is
-/// another run's.
+/// The manifest of a bundle that is in `request.out` already. Throws Failure(usage) where it belongs to another run.
 std::optional<bundle::Manifest> existing(const RunRequest& request, const Plan& plan);
 
 inline constexpr const char* suite_name = "suite.toml";
 inline constexpr const char* machine_name = "machine.json";
 
-/// Lists of the program that travel with a bundle, by file name: what the ids in its tables mean.
+/// The program's lists that are part of a bundle and explain the ids in its tables, by file name.
 std::vector<std::pair<std::string, std::string>> lists_of(const RunRequest& request);
 
-/// Refuses a folder with something beside tables and what every run writes: it would get into the list of files and,
-/// under the name of a table, into the digest. Hidden files are passed over. Throws Failure(input_output).
+/// Refuses a folder with files that no run writes: they would get into the list of files and, under the name of a
+/// table, into the digest. Hidden files are ignored. Throws Failure(input_output).
 void refuse_foreign(const RunRequest& request, const std::function<bool(const std::string&)>& is_table);
 
 /// Refuses files of blocks that belong to another run: Failure(exit).
@@ -48,7 +48,7 @@ void require_same(const Found& found, const Plan& ours, Exit exit);
 /// The tables of jobs whose blocks are all done.
 tables::Tables written_tables(const RunRequest& request, const Plan& plan);
 
-/// Where proved bounds were seen to fail.
+/// Errors beyond proved bounds.
 Findings violations_in(const Jobs& jobs);
 
 /// Writes the tables, and completes the bundle.

@@ -35,7 +35,7 @@ void Progress::print(Clock::time_point now) const {
   const double left = elapsed * (total_ - done_) / done_;
   const auto line = fmt::format("{}{:3.0f} % done, {:.0f} s so far, about {:.0f} s left{}", terminal_ ? "\r" : "",
                                 100 * done_ / total_, elapsed, left, terminal_ ? "\033[K" : "\n");
-  std::fputs(line.c_str(), stderr);  // which may be closed or full: no reason to stop
+  std::fputs(line.c_str(), stderr);  // errors of writing are ignored
 }
 
 }  // namespace bezierbench::run

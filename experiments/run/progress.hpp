@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a run is, on standard error: one line that rewrites itself on a terminal, a plain line now and then
-// elsewhere.
+// The progress of a run on standard error: one line that is rewritten on a terminal, or a line at intervals elsewhere.
 #pragma once
 
 #include <chrono>

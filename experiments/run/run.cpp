@@ -79,7 +79,7 @@ class Share {
   std::vector<BlockSet::Run> blocks_;  ///< per job
 };
 
-/// What is left of a run takes.
+/// Estimates for the rest of a run.
 struct Needs {
   double seconds = 0;  ///< of processor time
   double disk = 0;     ///< bytes at most: files of blocks, and beside them the bundle
@@ -101,7 +101,7 @@ Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, 
   constexpr double bytes_per_row = 300;
   constexpr double nanosecond = 1e-9;
   constexpr double kilobyte = 1024;
-  const auto used = used_so_far();  // for the plan, which a run makes as well
+  const auto used = used_so_far();  // by the plan, which a run makes as well
   Needs needs{.seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
               .disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
                       bytes_per_row * static_cast<double>(extent.rows)};
@@ -116,7 +116,7 @@ Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, 
       result_bytes += estimated.result_bytes;
       parts += static_cast<double>(plan.jobs[job++]->parts());
     }
-  // Every file of blocks begins or ends within a part, which is then in two. Gathered into one, all is there twice.
+  // A part may be divided between two files of blocks. While files are merged into one, every block is there twice.
   const double files = Checkpoints::files_after(needs.seconds);
   const bool gathered = files == Checkpoints::files_after(std::numeric_limits<double>::infinity());
   needs.disk += result_bytes * (1 + files / std::max(1.0, parts) + (gathered ? 1 : 0));
@@ -143,7 +143,7 @@ void describe(const RunRequest& request, const Plan& plan, bool already_complete
              already_complete ? " (already complete)" : "");
 }
 
-/// Before anything is done rather than after hours of it: times need a machine that is fit for them.
+/// Checks before the first block, not after hours, whether the machine is fit for timings.
 void require_machine(const Jobs& jobs, const Share& share) {
   for (std::size_t number = 0; number < jobs.size(); ++number)
     if (const auto [first, end] = share.blocks(number); first < end) jobs[number]->require_machine();
@@ -156,7 +156,7 @@ void work(const RunRequest& request, const Jobs& jobs, Checkpoints& checkpoints)
   const auto run_one = [&](std::size_t number, std::uint64_t block) {
     if (interrupted() || checkpoints.done(number, block)) return;
     auto result = jobs[number]->run_block(block);
-    if (interrupted()) return;  // it may have stopped half-way
+    if (interrupted()) return;  // the block may be incomplete
     checkpoints.add(number, block, std::move(result));
     progress.add(jobs[number]->cost(jobs[number]->part_of(block)));
   };
@@ -183,7 +183,7 @@ void work(const RunRequest& request, const Jobs& jobs, Checkpoints& checkpoints)
   for (const auto& [number, block] : exclusive_order(jobs, share.blocks())) run_one(number, block);
 }
 
-/// Once the blocks of this process are done: completes the bundle, unless other shards have theirs to do.
+/// Completes the bundle when the blocks of this process are done, unless blocks of other shards are missing.
 Findings complete(const RunRequest& request, const Plan& plan, RunFolder& place, Checkpoints& checkpoints) {
   const auto lock = place.lock_bundle();
   if (request.shard) {

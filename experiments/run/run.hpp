@@ -23,7 +23,7 @@ struct RunRequest {
   int jobs = 0;  ///< threads; 0: all cores
   reference::Tier tier = reference::Tier::certified;
   std::optional<Shard> shard;
-  std::optional<std::chrono::milliseconds> checkpoint;  ///< between two files of finished blocks; left out: by cost
+  std::optional<std::chrono::milliseconds> checkpoint;  ///< between two files of finished blocks; if empty, by cost
   bool dry_run = false;
   bool quiet = false;
   bundle::BuildFacts build;
@@ -32,15 +32,15 @@ struct RunRequest {
   bundle::HostName host_name = bundle::HostName::left_out;
   std::string counters;        ///< whether the processor's counters can be read, as machine.json says it
   std::string methods_csv;     ///< the list of methods that goes into the bundle
-  std::string generators_csv;  ///< and how their inputs are drawn
+  std::string generators_csv;  ///< the list of generators, likewise
 };
 
-/// What a run found; each line is for the user, and any makes the exit code 1.
+/// The findings of a run, lines for the user; any of them makes the exit code 1.
 using Findings = std::vector<std::string>;
 
-/// Runs all studies, or a shard of them, and writes the bundle once no block is missing. What is done is kept in
-/// blocks/ meanwhile, and not done again. Throws Failure: interrupted when a signal arrived, usage when `out` holds
-/// another suite, seed or build, input_output when it cannot be written or somebody else is at the same work there.
+/// Runs all studies, or a shard of them, and writes the bundle once no block is missing. Until then blocks/ keeps the
+/// finished blocks, which are not run again. Throws Failure: interrupted when a signal arrived, usage when `out` holds
+/// another suite, seed or build, input_output when it cannot be written or another process does the same work there.
 Findings run(const RunRequest& request);
 
 }  // namespace bezierbench::run

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr auto patience = std::chrono::milliseconds(20);
 
-/// Ready for locks and blocks. A complete bundle gets blocks/ for a moment only.
+/// Creates blocks/ for locks and blocks. In a complete bundle it exists for a moment only.
 bundle::BundleDirectory with_blocks(const fs::path& out) {
   auto directory = bundle::BundleDirectory::create(out);
   std::error_code error;
@@ -43,7 +43,7 @@ std::string writer_of(const std::optional<Shard>& shard) {
   return shard ? fmt::format("shard-{}-of-{}", shard->number, shard->count) : "whole";
 }
 
-/// Whether some timing is not among the blocks that this machine did.
+/// Whether a timing is missing among the blocks that this machine ran.
 bool timings_missing(const Jobs& jobs, const Found& found, const std::string& machine) {
   for (std::size_t job = 0; job < jobs.size(); ++job) {
     if (!jobs[job]->exclusive()) continue;
@@ -130,7 +130,7 @@ bool RunFolder::begin() {
 }
 
 void RunFolder::choose_machine() {
-  // None where it is damaged, or where a run was killed when it had just taken over from another machine.
+  // Empty where it is damaged, or where a run was killed just after it had continued one of another machine.
   auto theirs = directory_.read_if_listed(machine_name);
   if (theirs && bundle::machine_fault(*theirs)) theirs.reset();
   machine_ = bundle::machine_fingerprint(theirs.value_or(""));

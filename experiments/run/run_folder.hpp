@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bundle's folder while runs are at work in it: who may be there at the same time, and who writes what.
+// The bundle's folder while runs work in it: the locks that decide which processes may be there and write.
 #pragma once
 
 #include <optional>
@@ -14,24 +14,24 @@ namespace bezierbench::run {
 /// Fingerprint of the machine that the bundle's machine.json describes, or else of this one.
 std::string machine_of(const RunRequest& request);
 
-/// Locks lie in blocks/, which is gone with them once the bundle is complete:
+/// Locks are files in blocks/, which is removed when the bundle is complete:
 ///   run.lock       held by a run alone, or by shards together
-///   WRITER.lock    held by the one process that is this shard
+///   WRITER.lock    held by the process of this shard
 ///   bundle.lock    held for moments, by whoever writes outside blocks/
 class RunFolder {
  public:
-  /// Makes the folder where it is absent. Throws Failure(input_output) where somebody is at the same work.
+  /// Makes the folder where it is absent. Throws Failure(input_output) where another process does the same work.
   RunFolder(const RunRequest& request, const Plan& plan);
 
-  /// Writes what a bundle says of itself before it has results. False where the bundle is complete.
+  /// Writes the files that describe a bundle before it has results. False where the bundle is complete.
   bool begin();
 
   [[nodiscard]] const bundle::BundleDirectory& directory() const { return directory_; }
-  /// After begin(): blocks that are done, all of this run.
+  /// The finished blocks, all of this run. To be called after begin().
   [[nodiscard]] const Found& found() const { return found_; }
   [[nodiscard]] Checkpoints::Owner owner() const;
 
-  /// Waits for its turn; until the guard is gone, nobody else writes outside blocks/. Throws Failure(interrupted).
+  /// Waits for the lock. While the guard lives, no other process writes outside blocks/. Throws Failure(interrupted).
   class Guard {
    public:
     explicit Guard(bundle::LockFile& lock) : lock_(lock) {}

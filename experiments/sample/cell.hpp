@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One point of a study's axes, as far as it decides which inputs are drawn.
+// A cell: one value of each axis of a study that decides which inputs are drawn.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace bezierbench::sample {
 
-/// Neither the scalar type nor the methods are part of it: all of them get the same inputs.
+/// The scalar type and the methods are not part of it: all get the same inputs.
 struct Cell {
   suite::CurveKind curve = suite::CurveKind::bezier;
   int dimension = 2;
@@ -23,7 +23,7 @@ struct Cell {
 };
 
 /// `curve=bezier;dimension=2;degree=4;coordinate_range=1e+06;t_interval=0:1;generator=continuous`, numbers in shortest
-/// decimal: the identity of the cell, whatever else a study sweeps.
+/// decimal: the identity of the cell. Other axes of the study are not part of it.
 std::string canonical(const Cell& cell);
 
 /// 64-bit FNV-1a of canonical(cell): the second word of the Philox counter.

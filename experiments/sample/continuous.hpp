@@ -7,7 +7,7 @@
 
 namespace bezierbench::sample {
 
-/// Two words per coordinate and two for t, the high one first.
+/// Takes two words for t and two per coordinate, the high one first.
 struct Continuous {
   static constexpr GeneratorInfo info{"continuous", "uniform in [-R, R] from 128 random bits, rounded once",
                                       "uniform in [t_min, t_max] from 128 random bits, rounded once"};

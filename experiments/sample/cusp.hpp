@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Generator `cusp`: curves that stop, C'(c) = 0 at one inner c, exactly; every other one, by chance, only nearly.
+// Generator `cusp`: curves with C'(c) = 0 exactly at one inner c; in a random half of the curves only nearly.
 //
 // With r = c / (1 - c), C'(c) = n (1-c)^(n-1) sum C(n-1,j) r^j (b_(j+1) - b_j). All points but the first are drawn from
 // a lattice; b_0 = b_1 + sum_(j>0) C(n-1,j) r^j (b_(j+1) - b_j) makes that sum 0. r = a/4 with a of 1 to 8, so that c
-// is 1/5, 1/3, 3/7, 1/2, 5/9, 3/5, 7/11 or 2/3: mostly no place where a method that halves would find it. In units of
-// R 2^-26 the points are integers m 4^(n-1), |m| <= M, and so b_0 is an integer of at most M 4^(n-1) (2 3^(n-1) - 1); M
-// is the largest for which that is at most 15/16 of 2^26. For a near cusp b_0 is moved by 2^-s R on every axis, s of 5
-// to 50: a multiple of 2^-50 R below R, still a double. So |C'(c)| = n (1-c)^(n-1) 2^-s R sqrt(d).
+// is 1/5, 1/3, 3/7, 1/2, 5/9, 3/5, 7/11 or 2/3: most of these are not parameters that repeated halving reaches. In
+// units of R 2^-26 the points are integers m 4^(n-1), |m| <= M, and so b_0 is an integer of at most M 4^(n-1) (2
+// 3^(n-1) - 1); M is the largest for which that is at most 15/16 of 2^26. For a near cusp b_0 is moved by 2^-s R on
+// every axis, s of 5 to 50: a multiple of 2^-50 R below R, still a double. So |C'(c)| = n (1-c)^(n-1) 2^-s R sqrt(d).
 //
 // Degrees end at 6, where M is 126.
 #pragma once

@@ -30,8 +30,8 @@ Data samples(DataSource source) {
   return data;
 }
 
-/// The k-th parameter of m lies in the k-th of m equal parts, where the first coordinate of its displacement says; the
-/// ends are the curve's.
+/// The k-th parameter of m lies in the k-th of m equal parts, at the place that the first coordinate of its
+/// displacement gives; the first and the last are the ends of the interval.
 Data uneven(DataSource source) {
   const auto count = count_of(source);
   double range = 0;
@@ -53,7 +53,7 @@ Data noisy(DataSource source) {
   return data;
 }
 
-/// Equal steps along each side of the control polygon, its vertices included; the last side has what is left.
+/// Equal steps along each side of the control polygon, with its vertices; the last side gets the remaining points.
 Data polyline(DataSource source) {
   const auto d = dimension_of(source);
   const auto sides = static_cast<std::size_t>(source.degree);
@@ -85,7 +85,7 @@ Data closed(DataSource source) {
   return data;
 }
 
-/// As a bad pen writes: noise, points that are reported twice, and some steps backwards.
+/// Like the data of a bad pen: noise, repeated points, and some steps backwards.
 Data drawn(DataSource source) {
   const auto d = source.dimension;
   const auto clean = noisy(std::move(source));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data that curves are fitted to. Each kind takes a drawn Bezier curve and as many drawn displacements as there are
-// data points, and makes the points of them; plain arithmetic without libm, so that no bit depends on the machine.
+// Data that curves are fitted to. Each kind computes the data points from a drawn Bezier curve and one drawn
+// displacement per data point, by arithmetic without libm, so that no bit depends on the machine.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace bezierbench::sample {
 
-/// What was drawn: point by point.
+/// The drawn numbers, point by point.
 struct DataSource {
   int dimension = 0;
   int degree = 1;  ///< at least 1
@@ -32,7 +32,7 @@ std::span<const DataKind> data_kinds();
 /// The data of trial number `trial`, point by point; `sampler` draws the cell of with_displacements.
 std::vector<double> data_points(const DataKind& kind, const Sampler& sampler, const Cell& cell, std::uint64_t trial);
 
-/// The cell whose curves have `points` control points more, which become displacements.
+/// The cell whose curves have `points` more control points, which become the displacements.
 Cell with_displacements(Cell cell, int points);
 
 }  // namespace bezierbench::sample

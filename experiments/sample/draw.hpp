@@ -19,8 +19,8 @@ struct Trial {
 };
 
 /// Draws the trials of one cell. A trial is a pure function of (seed, study id, cell, trial number): t first, then the
-/// coefficients point by point, then the weights, each from the words that follow (words.hpp), so t does not hang on
-/// how many coefficients there are, nor these on the weights. Values are doubles; for float, the caller rounds them.
+/// coefficients point by point, then the weights, each from the next words (words.hpp), so t does not depend on the
+/// number of coefficients, nor these on the weights. Values are doubles; for float, the caller rounds them.
 class Sampler {
  public:
   /// Throws Failure(Exit::usage) for a generator that is not in the roster; suites are checked when they are read.
@@ -41,10 +41,10 @@ class Sampler {
   Fill fill_;
 };
 
-/// One trial; for many of a cell, keep a Sampler.
+/// Draws one trial. For many trials of a cell, keep a Sampler.
 void draw(std::uint64_t seed, std::uint64_t study_key, const Cell& cell, std::uint64_t trial, Trial& out);
 
-/// What the roster's generators say of themselves, in its order.
+/// The info of every generator, in the order of the roster.
 std::span<const GeneratorInfo> generators();
 
 }  // namespace bezierbench::sample

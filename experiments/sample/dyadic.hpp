@@ -8,8 +8,8 @@
 
 namespace bezierbench::sample {
 
-/// Takes the words that `continuous` takes. Where t_min or t_max is no multiple of 2^-53 itself, t may leave the
-/// interval by half of that.
+/// Takes the words that `continuous` takes. Where t_min or t_max is not a multiple of 2^-53, t may leave the interval
+/// by 2^-54.
 struct Dyadic {
   static constexpr GeneratorInfo info{"dyadic", "as continuous",
                                       "as continuous, then rounded to a multiple of 2^-53, so that 1 - t is exact"};
@@ -18,7 +18,7 @@ struct Dyadic {
 
   static double parameter(Words& words, suite::Interval interval) {
     const double t = Continuous::parameter(words, interval);
-    if (std::abs(t) >= 0.5) return t;  // is such a multiple; also keeps the product below from overflowing
+    if (std::abs(t) >= 0.5) return t;  // a multiple already; also keeps the product below from overflowing
     return std::nearbyint(t * 0x1p53) * 0x1p-53 + 0.0;  // ties to even; + 0.0 makes -0 a 0
   }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The concept of a generator: which doubles are drawn, and how from random words.
+// The concept of a generator: a rule that makes doubles from random words.
 #pragma once
 
 #include <concepts>
@@ -12,7 +12,7 @@
 
 namespace bezierbench::sample {
 
-/// The part of a generator that is data, for `list generators` and for the check of suites.
+/// The description of a generator, for `list generators` and for the check of suites.
 struct GeneratorInfo {
   std::string_view id;            ///< as in suites
   std::string_view coordinates;   ///< what coordinates are
@@ -21,8 +21,8 @@ struct GeneratorInfo {
   suite::GeneratorLimits limits = {};
 };
 
-/// Draws a parameter in [t.min, t.max] from the first words of a trial. How many words a draw takes may depend on
-/// nothing but the generator and the degree, so that draws keep their places.
+/// Draws a parameter in [t.min, t.max] from the first words of a trial. The number of words of a draw may depend on the
+/// generator and the degree only, so that all later draws begin at known words.
 template <class G>
 concept ParameterGenerator = requires(Words& words, suite::Interval t) {
   { G::info } -> std::convertible_to<GeneratorInfo>;
@@ -35,7 +35,7 @@ concept CoordinateGenerator = ParameterGenerator<G> && requires(Words& words, do
   { G::coordinate(words, range) } -> std::same_as<double>;
 };
 
-/// Draws weights, too: one by one, each positive.
+/// Also draws weights, one by one, each positive.
 template <class G>
 concept WeightGenerator = CoordinateGenerator<G> && requires(Words& words) {
   { G::weight(words) } -> std::same_as<double>;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generator `graded`: coordinates of sixty binades beside each other, so that small ones are lost in sums with large
-// ones.
+// Generator `graded`: coordinates from sixty binades in one curve, so that small ones are lost in sums with large ones.
 #pragma once
 
 #include <cmath>

@@ -9,7 +9,7 @@
 // Condition number p~/|p| at t in [0, 1], exactly:
 //   Bernstein form   ((t + 3 (1-t)) / (4 |t - 3/4|))^n    (3/8 / d)^n  at t = 3/4 -+ d, to first order in d
 //   power form       ((t + 3/4) / |t - 3/4|)^n            (3/2 / d)^n
-// Jiang, Li, Cheng and Su 2010 and Hermes 2019, section 5, stress compensated schemes so, with (t - 1)(t - 3/4)^7.
+// Jiang, Li, Cheng and Su 2010 and Hermes 2019, section 5, test compensated schemes with (t - 1)(t - 3/4)^7.
 #pragma once
 
 #include <cmath>

@@ -44,8 +44,8 @@ void beside(PlacedPoint& problem, double t) {
     problem.point[axis] = foot[axis] + 0x1p-20 * (problem.point[axis] - foot[axis]);
 }
 
-/// C + N / kappa: with v = C' and a the part of C'' across v, that is C + a |v|^2 / |a|^2. Stays where it was drawn
-/// where the curve is straight.
+/// C + N / kappa: with v = C' and a the part of C'' normal to v, that is C + a |v|^2 / |a|^2. Where the curve is
+/// straight, the drawn point stays.
 void centre(PlacedPoint& problem, double t) {
   if (problem.degree < 2 || problem.dimension < 2) return;
   const double n = problem.degree;
@@ -60,7 +60,7 @@ void centre(PlacedPoint& problem, double t) {
 }
 
 /// C'(1/2) = 0, exactly, as long as (2^20) 2^n is: on a lattice of about 2^20 steps the first control point is moved to
-/// where sum C(n-1,j) (b_(j+1) - b_j) = 0. The point is that cusp.
+/// where sum C(n-1,j) (b_(j+1) - b_j) = 0. The point is placed at this cusp.
 void cusp(PlacedPoint& problem, double /*t*/) {
   double largest = 0;
   for (const double x : problem.points) largest = std::fmax(largest, std::abs(x));
@@ -89,7 +89,7 @@ void mirrored(PlacedPoint& problem, double /*t*/) {
   problem.point[0] = 0;
 }
 
-/// Control points at equal steps on a line: C'' = 0, and all leading coefficients of (C - P).C' vanish, but for the
+/// Control points at equal steps on a line: C'' = 0, and all leading coefficients of (C - P).C' vanish, except for the
 /// rounding of the steps.
 void line(PlacedPoint& problem, double /*t*/) {
   for (int i = 1; i < problem.degree; ++i)

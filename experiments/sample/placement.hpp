@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the point lies that is projected onto a curve. Each placement takes a drawn curve and a point that was drawn
-// like its control points, and moves one or both; plain arithmetic without libm, so that no bit depends on the machine.
+// Placements of the point that is projected onto a curve. Each takes a drawn curve and a point that was drawn like its
+// control points, and moves one or both, by arithmetic without libm, so that no bit depends on the machine.
 #pragma once
 
 #include <cstdint>
@@ -32,11 +32,11 @@ struct Placement {
 /// All placements.
 std::span<const Placement> placements();
 
-/// Trial number `trial` of the cell's problems, the point placed at the parameter that is drawn with the curve. The
-/// point is what would be the next control point; `sampler` draws the cell with one degree more (see with_point).
+/// Trial number `trial` of the cell; the point is placed with respect to the parameter that is drawn with the curve.
+/// `sampler` draws the cell with one degree more (see with_point): its last control point is the drawn point.
 PlacedPoint place(const Placement& placement, const Sampler& sampler, const Cell& cell, std::uint64_t trial);
 
-/// The cell whose curves have one control point more, which becomes the point.
+/// The cell whose curves have one more control point, which becomes the point.
 Cell with_point(Cell cell);
 
 }  // namespace bezierbench::sample

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Generator `report`: the source report's own inputs, a lattice of 20001 coordinates and 32768 parameters.
+// Generator `report`: the inputs of the source report, a lattice of 20001 coordinates and 32768 parameters.
 #pragma once
 
 #include "experiments/sample/generator.hpp"
 
 namespace bezierbench::sample {
 
-/// One word per value, of which the leading 15 bits are r, the range of the C library's rand() in the report. The
-/// expressions are the report's, in its order of operations, each rounded to double.
+/// Takes one word per value. Its leading 15 bits are r, like a result of the C library's rand() in the source report.
+/// The expressions are those of the source report, in its order of operations, each rounded to double.
 struct Report {
   static constexpr GeneratorInfo info{.id = "report",
                                       .coordinates = "R * ((r % 20001 - 10000) / 10000.0), r of 15 bits",

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Generator `thin`: small whole numbers along one axis, and next to nothing along the others, so that curves turn, or
-// nearly do, within a short part of their parameter: between the abscissae of a rule, which then does not see it.
+// Generator `thin`: small whole numbers along one axis and far smaller numbers along the others. The curves turn back,
+// or nearly, within a short part of their parameter, which may lie between the abscissae of a quadrature rule and then
+// does not change its result.
 //
 // In units of R/32 the first coordinate is a whole number of [-32, 32], and every other one such a number over 2^s, s
-// of 4 to 20, the same for the whole curve. Of every other curve, by chance, the first coordinates zigzag, for it is
-// there that two turns lie close together: points with even numbers have ones of [-32, 0], those with odd numbers of
-// [0, 32].
+// of 4 to 20, the same for the whole curve. In a random half of the curves the first coordinates zigzag, which brings
+// two turns close together: points with even numbers take them from [-32, 0], those with odd numbers from [0, 32].
 #pragma once
 
 #include <cmath>

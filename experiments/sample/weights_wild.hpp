@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generator `weights_wild`: rational curves whose weights range over forty binades, so that a few rule the curve.
+// Generator `weights_wild`: rational curves whose weights range over forty binades, so that a few dominate the curve.
 #pragma once
 
 #include <cmath>

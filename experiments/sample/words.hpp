@@ -37,8 +37,8 @@ class Words {
     return {high, next()};
   }
 
-  /// floor(count U / 2^128) for the U of the next two words: uniform in [0, count). No rejection, so that every draw
-  /// has its place, at a bias below count / 2^128 of a probability.
+  /// floor(count U / 2^128) for the U of the next two words: uniform in [0, count). Nothing is rejected, so every draw
+  /// takes two words; each probability has a relative error below count / 2^128.
   std::uint64_t next_below(std::uint64_t count) {
     __extension__ using Wide = unsigned __int128;
     const Uniform128 u = next_uniform();

@@ -5,7 +5,7 @@
 // Bound: |s(t) - S|, with the errors of the quadratures and the roundings added.
 // Converges: quadratically where |C'| > 0. At a cusp, where s(t) - S is like (t - c)|t - c|, the distance falls by 4 in
 //   each step.
-// Fails: only below the tolerances that double precision permits; there it ends and says so.
+// Fails: only for tolerances below those that double precision permits; then `converged` is false.
 #pragma once
 
 #include "core/arc_length/inverse/bracket.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method for inverse arc length is: data about itself and one function from a length to a parameter.
+// The concept of a method for inverse arc length: `info`, and one function from a length to a parameter.
 #pragma once
 
 #include <concepts>
@@ -12,8 +12,9 @@ namespace bezierbench {
 
 /// With s(t) the integral of |h| over [0, t], h the hodograph of a curve: t in [0, 1] with s(t) = `target`, where
 /// |s(t) - target| <= tolerance s(1). A method is handed a hodograph that is not 0 and is scaled as in ArcLengthMethod,
-/// and a finite `target`; one below 0 or above s(1), as a rounded s(1) may be, has its nearest end as the answer. What
-/// is promised is a length, for where the curve stops t hangs on it without bound.
+/// and a finite `target`; one below 0 or above s(1), as a rounded s(1) may be, has its nearest end as the answer. The
+/// tolerance is one of the length, not of t: where the speed is 0, the error of t has no bound in terms of that of the
+/// length.
 template <class M>
 concept InverseArcLengthMethod = requires(const Curve<Form::bernstein, double, 2>& hodograph, double target,
                                           double tolerance) {

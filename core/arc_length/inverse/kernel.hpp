@@ -23,7 +23,7 @@ struct InverseArcLengthKernel {
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const InverseArcLengthKernel> inverse_arc_length_kernels(int dimension);
 
-/// What they say of themselves, in roster order.
+/// The info of every method, in roster order.
 std::span<const MethodInfo* const> inverse_arc_length_infos();
 
 }  // namespace bezierbench

@@ -11,7 +11,7 @@
 
 namespace bezierbench {
 
-/// Below this relative tolerance rounding decides, and more speeds change nothing.
+/// Below this relative tolerance roundings dominate the error, and more speeds do not reduce it.
 inline constexpr double finest_tolerance = 0x1p-46;
 
 /// Measures by adaptive Gauss-Legendre rules; counts the speeds.

@@ -7,7 +7,7 @@
 
 namespace bezierbench {
 
-/// A parameter, and what its method says of it.
+/// A parameter with its method's estimate of the error.
 struct InverseArcLength {
   double t = std::numeric_limits<double>::quiet_NaN();
   double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< of the length up to t, absolute

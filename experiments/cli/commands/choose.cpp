@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `choose`: which method of a bundle is fast enough and right enough, best first.
+// `choose`: the methods of a bundle that are fast and accurate enough, best first.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -43,7 +43,7 @@ struct Wish {
   std::string accuracy_study;
   std::string format = "text";
   bool use_damaged = false;
-  std::vector<std::string> damaged;  ///< files of the bundle that were used all the same
+  std::vector<std::string> damaged;  ///< files of the bundle that were used in spite of it
 
   [[nodiscard]] const tables::LargestError& error_of(const tables::Choice& choice) const {
     return unit == "u" ? choice.errors.in_u : choice.errors.absolute;
@@ -55,7 +55,7 @@ std::string form_name(const tables::ChoiceGroup& group) {
   return curve ? std::string(name(judge::form_of(*curve))) : group.curve;
 }
 
-/// What of a bundle a choice rests on.
+/// The tables of a bundle that a choice uses.
 struct Evidence {
   bundle::CsvDocument timing;
   tables::JudgedTables judged;
@@ -82,7 +82,7 @@ Evidence read_evidence(Wish& wish) {
   return evidence;
 }
 
-/// One thing that is asked of a group, and what the groups that meet all the others have of it.
+/// One demand on a group of races, and the values that it could have: those of the groups that meet all other demands.
 struct Demand {
   std::string what;
   std::string value;
@@ -102,7 +102,7 @@ std::vector<Demand> demands_of(const Wish& wish) {
   return demands;
 }
 
-/// The groups that meet all demands; where one leaves none, says what it could have been.
+/// The groups that meet all demands. Where there is none, the error names the values that a demand could have.
 std::vector<tables::ChoiceGroup> matching(std::vector<tables::ChoiceGroup> groups, const Wish& wish) {
   if (groups.empty())
     throw Failure(Exit::usage,
@@ -121,7 +121,7 @@ std::vector<tables::ChoiceGroup> matching(std::vector<tables::ChoiceGroup> group
   return groups;
 }
 
-/// The methods of one race cell, and the class of curves that is chosen for.
+/// The methods of one race cell, and the class of curves of the choice.
 struct JudgedRace {
   tables::ChoiceGroup group;
   DrawnClass of;
@@ -132,7 +132,7 @@ std::string in_words(const DrawnClass& of) {
                      number::decimal(of.range), number::decimal(of.t.min), number::decimal(of.t.max));
 }
 
-/// The race cells whose methods were judged on the class that is wished for.
+/// The race cells whose methods were judged on the class of the choice.
 std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& groups, const Evidence& evidence,
                                      const Wish& wish) {
   std::vector<JudgedRace> races;
@@ -150,7 +150,7 @@ std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& gro
   return races;
 }
 
-/// Of several race cells the one with most methods; the others are named.
+/// Takes the race cell with most methods; the output names the others.
 JudgedRace one_of(const std::vector<JudgedRace>& races) {
   const auto size = [](const JudgedRace& race) { return race.group.choices.size(); };
   const auto best = std::ranges::max_element(races, {}, size);
@@ -168,7 +168,7 @@ bool is_quick_to_slow(const tables::Choice& a, const tables::Choice& b) { return
 /// For people: four digits.
 std::string brief(double value) { return fmt::format("{:.4g}", value); }
 
-/// How sure it is that a method keeps the tolerance, and the bound that says so.
+/// The evidence that a method keeps the tolerance, and the bound that proves it.
 struct Assurance {
   std::string_view tolerance = "observed";
   std::optional<double> bound;
@@ -188,7 +188,7 @@ Assurance assurance(const tables::LargestError& error, double tolerance) {
   return given;
 }
 
-/// Those within the tolerance, best first; `pareto` is among all methods of the group.
+/// The methods within the tolerance, best first; `pareto` compares all methods of the group.
 bundle::CsvTable within(const JudgedRace& race, const Wish& wish) {
   const auto write = wish.format == "csv" ? number::decimal : brief;
   const auto& choices = race.group.choices;
@@ -197,7 +197,7 @@ bundle::CsvTable within(const JudgedRace& race, const Wish& wish) {
   const auto fronts = metric::pareto_front(tradeoffs);
   std::vector<std::string> columns{"method", "mode", "ns",     "ns_low",    "ns_high", "observed_max",
                                    "bound",  "unit", "pareto", "tolerance", "quality", "bound_of"};
-  std::vector<std::string> of;  // for people it is in the heading
+  std::vector<std::string> of;  // the table for people has it in the heading
   if (wish.format == "csv") {
     columns.insert(columns.end(), {"coordinate_range", "t_min", "t_max", "least_p_tilde"});
     of = {number::decimal(race.of.range), number::decimal(race.of.t.min), number::decimal(race.of.t.max),
@@ -227,7 +227,7 @@ bundle::CsvTable within(const JudgedRace& race, const Wish& wish) {
   return table;
 }
 
-/// What was asked for and where the numbers are from, then what the words of the table mean.
+/// The options and the sources of the numbers, then an explanation of the words of the table.
 void print_heading(const JudgedRace& race, const Wish& wish) {
   const auto& group = race.group;
   fmt::print("degree {}, {} form, {}, {} axes, {}\n", printable(group.degree), wish.form, printable(group.scalar),

@@ -42,20 +42,20 @@ std::optional<DrawnClass> widest_judged(const tables::ChoiceGroup& group, const 
   return widest;
 }
 
-/// What was seen of one method.
+/// The observed errors of one method.
 struct Seen {
   tables::LargestErrors errors;
-  bool of_the_class = false;  ///< one row at least is, none is of a part of it only
+  bool of_the_class = false;  ///< at least one row covers the whole class
 };
 
 int whole(const std::string& text) { return static_cast<int>(number::parse_integer(text).value_or(-1)); }
 
-/// The class as drawn numbers of the scalar type lie in it: its ends are rounded as well.
+/// The class with its ends rounded to the scalar type, as drawn numbers are.
 template <class Scalar>
 metric::CurveClass curve_class(const tables::ChoiceGroup& group, const DrawnClass& of) {
   const auto rounded = [](double end) { return static_cast<double>(static_cast<Scalar>(end)); };
   const auto curve = suite::parse<suite::CurveKind>(group.curve);
-  return {curve ? judge::form_of(*curve) : Form::rational,  // of which no class has a bound
+  return {curve ? judge::form_of(*curve) : Form::rational,  // rational classes have no bound
           whole(group.dimension),
           whole(group.degree),
           std::max(of.range, rounded(of.range)),
@@ -63,7 +63,7 @@ metric::CurveClass curve_class(const tables::ChoiceGroup& group, const DrawnClas
           std::max(of.t.max, rounded(of.t.max))};
 }
 
-/// What methods.csv says; nothing where it does not name the method.
+/// The bound that methods.csv states; empty where it does not name the method.
 std::optional<std::string> stated_bound(const bundle::CsvDocument& methods, const std::string& id, Form form) {
   for (std::size_t at = 0; at < methods.row_count(); ++at)
     if (methods.at(at, "id") == id && methods.at(at, "problem") == name(Problem::evaluation) &&

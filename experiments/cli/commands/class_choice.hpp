@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A choice between methods for a class of curves: every row of the bundle that speaks of the class, and what is proved
-// of all of it.
+// A choice between methods for a class of curves, by the bundle's rows within the class and the bounds that are proved
+// for it.
 #pragma once
 
 #include <optional>
@@ -19,23 +19,23 @@ struct DrawnClass {
   suite::Interval t;
 };
 
-/// The class that was timed, or with another range. An older bundle does not say how timed curves were drawn: then it
-/// is the widest class that was judged. Nothing where neither says.
+/// The class that was timed, or the same with another range. Older bundles do not record how timed curves were drawn;
+/// then it is the widest class that was judged. Empty where there is neither.
 std::optional<DrawnClass> class_of(const tables::ChoiceGroup& group, const tables::JudgedTables& judged,
                                    std::optional<double> range);
 
-/// On curves of which ranges some of the group's methods were judged, ascending; in `accuracy_study` only if that is
-/// not empty.
+/// The ranges of the curves on which methods of the group were judged, ascending; only those of `accuracy_study` unless
+/// it is empty.
 std::vector<double> judged_ranges(const tables::ChoiceGroup& group, const tables::JudgedTables& judged,
                                   const std::string& accuracy_study);
 
-/// Fills in the errors of the group's methods anew: over all rows, of `accuracy_study` only if that is not empty, whose
-/// range and interval lie within the class, and the bound of the class. Leaves out methods of which no row is of the
-/// class itself. `methods` is methods.csv: where it states another bound than this program does, that proves nothing.
+/// Computes the errors of the group's methods over all rows whose range and interval lie within the class (only those
+/// of `accuracy_study` unless it is empty), and the bounds of the class. Removes methods without a row of the class
+/// itself. `methods` is methods.csv: no bound is used for a method whose bound there differs from this program's.
 void judge_class(tables::ChoiceGroup& group, const DrawnClass& of, const tables::JudgedTables& judged,
                  const std::optional<bundle::CsvDocument>& methods, const std::string& accuracy_study);
 
-/// From which p~ on bounds in units of u p~ are proved for the class.
+/// The least p~ for which bounds in units of u p~ are proved for the class.
 double least_p_tilde(const tables::ChoiceGroup& group, const DrawnClass& of);
 
 }  // namespace bezierbench::cli

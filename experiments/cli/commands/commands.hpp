@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The subcommands: each adds its options to the parser and remembers what to do when it is chosen.
+// The subcommands: each adds its options and its action to the parser.
 #pragma once
 
 #include "experiments/cli/command.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `compare`: what differs between bundles, in machine and build, in accuracy, in time.
+// `compare`: the differences between bundles in machine, build, accuracy and time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -75,7 +75,7 @@ void write_files(const Compared& all, const std::filesystem::path& out) {
                      compare::standings_table(compare::standings(all.base, all.others, all.pairs)).text());
 }
 
-/// Methods that are slower, or those of them in which all that was measured agrees.
+/// The number of methods that are slower, or only of those for which all modes and races agree.
 std::size_t count_slower(const compare::TimingComparison& timing, bool certainly) {
   return static_cast<std::size_t>(std::ranges::count_if(timing.rows, [&](const compare::TimingRow& row) {
     return !row.is_sentinel() && row.raw.verdict == metric::Verdict::slower &&

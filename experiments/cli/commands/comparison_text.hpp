@@ -9,7 +9,7 @@
 
 namespace bezierbench::cli {
 
-/// How machines and builds differ and whether the results do, with the first input that shows it.
+/// The differences between machines and builds, and whether results differ, with the first input that shows it.
 std::string differences_text(const compare::Side& a, const compare::Side& b, const compare::Pair& pair);
 
 /// Counts of verdicts, and which of the two ratios to read.
@@ -18,7 +18,7 @@ std::string timing_summary(const compare::Pair& pair);
 /// Every timing, race by race.
 std::string timing_text(const compare::TimingComparison& timing);
 
-/// Which methods changed places, as far as intervals tell.
+/// The methods that changed their order, as far as intervals show it.
 std::string rank_changes_text(const compare::TimingComparison& timing);
 
 std::string standings_text(const std::vector<compare::Standing>& standings);

@@ -38,7 +38,7 @@ struct Options {
   suite::Overrides overrides;
 };
 
-/// The parser of the command line would take a number beyond the type for the largest of the type.
+/// CLI11 would read a number beyond the range of the type as the largest value of the type.
 std::int64_t whole_number(std::string_view option, const std::string& text) {
   const auto number = number::parse_integer(text);
   if (!number || *number < 0)

@@ -17,7 +17,7 @@ using run::Shard;
 
 constexpr std::uint64_t most_shards = 1'000'000;
 
-/// Where a launcher says which of how many processes this is, from 0.
+/// The environment variables in which a launcher gives the rank of this process, from 0, and the number of processes.
 struct Launcher {
   const char* rank;
   const char* size;

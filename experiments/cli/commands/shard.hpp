@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// --shard: which part of a run this process is to do.
+// --shard: the part of a run that this process does.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,12 @@
 
 namespace bezierbench::cli {
 
-/// The value of an environment variable, or nullptr: std::getenv, but for tests.
+/// The value of an environment variable, or nullptr; tests replace std::getenv.
 using Environment = std::function<const char*(const char*)>;
 
-/// `i/N`, or `auto`: what Open MPI, PMI (MPICH and others) or Slurm tell their processes. An array of jobs that each
-/// have several processes is arrays times processes. Throws Failure(usage).
+/// Parses `i/N`, or `auto`, which takes the values that Open MPI, PMI (MPICH and others) or Slurm set for their
+/// processes. For an array of jobs with several processes each, N is the product of both numbers. Throws
+/// Failure(usage).
 run::Shard shard_of(std::string_view text, const Environment& environment);
 
 }  // namespace bezierbench::cli

@@ -33,12 +33,12 @@ struct Options {
   bool damaged = false;
 };
 
-/// What the options leave of a suite: one study, at the values of `set`.
+/// The study of a suite that the options select, with the values of `set`.
 suite::Overrides narrowing(const Options& options, std::vector<std::string> set) {
   return {.seed = {}, .trials = {}, .set = std::move(set), .only = options.study, .only_option = "--study"};
 }
 
-/// Every trial is judged as the run judged it, against the exact reference: --set can choose a cell and nothing else.
+/// Trials are judged against the exact reference, as the run judged them, so --set may choose a cell and nothing else.
 void check_that_cells_are_set(const std::vector<std::string>& settings) {
   std::vector<std::string> axes;
   for (const auto& field : suite::study_fields())
@@ -51,7 +51,7 @@ void check_that_cells_are_set(const std::vector<std::string>& settings) {
   }
 }
 
-/// A cell in one scalar type: what a row of accuracy.csv is of, but for the method.
+/// A cell in one scalar type: the key of a row of accuracy.csv without the method.
 struct ScalarCell {
   sample::Cell cell;
   suite::ScalarKind scalar;
@@ -79,7 +79,7 @@ std::string choices(const suite::Study& study, const std::vector<ScalarCell>& ce
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// A study of a bundle, narrowed to one cell.
+/// A study of a bundle, restricted to one cell.
 struct Chosen {
   suite::Study study;
   std::uint64_t seed;
@@ -87,7 +87,7 @@ struct Chosen {
   std::vector<std::string> damaged;  ///< files of the bundle that were used all the same
 };
 
-/// The only study that --study leaves.
+/// The study that --study names, or the only one.
 const suite::Study& only_study(const std::vector<suite::Suite>& suites, const std::string& wanted) {
   if (suites.size() > 1 || suites.front().studies.size() > 1)
     throw Failure(Exit::usage, fmt::format("--study {}: matches more than one study; name one", wanted));

@@ -29,7 +29,7 @@ void print_fine(const std::string& path) {
         share->judged, share->own);
 }
 
-/// A bundle may be of a build with other libraries than this one.
+/// The build of a bundle may have had other libraries than this one.
 bundle::Expected expected_of(const std::string& suite_text, const std::string& file_name) {
   return run::expected_of(suite::parse_suites(suite_text, file_name, vocabulary_of_all_builds()),
                           {studies::make_job, studies::tables_of});

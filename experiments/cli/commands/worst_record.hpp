@@ -19,8 +19,8 @@ struct WorstFile {
   std::string_view error_u;  ///< column
 };
 
-/// A row whose fields are checked as they are asked for: all throw Failure(input_output) that names file, line and
-/// column.
+/// A row whose fields are checked when they are read: all functions throw Failure(input_output) that names file, line
+/// and column.
 class WorstRecord {
  public:
   WorstRecord(bundle::CsvDocument table, std::size_t row, const WorstFile& file);
@@ -28,7 +28,7 @@ class WorstRecord {
   [[nodiscard]] const std::string& text(std::string_view column) const;
   [[nodiscard]] double number(std::string_view column) const;
   [[nodiscard]] suite::ScalarKind scalar() const;
-  /// Curve kind, dimension and degree; the rest of a cell does not matter to a single input.
+  /// A cell with curve kind, dimension and degree; a single input does not need the other axes.
   [[nodiscard]] sample::Cell cell() const;
   [[nodiscard]] sample::Trial input(const sample::Cell& cell) const;
   [[nodiscard]] double error_u() const { return number(file_.error_u); }
@@ -45,7 +45,7 @@ class WorstRecord {
   WorstFile file_;
 };
 
-/// Throws Failure(usage) that says which there are where no row has this id.
+/// Throws Failure(usage) that lists the ids where no row has this one.
 WorstRecord find_worst_record(bundle::CheckedReader& bundle, const std::string& id);
 
 }  // namespace bezierbench::cli

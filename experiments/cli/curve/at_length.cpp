@@ -36,7 +36,7 @@ double tolerance_of(const Options& options) {
   return tolerance;
 }
 
-/// The length that is meant, exactly; one that is a rounded length of the whole curve is that of the whole curve.
+/// The requested length, exactly. A value that is the rounded length of the whole curve stands for the whole curve.
 LongReal target_of(const Options& options, const LongReal& whole) {
   if (!options.fraction.empty()) {
     const double fraction = finite_option("--fraction", options.fraction);
@@ -52,10 +52,10 @@ LongReal target_of(const Options& options, const LongReal& whole) {
   return length;
 }
 
-/// The true lengths along a curve, as far as they are known.
+/// The true lengths along a curve; empty where they are not certain to 30 digits.
 class Truth {
  public:
-  /// Tells standard error where they are not certain: what the methods say is printed anyhow.
+  /// Writes to standard error where they are not certain; the results of the methods are printed in any case.
   Truth(const Options& options, const CurveView<double>& curve) {
     try {
       lengths_.emplace(curve);
@@ -74,7 +74,7 @@ class Truth {
     return lengths_->parameter_at(length);
   }
 
-  /// The fields `error` and `length_error` of a method's t; a t where the length is exact is as exact as exact_t.
+  /// The fields `error` and `length_error` of a method's t. Where the length up to t has no error, t counts as exact.
   [[nodiscard]] std::array<std::string, 2> errors(double t, const LongReal& length,
                                                   const std::optional<LongReal>& exact_t) const {
     if (!exact_t) return {};

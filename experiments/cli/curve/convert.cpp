@@ -21,7 +21,7 @@ struct Options {
   std::vector<std::string> methods;
 };
 
-/// What its coefficients are where `id` is a conversion to a form that only paths know, and no curve file holds.
+/// A description of the coefficients where `id` is a conversion to a form that no curve file can hold, only paths.
 std::string_view inner_coefficients(Form form) {
   return form == Form::power_centered ? "those of powers of t - 1/2" : "pairs of doubles";
 }
@@ -36,7 +36,7 @@ void refuse_inner_conversion(const std::string& id, int dimension) {
                                 id, inner_coefficients(kernel.evaluated_form), kernel.info->id));
 }
 
-/// Nothing is printed where a coefficient overflows: the reader of a curve file refuses what is not finite.
+/// A coefficient that overflows is an error, because the reader of curve files refuses numbers that are not finite.
 void require_finite(const CurveFile& converted, const Options& options) {
   for (int i = 0; i <= converted.degree(); ++i)
     for (int axis = 0; axis < converted.dimension; ++axis)

@@ -12,10 +12,10 @@ namespace bezierbench::cli {
 /// The name of an axis: x, y, z.
 std::string axis_name(int axis);
 
-/// Where the file has x, y and z, as far as they go without a gap; the order of columns does not matter.
+/// The indices of the columns x, y, z, up to the first that is missing; their order does not matter.
 std::vector<std::size_t> axis_columns(const bundle::CsvDocument& csv);
 
-/// Throws Failure(input_output) with the header of `csv` and what to write instead.
+/// Throws Failure(input_output) that shows the header of `csv` and a correct one.
 [[noreturn]] void refuse_header(const bundle::CsvDocument& csv, const std::string& instead);
 
 /// The number in a field. Throws Failure(input_output) that names file, line, row and column unless it is finite.

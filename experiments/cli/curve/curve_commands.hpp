@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The subcommands of `curve`: each adds itself and remembers what to do when it is chosen.
+// The subcommands of `curve`: each adds its options and its action.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace bezierbench::cli {
 
-/// What every subcommand that reads a curve asks for.
+/// The options of every subcommand that reads a curve.
 struct CurveOptions {
   std::string file;
   std::string form = "bernstein";

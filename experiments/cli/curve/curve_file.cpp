@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view weight_name = "w";
 
-/// Where a file has its columns.
+/// The indices of a file's columns.
 struct Columns {
   std::vector<std::size_t> axes;
   std::optional<std::size_t> weight;

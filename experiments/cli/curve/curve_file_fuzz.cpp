@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Curve files: what reads is a curve of finite numbers; one without weights is written, and reads again as the same.
+// Property of curve files: one that can be read gives a curve of finite numbers. Without weights it can be written, and
+// reading it again gives the same curve.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which methods a `curve` command means by its --method options.
+// The methods that the --method options of a `curve` command name.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,13 +18,13 @@ namespace bezierbench::cli {
 /// Whether the method takes the curve: form and degree.
 bool applies(const MethodInfo& info, const CurveFile& curve);
 
-/// Why it does not, for a person.
+/// The reason for people, where it does not.
 std::string why_not(const MethodInfo& info, const CurveFile& curve);
 
-/// Their ids, in their order.
+/// The ids of `methods`, in their order.
 std::vector<std::string> ids_of(std::span<const MethodInfo* const> infos);
 
-/// Those of a table's entries, in its order. `Table` holds entries with an `info`.
+/// The ids of a table's entries, in its order. `Table` holds entries with an `info`.
 template <class Table>
 std::vector<std::string> ids_in(const Table& table) {
   std::vector<std::string> ids;
@@ -32,13 +32,14 @@ std::vector<std::string> ids_in(const Table& table) {
   return ids;
 }
 
-/// Throws the Failure(usage) that `id` is no method, or none of this build; `known` are those that it could have meant.
+/// Throws Failure(usage): there is no method `id`, or this build lacks it. `known` are the valid ids.
 [[noreturn]] void unknown_method(const std::string& id, const std::vector<std::string>& known);
 
 /// A finite parameter from the text of an option. Throws Failure(usage) that names the option.
 double finite_option(const std::string& option, const std::string& text);
 
-/// The named entries as named, or all that apply in the order of the roster. `Table` holds entries with an `info`.
+/// The entries that are named, in the order of the names; without names all that apply, in the order of the roster.
+/// `Table` holds entries with an `info`.
 template <class Table>
 std::vector<const typename Table::element_type*> chosen(Table table, const std::vector<std::string>& ids,
                                                         const CurveFile& curve, const std::vector<std::string>& known) {

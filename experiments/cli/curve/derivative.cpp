@@ -25,7 +25,7 @@ struct Options {
   std::vector<std::string> methods;
 };
 
-/// The derivative at one t: the truth, and what errors are measured with.
+/// The true derivative at one t and the scales of its errors.
 struct Target {
   double t;
   reference::ExactPoint truth;

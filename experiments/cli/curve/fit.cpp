@@ -17,7 +17,7 @@
 namespace bezierbench::cli {
 namespace {
 
-/// On most data it needs fewer segments than Schneider's fit, and it gives back the cubic that data were taken from.
+/// The default: on most data it needs fewer segments than Schneider's fit, and it recovers a cubic from points of it.
 constexpr std::string_view default_method = "gauss_newton";
 
 struct Options {
@@ -26,7 +26,7 @@ struct Options {
   std::string method = std::string(default_method);
 };
 
-/// Throws Failure(usage) for an id that is no method's.
+/// Throws Failure(usage) for an unknown id.
 const FittingKernel& chosen_kernel(const std::string& id, int dimension) {
   const auto kernels = fitting_kernels(dimension);
   const auto found = std::ranges::find_if(kernels, [&](const auto& kernel) { return kernel.info->id == id; });

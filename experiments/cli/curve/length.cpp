@@ -27,7 +27,7 @@ struct Options {
   std::vector<std::string> methods;
 };
 
-/// The part of the curve that is meant, and how well it is to be measured.
+/// The part of the curve to be measured, and the tolerance.
 struct Task {
   double from;
   double to;
@@ -46,7 +46,7 @@ Task task_of(const Options& options) {
   return task;
 }
 
-/// None where it is not certain, which standard error is told: what the methods say is printed anyhow.
+/// Empty where it is not certain, after a line on standard error; the results of the methods are printed in any case.
 std::optional<reference::TrueLength> true_length(const Options& options, const CurveView<double>& curve,
                                                  const Task& task) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `curve project`: where one curve is nearest to a point by any method, against the exact foot point.
+// `curve project`: the projection of a point onto one curve by any method, against the exact foot point.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Options {
   std::vector<std::string> methods;
 };
 
-/// The coordinates of `X,Y[,Z]`, as many as the curve has. Throws Failure(usage).
+/// Parses `X,Y[,Z]`, with as many coordinates as the curve has. Throws Failure(usage).
 std::vector<double> point_option(const std::string& text, const CurveFile& curve, const std::string& file) {
   std::vector<double> point;
   for (std::size_t begin = 0; begin <= text.size();) {

@@ -13,7 +13,7 @@
 namespace bezierbench::cli {
 
 void print_segments(std::span<const double> segments, int dimension) {
-  constexpr std::size_t enough = 1U << 20U;  // a million segments are more than need be in memory at once
+  constexpr std::size_t enough = 1U << 20U;  // rows are written in portions of at most a million segments
   std::string text = "segment,index";
   for (int axis = 0; axis < dimension; ++axis) text += "," + axis_name(axis);
   text += "\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How cubic Bezier segments are written: segment,index,x[,y[,z]], one control point per row.
+// Writes cubic Bezier segments as rows segment,index,x[,y[,z]], one control point per row.
 #pragma once
 
 #include <span>

@@ -25,7 +25,7 @@ struct Options {
   std::vector<std::string> methods;
 };
 
-/// One axis of the curve, whose bounds are those of a coordinate.
+/// One axis of the curve as a curve, so that its bounds are those of a coordinate.
 struct Axis {
   Axis(const CurveFile& curve, int axis, double t)
       : coefficients([&] {
@@ -39,7 +39,7 @@ struct Axis {
   studies::SplitTruth truth;
 };
 
-/// The truth about both halves, and what errors are measured with.
+/// The true halves and the scales of their errors.
 struct Target {
   Target(const CurveFile& curve, double parameter)
       : t(parameter),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// --damaged: a bundle whose files are not as SHA256SUMS lists them is used all the same, and what is printed says so.
+// --damaged: uses a bundle although files differ from SHA256SUMS, and says so in the output.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ inline void add_damaged(Command& command, bool& asked) {
 
 inline bundle::Damage damage_of(bool asked) { return asked ? bundle::Damage::told : bundle::Damage::refused; }
 
-/// Prints one line, the first of standard output, that names these files; nothing where there are none.
+/// Prints one line that names these files, the first of standard output; prints nothing where there are none.
 void print_damage(const std::vector<std::string>& files);
 
 }  // namespace bezierbench::cli

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What the program says to people, on standard error.
+// Messages of the program on standard error.
 #pragma once
 
 #include <string>
 
 namespace bezierbench::cli {
 
-/// One line on standard error, whatever `text` holds: line ends and other control characters, which a damaged file may
-/// bring along, are escaped, and of megabytes the middle is left out. Never throws for a standard error that cannot be
+/// Writes one line to standard error. Line ends and other control characters in `text`, which may come from a damaged
+/// file, are escaped; the middle of a very long text is left out. Does not throw where standard error cannot be
 /// written.
 void say(const std::string& text);
 

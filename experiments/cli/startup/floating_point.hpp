@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The canaries: is arithmetic what the bounds and digests assume?
+// Canary tests: whether floating-point arithmetic is what bounds and digests assume.
 #pragma once
 
 #include <string>

@@ -30,7 +30,7 @@ constexpr rlim_t usual_stack = 8U << 20U;
 std::terminate_handler terminate_before = nullptr;
 std::uintptr_t top_of_stack = 0;
 
-/// Says it in one line without taking memory, and ends the program, all threads of it.
+/// Writes one line without allocating memory, and ends the program with all its threads.
 [[noreturn]] void end_with(std::string_view reason) {
   static std::atomic_flag told;
   while (told.test_and_set()) pause();  // another thread says why
@@ -44,7 +44,7 @@ std::uintptr_t top_of_stack = 0;
   _exit(static_cast<int>(Exit::environment));
 }
 
-/// Where an exception leaves a function that must not throw. oneTBB does so where it cannot start a thread.
+/// Called where an exception leaves a function that must not throw, as in oneTBB where it cannot start a thread.
 [[noreturn]] void terminated() {
   try {
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
@@ -58,8 +58,7 @@ std::uintptr_t top_of_stack = 0;
   std::abort();
 }
 
-/// The stack of the main thread grows as it is used: where it may not, or there is no memory, the program is told so by
-/// a fault.
+/// The stack of the main thread grows when it is used. Where it cannot grow, the processor raises a fault.
 void faulted(int signal, siginfo_t* info, void* /*context*/) {
   constexpr std::uintptr_t most_stack = 1U << 30U;
   const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiled for plain x86-64, unlike the rest, and run before any other initialiser: no instruction that the processor
-// lacks may come before the message.
+// Compiled for plain x86-64, unlike the rest, and run before any other initialiser, so that the message comes before
+// the first instruction that the processor lacks.
 #include "experiments/cli/startup/processor.hpp"
 
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run says of the program that makes it.
+// The description of this program that a run records.
 #pragma once
 
 #include "experiments/run/run.hpp"

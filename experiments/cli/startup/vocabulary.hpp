@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program knows by name, gathered from the rosters; the suite reader is handed it.
+// The ids that suites may use, from the rosters; the suite reader takes them.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ namespace bezierbench::cli {
 /// Ids of all methods, conversions, generators and published files.
 suite::Vocabulary vocabulary();
 
-/// The same with the methods that other builds have, too: what a shipped suite may say.
+/// The same with the methods that only other builds have. Shipped suites may name them.
 suite::Vocabulary vocabulary_of_all_builds();
 
-/// The table of `list methods --format csv`, which also travels in every bundle.
+/// The table of `list methods --format csv`, which every bundle contains.
 std::string methods_csv();
 
 /// The table of `list generators --format csv`, likewise.

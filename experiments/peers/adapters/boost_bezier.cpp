@@ -2,9 +2,9 @@
 // Boost.Math: bezier_polynomial.
 //
 // Computes: de Casteljau's triangle with (1-t) a + t b.
-// Fails: its scratch belongs to the thread, not to the curve. A curve built on one thread finds none on another, and a
-// curve that was built after one of higher degree takes that one's leftover points for its own: version 1.81 reduces as
-// many points as the scratch holds. Both are mended here by giving the scratch its size before each point.
+// Fails: its scratch belongs to the thread, not to the curve. Another thread than the one that built a curve has no
+// scratch for it, and after a curve of higher degree the scratch is too large: version 1.81 reduces as many points as
+// the scratch holds. The adapter corrects both by setting the size of the scratch before each point.
 #include <array>
 #include <boost/math/interpolators/bezier_polynomial.hpp>
 #include <utility>

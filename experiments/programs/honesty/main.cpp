@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the clockwork tell the truth where it is known? Races a kernel against itself, which must come out `same`, and
-// against itself with 34 batches charged as 33, which must come out `slower`; prints the counts of verdicts.
+// Checks the timing harness on races with a known result: a kernel against itself, whose verdict must be `same`, and
+// against itself with 34 batches counted as 33, whose verdict must be `slower`. Prints the counts of verdicts.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ std::vector<double> points_of(const Kernel<double>& kernel, const race::Inputs<d
   return points;
 }
 
-/// Runs its batch `count` times, and is charged for `batches` of them: more of the same work on the same memory.
+/// A rival that runs its batch `count` times and counts it as `batches`: more of the same work on the same memory.
 race::Rival rival_of(const Kernel<double>& kernel, suite::Mode mode, const race::Inputs<double>& inputs,
                      std::size_t count) {
   auto rival = race::kernel_rival(kernel, mode, inputs, points_of(kernel, inputs));
@@ -77,7 +77,7 @@ metric::Verdict verdict_of(const Kernel<double>& kernel, suite::Mode mode, const
   return metric::verdict(metric::median_interval(ratios, metric::timing_confidence));
 }
 
-/// How often `expected` came out of 100 races; prints what came out.
+/// Runs 100 races, prints the counts of verdicts, and returns how often `expected` occurred.
 int count_of(std::string_view contest, suite::Mode mode, std::size_t count, metric::Verdict expected) {
   const auto& kernel = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
   const auto inputs = inputs_of_race();

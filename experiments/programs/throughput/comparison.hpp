@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two costs of one run side by side, with what is hoped of their ratio.
+// Two costs of one run, with the goal for their ratio.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct Comparison {
   std::string than;
   double ns = 0;       ///< of `what`, per point, median
   double than_ns = 0;  ///< of `than`
-  double ratio = 0;    ///< than / what, median over the rounds in which both met the same machine
+  double ratio = 0;    ///< than / what, median over rounds
   double goal = 0;
   bool at_least = true;  ///< the goal is a lower limit of the ratio, else of its reciprocal an upper one
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a true point costs: the certified tier against the exact integers and against 50 digits in software.
+// The cost of a true point: the certified tier against the exact integers and against 50 decimal digits in software.
 #pragma once
 
 #include <vector>

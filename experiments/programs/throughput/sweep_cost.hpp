@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What it costs to judge methods, against what it costs to run them.
+// The cost of judging methods against the cost of running them.
 #pragma once
 
 #include "experiments/programs/throughput/comparison.hpp"
@@ -7,9 +7,8 @@
 
 namespace bezierbench::throughput {
 
-/// The accuracy study on one thread, inputs drawn and judged against the certified reference, against the bare
-/// evaluation of its methods, curve by curve with their scalar kernels, on as many inputs that are there already.
-/// `study` has one cell.
+/// The accuracy study on one thread, inputs drawn and judged against the certified reference, against the evaluation of
+/// its methods alone, curve by curve with their scalar kernels, on as many inputs in memory. `study` has one cell.
 Comparison sweep_cost(const suite::Study& study);
 
 }  // namespace bezierbench::throughput

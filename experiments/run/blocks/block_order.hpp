@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In which order blocks run that nothing else may run beside.
+// The order of exclusive blocks, beside which nothing else may run.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@ struct BlockOfJob {
   friend bool operator==(const BlockOfJob&, const BlockOfJob&) = default;
 };
 
-/// The blocks of the exclusive jobs, of each those in `blocks[job]`, which are whole parts: the first block of every
-/// part of every job, then the second, and so on, so that the blocks of a part are spread over the time of the whole
-/// suite. What a machine does for a while then meets some blocks of many parts rather than all blocks of a few.
+/// The blocks of the exclusive jobs; `blocks[job]` holds whole parts of a job. The first block of every part of every
+/// job comes first, then the second, and so on, so that the blocks of a part are spread over the time of the whole
+/// suite. A disturbance of the machine then affects some blocks of many parts rather than all blocks of a few.
 std::vector<BlockOfJob> exclusive_order(const Jobs& jobs, std::span<const BlockSet::Run> blocks);
 
 }  // namespace bezierbench::run

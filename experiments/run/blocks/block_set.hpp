@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A set of block numbers, kept as runs: there may be more blocks than memory has room for.
+// A set of block numbers, kept as runs of consecutive numbers: there may be too many blocks to list in memory.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ class BlockSet {
     for (const Run& run : runs) insert(run);
   }
 
-  /// Empty runs add nothing.
+  /// Adds the blocks of `run`, which may be empty.
   void insert(Run run) {
     if (run.first >= run.second) return;
     auto next = ends_.upper_bound(run.first);
@@ -55,7 +55,7 @@ class BlockSet {
     return sum;
   }
   [[nodiscard]] std::vector<Run> runs() const { return {ends_.begin(), ends_.end()}; }
-  /// What of `run` is in the set.
+  /// The parts of `run` that are in the set.
   [[nodiscard]] BlockSet within(Run run) const {
     BlockSet both;
     auto next = ends_.upper_bound(run.first);

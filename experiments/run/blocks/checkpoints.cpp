@@ -19,10 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view extension = ".blocks";
-constexpr std::size_t most_files = 64;  ///< of one writer, before all goes into one
+constexpr std::size_t most_files = 64;  ///< of one writer, before they are merged into one
 constexpr auto shortest_interval = std::chrono::milliseconds(50);
 constexpr auto longest_interval = std::chrono::milliseconds(2000);
-constexpr int times_the_cost = 19;  ///< between two checkpoints pass so many times what the last one took
+constexpr int times_the_cost = 19;  ///< the time between two checkpoints over the time that the last one took
 
 std::uint64_t size_of(const bundle::BlockRecord& record) {
   std::uint64_t sum = 0;
@@ -77,8 +77,8 @@ std::vector<std::string> Checkpoints::load(const Found& found, Whose whose) {
   std::vector<std::string> notes;
   for (const auto& path : found.damaged)
     notes.push_back(fmt::format("{}: damaged; what it held is computed again", path.string()));
-  // A file in which a writer gathered its earlier ones overlaps with these where it was killed before it removed them.
-  // The largest come first, so that it replaces them all.
+  // A writer merges its earlier files into one and then removes them. If it was killed in between, they overlap. The
+  // largest file comes first, so that the merged one is used.
   std::vector<std::pair<const FoundBlocks*, const bundle::BlockRecord*>> records;
   for (const auto& one : found.readable) {
     for (const auto& record : one.file.records) records.emplace_back(&one, &record);
@@ -133,7 +133,7 @@ void Checkpoints::add(std::size_t job, std::uint64_t block, std::unique_ptr<Resu
       slot.fresh = std::move(result);
     slot.blocks.insert(block);
   }
-  const std::unique_lock lock(mutex_, std::try_to_lock);  // one thread writes, the others go on
+  const std::unique_lock lock(mutex_, std::try_to_lock);  // one thread writes, the others continue
   if (lock && Clock::now() >= next_checkpoint_) write_checkpoint();
 }
 
@@ -193,7 +193,7 @@ void Checkpoints::write_checkpoint() {
   if (files_.size() > most_files) {
     const auto superseded = std::exchange(files_, {});
     write(everything());
-    std::error_code ignored;  // what stays is found to overlap, and passed over
+    std::error_code ignored;  // a file that stays is found to overlap, and skipped
     for (const auto& path : superseded) fs::remove(path, ignored);
   }
   const auto end = Clock::now();

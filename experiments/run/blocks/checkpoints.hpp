@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is done of a run, in memory and on disk: results of blocks go in, files of blocks come out every now and then,
-// and whoever comes after a killed run goes on from there.
+// Finished blocks of a run, in memory and on disk. Results of blocks are added and written to files at intervals, so
+// that a run that was killed can be continued.
 #pragma once
 
 #include <chrono>
@@ -28,7 +28,7 @@ struct FoundBlocks {
   bundle::BlockFile file;
 };
 
-/// What lies in a folder of blocks, by name; damaged files only by their path.
+/// The files in a folder of blocks, in order of their names; of damaged files only the path.
 struct Found {
   std::vector<FoundBlocks> readable;
   std::vector<std::filesystem::path> damaged;
@@ -39,42 +39,42 @@ Found find_blocks(const std::filesystem::path& folder);
 
 class Checkpoints {
  public:
-  /// Who writes: files of this writer are named after it.
+  /// The name of this process among those that write; it begins the names of its files.
   struct Owner {
     std::filesystem::path folder;  ///< blocks/
     std::string writer;
     bundle::Manifest manifest;
     std::string reference;                                   ///< the tier
     std::string machine;                                     ///< fingerprint; timings of other machines do not count
-    std::optional<std::chrono::milliseconds> interval = {};  ///< between two files; left out: see add()
+    std::optional<std::chrono::milliseconds> interval = {};  ///< between two files; if empty, see add()
   };
 
   Checkpoints(const Jobs& jobs, Owner owner);
 
-  /// Adds to the jobs what was found, where it does not overlap with what is there already: of all writers, or of this
-  /// one alone. Blocks of other writers then count as done(), but not as settled(). Returns what had to be passed over,
-  /// one line each.
+  /// Adds the results that were found to the jobs, of all writers or of this one alone, unless they overlap with blocks
+  /// that are there already. Blocks of other writers then count as done(), but not as settled(). Returns one line for
+  /// each file that was skipped.
   enum class Whose { all, own };
   std::vector<std::string> load(const Found& found, Whose whose);
 
-  /// Was it done when load() was called?
+  /// True where the block was done when load() was called.
   [[nodiscard]] bool done(std::size_t job, std::uint64_t block) const { return done_[job].contains(block); }
   [[nodiscard]] const BlockSet& done(std::size_t job) const { return done_[job]; }
   /// Whether the results of all blocks of all jobs were added.
   [[nodiscard]] bool all_settled() const;
   [[nodiscard]] const BlockSet& settled(std::size_t job) const { return settled_[job]; }
 
-  /// Takes the result of one block, from any thread, and writes a file when it is time: unless the owner says when,
-  /// rarely enough that writing costs a twentieth of the time, often enough that a killed run loses two seconds at
-  /// most. Throws as write_file.
+  /// Takes the result of one block, from any thread, and writes a file when it is time. Without an `interval`, files
+  /// are written so rarely that they cost a twentieth of the time, and so often that a killed run loses little more
+  /// than two seconds. Throws as write_file.
   void add(std::size_t job, std::uint64_t block, std::unique_ptr<Result> result);
 
-  /// About how many files of blocks a run of so many seconds has written at most when it has not yet gathered them.
+  /// The approximate largest number of files of blocks that a run of so many seconds has before it merges them.
   [[nodiscard]] static double files_after(double seconds);
 
-  /// Writes what is in no file yet. Throws as write_file.
+  /// Writes the results that are in no file yet. Throws as write_file.
   void checkpoint();
-  /// Adds to the jobs what was not added yet, and writes nothing.
+  /// Adds the remaining results to the jobs, and writes nothing.
   void settle();
 
  private:
@@ -90,7 +90,7 @@ class Checkpoints {
                    std::vector<std::string>& notes);
   [[nodiscard]] bool is_own(const std::filesystem::path& path) const;
   [[nodiscard]] BlockSet::Run blocks_of(std::size_t job, std::uint64_t part) const;
-  /// All fresh results, added to the jobs, and as records where these are asked for.
+  /// Adds all fresh results to the jobs; returns them as records on request.
   void drain(std::vector<bundle::BlockRecord>* records);
   [[nodiscard]] std::vector<bundle::BlockRecord> everything() const;
   void write(std::vector<bundle::BlockRecord> records);
@@ -104,7 +104,7 @@ class Checkpoints {
 
   std::mutex mutex_;  ///< guards all below, and the jobs' totals
   std::vector<BlockSet> settled_;
-  std::vector<std::filesystem::path> files_;  ///< that hold nothing but what is settled
+  std::vector<std::filesystem::path> files_;  ///< that hold settled blocks only
   std::uint64_t next_number_ = 1;
   Clock::time_point next_checkpoint_;
 };

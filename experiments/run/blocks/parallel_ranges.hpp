@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// oneTBB's parallel loop, such that the thread sanitizer can judge what runs in it.
+// oneTBB's parallel loop, in a form that the thread sanitizer can check.
 #pragma once
 
 #include <oneapi/tbb/blocked_range.h>
@@ -11,8 +11,8 @@
 
 namespace bezierbench::run {
 
-/// Cuts 0, ..., size-1 into ranges and calls `run(begin, end)` for each, several at a time. What stands before the call
-/// happens before every range, and every range before what stands after the call.
+/// Cuts 0, ..., size-1 into ranges and calls `run(begin, end)` for each, several at a time. Code before the call
+/// happens before every range, and every range before code after the call.
 class ParallelRanges {
  public:
   using Run = std::function<void(std::uint64_t begin, std::uint64_t end)>;
@@ -26,14 +26,14 @@ class ParallelRanges {
   }
 
  private:
-  /// All that lies in oneTBB's own memory, and is read here only: scripts/thread_sanitizer.supp names it.
+  /// The only object in oneTBB's own memory; it is read here only. scripts/thread_sanitizer.supp names it.
   struct Body {
     ParallelRanges* self;
     void operator()(const tbb::blocked_range<std::uint64_t>& range) const { self->run_one(range.begin(), range.end()); }
   };
 
-  // The library orders all this by itself, but was not compiled with the sanitizer, which hence does not see it. The
-  // ranges are not ordered among each other: `ended_` is released to, never acquired, by them.
+  // The library synchronises all this itself, but was not compiled with the sanitizer, which therefore does not see it.
+  // The ranges are not ordered among each other: `ended_` is released to, never acquired, by them.
   void run_one(std::uint64_t begin, std::uint64_t end) {
     (void)begun_.load(std::memory_order_acquire);
     run_(begin, end);

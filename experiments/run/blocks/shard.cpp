@@ -7,7 +7,7 @@
 namespace bezierbench::run {
 namespace {
 
-/// The first block with at least this share of the job's cost before it.
+/// The first block such that the blocks before it have at least this share of the job's cost.
 std::uint64_t boundary(const Job& job, double share) {
   const auto each = job.blocks_per_part();
   const double wanted = share * job.total_cost();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which blocks of a run are whose, where several processes share it.
+// The blocks of each process where several share a run.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,9 @@ struct Shard {
 };
 
 /// The blocks of this shard: one slice of every job, of about equal cost; the slices move on from job to job, so that
-/// small jobs do not all fall to the same shard. Timings (`exclusive`) belong to the first shard as a whole, for times
-/// of several machines, or taken beside each other, do not compare. Every block is exactly one shard's.
+/// small jobs do not all fall to the same shard. Timings (`exclusive`) belong to the first shard as a whole, because
+/// times of several machines, or of processes that run at the same time, cannot be compared. Every block belongs to
+/// exactly one shard.
 BlockSet::Run dealt(const Job& job, std::size_t job_number, const Shard& shard);
 
 }  // namespace bezierbench::run

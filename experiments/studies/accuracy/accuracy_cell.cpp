@@ -134,7 +134,7 @@ void ScalarCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& ta
                   number(tally.audit.mean()), number(tally.audit.max())});
 }
 
-/// How the trials of a method were judged, whatever it was compared with.
+/// Counts of a method's trials that do not depend on the baseline.
 template <class Scalar>
 void ScalarCell<Scalar>::write_reference(std::size_t method, const judge::CellTally& tally,
                                          tables::Tables& tables) const {

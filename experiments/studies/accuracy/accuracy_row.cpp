@@ -7,7 +7,7 @@
 namespace bezierbench::studies {
 namespace {
 
-/// The row to be written and what its statistics are taken from.
+/// The row to be written and the judgement that its statistics are from.
 struct Statistics {
   const judge::Judgement& judgement;
   bool exact;

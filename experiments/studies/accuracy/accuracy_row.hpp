@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a row of accuracy.csv says beside its cell.
+// The columns of accuracy.csv after those of the cell.
 #pragma once
 
 #include <cstdint>

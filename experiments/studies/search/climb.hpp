@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How a search goes from one input to a neighbouring one. Rounding errors are a rugged landscape without slopes: a step
-// changes a few bits, signs or magnitudes, and is kept unless it makes the error smaller (a (1+1) evolution strategy;
-// Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., chapter 26, searches for bad inputs likewise).
+// The step of a search from one input to a neighbouring one. Rounding errors are not smooth in the inputs, so no
+// gradient helps: a step changes a few bits, signs or magnitudes, and is kept unless it makes the error smaller (a
+// (1+1) evolution strategy; Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., chapter 26, searches for
+// bad inputs likewise).
 #pragma once
 
 #include <bit>
@@ -16,10 +17,10 @@
 namespace bezierbench::studies {
 
 /// Random neighbours within the box of a cell: coordinates in [-R, R], t in its interval, weights in the binades of the
-/// weights that were drawn. What is drawn hangs on the words alone.
+/// weights that were drawn. The result depends on the given input and the random words only.
 class Climb {
  public:
-  /// Bits of a double below `lowest_bit` are left alone: 29 for methods in float, which would not see them.
+  /// Bits of a double below `lowest_bit` are not changed: 29 for methods in float, which would round them away.
   Climb(const sample::Cell& cell, int lowest_bit) : cell_(cell), lowest_bit_(lowest_bit) {}
 
   /// Makes one to three changes.

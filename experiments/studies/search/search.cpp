@@ -66,7 +66,7 @@ class ScalarSearch final : public Search {
     Outcome outcome;
     std::vector<Found> found = sampled(judge, outcome);
     outcome.sampled_error_u = std::max(0.0, found.front().error_u);
-    // The words of the climb are no trial's: their study key is another one.
+    // The climb takes random words that no trial takes, because its study key differs.
     sample::Words words(seed_, sample::key(fmt::format("{}/{}", study_.id, kernel_.info->id)), sample::key(cell_), 0);
     const auto each = study_.budget / shared_part / static_cast<std::int64_t>(found.size());
     for (auto& one : found) climb(words, each, one, judge, outcome);
@@ -115,8 +115,8 @@ class ScalarSearch final : public Search {
     row.insert(row.end(), fields.begin(), fields.end());
   }
 
-  /// `reached`: the climb gained what is asked of it; `near_bound`: it cannot, for the sample alone is as close to the
-  /// proved bound; `short`: neither.
+  /// `reached`: the climb raised the error by the required factor. `near_bound`: it cannot, because the sample is
+  /// already that close to the proved bound. `short`: neither.
   [[nodiscard]] static std::string status(const Outcome& outcome) {
     if (outcome.worst.error_u >= wanted_gain * outcome.sampled_error_u) return "reached";
     const auto& bound = outcome.worst.bound_u;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Studies of kind `search`: how bad a method can be made, starting from the worst of a sample.
+// Studies of kind `search`: the largest error that a climb finds, starting from the worst inputs of a sample.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 namespace bezierbench::studies {
 
 /// `trials` random inputs per cell and method, then `budget` steps of a climb. Rows go to search.csv; a method whose
-/// last bits hang on libm is left out, since nobody else could replay it.
+/// last bits depend on libm is left out, because other machines could not replay it.
 std::unique_ptr<run::Job> search_job(const suite::Study& study, const run::JobContext& context);
 
 }  // namespace bezierbench::studies

@@ -17,7 +17,7 @@ namespace {
 
 /// The times of one method over the sizes.
 struct Ladder {
-  const race::RaceCell* first;  ///< but for the size, all its race cells are alike
+  const race::RaceCell* first;  ///< its race cells differ in the size only
   const MethodInfo* method;
   std::vector<double> sizes;
   std::vector<double> ns;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// complexity.csv: how the times of a study grow with the degree or the number of points, against what its methods
-// claim.
+// complexity.csv: the growth of a study's times with the degree or the number of points, against the claims of its
+// methods.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace bezierbench::studies {
 /// One row per method, scalar type, dimension and mode that ran at three different sizes or more: the exponent is that
 /// of the degree or, where first_points and last_points are not empty, of the number of points. `claimed` is the
 /// method's cost_exponent; in mode one_shot, where a curve is prepared for every point, the larger of that and its
-/// prepare_exponent. No rows for a problem whose methods claim nothing.
+/// prepare_exponent. A problem whose methods claim no exponent has no rows.
 void write_complexity_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells, race::Size size,
                            tables::Tables& tables);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evaluation as a timing study asks it: every scalar type, cell and mode is a race cell.
+// Evaluation as a timed problem: every scalar type, cell and mode is a race cell.
 #pragma once
 
 #include "experiments/race/timed_problem.hpp"

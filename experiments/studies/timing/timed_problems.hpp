@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The roster of what a timing study can ask.
+// The roster of timed problems.
 #pragma once
 
 #include "experiments/race/timed_problem.hpp"
@@ -7,8 +7,8 @@
 
 namespace bezierbench::studies {
 
-/// The companion problem whose methods the study names, else evaluation; a glob that takes in evaluators means those.
-/// Throws Failure(usage) for one that is not timed.
+/// The companion problem whose methods the study names, else evaluation; a glob that matches evaluators means
+/// evaluation. Throws Failure(usage) for a problem that cannot be timed.
 const race::TimedProblem& timed_problem(const suite::Study& study);
 
 }  // namespace bezierbench::studies

@@ -57,7 +57,7 @@ class TimingJob final : public run::JobOf<race::RaceCellLaps> {
   [[nodiscard]] race::RaceCellLaps work(std::size_t block) const override;
 
  private:
-  /// The race cells with what they gave so far.
+  /// The race cells with their laps so far.
   [[nodiscard]] std::vector<race::RaceCell> raced() const {
     auto race_cells = race_cells_;
     for (std::size_t part = 0; part < race_cells.size(); ++part) race_cells[part].laps = state(part).each;
@@ -77,7 +77,7 @@ class TimingJob final : public run::JobOf<race::RaceCellLaps> {
   std::uint64_t seed_;
   std::vector<race::RaceCell> race_cells_;
   // Repetitions run one at a time, so these need no lock.
-  mutable std::size_t reruns_left_;  ///< of the study: a restless machine lengthens it by half at most
+  mutable std::size_t reruns_left_;  ///< of the study, which reruns lengthen by half at most
   mutable race::Pace fastest_;       ///< sentinels of the study so far
   race::Counters counters_;
 };
@@ -94,8 +94,8 @@ void TimingJob::require_racing_baseline() const {
                                            study_.id, named));
 }
 
-/// A repetition in which a sentinel drifted is run again; the attempt in which they were nearer to their fastest
-/// counts.
+/// A repetition in which a sentinel drifted is run again. The attempt in which the sentinels were nearer to their
+/// fastest times counts.
 race::RaceCellLaps TimingJob::work(std::size_t block) const {
   const race::RaceCell& race_cell = race_cells_[part_of(block)];
   if (race_cell.methods.empty()) return {};  // none supports the degree
@@ -118,7 +118,7 @@ race::RaceCellLaps TimingJob::work(std::size_t block) const {
   return laps;
 }
 
-/// Of the double race cells only: printed times do not say otherwise.
+/// Race cells in double only; the source report prints no scalar type.
 std::vector<tables::Series> TimingJob::series() const {
   std::vector<tables::Series> all;
   const auto race_cells = raced();

@@ -43,7 +43,7 @@ std::string median_text(std::span<const double> counts) {
   return counts.empty() ? "" : number::decimal(metric::median_interval(counts, metric::timing_confidence).median);
 }
 
-/// What a row says apart from its lap, which gives times, rounds, counts and the check.
+/// The fields of a row that do not come from its lap, which gives times, rounds, counts and the check.
 struct RowParts {
   std::vector<std::string> key;    ///< study to mode
   std::vector<std::string> ratio;  ///< relative_to to ratio_high

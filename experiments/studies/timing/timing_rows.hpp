@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// timing.csv: what the race cells of a study gave, a row per method, and a row per mode for the sentinel.
+// timing.csv: the times of a study's race cells, a row per method, and a row per mode for the sentinel.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace bezierbench::studies {
 /// RaceCells that did not run have no rows. Times are medians over repetitions, also in units of the sentinel of the
 /// same repetition (`sentinel_units`), with their intervals; so are ratios, each the median over the rounds of a
 /// repetition. `quality` is `noisy` where a sentinel drifted or the repetitions disagree, else `ok`. `sentinel_ns` and
-/// `sweep_ns` are what the two sentinels took beside. The sentinel's row is over all race cells of its mode, so it has
-/// no dimension or degree, and is `noisy` where it drifted in any of them.
+/// `sweep_ns` are the times of the two sentinels. The sentinel's row is over all race cells of its mode, so it has no
+/// dimension or degree, and is `noisy` where it drifted in any of them.
 void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
                        tables::Tables& tables);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// To be preloaded (LD_PRELOAD) into the program under test: counts the system calls with which it changes files, lists
-// them, and lets one of them, or all from one on, fail. Told what to do by environment variables:
+// To be preloaded (LD_PRELOAD) into the program under test: counts and lists the system calls that change files, and
+// makes one or several of them fail. Environment variables control it:
 //   FAILING_CALLS_LIST   a file to which every call that counts is appended, one "NAME PATH" per line
 //   FAILING_CALLS_AT     the number, from 1, of the call at which it happens
 //   FAILING_CALLS_HOW    what happens: an errno (a number), `short` (a write takes one byte of many), or `vanish`
@@ -36,7 +36,7 @@ long number_in(const char* variable, long otherwise) {
   return text == nullptr ? otherwise : std::strtol(text, nullptr, 10);
 }
 
-// The program's own calls are seen by it alone: what happens here goes to the kernel directly.
+// Only calls of the program are counted: this library calls the kernel directly.
 void list_call(const char* name, const std::string& path) {
   const char* list = std::getenv("FAILING_CALLS_LIST");
   if (list == nullptr) return;

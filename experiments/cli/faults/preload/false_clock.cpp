@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// To be preloaded (LD_PRELOAD) into the program under test: its monotonic clock is then wrong, as FALSE_CLOCK says:
+// To be preloaded (LD_PRELOAD) into the program under test: makes its monotonic clock wrong. FALSE_CLOCK is one of
 //   stands   it never moves
 //   back     every reading lies before the last
 //   coarse   it moves every 10 milliseconds
