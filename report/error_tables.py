@@ -75,7 +75,7 @@ def _pair(study, rows, across, down):
     yield by_axis(rows, across, f"{study}-mean", f"Mean error over u p~, {english} ({where}, {trials} trials per cell)",
                   f"平均误差（以 u p~ 计），{chinese}", means, row_head="inputs" if down == "generator" else down)
     lines = [line(f"largest, {named(down, k)}", "max_error_u", k) for k in kinds]
-    # the bound hangs on method and degree; inputs of another kind do not move it
+    # the bound depends on method and degree, not on the kind of inputs
     lines += [line("proved bound" + (f", {named(down, k)}" if down != "generator" else ""), "bound_u", k)
               for k in (kinds[:1] if down == "generator" else kinds)]
     lines += [("violations", _counted("bound_violations"), lambda r: True), ("not finite", _counted("non_finite"), lambda r: True)]

@@ -21,7 +21,7 @@ SEARCH = {"id": '"s"', "kind": '"search"', "curve": '"bezier"', "degree": "[3, 5
 
 class ResumeCase(Case):
     def results(self, bundle):
-        """All that does not hang on the moment: name and bytes."""
+        """Everything that does not depend on the time: name and bytes."""
         return {path.name: path.read_bytes() for path in (self.folder / bundle).iterdir()
                 if path.suffix in (".csv", ".json", ".toml") and path.name not in NOISY and "timing" not in path.name}
 

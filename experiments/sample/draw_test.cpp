@@ -187,7 +187,7 @@ TYPED_TEST(CoordinateGeneratorTest, StaysInRangeAndFillsIt) {
       high = std::max(high, x);
     }
   }
-  // Means of uniforms, within five standard deviations. The report's r % 20001 of 15 bits draws
+  // Means of uniforms, within five standard deviations. The source report's r % 20001 of 15 bits draws
   // 0 to 12766 twice, which makes the mean of its coordinates -0.140925 R.
   const bool lattice = TypeParam::info.id == std::string_view("report");
   const double n = 10.0 * trials;
