@@ -12,12 +12,12 @@
 #include "core/evaluate/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/method_choice.hpp"
-#include "experiments/metric/tally.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/suite/names.hpp"
+#include "experiments/tables/statistics.hpp"
 #include "reference/exact_conversion.hpp"
 
 namespace bezierbench::studies {
@@ -195,15 +195,14 @@ void ConversionJob::write(tables::Tables& tables) const {
     const Row& row = rows_[part];
     const RowTally& tally = state(part);
     const bool supported = row.chain.supports(row.cell.degree);
-    const bool judged = tally.error.count() > 0;
     std::vector<std::string> fields{study_.id,
                                     row.chain.id,
                                     std::to_string(row.cell.degree),
                                     number::decimal(row.cell.coordinate_range),
                                     row.cell.generator,
                                     std::to_string(study_.trials * study_.replicates),
-                                    judged ? number::decimal(tally.error.mean()) : "",
-                                    judged ? number::decimal(tally.error.max()) : ""};
+                                    tables::field(tally.error, tables::mean),
+                                    tables::field(tally.error, tables::largest)};
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
       std::int64_t sum = 0;
       for (const auto& [replicate, within] : tally.within) sum += within[i];
