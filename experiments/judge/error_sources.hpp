@@ -31,19 +31,14 @@ struct SourceTallies {
   metric::Tally evaluation;
 
   template <class Bytes, class Self>
-  static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.conversion, self.one_minus_t, self.evaluation);
+  static auto each_field(Bytes& bytes, Self& self) {
+    return bytes(self.conversion, self.one_minus_t, self.evaluation);
   }
 
   void add(const ErrorSources& sources) {
     conversion.add(sources.conversion);
     one_minus_t.add(sources.one_minus_t);
     evaluation.add(sources.evaluation);
-  }
-  void merge(const SourceTallies& other) {
-    conversion.merge(other.conversion);
-    one_minus_t.merge(other.one_minus_t);
-    evaluation.merge(other.evaluation);
   }
 };
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "experiments/judge/error_sources.hpp"
-#include "experiments/metric/tally.hpp"
+#include "experiments/metric/counts.hpp"
 
 namespace bezierbench::judge {
 
@@ -59,7 +59,7 @@ struct Judgement {
     error_ulp.merge(other.error_ulp);
     relative.merge(other.relative);
     if (other.worst) keep_worst(*other.worst);
-    sources.merge(other.sources);
+    metric::merge_fields(sources, other.sources);
     non_finite += other.non_finite;
     own_kernel += other.own_kernel;
     bounded += other.bounded;

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/accuracy/accuracy.hpp"
 
+#include <deque>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/studies/accuracy/accuracy_cell.hpp"
 
 namespace bezierbench::studies {
@@ -11,39 +17,51 @@ class AccuracyJob final : public run::JobOf<judge::CellTally> {
   AccuracyJob(const suite::Study& study, const run::JobContext& context) : study_(study) {
     for (const auto& cell : sample::cells(study_))
       for (const auto scalar : study_.scalar)
-        cells_.push_back(accuracy_cell(study_, context.seed, cell, scalar, context.tier));
+        judge::with_scalar(scalar, [&]<class Scalar>(Scalar /*zero*/) {
+          cells_.emplace_back(std::in_place_type<AccuracyCell<Scalar>>, study_, context.seed, cell, context.tier);
+        });
   }
 
   [[nodiscard]] std::size_t parts() const override { return cells_.size(); }
-  [[nodiscard]] std::size_t blocks_per_part() const override { return cells_.front()->blocks(); }  // all cells alike
-  [[nodiscard]] double cost(std::size_t part) const override { return cells_[part]->cost(); }
+  [[nodiscard]] std::size_t blocks_per_part() const override {
+    return std::visit([](const auto& cell) { return cell.blocks(); }, cells_[0]);  // all cells alike
+  }
+  [[nodiscard]] double cost(std::size_t part) const override {
+    return std::visit([](const auto& cell) { return cell.cost(); }, cells_[part]);
+  }
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
-    for (const auto& cell : cells_) sum += cell->extent();
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      sum += std::visit([](const auto& cell) { return cell.extent(); }, cells_[k]);
     return sum;
   }
 
   void write(tables::Tables& tables) const override {
-    for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k]->write(state(k), tables);
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      std::visit([&](const auto& cell) { cell.write(state(k), tables); }, cells_[k]);
   }
   [[nodiscard]] std::vector<tables::Series> series() const override { return collected<tables::Series>(); }
   [[nodiscard]] std::vector<run::Violation> violations() const override { return collected<run::Violation>(); }
 
  protected:
   [[nodiscard]] judge::CellTally work(std::size_t block) const override {
-    return cells_[part_of(block)]->run_block(block % blocks_per_part());
+    return std::visit([&](const auto& cell) { return cell.run_block(block % blocks_per_part()); },
+                      cells_[part_of(block)]);
   }
 
  private:
+  using Cell = std::variant<AccuracyCell<double>, AccuracyCell<float>>;
+
   template <class T>
   [[nodiscard]] std::vector<T> collected() const {
     std::vector<T> all;
-    for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k]->collect(state(k), all);
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      std::visit([&](const auto& cell) { cell.collect(state(k), all); }, cells_[k]);
     return all;
   }
 
   suite::Study study_;
-  std::vector<std::unique_ptr<AccuracyCell>> cells_;
+  std::deque<Cell> cells_;  ///< which never move: what a cell judges with refers to it
 };
 
 }  // namespace

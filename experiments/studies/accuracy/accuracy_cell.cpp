@@ -7,14 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "experiments/judge/group_judge.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
-#include "experiments/sample/draw.hpp"
 #include "experiments/studies/accuracy/accuracy_row.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
@@ -24,69 +22,69 @@ namespace {
 
 constexpr std::int64_t block_trials = 1024;
 
-template <class Scalar>
-class ScalarCell final : public AccuracyCell {
- public:
-  ScalarCell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, reference::Tier tier)
-      : study_(study),
-        cell_(cell),
-        tier_(tier),
-        sampler_(seed, study.id, cell),
-        methods_(study, cell),
-        judge_(study_, cell_, sampler_, methods_, tier) {}
+/// One statistic of a judgement over the replicates that have it.
+std::vector<double> over_replicates(const judge::CellTally& tally, std::size_t judgement,
+                                    double judge::ReplicateStatistic::*which) {
+  std::vector<double> values;
+  for (const auto& [replicate, statistics] : tally.closed)
+    if (const double value = statistics.at(judgement).*which; !std::isnan(value)) values.push_back(value);
+  return values;
+}
 
-  [[nodiscard]] std::int64_t blocks_per_replicate() const { return (study_.trials - 1) / block_trials + 1; }
-  [[nodiscard]] std::size_t blocks() const override {
-    return static_cast<std::size_t>(blocks_per_replicate() * study_.replicates);
-  }
-  [[nodiscard]] double cost() const override {
-    const double n = cell_.degree + 1.0;
-    return static_cast<double>(std::min(study_.trials, block_trials)) *
-           (200 + n * 150 + n * n * 2 * static_cast<double>(methods_.count()));
-  }
-  [[nodiscard]] run::Extent extent() const override {
-    const auto rows = methods_.judgement_count();
-    return {1, 2 * rows, static_cast<std::uint64_t>(trials()) * methods_.count(),
-            rows * judge::bytes_of_input(cell_)};  // of accuracy.csv and worst.csv
-  }
-
-  [[nodiscard]] judge::CellTally run_block(std::size_t block) const override {
-    const auto replicate = static_cast<std::int64_t>(block) / blocks_per_replicate();
-    const auto part = static_cast<std::int64_t>(block) % blocks_per_replicate();
-    const auto first = part * block_trials;
-    const auto last = std::min(study_.trials, first + block_trials);
-    judge::CellTally work;
-    work.blocks_per_replicate = blocks_per_replicate();
-    work.judgements.resize(methods_.judgement_count());
-    constexpr auto together = static_cast<std::int64_t>(judge::trials_at_once);
-    for (auto trial = first; trial < last && !run::interrupted(); trial += together)
-      judge_.judge({replicate, trial}, std::min(together, last - trial), trial == first, work);
-    work.end_block(replicate);
-    return work;
-  }
-
-  void write(const judge::CellTally& tally, tables::Tables& tables) const override;
-  void collect(const judge::CellTally& tally, std::vector<tables::Series>& series) const override;
-  void collect(const judge::CellTally& tally, std::vector<run::Violation>& violations) const override;
-
- private:
-  [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
-  [[nodiscard]] std::vector<std::string> cell_fields(std::size_t method) const {
-    return tables::cell_fields(study_, cell_, methods_.info(method).id, judge::ScalarFacts<Scalar>::kind);
-  }
-  void write_worst(std::size_t method, const judge::Worst& worst, tables::Tables& tables) const;
-  void write_reference(std::size_t method, const judge::CellTally& tally, tables::Tables& tables) const;
-
-  const suite::Study& study_;
-  sample::Cell cell_;
-  reference::Tier tier_;
-  sample::Sampler sampler_;
-  judge::JudgedMethods<Scalar> methods_;
-  judge::GroupJudge<Scalar> judge_;
-};
+}  // namespace
 
 template <class Scalar>
-void ScalarCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& tables) const {
+AccuracyCell<Scalar>::AccuracyCell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell,
+                                   reference::Tier tier)
+    : study_(study),
+      cell_(cell),
+      tier_(tier),
+      sampler_(seed, study.id, cell),
+      methods_(study, cell),
+      judge_(study_, cell_, sampler_, methods_, tier) {}
+
+template <class Scalar>
+std::int64_t AccuracyCell<Scalar>::blocks_per_replicate() const {
+  return (study_.trials - 1) / block_trials + 1;
+}
+
+template <class Scalar>
+std::size_t AccuracyCell<Scalar>::blocks() const {
+  return static_cast<std::size_t>(blocks_per_replicate() * study_.replicates);
+}
+
+template <class Scalar>
+double AccuracyCell<Scalar>::cost() const {
+  const double n = cell_.degree + 1.0;
+  return static_cast<double>(std::min(study_.trials, block_trials)) *
+         (200 + n * 150 + n * n * 2 * static_cast<double>(methods_.count()));
+}
+
+template <class Scalar>
+run::Extent AccuracyCell<Scalar>::extent() const {
+  const auto rows = methods_.judgement_count();
+  return {1, 2 * rows, static_cast<std::uint64_t>(trials()) * methods_.count(),
+          rows * judge::bytes_of_input(cell_)};  // of accuracy.csv and worst.csv
+}
+
+template <class Scalar>
+judge::CellTally AccuracyCell<Scalar>::run_block(std::size_t block) const {
+  const auto replicate = static_cast<std::int64_t>(block) / blocks_per_replicate();
+  const auto part = static_cast<std::int64_t>(block) % blocks_per_replicate();
+  const auto first = part * block_trials;
+  const auto last = std::min(study_.trials, first + block_trials);
+  judge::CellTally work;
+  work.blocks_per_replicate = blocks_per_replicate();
+  work.judgements.resize(methods_.judgement_count());
+  constexpr auto together = static_cast<std::int64_t>(judge::trials_at_once);
+  for (auto trial = first; trial < last && !run::interrupted(); trial += together)
+    judge_.judge({replicate, trial}, std::min(together, last - trial), trial == first, work);
+  work.end_block(replicate);
+  return work;
+}
+
+template <class Scalar>
+void AccuracyCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& tables) const {
   for (std::size_t m = 0; m < methods_.count(); ++m) {
     for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
       if (methods_.is_baseline(m, k)) continue;
@@ -122,8 +120,8 @@ void ScalarCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& ta
 
 /// Counts of a method's trials that do not depend on the baseline.
 template <class Scalar>
-void ScalarCell<Scalar>::write_reference(std::size_t method, const judge::CellTally& tally,
-                                         tables::Tables& tables) const {
+void AccuracyCell<Scalar>::write_reference(std::size_t method, const judge::CellTally& tally,
+                                           tables::Tables& tables) const {
   std::uint64_t own_kernel = 0;
   for (std::size_t k = 0; k < methods_.baseline_count(); ++k)
     if (methods_.judged(method, k))
@@ -137,7 +135,7 @@ void ScalarCell<Scalar>::write_reference(std::size_t method, const judge::CellTa
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::write_worst(std::size_t method, const judge::Worst& worst, tables::Tables& tables) const {
+void AccuracyCell<Scalar>::write_worst(std::size_t method, const judge::Worst& worst, tables::Tables& tables) const {
   judge::TrialInputs<Scalar> inputs(judge::form_of(study_.curve), cell_);
   inputs.draw(sampler_, worst.trial);
   tables.add(tables::Row("worst.csv")
@@ -149,17 +147,8 @@ void ScalarCell<Scalar>::write_worst(std::size_t method, const judge::Worst& wor
                  .set_each(judge::input_columns(), judge::input_fields(inputs.values(), cell_.dimension)));
 }
 
-/// One statistic of a judgement over the replicates that have it.
-std::vector<double> over_replicates(const judge::CellTally& tally, std::size_t judgement,
-                                    double judge::ReplicateStatistic::*which) {
-  std::vector<double> values;
-  for (const auto& [replicate, statistics] : tally.closed)
-    if (const double value = statistics.at(judgement).*which; !std::isnan(value)) values.push_back(value);
-  return values;
-}
-
 template <class Scalar>
-void ScalarCell<Scalar>::collect(const judge::CellTally& tally, std::vector<tables::Series>& series) const {
+void AccuracyCell<Scalar>::collect(const judge::CellTally& tally, std::vector<tables::Series>& series) const {
   for (std::size_t m = 0; m < methods_.count(); ++m)
     for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
       if (!methods_.judged(m, k)) continue;
@@ -182,7 +171,7 @@ void ScalarCell<Scalar>::collect(const judge::CellTally& tally, std::vector<tabl
 }
 
 template <class Scalar>
-void ScalarCell<Scalar>::collect(const judge::CellTally& tally, std::vector<run::Violation>& violations) const {
+void AccuracyCell<Scalar>::collect(const judge::CellTally& tally, std::vector<run::Violation>& violations) const {
   for (std::size_t m = 0; m < methods_.count(); ++m)
     for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
       const judge::Judgement& j = tally.judgements[methods_.index(m, k)];
@@ -194,12 +183,7 @@ void ScalarCell<Scalar>::collect(const judge::CellTally& tally, std::vector<run:
     }
 }
 
-}  // namespace
-
-std::unique_ptr<AccuracyCell> accuracy_cell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell,
-                                            suite::ScalarKind scalar, reference::Tier tier) {
-  if (scalar == suite::ScalarKind::float32) return std::make_unique<ScalarCell<float>>(study, seed, cell, tier);
-  return std::make_unique<ScalarCell<double>>(study, seed, cell, tier);
-}
+template class AccuracyCell<float>;
+template class AccuracyCell<double>;
 
 }  // namespace bezierbench::studies

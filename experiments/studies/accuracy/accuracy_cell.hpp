@@ -2,38 +2,55 @@
 // One cell of an accuracy study in one scalar type: judges blocks of trials on any thread, and writes rows.
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "experiments/judge/cell_tally.hpp"
+#include "experiments/judge/group_judge.hpp"
+#include "experiments/judge/judged_methods.hpp"
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/run/job.hpp"
-#include "experiments/sample/cell.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/tables/cell_fields.hpp"
 #include "reference/true_point.hpp"
 
 namespace bezierbench::studies {
 
+template <class Scalar>
 class AccuracyCell {
  public:
-  AccuracyCell() = default;
+  /// `study` must outlive the cell. Throws Failure(usage) for methods and baselines that do not take its curves.
+  AccuracyCell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, reference::Tier tier);
   AccuracyCell(const AccuracyCell&) = delete;
   AccuracyCell& operator=(const AccuracyCell&) = delete;
-  AccuracyCell(AccuracyCell&&) = delete;
-  AccuracyCell& operator=(AccuracyCell&&) = delete;
-  virtual ~AccuracyCell() = default;
 
-  [[nodiscard]] virtual std::size_t blocks() const = 0;
-  [[nodiscard]] virtual judge::CellTally run_block(std::size_t block) const = 0;
+  [[nodiscard]] std::size_t blocks() const;
+  [[nodiscard]] judge::CellTally run_block(std::size_t block) const;
   /// As of a job: of one block.
-  [[nodiscard]] virtual double cost() const = 0;
-  [[nodiscard]] virtual run::Extent extent() const = 0;
+  [[nodiscard]] double cost() const;
+  [[nodiscard]] run::Extent extent() const;
 
   /// `tally` is of all blocks.
-  virtual void write(const judge::CellTally& tally, tables::Tables& tables) const = 0;
-  virtual void collect(const judge::CellTally& tally, std::vector<tables::Series>& series) const = 0;
-  virtual void collect(const judge::CellTally& tally, std::vector<run::Violation>& violations) const = 0;
-};
+  void write(const judge::CellTally& tally, tables::Tables& tables) const;
+  void collect(const judge::CellTally& tally, std::vector<tables::Series>& series) const;
+  void collect(const judge::CellTally& tally, std::vector<run::Violation>& violations) const;
 
-/// `study` must outlive the cell. Throws Failure(usage) for methods and baselines that do not take its curves.
-std::unique_ptr<AccuracyCell> accuracy_cell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell,
-                                            suite::ScalarKind scalar, reference::Tier tier);
+ private:
+  [[nodiscard]] std::int64_t blocks_per_replicate() const;
+  [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
+  [[nodiscard]] std::vector<std::string> cell_fields(std::size_t method) const {
+    return tables::cell_fields(study_, cell_, methods_.info(method).id, judge::ScalarFacts<Scalar>::kind);
+  }
+  void write_worst(std::size_t method, const judge::Worst& worst, tables::Tables& tables) const;
+  void write_reference(std::size_t method, const judge::CellTally& tally, tables::Tables& tables) const;
+
+  const suite::Study& study_;
+  sample::Cell cell_;
+  reference::Tier tier_;
+  sample::Sampler sampler_;
+  judge::JudgedMethods<Scalar> methods_;
+  judge::GroupJudge<Scalar> judge_;  ///< refers to what stands before it
+};
 
 }  // namespace bezierbench::studies

@@ -2,32 +2,29 @@
 #include "experiments/studies/accuracy/accuracy_row.hpp"
 
 #include "experiments/number/number.hpp"
+#include "experiments/tables/statistics.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-using Value = double (*)(const metric::Tally&);
-constexpr Value mean = [](const metric::Tally& tally) { return tally.mean(); };
-constexpr Value root_mean_square = [](const metric::Tally& tally) { return tally.root_mean_square(); };
-constexpr Value median = [](const metric::Tally& tally) { return tally.quantile(0.5); };
-constexpr Value p99 = [](const metric::Tally& tally) { return tally.quantile(0.99); };
-constexpr Value largest = [](const metric::Tally& tally) { return tally.max(); };
-
-/// A statistic of no trial is an empty field.
-std::string field(const metric::Tally& tally, Value value) {
-  return tally.count() > 0 ? number::decimal(value(tally)) : std::string();
-}
+using tables::field;
+using tables::largest;
+using tables::mean;
+using tables::median;
+using tables::p99;
+using tables::root_mean_square;
+using tables::Statistic;
 
 struct Column {
   const char* name;
   std::string (*field)(const Statistics& of);
 };
 
-template <auto Member, Value Of>
+template <auto Member, Statistic Of>
 constexpr auto of_judgement = [](const Statistics& s) { return field(s.judgement.*Member, Of); };
-template <auto Member, Value Of>
+template <auto Member, Statistic Of>
 constexpr auto of_sources = [](const Statistics& s) { return field(s.judgement.sources.*Member, Of); };
-template <Value Of>
+template <Statistic Of>
 constexpr auto of_condition = [](const Statistics& s) { return s.exact ? field(s.condition, Of) : std::string(); };
 
 constexpr Column columns[]{

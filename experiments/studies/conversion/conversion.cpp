@@ -12,12 +12,12 @@
 #include "core/evaluate/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/method_choice.hpp"
-#include "experiments/metric/tally.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/suite/names.hpp"
+#include "experiments/tables/statistics.hpp"
 #include "reference/exact_conversion.hpp"
 
 namespace bezierbench::studies {
@@ -199,7 +199,8 @@ void ConversionJob::write(tables::Tables& tables) const {
         .set("trials", study_.trials * study_.replicates)
         .set("curve", suite::name(study_.curve))
         .set("dimension", cell.dimension);
-    if (tally.error.count() > 0) row.set("mean_error", tally.error.mean()).set("max_error", tally.error.max());
+    row.set("mean_error", tables::field(tally.error, tables::mean))
+        .set("max_error", tables::field(tally.error, tables::largest));
     const bool supported = chain.supports(cell.degree);
     row.set("status", supported ? "ok" : "degree_unsupported");
     for (std::size_t i = 0; i < thresholds.size() && supported; ++i) {

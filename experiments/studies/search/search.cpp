@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <variant>
 
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/point_judge.hpp"
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/search/climb.hpp"
@@ -46,22 +48,13 @@ struct Outcome {
 };
 
 /// One method in one cell.
+template <class Scalar>
 class Search {
  public:
-  virtual ~Search() = default;
-  [[nodiscard]] virtual Outcome run() const = 0;
-  virtual void write(const Outcome& outcome, tables::Tables& tables) const = 0;
-  virtual void collect(const Outcome& outcome, std::vector<run::Violation>& violations) const = 0;
-  [[nodiscard]] virtual const sample::Cell& cell() const = 0;
-};
-
-template <class Scalar>
-class ScalarSearch final : public Search {
- public:
-  ScalarSearch(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, const Kernel<Scalar>& kernel)
+  Search(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, const Kernel<Scalar>& kernel)
       : study_(study), seed_(seed), cell_(cell), kernel_(kernel) {}
 
-  [[nodiscard]] Outcome run() const override {
+  [[nodiscard]] Outcome run() const {
     judge::PointJudge<Scalar> judge;
     Outcome outcome;
     std::vector<Found> found = sampled(judge, outcome);
@@ -75,7 +68,7 @@ class ScalarSearch final : public Search {
     return outcome;
   }
 
-  void write(const Outcome& outcome, tables::Tables& tables) const override {
+  void write(const Outcome& outcome, tables::Tables& tables) const {
     tables::Row row("search.csv");
     row.set("search_id", fmt::format("s{}", tables.table("search.csv").row_count() + 1))
         .set_each(tables::cell_columns(),
@@ -95,7 +88,7 @@ class ScalarSearch final : public Search {
     tables.add(row);
   }
 
-  void collect(const Outcome& outcome, std::vector<run::Violation>& violations) const override {
+  void collect(const Outcome& outcome, std::vector<run::Violation>& violations) const {
     if (outcome.violations == 0) return;
     violations.push_back(
         {fmt::format("{}, method {}, found by the search; see search.csv",
@@ -103,7 +96,7 @@ class ScalarSearch final : public Search {
          outcome.violations});
   }
 
-  [[nodiscard]] const sample::Cell& cell() const override { return cell_; }
+  [[nodiscard]] const sample::Cell& cell() const { return cell_; }
 
  private:
   /// `reached`: the climb raised the error by the required factor. `near_bound`: it cannot, because the sample is
@@ -168,46 +161,52 @@ class SearchJob final : public run::JobOf<Outcome> {
   SearchJob(const suite::Study& study, std::uint64_t seed) : study_(study) {
     for (const auto& cell : sample::cells(study_))
       for (const auto scalar : study_.scalar)
-        if (scalar == suite::ScalarKind::float32)
-          add<float>(seed, cell);
-        else
-          add<double>(seed, cell);
+        judge::with_scalar(scalar, [&]<class Scalar>(Scalar /*zero*/) { add<Scalar>(seed, cell); });
   }
 
   [[nodiscard]] std::size_t parts() const override { return searches_.size(); }
   [[nodiscard]] double cost(std::size_t part) const override {
-    const double n = searches_[part]->cell().degree + 1.0;
+    const double n = cell(part).degree + 1.0;
     return static_cast<double>(study_.trials + study_.budget) * (200 + 150 * n + 4 * n * n);
   }
   [[nodiscard]] run::Extent extent() const override {
     const auto evaluations = static_cast<std::uint64_t>(study_.trials + study_.budget);
     run::Extent sum;
-    for (const auto& search : searches_) sum += {1, 1, evaluations, judge::bytes_of_input(search->cell())};
+    for (std::size_t part = 0; part < searches_.size(); ++part)
+      sum += {1, 1, evaluations, judge::bytes_of_input(cell(part))};
     return sum;
   }
   void write(tables::Tables& tables) const override {
-    for (std::size_t part = 0; part < searches_.size(); ++part) searches_[part]->write(state(part), tables);
+    for (std::size_t part = 0; part < searches_.size(); ++part)
+      std::visit([&](const auto& search) { search.write(state(part), tables); }, searches_[part]);
   }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   [[nodiscard]] std::vector<run::Violation> violations() const override {
     std::vector<run::Violation> all;
-    for (std::size_t part = 0; part < searches_.size(); ++part) searches_[part]->collect(state(part), all);
+    for (std::size_t part = 0; part < searches_.size(); ++part)
+      std::visit([&](const auto& search) { search.collect(state(part), all); }, searches_[part]);
     return all;
   }
 
  protected:
-  [[nodiscard]] Outcome work(std::size_t block) const override { return searches_[block]->run(); }
+  [[nodiscard]] Outcome work(std::size_t block) const override {
+    return std::visit([](const auto& search) { return search.run(); }, searches_[block]);
+  }
 
  private:
   template <class Scalar>
   void add(std::uint64_t seed, const sample::Cell& cell) {
     for (const auto* kernel : judge::chosen_kernels<Scalar>(study_, cell.dimension))
       if (kernel->info->bit_stable && kernel->info->template supports<Scalar>(cell.degree))
-        searches_.push_back(std::make_unique<ScalarSearch<Scalar>>(study_, seed, cell, *kernel));
+        searches_.push_back(Search<Scalar>(study_, seed, cell, *kernel));
+  }
+
+  [[nodiscard]] const sample::Cell& cell(std::size_t part) const {
+    return std::visit([](const auto& search) -> const sample::Cell& { return search.cell(); }, searches_[part]);
   }
 
   suite::Study study_;
-  std::vector<std::unique_ptr<Search>> searches_;
+  std::vector<std::variant<Search<double>, Search<float>>> searches_;
 };
 
 }  // namespace

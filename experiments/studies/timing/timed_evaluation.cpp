@@ -3,6 +3,7 @@
 
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/methods.hpp"
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/timed_check.hpp"
 #include "experiments/race/timed_inputs.hpp"
@@ -42,15 +43,15 @@ std::vector<race::RaceCell> race_cells_of_evaluation(const suite::Study& study) 
       for (const auto mode : study.modes)
         race_cells.push_back(
             {cell, scalar, mode,
-             scalar == suite::ScalarKind::float32 ? methods_of<float>(study, cell) : methods_of<double>(study, cell),
+             judge::with_scalar(scalar, [&]<class Scalar>(Scalar /*zero*/) { return methods_of<Scalar>(study, cell); }),
              case_values});
   return race_cells;
 }
 
 race::JudgedRivals rivals_of_evaluation(const race::RaceCell& race_cell, const suite::Study& study,
                                         std::uint64_t seed) {
-  return race_cell.scalar == suite::ScalarKind::float32 ? rivals<float>(race_cell, study, seed)
-                                                        : rivals<double>(race_cell, study, seed);
+  return judge::with_scalar(race_cell.scalar,
+                            [&]<class Scalar>(Scalar /*zero*/) { return rivals<Scalar>(race_cell, study, seed); });
 }
 
 }  // namespace bezierbench::studies
