@@ -8,11 +8,11 @@
 
 #include "build_facts.hpp"
 #include "core/evaluate/kernel.hpp"
-#include "experiments/bundle/csv.hpp"
 #include "experiments/judge/companions.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/tables/tables.hpp"
 #include "git_facts.hpp"
 #include "reference/published/published.hpp"
 
@@ -25,11 +25,21 @@ void add_once(std::vector<std::string>& ids, std::string_view id) {
   if (std::ranges::find(ids, id) == ids.end()) ids.emplace_back(id);
 }
 
-void add_row(bundle::CsvTable& table, const MethodInfo& info) {
-  table.add_row({std::string(info.id), std::string(name(info.problem)), std::string(name(info.form)),
-                 std::to_string(info.min_degree), std::to_string(info.max_degree),
-                 std::string(info.bound ? info.bound->text : info.promise), info.bit_stable ? "yes" : "no",
-                 std::string(info.flops), std::string(info.citation)});
+constexpr const char* methods_name = "methods.csv";
+constexpr const char* generators_name = "generators.csv";
+
+tables::Row row_of(const MethodInfo& info) {
+  tables::Row row(methods_name);
+  row.set("id", info.id)
+      .set("problem", name(info.problem))
+      .set("form", name(info.form))
+      .set("min_degree", info.min_degree)
+      .set("max_degree", info.max_degree)
+      .set("bound", info.bound ? info.bound->text : info.promise)
+      .set("bit_stable", info.bit_stable ? "yes" : "no")
+      .set("flops", info.flops)
+      .set("citation", info.citation);
+  return row;
 }
 
 }  // namespace
@@ -55,20 +65,22 @@ suite::Vocabulary vocabulary_of_all_builds() {
 }
 
 std::string methods_csv() {
-  bundle::CsvTable table(
-      {"id", "problem", "form", "min_degree", "max_degree", "bound", "bit_stable", "flops", "citation"});
-  for (const auto& kernel : judge::methods<double>(any_dimension)) add_row(table, *kernel.info);
-  for (const auto* info : conversion_infos()) add_row(table, *info);
-  for (const auto* info : judge::companion_infos()) add_row(table, *info);
-  return table.text();
+  tables::Tables tables;
+  for (const auto& kernel : judge::methods<double>(any_dimension)) tables.add(row_of(*kernel.info));
+  for (const auto* info : conversion_infos()) tables.add(row_of(*info));
+  for (const auto* info : judge::companion_infos()) tables.add(row_of(*info));
+  return tables.table(methods_name).text();
 }
 
 std::string generators_csv() {
-  bundle::CsvTable table({"id", "coordinates", "t", "weights"});
+  tables::Tables tables;
   for (const auto& generator : sample::generators())
-    table.add_row({std::string(generator.id), std::string(generator.coordinates), std::string(generator.t),
-                   std::string(generator.weights)});
-  return table.text();
+    tables.add(tables::Row(generators_name)
+                   .set("id", generator.id)
+                   .set("coordinates", generator.coordinates)
+                   .set("t", generator.t)
+                   .set("weights", generator.weights));
+  return tables.table(generators_name).text();
 }
 
 std::string version_line() {
