@@ -48,6 +48,8 @@ class Command {
   /// What is added to the result are options of this command, exactly one of which must be there.
   Command alternatives(const std::string& name, const std::string& help);
 
+  /// Text below the options in the help of this command.
+  void footer(const std::string& text);
   void needs_command();
   void takes_options_of_its_parent();
   void action(std::function<void()> what);  ///< when the command is chosen

@@ -3,18 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/data_kind.hpp"
 
 namespace bezierbench::judge {
 namespace {
-
-void check_key(const suite::Study& study, std::string_view problem, std::string_view key, bool there, bool wanted) {
-  if (there == wanted) return;
-  throw Failure(Exit::usage, fmt::format("study \"{}\": the problem {} {} the key {}; {} it", study.id, problem,
-                                         wanted ? "needs" : "does not have", key, wanted ? "add" : "remove"));
-}
 
 /// Every case once for each value; as they are where there is none.
 template <class T, class Set>
@@ -39,16 +32,13 @@ std::vector<std::string> case_fields(const CaseValues& case_values) {
           case_values.points ? std::to_string(*case_values.points) : "", std::string(case_values.data)};
 }
 
-std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes, std::string_view problem) {
-  check_key(study, problem, "degree", !study.degree.empty(), axes.degree);
-  check_key(study, problem, "order", !study.order.empty(), axes.order);
-  check_key(study, problem, "tolerance", !study.tolerance.empty(), axes.tolerance);
-  check_key(study, problem, "points", !study.points.empty(), axes.points);
+std::vector<CaseValues> cases_of(const suite::Study& study, bool each_data) {
+  const auto& keys = suite::keys_of<suite::TimingKeys>(study);
   std::vector<CaseValues> all(1);
-  sweep(all, study.order, [](CaseValues& one, int order) { one.order = order; });
-  sweep(all, study.tolerance, [](CaseValues& one, double tolerance) { one.tolerance = tolerance; });
-  sweep(all, study.points, [](CaseValues& one, int points) { one.points = points; });
-  if (!axes.data) return all;
+  sweep(all, keys.order, [](CaseValues& one, int order) { one.order = order; });
+  sweep(all, keys.tolerance, [](CaseValues& one, double tolerance) { one.tolerance = tolerance; });
+  sweep(all, keys.points, [](CaseValues& one, int points) { one.points = points; });
+  if (!each_data) return all;
   std::vector<std::string_view> kinds;
   for (const auto& kind : sample::data_kinds()) kinds.push_back(kind.id);
   sweep(all, kinds, [](CaseValues& one, std::string_view data) { one.data = data; });

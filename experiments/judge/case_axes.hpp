@@ -19,23 +19,14 @@ struct CaseValues {
   friend bool operator==(const CaseValues&, const CaseValues&) = default;
 };
 
-/// Which of these a problem has.
-struct CaseAxes {
-  bool degree = true;  ///< of curves; else the points are all that is given
-  bool order = false;
-  bool tolerance = false;
-  bool points = false;
-  bool data = false;  ///< every kind of data is a case of its own
-};
-
 /// order,tolerance,points,data
 const std::vector<std::string>& case_columns();
 
 /// The fields of those columns.
 std::vector<std::string> case_fields(const CaseValues& case_values);
 
-/// The cross product of what the study asks, order outermost; one that asks nothing where `asks` has nothing. Throws
-/// Failure(usage), which names `problem`, for a key that is missing or that the problem has not.
-std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes, std::string_view problem);
+/// The cross product of what a timing study asks, order outermost; one that asks nothing where it has no such key.
+/// `each_data`: every kind of data is a case of its own.
+std::vector<CaseValues> cases_of(const suite::Study& study, bool each_data);
 
 }  // namespace bezierbench::judge

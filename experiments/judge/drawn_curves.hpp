@@ -13,7 +13,7 @@ namespace bezierbench::judge {
 class DrawnCurves {
  public:
   DrawnCurves(const suite::Study& study, const sample::Cell& cell, std::uint64_t seed, std::size_t count)
-      : form_(form_of(study.curve)), cell_(cell), trials_(count) {
+      : form_(study.curve), cell_(cell), trials_(count) {
     const sample::Sampler sampler(seed, study.id, cell);
     for (std::size_t k = 0; k < count; ++k) sampler.draw(k, trials_[k]);
   }

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/race/timed_companion.hpp"
 
-#include <fmt/format.h>
-
-#include "experiments/failure.hpp"
+#include "experiments/judge/study_inputs.hpp"
 
 namespace bezierbench::race {
 
-std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, const judge::CaseAxes& axes) {
-  if (study.modes != std::vector{suite::Mode::one_shot})
-    throw Failure(Exit::usage, fmt::format("study \"{}\": a companion problem is timed from the control points on; "
-                                           "write modes = [\"one_shot\"]",
-                                           study.id));
-  const auto all_cases = judge::cases_of(study, axes, name(problem));
+std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, bool each_data) {
+  judge::check_timed(study, problem);
+  const auto all_cases = judge::cases_of(study, each_data);
   auto with_degree = study;
-  if (!axes.degree) with_degree.degree = {3};  // of the segments
+  if (study.degree.empty()) with_degree.degree = {3};  // of the segments
   std::vector<RaceCell> race_cells;
   for (const auto& cell : sample::cells(with_degree))
     for (const auto& case_values : all_cases)

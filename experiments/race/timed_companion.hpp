@@ -21,16 +21,14 @@
 namespace bezierbench::race {
 
 /// The problems of one race cell: `count()` of them, drawn by the constructor. `solve` is what is timed: it writes all
-/// numbers of the answer to `result`, an array or vector of doubles. `check` throws Failure(usage) for inputs that
-/// the problem does not take.
+/// numbers of the answer to `result`, an array or vector of doubles. `each_data`: every kind of data is a case of its
+/// own.
 template <class P>
 concept TimedCompanion = std::constructible_from<P, const RaceCell&, const suite::Study&, std::uint64_t> &&
-    requires(const P& problems, const suite::Study& study, const typename P::Kernel& kernel, std::size_t k,
-             typename P::Result& result) {
+    requires(const P& problems, const typename P::Kernel& kernel, std::size_t k, typename P::Result& result) {
   requires std::same_as<const Problem, decltype(P::problem)>;
-  requires std::same_as<const judge::CaseAxes, decltype(P::axes)>;
+  requires std::same_as<const bool, decltype(P::each_data)>;
   { P::kernels(int{}) } -> std::same_as<std::span<const typename P::Kernel>>;
-  P::check(study);
   { problems.count() } -> std::same_as<std::size_t>;
   problems.solve(kernel, k, result);
   { problems.is_right(kernel, k, result) } -> std::same_as<bool>;
@@ -41,7 +39,7 @@ inline constexpr double half_of_the_digits = 0x1p26;
 
 /// The race cells of a study of a companion problem, still without methods. Throws Failure(usage) for what is not
 /// timed.
-std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, const judge::CaseAxes& axes);
+std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, bool each_data);
 
 /// One method on the problems of a race cell, and the results that it must reproduce bit for bit.
 template <TimedCompanion P>
@@ -88,13 +86,12 @@ class CompanionRival {
 /// Of a problem that starts from data points, the degree is that of the curves that these are taken from.
 template <TimedCompanion P>
 std::vector<RaceCell> race_cells_of_companion(const suite::Study& study) {
-  P::check(study);
   const auto chosen = judge::chosen_companions(study, P::problem);
-  auto race_cells = companion_race_cells(study, P::problem, P::axes);
+  auto race_cells = companion_race_cells(study, P::problem, P::each_data);
   for (auto& race_cell : race_cells)
     for (const auto& kernel : P::kernels(race_cell.cell.dimension))
-      if (std::ranges::count(chosen, kernel.info) > 0 && kernel.info->form == judge::form_of(study.curve) &&
-          (P::axes.data || kernel.info->template supports<double>(race_cell.cell.degree)))
+      if (std::ranges::count(chosen, kernel.info) > 0 && kernel.info->form == study.curve &&
+          (P::each_data || kernel.info->template supports<double>(race_cell.cell.degree)))
         race_cell.methods.push_back(kernel.info);
   return race_cells;
 }

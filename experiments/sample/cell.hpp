@@ -13,7 +13,7 @@ namespace bezierbench::sample {
 
 /// Neither the scalar type nor the methods are part of it: all of them get the same inputs.
 struct Cell {
-  suite::CurveKind curve = suite::CurveKind::bezier;
+  Form curve = Form::bernstein;
   int dimension = 2;
   int degree = 0;
   double coordinate_range = 1;

@@ -12,20 +12,18 @@
 
 #include "experiments/failure.hpp"
 #include "experiments/judge/companions.hpp"
+#include "experiments/judge/study_inputs.hpp"
 #include "experiments/metric/tally.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/promises.hpp"
+#include "experiments/suite/kinds.hpp"
 #include "experiments/tables/cell_fields.hpp"
 #include "reference/length_panels.hpp"
 
 namespace bezierbench::studies {
-
-/// Throws Failure(usage) for curves without control points or with weights, for scalars but double, and for intervals
-/// that leave [0, 1]; `interval` says what an interval is: "the part to be measured".
-void check_lengths(const suite::Study& study, std::string_view interval);
 
 /// The lengths of one trial: what every method is asked.
 template <class Kernel>
@@ -53,7 +51,6 @@ template <class Kernel, class Row>
 struct ToleranceProblem {
   Problem problem;
   std::string_view table;  ///< NAME.csv, and NAME_unstable.csv for methods that are not bit-stable
-  std::string_view interval;
   std::span<const Kernel> (*kernels)(int dimension);
   std::span<const ToleranceColumn<Row>> columns;
   /// CaseAxes every method at every tolerance and adds to `rows`, tolerance by tolerance.
@@ -65,7 +62,7 @@ class ToleranceJob : public run::JobOf<ToleranceRows<Row>> {
  public:
   ToleranceJob(const suite::Study& study, std::uint64_t seed, const ToleranceProblem<Kernel, Row>& problem)
       : study_(study), seed_(seed), problem_(problem) {
-    check_lengths(study, problem.interval);
+    judge::check_inputs(study);
     for (const auto& cell : sample::cells(study_)) parts_.push_back({cell, methods_of(cell.dimension)});
   }
 
@@ -80,7 +77,7 @@ class ToleranceJob : public run::JobOf<ToleranceRows<Row>> {
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
     for (const Part& part : parts_) {
-      const std::size_t rows = part.methods.size() * study_.tolerance.size();
+      const std::size_t rows = part.methods.size() * tolerances().size();
       sum += {1, rows, static_cast<std::uint64_t>(trials()) * rows};
     }
     return sum;
@@ -115,7 +112,7 @@ class ToleranceJob : public run::JobOf<ToleranceRows<Row>> {
     const Part& part = parts_[this->part_of(block)];
     const sample::Sampler sampler(seed_, study_.id, part.cell);
     ToleranceRows<Row> tally;
-    tally.rows.resize(part.methods.size() * study_.tolerance.size());
+    tally.rows.resize(part.methods.size() * tolerances().size());
     sample::Trial drawn;
     const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * block_trials;
     const auto last = std::min(trials(), first + block_trials);
@@ -123,7 +120,7 @@ class ToleranceJob : public run::JobOf<ToleranceRows<Row>> {
       const auto number = static_cast<std::uint64_t>(trial);
       sampler.draw(number, drawn);
       try {
-        problem_.judge({part.cell, drawn, number, part.methods, study_.tolerance}, tally.rows);
+        problem_.judge({part.cell, drawn, number, part.methods, tolerances()}, tally.rows);
       } catch (const reference::NotCertain& error) {
         throw Failure(Exit::usage, fmt::format("{}, trial {}: {}; leave this cell out of the suite",
                                                tables::describe(study_, part.cell, suite::ScalarKind::float64), trial,
@@ -145,6 +142,7 @@ class ToleranceJob : public run::JobOf<ToleranceRows<Row>> {
     std::vector<const Kernel*> methods;
   };
 
+  [[nodiscard]] const std::vector<double>& tolerances() const { return suite::tolerances_of(study_); }
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
 
   [[nodiscard]] std::vector<const Kernel*> methods_of(int dimension) const {
@@ -159,7 +157,7 @@ class ToleranceJob : public run::JobOf<ToleranceRows<Row>> {
   void each_row(Visit&& visit) const {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       std::size_t k = 0;
-      for (const double tolerance : study_.tolerance)
+      for (const double tolerance : tolerances())
         for (const auto* method : parts_[p].methods) visit(parts_[p], tolerance, *method, this->state(p).rows.at(k++));
     }
   }

@@ -156,7 +156,7 @@ void ScalarCell<Scalar>::write_reference(std::size_t method, const judge::CellTa
 template <class Scalar>
 void ScalarCell<Scalar>::write_worst(std::size_t method, const judge::Worst& worst, tables::Tables& tables) const {
   auto& table = tables.table("worst.csv", worst_columns());
-  judge::TrialInputs<Scalar> inputs(judge::form_of(study_.curve), cell_);
+  judge::TrialInputs<Scalar> inputs(study_.curve, cell_);
   inputs.draw(sampler_, worst.trial);
   std::vector<std::string> row{fmt::format("w{}", table.row_count() + 1)};
   for (auto& field : tables::cell_fields(study_, cell_, methods_.info(method).id, judge::ScalarFacts<Scalar>::kind))

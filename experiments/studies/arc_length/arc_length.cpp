@@ -67,7 +67,6 @@ constexpr ToleranceColumn<LengthErrors> columns[]{
 
 constexpr ToleranceProblem<ArcLengthKernel, LengthErrors> problem{.problem = Problem::arc_length,
                                                                   .table = "arc_length",
-                                                                  .interval = "the part to be measured",
                                                                   .kernels = judge::arc_length_methods,
                                                                   .columns = columns,
                                                                   .judge = judge};

@@ -15,12 +15,11 @@ namespace bezierbench::studies {
 class TimedArcLength {
  public:
   static constexpr Problem problem = Problem::arc_length;
-  static constexpr judge::CaseAxes axes{.tolerance = true};
+  static constexpr bool each_data = false;
   using Kernel = ArcLengthKernel;
   using Result = std::array<double, 2>;  ///< length, evaluations
 
   static std::span<const Kernel> kernels(int dimension) { return judge::arc_length_methods(dimension); }
-  static void check(const suite::Study& study) { check_lengths(study, "the part to be measured"); }
 
   TimedArcLength(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed)
       : curves_(study, race_cell.cell, seed, 32), tolerance_(*race_cell.case_values.tolerance) {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "core/derivative/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/judge/companions.hpp"
 #include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/study_inputs.hpp"
 #include "experiments/metric/derivative_scale.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
@@ -31,12 +31,9 @@ Methods methods_of(const suite::Study& study, int dimension) {
   Methods methods;
   const auto chosen = judge::chosen_companions(study, Problem::derivative);
   for (const auto& kernel : derivative_kernels(dimension))
-    if (kernel.info->form == judge::form_of(study.curve) && std::ranges::find(chosen, kernel.info) != chosen.end())
+    if (kernel.info->form == study.curve && std::ranges::find(chosen, kernel.info) != chosen.end())
       methods.push_back(&kernel);
-  if (methods.empty())
-    throw Failure(Exit::usage, fmt::format("study \"{}\": none of its methods takes curves in {} form; see `list "
-                                           "methods`",
-                                           study.id, name(judge::form_of(study.curve))));
+  judge::require_form(study, !methods.empty());
   return methods;
 }
 
@@ -67,9 +64,10 @@ void add_rounded(double value, metric::Tally& tally) {
 class DerivativeJob final : public run::JobOf<DerivativeTally> {
  public:
   DerivativeJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
-    check_derivatives(study);
+    judge::check_inputs(study);
     for (const auto& cell : sample::cells(study_))
-      for (const int order : study_.order) parts_.push_back({cell, order, methods_of(study_, cell.dimension)});
+      for (const int order : suite::keys_of<suite::DerivativeKeys>(study_).order)
+        parts_.push_back({cell, order, methods_of(study_, cell.dimension)});
   }
 
   [[nodiscard]] std::size_t parts() const override { return parts_.size(); }
@@ -114,7 +112,7 @@ DerivativeTally DerivativeJob::work(std::size_t block) const {
   for (auto k = first; k < last && !run::interrupted(); ++k) {
     const auto trial = static_cast<std::uint64_t>(k);
     sampler.draw(trial, scratch.trial);
-    judge(part, judge::form_of(study_.curve), trial, scratch, tally);
+    judge(part, study_.curve, trial, scratch, tally);
   }
   return tally;
 }
@@ -208,17 +206,6 @@ std::vector<run::Violation> DerivativeJob::violations() const {
 }
 
 }  // namespace
-
-void check_derivatives(const suite::Study& study) {
-  if (study.curve == suite::CurveKind::rational)
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": derivatives are those of polynomial curves; write curve = \"bezier\" or "
-                              "\"polynomial\"",
-                              study.id));
-  if (std::ranges::any_of(study.scalar, [](auto scalar) { return scalar != suite::ScalarKind::float64; }))
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": derivatives are computed in double only; leave scalar out", study.id));
-}
 
 std::unique_ptr<run::Job> derivative_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<DerivativeJob>(study, context.seed);

@@ -17,12 +17,11 @@ namespace bezierbench::studies {
 class TimedDerivative {
  public:
   static constexpr Problem problem = Problem::derivative;
-  static constexpr judge::CaseAxes axes{.order = true};
+  static constexpr bool each_data = false;
   using Kernel = DerivativeKernel;
   using Result = std::array<double, 3>;  ///< coordinates; those beyond the dimension are not written
 
   static std::span<const Kernel> kernels(int dimension) { return derivative_kernels(dimension); }
-  static void check(const suite::Study& study) { check_derivatives(study); }
 
   TimedDerivative(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed)
       : curves_(study, race_cell.cell, seed, 256), order_(*race_cell.case_values.order) {}

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/fit/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/judge/companions.hpp"
+#include "experiments/judge/study_inputs.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/data_kind.hpp"
@@ -87,9 +87,9 @@ void judge(const Fit& fit, int dimension, const std::vector<double>& data, doubl
 class FittingJob final : public run::JobOf<FittingTally> {
  public:
   FittingJob(const suite::Study& study, std::uint64_t seed) : study_(study) {
-    check_fitting(study_);
+    judge::check_inputs(study_);
     for (const auto& cell : sample::cells(study_))
-      for (const int points : study_.points)
+      for (const int points : keys().points)
         for (const auto& kind : sample::data_kinds())
           parts_.push_back({cell, points, &kind,
                             sample::Sampler(seed, study_.id, sample::with_displacements(cell, points)),
@@ -106,7 +106,7 @@ class FittingJob final : public run::JobOf<FittingTally> {
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
     for (const Part& part : parts_) {
-      const std::size_t rows = part.methods.size() * study_.tolerance.size();
+      const std::size_t rows = part.methods.size() * keys().tolerance.size();
       sum += {1, rows, static_cast<std::uint64_t>(trials()) * rows};
     }
     return sum;
@@ -119,6 +119,7 @@ class FittingJob final : public run::JobOf<FittingTally> {
   [[nodiscard]] FittingTally work(std::size_t block) const override;
 
  private:
+  [[nodiscard]] const suite::FittingKeys& keys() const { return suite::keys_of<suite::FittingKeys>(study_); }
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
   void write_example(tables::Tables& tables) const;
 
@@ -129,13 +130,13 @@ class FittingJob final : public run::JobOf<FittingTally> {
 FittingTally FittingJob::work(std::size_t block) const {
   const Part& part = parts_[part_of(block)];
   FittingTally tally;
-  tally.rows.resize(part.methods.size() * study_.tolerance.size());
+  tally.rows.resize(part.methods.size() * keys().tolerance.size());
   const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * block_trials;
   const auto last = std::min(trials(), first + block_trials);
   for (auto trial = first; trial < last && !run::interrupted(); ++trial) {
     const auto data = part.data(trial);
     auto* row = tally.rows.data();
-    for (const double tolerance : study_.tolerance)
+    for (const double tolerance : keys().tolerance)
       for (const auto* method : part.methods)
         judge(method->fit(data, tolerance), part.cell.dimension, data, tolerance, static_cast<std::uint64_t>(trial),
               *row++);
@@ -185,7 +186,7 @@ void FittingJob::write(tables::Tables& tables) const {
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const Part& part = parts_[p];
     std::size_t k = 0;
-    for (const double tolerance : study_.tolerance)
+    for (const double tolerance : keys().tolerance)
       for (const auto* method : part.methods) {
         auto row = tables::cell_fields(study_, part.cell, method->info->id, suite::ScalarKind::float64);
         row.insert(row.end(), {std::string(part.kind->id), std::to_string(part.points), number::decimal(tolerance),
@@ -204,7 +205,7 @@ void FittingJob::write_example(tables::Tables& tables) const {
   if (first == parts_.end()) return;
   auto& table =
       tables.table("fitting_example.csv", {"study", "data", "tolerance", "method", "segment", "index", "x", "y"});
-  const double tolerance = study_.tolerance.front();
+  const double tolerance = keys().tolerance.front();
   for (auto part = first; part != parts_.end() && part->cell == first->cell && part->points == first->points; ++part) {
     const auto data = part->data(0);
     const auto add = [&](std::string_view method, const std::string& segment, std::size_t index, const double* point) {
@@ -223,7 +224,7 @@ std::vector<run::Violation> FittingJob::violations() const {
   std::vector<run::Violation> all;
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     std::size_t k = 0;
-    for (const double tolerance : study_.tolerance)
+    for (const double tolerance : keys().tolerance)
       for (const auto* method : parts_[p].methods) {
         const auto& errors = state(p).rows.at(k++);
         if (errors.broken == 0) continue;
@@ -238,18 +239,6 @@ std::vector<run::Violation> FittingJob::violations() const {
 }
 
 }  // namespace
-
-void check_fitting(const suite::Study& study) {
-  judge::check_bezier_in_double(study);
-  judge::check_independent_points(study);
-  if (std::ranges::any_of(study.degree, [](int degree) { return degree < 1; }))
-    throw Failure(
-        Exit::usage,
-        fmt::format("study \"{}\": data are taken from curves of degree 1 or more; remove the degree 0", study.id));
-  if (study.t_interval != std::vector{suite::Interval{}})
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": data are taken from whole curves; leave t_interval out", study.id));
-}
 
 std::unique_ptr<run::Job> fitting_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<FittingJob>(study, context.seed);

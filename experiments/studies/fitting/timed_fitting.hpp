@@ -16,12 +16,11 @@ namespace bezierbench::studies {
 class TimedFitting {
  public:
   static constexpr Problem problem = Problem::fitting;
-  static constexpr judge::CaseAxes axes{.tolerance = true, .points = true, .data = true};
+  static constexpr bool each_data = true;
   using Kernel = FittingKernel;
   using Result = std::vector<double>;  ///< control points
 
   static std::span<const Kernel> kernels(int dimension) { return fitting_kernels(dimension); }
-  static void check(const suite::Study& study) { check_fitting(study); }
 
   TimedFitting(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed)
       : tolerance_(*race_cell.case_values.tolerance) {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "core/interpolate/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/judge/companions.hpp"
+#include "experiments/judge/study_inputs.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/draw.hpp"
@@ -40,7 +40,7 @@ struct Part {
 };
 
 std::vector<Part> parts_of(suite::Study study) {
-  for (const int points : study.points) study.degree.push_back(points - 1);
+  for (const int points : suite::keys_of<suite::InterpolationKeys>(study).points) study.degree.push_back(points - 1);
   std::vector<Part> parts;
   for (const auto& drawn : sample::cells(study)) {
     parts.push_back({drawn, drawn});
@@ -52,7 +52,7 @@ std::vector<Part> parts_of(suite::Study study) {
 class InterpolationJob final : public run::JobOf<InterpolationTally> {
  public:
   InterpolationJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
-    check_interpolation(study);
+    judge::check_inputs(study);
     methods_ = methods_of(study);
     parts_ = parts_of(study);
   }
@@ -176,13 +176,6 @@ std::vector<run::Violation> InterpolationJob::violations() const {
 }
 
 }  // namespace
-
-void check_interpolation(const suite::Study& study) {
-  judge::check_bezier_in_double(study);
-  judge::check_independent_points(study);
-  if (study.t_interval != std::vector{suite::Interval{}})
-    throw Failure(Exit::usage, fmt::format("study \"{}\": points are joined whole; leave t_interval out", study.id));
-}
 
 std::unique_ptr<run::Job> interpolation_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<InterpolationJob>(study, context.seed);

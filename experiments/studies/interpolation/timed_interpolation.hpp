@@ -13,12 +13,11 @@ namespace bezierbench::studies {
 class TimedInterpolation {
  public:
   static constexpr Problem problem = Problem::interpolation;
-  static constexpr judge::CaseAxes axes{.degree = false, .points = true};
+  static constexpr bool each_data = false;
   using Kernel = InterpolationKernel;
   using Result = std::vector<double>;  ///< control points
 
   static std::span<const Kernel> kernels(int /*dimension*/) { return interpolation_kernels(); }
-  static void check(const suite::Study& study) { check_interpolation(study); }
 
   /// Fewer sets of many points, so that a batch is about as long.
   TimedInterpolation(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed)

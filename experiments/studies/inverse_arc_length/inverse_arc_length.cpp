@@ -88,13 +88,11 @@ constexpr ToleranceColumn<ParameterErrors> columns[]{
     {"non_finite", Fields::count<&Promises::non_finite>},
 };
 
-constexpr ToleranceProblem<InverseArcLengthKernel, ParameterErrors> problem{
-    .problem = Problem::inverse_arc_length,
-    .table = "inverse_arc_length",
-    .interval = "the share of the length at which t is sought",
-    .kernels = inverse_arc_length_kernels,
-    .columns = columns,
-    .judge = judge};
+constexpr ToleranceProblem<InverseArcLengthKernel, ParameterErrors> problem{.problem = Problem::inverse_arc_length,
+                                                                            .table = "inverse_arc_length",
+                                                                            .kernels = inverse_arc_length_kernels,
+                                                                            .columns = columns,
+                                                                            .judge = judge};
 
 class InverseArcLengthJob final : public ToleranceJob<InverseArcLengthKernel, ParameterErrors> {
  public:

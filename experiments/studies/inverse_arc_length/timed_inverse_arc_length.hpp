@@ -16,12 +16,11 @@ namespace bezierbench::studies {
 class TimedInverseArcLength {
  public:
   static constexpr Problem problem = Problem::inverse_arc_length;
-  static constexpr judge::CaseAxes axes{.tolerance = true};
+  static constexpr bool each_data = false;
   using Kernel = InverseArcLengthKernel;
   using Result = std::array<double, 3>;  ///< t, iterations, evaluations
 
   static std::span<const Kernel> kernels(int dimension) { return inverse_arc_length_kernels(dimension); }
-  static void check(const suite::Study& study) { check_lengths(study, "the share of the length at which t is sought"); }
 
   /// The length that is sought is the share t of the whole, as in a study of errors.
   TimedInverseArcLength(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed)

@@ -6,6 +6,7 @@
 
 #include "experiments/judge/companions.hpp"
 #include "experiments/judge/methods.hpp"
+#include "experiments/judge/study_inputs.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/placement.hpp"
@@ -44,8 +45,7 @@ class ProjectionJob final : public run::JobOf<ProjectionTallies> {
  public:
   ProjectionJob(const suite::Study& study, std::uint64_t seed)
       : study_(study), infos_(judge::chosen_companions(study, Problem::projection)) {
-    judge::check_bezier_in_double(study_);
-    judge::check_independent_points(study_);
+    judge::check_inputs(study_);
     for (const auto& cell : sample::cells(study_))
       for (const auto& placement : sample::placements())
         parts_.push_back(

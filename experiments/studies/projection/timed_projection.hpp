@@ -15,15 +15,11 @@ namespace bezierbench::studies {
 class TimedProjection {
  public:
   static constexpr Problem problem = Problem::projection;
-  static constexpr judge::CaseAxes axes{};
+  static constexpr bool each_data = false;
   using Kernel = ProjectionKernel;
   using Result = std::array<double, 2>;  ///< t, distance
 
   static std::span<const Kernel> kernels(int dimension) { return judge::projection_methods(dimension); }
-  static void check(const suite::Study& study) {
-    judge::check_bezier_in_double(study);
-    judge::check_independent_points(study);
-  }
 
   TimedProjection(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed) {
     const sample::Sampler sampler(seed, study.id, sample::with_point(race_cell.cell));

@@ -121,7 +121,7 @@ void add_row(bundle::CsvTable& table, const suite::Study& study, const RooflineR
     append({"", "", "", "", "", "", "", "", ""});
   } else {
     const auto used = share(lap, *all.lap(Work::multiply_add, who.target), flops);
-    const auto goal = all.goal(who, study.goals);
+    const auto goal = all.goal(who, suite::keys_of<suite::RooflineKeys>(study).goals);
     append({number::decimal(all.peak(Work::multiply_add, who.target)),
             number::decimal(all.peak(Work::multiply_add_and_add, who.target))});
     append(fields(used));

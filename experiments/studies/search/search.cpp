@@ -68,10 +68,12 @@ class ScalarSearch final : public Search {
     outcome.sampled_error_u = std::max(0.0, found.front().error_u);
     // The words of the climb are no trial's: their study key is another one.
     sample::Words words(seed_, sample::key(fmt::format("{}/{}", study_.id, kernel_.info->id)), sample::key(cell_), 0);
-    const auto each = study_.budget / shared_part / static_cast<std::int64_t>(found.size());
+    const auto each =
+        suite::keys_of<suite::SearchKeys>(study_).budget / shared_part / static_cast<std::int64_t>(found.size());
     for (auto& one : found) climb(words, each, one, judge, outcome);
     outcome.worst = *std::ranges::max_element(found, {}, &Found::error_u);
-    climb(words, study_.budget - each * static_cast<std::int64_t>(found.size()), outcome.worst, judge, outcome);
+    climb(words, suite::keys_of<suite::SearchKeys>(study_).budget - each * static_cast<std::int64_t>(found.size()),
+          outcome.worst, judge, outcome);
     return outcome;
   }
 
@@ -81,11 +83,12 @@ class ScalarSearch final : public Search {
     append(row, tables::cell_fields(study_, cell_, kernel_.info->id, judge::ScalarFacts<Scalar>::kind));
     const Found& worst = outcome.worst;
     if (worst.error_u < 0) {
-      row.insert(row.end(), {std::to_string(study_.trials), std::to_string(study_.budget), "non_finite"});
+      row.insert(row.end(), {std::to_string(study_.trials),
+                             std::to_string(suite::keys_of<suite::SearchKeys>(study_).budget), "non_finite"});
       row.resize(columns().size());
     } else {
-      append(row, {std::to_string(study_.trials), std::to_string(study_.budget), status(outcome),
-                   number::decimal(outcome.sampled_error_u), number::decimal(worst.error_u),
+      append(row, {std::to_string(study_.trials), std::to_string(suite::keys_of<suite::SearchKeys>(study_).budget),
+                   status(outcome), number::decimal(outcome.sampled_error_u), number::decimal(worst.error_u),
                    worst.bound_u ? number::decimal(*worst.bound_u) : "", number::decimal(worst.error)});
       append(row, judge::input_fields(worst.input, cell_.dimension));
     }
@@ -127,7 +130,7 @@ class ScalarSearch final : public Search {
   std::vector<Found> sampled(judge::PointJudge<Scalar>& judge, Outcome& outcome) const {
     const sample::Sampler sampler(seed_, study_.id, cell_);
     std::vector<Found> worst;
-    judge::TrialInputs<Scalar> inputs(judge::form_of(study_.curve), cell_);
+    judge::TrialInputs<Scalar> inputs(study_.curve, cell_);
     for (std::int64_t trial = 0; trial < study_.trials && !run::interrupted(); ++trial) {
       inputs.draw(sampler, static_cast<std::uint64_t>(trial));
       Found one = judged(inputs, judge, outcome);
@@ -156,7 +159,7 @@ class ScalarSearch final : public Search {
              Outcome& outcome) const {
     constexpr int unseen_bits = 53 - judge::ScalarFacts<Scalar>::format.precision;
     const Climb neighbours(cell_, unseen_bits);
-    judge::TrialInputs<Scalar> inputs(judge::form_of(study_.curve), cell_);
+    judge::TrialInputs<Scalar> inputs(study_.curve, cell_);
     for (; steps > 0 && !run::interrupted(); --steps) {
       sample::Trial next = from.input;
       neighbours.step(words, next);
@@ -186,10 +189,12 @@ class SearchJob final : public run::JobOf<Outcome> {
   [[nodiscard]] std::size_t parts() const override { return searches_.size(); }
   [[nodiscard]] double cost(std::size_t part) const override {
     const double n = searches_[part]->cell().degree + 1.0;
-    return static_cast<double>(study_.trials + study_.budget) * (200 + 150 * n + 4 * n * n);
+    return static_cast<double>(study_.trials + suite::keys_of<suite::SearchKeys>(study_).budget) *
+           (200 + 150 * n + 4 * n * n);
   }
   [[nodiscard]] run::Extent extent() const override {
-    const auto evaluations = static_cast<std::uint64_t>(study_.trials + study_.budget);
+    const auto evaluations =
+        static_cast<std::uint64_t>(study_.trials + suite::keys_of<suite::SearchKeys>(study_).budget);
     run::Extent sum;
     for (const auto& search : searches_) sum += {1, 1, evaluations, judge::bytes_of_input(search->cell())};
     return sum;

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "experiments/failure.hpp"
 #include "experiments/judge/companions.hpp"
 #include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/study_inputs.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/draw.hpp"
@@ -27,12 +27,9 @@ Methods methods_of(const suite::Study& study, int dimension) {
   Methods methods;
   const auto chosen = judge::chosen_companions(study, Problem::subdivision);
   for (const auto& kernel : split_kernels(dimension))
-    if (kernel.info->form == judge::form_of(study.curve) && std::ranges::find(chosen, kernel.info) != chosen.end())
+    if (kernel.info->form == study.curve && std::ranges::find(chosen, kernel.info) != chosen.end())
       methods.push_back(&kernel);
-  if (methods.empty())
-    throw Failure(Exit::usage, fmt::format("study \"{}\": none of its methods takes curves in {} form; see `list "
-                                           "methods`",
-                                           study.id, name(judge::form_of(study.curve))));
+  judge::require_form(study, !methods.empty());
   return methods;
 }
 
@@ -44,7 +41,7 @@ struct Part {
 class SubdivisionJob final : public run::JobOf<SubdivisionTally> {
  public:
   SubdivisionJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
-    check_subdivision(study);
+    judge::check_inputs(study);
     for (const auto& cell : sample::cells(study_)) parts_.push_back({cell, methods_of(study_, cell.dimension)});
   }
 
@@ -89,8 +86,8 @@ SubdivisionTally SubdivisionJob::work(std::size_t block) const {
   for (auto k = first; k < last && !run::interrupted(); ++k) {
     const auto trial = static_cast<std::uint64_t>(k);
     sampler.draw(trial, drawn);
-    const CurveView<double> curve{judge::form_of(study_.curve), part.cell.dimension, part.cell.degree,
-                                  drawn.coefficients, drawn.weights};
+    const CurveView<double> curve{study_.curve, part.cell.dimension, part.cell.degree, drawn.coefficients,
+                                  drawn.weights};
     const SplitTruth truth(curve, drawn.t);
     for (std::size_t m = 0; m < part.methods.size(); ++m)
       if (part.methods[m]->info->supports<double>(part.cell.degree))
@@ -169,17 +166,6 @@ std::vector<run::Violation> SubdivisionJob::violations() const {
 }
 
 }  // namespace
-
-void check_subdivision(const suite::Study& study) {
-  if (study.curve == suite::CurveKind::polynomial)
-    throw Failure(
-        Exit::usage,
-        fmt::format("study \"{}\": what is split has control points; write curve = \"bezier\" or \"rational\"",
-                    study.id));
-  if (std::ranges::any_of(study.scalar, [](auto scalar) { return scalar != suite::ScalarKind::float64; }))
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": curves are split in double only; leave scalar out", study.id));
-}
 
 std::unique_ptr<run::Job> subdivision_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<SubdivisionJob>(study, context.seed);

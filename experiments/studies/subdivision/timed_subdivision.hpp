@@ -19,15 +19,14 @@ namespace bezierbench::studies {
 class TimedSubdivision {
  public:
   static constexpr Problem problem = Problem::subdivision;
-  static constexpr judge::CaseAxes axes{};
+  static constexpr bool each_data = false;
   using Kernel = SplitKernel;
   using Result = std::vector<double>;  ///< the numbers of the left half, then those of the right one
 
   static std::span<const Kernel> kernels(int dimension) { return split_kernels(dimension); }
-  static void check(const suite::Study& study) { check_subdivision(study); }
 
   TimedSubdivision(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed)
-      : form_(judge::form_of(study.curve)), cell_(race_cell.cell), trials_(64) {
+      : form_(study.curve), cell_(race_cell.cell), trials_(64) {
     const sample::Sampler sampler(seed, study.id, cell_);
     for (std::size_t k = 0; k < trials_.size(); ++k) {
       sampler.draw(k, trials_[k]);

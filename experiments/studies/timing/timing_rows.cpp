@@ -129,7 +129,8 @@ void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCe
   const race::Pace fastest = race::fastest_pace(race_cells);
   for (const auto& race_cell : race_cells)
     if (!race_cell.laps.empty()) add_race_cell(table, study, race_cell, fastest);
-  for (const auto mode : study.modes) add_sentinel(table, study, race_cells, mode, fastest);
+  for (const auto mode : suite::keys_of<suite::TimingKeys>(study).modes)
+    add_sentinel(table, study, race_cells, mode, fastest);
 }
 
 }  // namespace bezierbench::studies
