@@ -178,19 +178,21 @@ class Suites(Case):
         self.assertEqual(self.manifest("b"), self.manifest("again"))
 
     def test_what_the_plan_refuses(self):
-        """At once, not after hours, with the line at which the study begins."""
-        for study, changes, needle in [
-                (CONVERSION, {"curve": '"rational"', "methods": None}, "polynomial"),
-                (TIMING, {"methods": '["gauss_legendre_24"]', "modes": '["one_shot"]'}, "tolerance"),
-                (TIMING, {"methods": '["direct"]', "baseline": '"de_casteljau"'}, "de_casteljau"),
-                (STUDY, {"id": '"d"', "kind": '"derivative"', "order": "[1]", "curve": '"rational"'}, "derivatives"),
-                (TIMING, {"kind": '"arc_length"', "tolerance": "[1e-6]", "t_interval": "[[0, 2]]"}, "t_interval")]:
+        """At once, not after hours, with the place of the key; of the study where the key is left out."""
+        for study, changes, key, needle in [
+                (CONVERSION, {"curve": '"rational"', "methods": None}, "curve", "polynomial"),
+                (TIMING, {"methods": '["gauss_legendre_24"]', "modes": '["one_shot"]'}, None, "tolerance"),
+                (TIMING, {"methods": '["direct"]', "baseline": '"de_casteljau"'}, "baseline", "de_casteljau"),
+                (STUDY, {"id": '"d"', "kind": '"derivative"', "order": "[1]", "curve": '"rational"'}, "curve", "derivatives"),
+                (TIMING, {"kind": '"arc_length"', "tolerance": "[1e-6]", "t_interval": "[[0, 2]]"}, "t_interval", "within")]:
             asked = {**study, **changes}
             lines = lines_of({**STUDY, "degree": "[2]"}, asked)
-            place = f"s.toml:{len(lines) - lines[::-1].index('[[study]]')}:1"
+            header = len(lines) - lines[::-1].index("[[study]]")
+            found = [number for number, line in enumerate(lines, 1) if number > header and key and line.startswith(f"{key} =")]
+            place = f"s.toml:{found[0]}:" if found else f"s.toml:{header}:1: "
             with self.subTest(asked=asked):
                 self.write("s.toml", "\n".join(lines) + "\n")
-                self.refused(USAGE, ["run", "s.toml", "--out", "b"], f"bezierbench: {place}: study {asked['id']}: ", needle)
+                self.refused(USAGE, ["run", "s.toml", "--out", "b"], f"bezierbench: {place}", needle)
 
     def test_file_that_cannot_be_read(self):
         for name in ("absent.toml", ".", "absent/s.toml"):

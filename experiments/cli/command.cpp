@@ -97,6 +97,7 @@ Command Command::alternatives(const std::string& name, const std::string& help) 
   return Command(*group);
 }
 
+void Command::footer(const std::string& text) { app_->footer(text); }
 void Command::needs_command() { app_->require_subcommand(1); }
 void Command::takes_options_of_its_parent() { app_->fallthrough(); }
 void Command::action(std::function<void()> what) { app_->callback(std::move(what)); }

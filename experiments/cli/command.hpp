@@ -48,6 +48,8 @@ class Command {
   /// A group of options of this command, exactly one of which must be given.
   Command alternatives(const std::string& name, const std::string& help);
 
+  /// Text below the options in the help of this command.
+  void footer(const std::string& text);
   void needs_command();
   void takes_options_of_its_parent();
   void action(std::function<void()> what);  ///< runs when the command is chosen

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
+#include <typeinfo>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/cli/commands/commands.hpp"
@@ -78,6 +80,8 @@ int main(int argc, char** argv) {
     bezierbench::cli::end_without_memory();
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) return standard_output_failed();
+    // Failures, and errors of files and formats, have types of their own; this one is a library's.
+    if (typeid(error) == typeid(std::runtime_error)) bezierbench::cli::end_without_resource(error.what());
     return fail(Exit::input_output, error.what());
   }
 }

@@ -6,19 +6,13 @@
 #include <array>
 #include <span>
 
-#include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/data_kind.hpp"
 #include "experiments/sample/placement.hpp"
+#include "experiments/suite/kinds.hpp"
 
 namespace bezierbench::judge {
 namespace {
-
-void check_key(const suite::Study& study, std::string_view problem, std::string_view key, bool there, bool wanted) {
-  if (there == wanted) return;
-  throw Failure(Exit::usage, fmt::format("study \"{}\": the problem {} {} the key {}; {} it", study.id, problem,
-                                         wanted ? "needs" : "does not have", key, wanted ? "add" : "remove"));
-}
 
 /// Every case once for each value. An empty list of values leaves the cases unchanged.
 template <class T, class Set>
@@ -67,15 +61,12 @@ std::vector<std::string> case_fields(const CaseValues& case_values) {
   return fields;
 }
 
-std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes, std::string_view problem) {
-  check_key(study, problem, "degree", !study.degree.empty(), axes.degree);
-  check_key(study, problem, "order", !study.order.empty(), axes.order);
-  check_key(study, problem, "tolerance", !study.tolerance.empty(), axes.tolerance);
-  check_key(study, problem, "points", !study.points.empty(), axes.points);
+std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes) {
   std::vector<CaseValues> all(1);
-  sweep(all, study.order, [](CaseValues& one, int order) { one.order = order; });
-  sweep(all, study.tolerance, [](CaseValues& one, double tolerance) { one.tolerance = tolerance; });
-  sweep(all, study.points, [](CaseValues& one, int points) { one.points = points; });
+  sweep(all, suite::orders_of(study), [](CaseValues& one, int order) { one.order = order; });
+  if (axes.tolerance)
+    sweep(all, suite::tolerances_of(study), [](CaseValues& one, double tolerance) { one.tolerance = tolerance; });
+  sweep(all, suite::points_of(study), [](CaseValues& one, int points) { one.points = points; });
   if (axes.data) sweep(all, ids_of(sample::data_kinds()), [](CaseValues& one, auto id) { one.data = id; });
   if (axes.placement) sweep(all, ids_of(sample::placements()), [](CaseValues& one, auto id) { one.placement = id; });
   return all;

@@ -21,12 +21,10 @@ struct CaseValues {
   friend bool operator==(const CaseValues&, const CaseValues&) = default;
 };
 
-/// Which of these a problem has.
+/// What a problem has besides the keys of its studies.
 struct CaseAxes {
-  bool degree = true;  ///< of curves; else the points are all that is given
-  bool order = false;
-  bool tolerance = false;
-  bool points = false;
+  bool degree = true;      ///< of curves; else the points are all that is given
+  bool tolerance = false;  ///< a method is asked for one
   bool data = false;       ///< every kind of data is a case of its own
   bool placement = false;  ///< so is every placement; times are those of the first
 };
@@ -55,8 +53,7 @@ const std::vector<std::string>& case_columns();
 /// The fields of those columns.
 std::vector<std::string> case_fields(const CaseValues& case_values);
 
-/// The cross product of the study's case axes, order outermost; a single case without values where `asks` has no axis.
-/// Throws Failure(usage), which names `problem`, for a key that is missing or that belongs to another problem.
-std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes, std::string_view problem);
+/// The cross product of the study's case axes, order outermost; a single case without values where it has none.
+std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes);
 
 }  // namespace bezierbench::judge

@@ -14,10 +14,8 @@
 #include "core/interpolate/kernel.hpp"
 #include "core/project/kernel.hpp"
 #include "core/subdivide/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
-#include "experiments/sample/draw.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/fault.hpp"
 #include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::judge {
@@ -49,29 +47,22 @@ std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Prob
   const auto means = [](const MethodInfo* info) {
     return [info](const std::string& pattern) { return suite::means(pattern, info->id); };
   };
-  for (const auto& pattern : study.methods)
-    if (std::ranges::none_of(infos, [&](const MethodInfo* info) { return suite::means(pattern, info->id); }))
-      throw Failure(Exit::usage, fmt::format("study \"{}\": \"{}\" is no method for the problem {}; see `list methods`",
-                                             study.id, pattern, name(problem)));
+  for (std::size_t k = 0; k < study.methods.size(); ++k)
+    if (std::ranges::none_of(infos, [&](const MethodInfo* info) { return suite::means(study.methods[k], info->id); }))
+      suite::refuse(study, {"methods",
+                            k,
+                            {},
+                            fmt::format("\"{}\" is no method for the problem {}; see `list methods`", study.methods[k],
+                                        name(problem))});
   std::erase_if(infos, [&](const MethodInfo* info) { return std::ranges::none_of(study.methods, means(info)); });
   return infos;
 }
 
-void check_bezier_in_double(const suite::Study& study) {
-  if (study.curve != suite::CurveKind::bezier)
-    throw Failure(Exit::usage, fmt::format("study \"{}\": kind \"{}\" is for Bezier curves; write curve = \"bezier\"",
-                                           study.id, suite::name(study.kind)));
-  if (study.scalar != std::vector{suite::ScalarKind::float64})
-    throw Failure(Exit::usage, fmt::format("study \"{}\": kind \"{}\" is in double only; write scalar = [\"double\"]",
-                                           study.id, suite::name(study.kind)));
-}
-
-void check_independent_points(const suite::Study& study) {
-  for (const auto& generator : sample::generators())
-    if (generator.limits.exact_coefficients && std::ranges::count(study.generator, generator.id) > 0)
-      throw Failure(Exit::usage, fmt::format("study \"{}\": generator \"{}\" draws a curve as a whole, not "
-                                             "points; choose another, see `list generators`",
-                                             study.id, generator.id));
+void require_form(const suite::Study& study, bool any_method) {
+  if (any_method) return;
+  suite::refuse(study,
+                {study.methods.empty() ? "curve" : "methods", 0, "curve",
+                 fmt::format("none of its methods takes curves in {} form; see `list methods`", name(study.curve))});
 }
 
 }  // namespace bezierbench::judge

@@ -17,10 +17,7 @@ std::vector<const MethodInfo*> companion_infos();
 /// Failure(usage) for an entry that names no method of this problem.
 std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Problem problem);
 
-/// Throws Failure(usage) unless the study is of Bezier curves in double: some problems have methods for these only.
-void check_bezier_in_double(const suite::Study& study);
-
-/// Throws Failure(usage) for a generator that draws whole curves only and no separate points.
-void check_independent_points(const suite::Study& study);
+/// Throws Failure(usage) where no method that was chosen takes curves of the study's form.
+void require_form(const suite::Study& study, bool any_method);
 
 }  // namespace bezierbench::judge

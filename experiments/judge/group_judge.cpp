@@ -116,7 +116,7 @@ void GroupJudge<Scalar>::draw(Group group, TrialNumber first, Scratch& scratch) 
     auto& lane = group[k];
     lane.number = {first.replicate, first.trial + static_cast<std::int64_t>(k)};
     lane.counted = static_cast<std::uint64_t>(lane.number.replicate * study_.trials + lane.number.trial);
-    lane.inputs.be_of(form_of(study_.curve), cell_);
+    lane.inputs.be_of(study_.curve, cell_);
     lane.inputs.draw(sampler_, lane.counted);
     scratch.points.add(lane.inputs.curve(), lane.inputs.t());
   }
@@ -124,7 +124,7 @@ void GroupJudge<Scalar>::draw(Group group, TrialNumber first, Scratch& scratch) 
 
 template <class Scalar>
 void GroupJudge<Scalar>::find_scales(Group group, Scratch& scratch) const {
-  if (form_of(study_.curve) == Form::rational) {
+  if (study_.curve == Form::rational) {
     for (auto& lane : group) lane.scale.set(lane.inputs.true_curve(), lane.inputs.true_t());
   } else {
     scratch.scales.begin(cell_.dimension, cell_.degree);
@@ -139,7 +139,7 @@ void GroupJudge<Scalar>::find_scales(Group group, Scratch& scratch) const {
 
 template <class Scalar>
 void GroupJudge<Scalar>::find_truth(Group group, reference::CertifiedBlock& truths) const {
-  const Form form = form_of(study_.curve);
+  const Form form = study_.curve;
   std::optional<reference::CertifiedPoints> certified;
   if (tier_ == reference::Tier::certified && reference::CertifiedPoints::applies(form, cell_.degree)) {
     certified.emplace(form, cell_.dimension, cell_.degree);
@@ -224,7 +224,8 @@ void GroupJudge<Scalar>::judge_method(std::size_t method, Group group, Scratch& 
 template <class Scalar>
 void GroupJudge<Scalar>::take_apart(std::size_t method, Lane& lane, std::span<const double> point,
                                     SourceMeter<Scalar>& sources, Judgement& judgement) const {
-  if (lane.number.replicate != 0 || lane.number.trial >= study_.decomposed_trials) return;
+  if (lane.number.replicate != 0 || lane.number.trial >= suite::keys_of<suite::AccuracyKeys>(study_).decomposed_trials)
+    return;
   const auto apart =
       sources.measure(*methods_[method].kernel, lane.inputs.curve(), lane.inputs.t(), point, lane.truth->exact());
   if (apart) judgement.sources.add(*apart);

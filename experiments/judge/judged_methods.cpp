@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "core/basis/amplification.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
+#include "experiments/suite/fault.hpp"
 
 namespace bezierbench::judge {
 namespace {
@@ -27,15 +27,16 @@ JudgedMethods<Scalar>::JudgedMethods(const suite::Study& study, const sample::Ce
     bounds_.back().emplace(*method->info->bound, cell.degree, ScalarFacts<Scalar>::arithmetic);
     amplifications_.insert(method->info->bound->amplification);
   }
-  amplifications_.insert(p_tilde_of(form_of(study.curve)));
-  for (const auto& id : study.baseline) {
+  amplifications_.insert(p_tilde_of(study.curve));
+  for (std::size_t k = 0; k < study.baseline.size(); ++k) {
+    const std::string& id = study.baseline[k];
     const Kernel<Scalar>* kernel = nullptr;
     if (id != exact_baseline) {
-      kernel = find_method<Scalar>(id, form_of(study.curve), cell.dimension);
+      kernel = find_method<Scalar>(id, study.curve, cell.dimension);
       if (kernel == nullptr)
-        throw Failure(Exit::usage,
-                      fmt::format("study \"{}\": baseline \"{}\" does not take curves in {} form; see `list methods`",
-                                  study.id, id, name(form_of(study.curve))));
+        suite::refuse(study, {"baseline", k, "curve",
+                              fmt::format("baseline \"{}\" does not take curves in {} form; see `list methods`", id,
+                                          name(study.curve))});
     }
     baselines_.emplace_back();
     if (kernel != nullptr) baselines_.back().emplace(*kernel);

@@ -5,35 +5,27 @@
 
 #include <algorithm>
 
-#include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
+#include "experiments/suite/fault.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::judge {
 
-Form form_of(suite::CurveKind curve) {
-  switch (curve) {
-    case suite::CurveKind::bezier: break;
-    case suite::CurveKind::polynomial: return Form::power;
-    case suite::CurveKind::rational: return Form::rational;
-  }
-  return Form::bernstein;
-}
-
 template <class Scalar>
 std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, int dimension) {
-  const Form form = form_of(study.curve);
-  for (const auto& pattern : study.methods) {
+  const Form form = study.curve;
+  for (std::size_t k = 0; k < study.methods.size(); ++k) {
     const bool applies = std::ranges::any_of(methods<Scalar>(dimension), [&](const auto& kernel) {
-      return kernel.info->form == form && suite::means(pattern, kernel.info->id);
+      return kernel.info->form == form && suite::means(study.methods[k], kernel.info->id);
     });
     if (!applies)
-      throw Failure(Exit::usage,
-                    fmt::format("study \"{}\": method \"{}\" does not take curves in {} form, {} with {} axes; see "
-                                "`list methods`",
-                                study.id, pattern, name(form), suite::name(ScalarFacts<Scalar>::kind), dimension));
+      suite::refuse(study,
+                    {"methods", k, "curve",
+                     fmt::format("method \"{}\" does not take curves in {} form, {} with {} axes; see `list "
+                                 "methods`",
+                                 study.methods[k], name(form), suite::name(ScalarFacts<Scalar>::kind), dimension)});
   }
   std::vector<const Kernel<Scalar>*> chosen;
   const std::vector<std::string> all{"*"};

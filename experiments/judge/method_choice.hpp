@@ -10,9 +10,6 @@
 
 namespace bezierbench::judge {
 
-/// The form in which random curves of this kind are drawn.
-Form form_of(suite::CurveKind curve);
-
 /// Every method that `study.methods` names and that takes curves of this form, in roster order; all of them when it
 /// names none. Other libraries' methods must be named. Throws Failure(usage) for an id that exists only for another
 /// form, scalar or dimension.

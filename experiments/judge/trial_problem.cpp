@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/judge/trial_problem.hpp"
 
+#include "experiments/suite/kinds.hpp"
+
 namespace bezierbench::judge {
 
-std::vector<TrialPart> parts_of(const suite::Study& study, CaseAxes axes, Problem problem) {
-  suite::Study swept = study;
-  swept.tolerance.clear();
+std::vector<TrialPart> parts_of(const suite::Study& study, CaseAxes axes) {
   axes.tolerance = false;
-  const auto cases = cases_of(swept, axes, name(problem));
   std::vector<TrialPart> parts;
   if (axes.degree) {
-    for (const auto& cell : sample::cells(swept))
+    const auto cases = cases_of(study, axes);
+    for (const auto& cell : sample::cells(study))
       for (const auto& values : cases) parts.push_back({cell, values});
     return parts;
   }
-  swept.degree = study.points;
+  suite::Study swept = study;
+  swept.degree = suite::points_of(study);
   for (const auto& cell : sample::cells(swept)) {
     parts.push_back({cell, {.points = cell.degree}});
     parts.back().cell.degree = segment_degree;
@@ -23,7 +24,7 @@ std::vector<TrialPart> parts_of(const suite::Study& study, CaseAxes axes, Proble
 }
 
 std::vector<double> tolerances_of(const suite::Study& study, const CaseAxes& axes) {
-  return axes.tolerance ? study.tolerance : std::vector<double>{0};
+  return axes.tolerance ? suite::tolerances_of(study) : std::vector<double>{0};
 }
 
 }  // namespace bezierbench::judge

@@ -29,19 +29,18 @@ struct TrialPart {
 ///
 /// `draw` makes trial `number`, with its truth, of a `Drawn` that may have been another trial before. `ask` is what is
 /// timed: it writes what a method answers; `tolerance` is 0 for a problem without one. `numbers` are the spans of
-/// doubles of an answer, by which a time is held to the answer that was judged. `check` throws Failure(usage) for
-/// inputs that the problem does not take; `timed_trials` is how many trials a batch of the race has.
+/// doubles of an answer, by which a time is held to the answer that was judged. `timed_trials` is how many trials a
+/// batch of the race has. Which inputs the problem takes is data of its kind of study (suite/kinds).
 template <class P>
 concept TrialProblem = std::constructible_from<P, const suite::Study&, std::uint64_t, const TrialPart&> &&
     std::default_initializable<typename P::Drawn> && std::copyable<typename P::Answer> &&
-    requires(const P& trials, const suite::Study& study, const typename P::Kernel& method, std::uint64_t number,
-             const TrialPart& part, typename P::Drawn& drawn, const typename P::Drawn& asked, double tolerance,
-             typename P::Answer& answer, const typename P::Answer& judged) {
+    requires(const P& trials, const typename P::Kernel& method, std::uint64_t number, const TrialPart& part,
+             typename P::Drawn& drawn, const typename P::Drawn& asked, double tolerance, typename P::Answer& answer,
+             const typename P::Answer& judged) {
   requires std::same_as<const Problem, decltype(P::problem)>;
   requires std::same_as<const CaseAxes, decltype(P::axes)>;
   { P::kernels(int{}) } -> std::same_as<std::span<const typename P::Kernel>>;
   { P::timed_trials(part) } -> std::same_as<std::size_t>;
-  P::check(study);
   trials.draw(number, drawn);
   trials.ask(method, asked, tolerance, answer);
   { trials.is_right(method, asked, tolerance, judged) } -> std::same_as<bool>;
@@ -55,8 +54,8 @@ inline constexpr int segment_degree = 3;
 inline constexpr double half_of_the_digits = 0x1p26;
 
 /// Every cell of the study with every case but the tolerances. Of a problem without degree the number of points takes
-/// its place among the axes, and the degree is that of the cubic segments. Throws Failure(usage) as cases_of.
-std::vector<TrialPart> parts_of(const suite::Study& study, CaseAxes axes, Problem problem);
+/// its place among the axes, and the degree is that of the cubic segments.
+std::vector<TrialPart> parts_of(const suite::Study& study, CaseAxes axes);
 
 /// The tolerances that are asked of each trial: 0, once, for a problem without.
 std::vector<double> tolerances_of(const suite::Study& study, const CaseAxes& axes);
@@ -67,7 +66,7 @@ std::vector<const typename P::Kernel*> chosen_trial_kernels(const suite::Study& 
   std::vector<const typename P::Kernel*> methods;
   const auto chosen = chosen_companions(study, P::problem);
   for (const auto& kernel : P::kernels(dimension))
-    if (kernel.info->form == form_of(study.curve) && std::ranges::find(chosen, kernel.info) != chosen.end())
+    if (kernel.info->form == study.curve && std::ranges::find(chosen, kernel.info) != chosen.end())
       methods.push_back(&kernel);
   return methods;
 }

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/race/timed_companion.hpp"
 
-#include <fmt/format.h>
-
-#include "experiments/failure.hpp"
+#include "experiments/judge/study_inputs.hpp"
 
 namespace bezierbench::race {
 
 std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, judge::CaseAxes axes) {
-  if (study.modes != std::vector{suite::Mode::one_shot})
-    throw Failure(Exit::usage, fmt::format("study \"{}\": a companion problem is timed from the control points on; "
-                                           "write modes = [\"one_shot\"]",
-                                           study.id));
+  judge::check_timed(study, problem);
   axes.placement = false;  // times are those of the first
-  const auto all_cases = judge::cases_of(study, axes, name(problem));
+  const auto all_cases = judge::cases_of(study, axes);
   auto with_degree = study;
   if (!axes.degree) with_degree.degree = {judge::segment_degree};
   std::vector<RaceCell> race_cells;

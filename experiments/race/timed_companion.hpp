@@ -95,7 +95,6 @@ class CompanionRival {
 
 template <judge::TrialProblem P>
 std::vector<RaceCell> race_cells_of_companion(const suite::Study& study) {
-  P::check(study);
   auto race_cells = companion_race_cells(study, P::problem, P::axes);
   for (auto& race_cell : race_cells)
     for (const auto* kernel : judge::chosen_trial_kernels<P>(study, race_cell.cell.dimension))

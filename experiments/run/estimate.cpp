@@ -44,8 +44,9 @@ suite::Study cut_to(suite::Study study, std::int64_t trials, std::int64_t replic
     const double part = static_cast<double>(trials) / static_cast<double>(study.trials);
     return static_cast<std::int64_t>(std::ceil(part * static_cast<double>(count)));
   };
-  study.decomposed_trials = in_proportion(study.decomposed_trials);
-  study.budget = in_proportion(study.budget);
+  if (auto* keys = std::get_if<suite::AccuracyKeys>(&study.keys))
+    keys->decomposed_trials = in_proportion(keys->decomposed_trials);
+  if (auto* keys = std::get_if<suite::SearchKeys>(&study.keys)) keys->budget = in_proportion(keys->budget);
   study.trials = trials;
   study.replicates = std::min(replicates, study.replicates);
   return study;

@@ -24,7 +24,7 @@ bundle::Expected expected_of(const std::vector<suite::Suite>& suites, const Kind
     for (const auto& study : suite.studies) {
       expected.studies.push_back(study.id);
       if (!gives_rows(study, suite.seed, kinds)) continue;
-      for (auto& tables : kinds.tables_of(study.kind)) expected.tables.push_back(std::move(tables));
+      for (auto& tables : kinds.tables_of(study)) expected.tables.push_back(std::move(tables));
     }
   }
   return expected;

@@ -15,8 +15,8 @@ namespace bezierbench::run {
 struct Kinds {
   /// The work of one study. Throws Failure(usage) where its methods do not fit.
   std::unique_ptr<Job> (*make_job)(const suite::Study& study, const JobContext& context) = nullptr;
-  /// The tables that a study of this kind writes wherever it has rows, by file name: one of each list.
-  std::vector<std::vector<std::string>> (*tables_of)(suite::Kind kind) = nullptr;
+  /// The tables that the study writes wherever it has rows, by file name: one of each list.
+  std::vector<std::vector<std::string>> (*tables_of)(const suite::Study& study) = nullptr;
 };
 
 }  // namespace bezierbench::run

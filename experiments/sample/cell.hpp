@@ -13,7 +13,7 @@ namespace bezierbench::sample {
 
 /// The scalar type and the methods are not part of it: all get the same inputs.
 struct Cell {
-  suite::CurveKind curve = suite::CurveKind::bezier;
+  Form curve = Form::bernstein;
   int dimension = 2;
   int degree = 0;
   double coordinate_range = 1;

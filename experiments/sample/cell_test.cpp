@@ -16,7 +16,7 @@ TEST(Key, IsFnv1a) {
 }
 
 TEST(Cell, HasACanonicalText) {
-  const Cell cell{suite::CurveKind::polynomial, 2, 4, 1e6, {0.25, 1}, "dyadic"};
+  const Cell cell{Form::power, 2, 4, 1e6, {0.25, 1}, "dyadic"};
   const std::string text =
       "curve=polynomial;dimension=2;degree=4;coordinate_range=1e+06;t_interval=0.25:1;generator=dyadic";
   EXPECT_EQ(canonical(cell), text);
@@ -25,7 +25,7 @@ TEST(Cell, HasACanonicalText) {
 
 TEST(Cell, CellsAreTheCrossProductInOrder) {
   suite::Study study;
-  study.curve = suite::CurveKind::polynomial;
+  study.curve = Form::power;
   study.dimension = {2, 3};
   study.degree = {4, 8};
   study.coordinate_range = {1, 10};
@@ -35,12 +35,12 @@ TEST(Cell, CellsAreTheCrossProductInOrder) {
   ASSERT_EQ(all.size(), 32U);
   const suite::Interval unit{0, 1};
   const suite::Interval fifth{0, 0.2};
-  EXPECT_EQ(all[0], (Cell{suite::CurveKind::polynomial, 2, 4, 1, unit, "report"}));
-  EXPECT_EQ(all[1], (Cell{suite::CurveKind::polynomial, 2, 4, 1, unit, "continuous"}));
-  EXPECT_EQ(all[2], (Cell{suite::CurveKind::polynomial, 2, 4, 1, fifth, "report"}));
-  EXPECT_EQ(all[4], (Cell{suite::CurveKind::polynomial, 2, 4, 10, unit, "report"}));
-  EXPECT_EQ(all[8], (Cell{suite::CurveKind::polynomial, 2, 8, 1, unit, "report"}));
-  EXPECT_EQ(all[16], (Cell{suite::CurveKind::polynomial, 3, 4, 1, unit, "report"}));
+  EXPECT_EQ(all[0], (Cell{Form::power, 2, 4, 1, unit, "report"}));
+  EXPECT_EQ(all[1], (Cell{Form::power, 2, 4, 1, unit, "continuous"}));
+  EXPECT_EQ(all[2], (Cell{Form::power, 2, 4, 1, fifth, "report"}));
+  EXPECT_EQ(all[4], (Cell{Form::power, 2, 4, 10, unit, "report"}));
+  EXPECT_EQ(all[8], (Cell{Form::power, 2, 8, 1, unit, "report"}));
+  EXPECT_EQ(all[16], (Cell{Form::power, 3, 4, 1, unit, "report"}));
   std::set<std::uint64_t> keys;
   for (const Cell& cell : all) keys.insert(key(cell));
   EXPECT_EQ(keys.size(), all.size());

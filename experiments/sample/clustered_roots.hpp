@@ -47,10 +47,10 @@ struct ClusteredRoots {
 
   static double parameter(Words& words, suite::Interval t) { return Continuous::parameter(words, t); }
 
-  static void polynomial(Words& words, suite::CurveKind curve, std::span<double> coefficients) {
+  static void polynomial(Words& words, Form curve, std::span<double> coefficients) {
     const int n = static_cast<int>(coefficients.size()) - 1;
     const int m = lattice_bits(n);
-    const bool power = curve == suite::CurveKind::polynomial;
+    const bool power = curve == Form::power;
     const std::int64_t one = std::int64_t{1} << m;
     const auto offsets = draw_offsets(words, n);
     std::array<std::int64_t, largest_degree + 1> product{1};  // of the factors so far, ascending in x

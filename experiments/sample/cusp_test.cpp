@@ -34,7 +34,7 @@ TEST(Cusp, StopsExactlyOrNearlyAtEveryDegree) {
     for (std::uint64_t trial = 0; trial < trials; ++trial) {
       const double range = trial % 2 == 0 ? 1 : 0x1p-700;
       Trial out;
-      draw(1, 2, {suite::CurveKind::bezier, 3, n, range, {}, "cusp"}, trial, out);
+      draw(1, 2, {Form::bernstein, 3, n, range, {}, "cusp"}, trial, out);
       Exact least = 1;
       int place = 0;
       for (int quarters = 1; quarters <= 8; ++quarters) {
@@ -57,9 +57,9 @@ TEST(Cusp, StopsExactlyOrNearlyAtEveryDegree) {
 
 TEST(Cusp, OfDegreesWithoutAnInsideIsAPoint) {
   Trial out;
-  draw(1, 2, {suite::CurveKind::bezier, 2, 0, 1, {}, "cusp"}, 0, out);
+  draw(1, 2, {Form::bernstein, 2, 0, 1, {}, "cusp"}, 0, out);
   EXPECT_EQ(out.coefficients.size(), 2U);
-  draw(1, 2, {suite::CurveKind::bezier, 1, 1, 1, {}, "cusp"}, 0, out);
+  draw(1, 2, {Form::bernstein, 1, 1, 1, {}, "cusp"}, 0, out);
   EXPECT_LE(std::abs(out.coefficients[0] - out.coefficients[1]), 1.0 / 32);
 }
 

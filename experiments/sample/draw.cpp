@@ -20,7 +20,7 @@ void fill(Words& words, const Cell& cell, Trial& out) {
   for (double& coordinate : out.coefficients) coordinate = G::coordinate(words, cell.coordinate_range);
   out.weights.clear();
   if constexpr (WeightGenerator<G>) {
-    if (cell.curve != suite::CurveKind::rational) return;
+    if (cell.curve != Form::rational) return;
     out.weights.resize(static_cast<std::size_t>(cell.degree) + 1);
     for (double& weight : out.weights) weight = G::weight(words);
   }

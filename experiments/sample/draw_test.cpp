@@ -47,7 +47,7 @@ Trial drawn(std::uint64_t seed, const char* study, const Cell& cell, std::uint64
 }
 
 Cell cell_of(std::string_view generator, double range = 1e6, suite::Interval t = {}) {
-  return {suite::CurveKind::bezier, 2, 4, range, t, std::string(generator)};
+  return {Form::bernstein, 2, 4, range, t, std::string(generator)};
 }
 
 // The file is made by scripts/oracle/inputs.py, which shares no code with this program.
@@ -64,7 +64,7 @@ TEST(Draw, AgreesWithTheIndependentImplementation) {
     std::map<std::string, std::string> row;
     for (std::size_t i = 0; i < header.size(); ++i) row[header[i]] = fields[i];
     SCOPED_TRACE(row["study"] + " " + row["generator"] + " " + row["trial"]);
-    const Cell cell{suite::parse<suite::CurveKind>(row["curve"]).value(),
+    const Cell cell{suite::parse<Form>(row["curve"]).value(),
                     std::stoi(row["dimension"]),
                     std::stoi(row["degree"]),
                     number(row["coordinate_range"]),
@@ -101,13 +101,13 @@ TEST(Draw, EveryPartOfTheIdentityCounts) {
   EXPECT_NE(drawn(2, "a", cell, 0).t, t);
   EXPECT_NE(drawn(1, "b", cell, 0).t, t);
   EXPECT_NE(drawn(1, "a", cell, 1).t, t);
-  for (const auto& change : std::vector<void (*)(Cell&)>{
-           [](Cell& c) { c.curve = suite::CurveKind::polynomial; }, [](Cell& c) { c.dimension = 3; },
-           [](Cell& c) { c.degree = 5; }, [](Cell& c) { c.coordinate_range = 2; },
-           [](Cell& c) {
-             c.t_interval = {0, 0.999};
-           },
-           [](Cell& c) { c.generator = "dyadic"; }}) {
+  for (const auto& change :
+       std::vector<void (*)(Cell&)>{[](Cell& c) { c.curve = Form::power; }, [](Cell& c) { c.dimension = 3; },
+                                    [](Cell& c) { c.degree = 5; }, [](Cell& c) { c.coordinate_range = 2; },
+                                    [](Cell& c) {
+                                      c.t_interval = {0, 0.999};
+                                    },
+                                    [](Cell& c) { c.generator = "dyadic"; }}) {
     Cell other = cell;
     change(other);
     EXPECT_NE(key(other), key(cell));
@@ -205,13 +205,13 @@ TYPED_TEST(GeneratorTest, HasWeightsForRationalCurvesWhereItSaysSo) {
   EXPECT_TRUE(drawn(1, "a", cell, 0).weights.empty());
   EXPECT_EQ(TypeParam::info.limits.weights, !TypeParam::info.weights.empty());
   if (!TypeParam::info.limits.weights) return;
-  cell.curve = suite::CurveKind::rational;
+  cell.curve = Form::rational;
   EXPECT_EQ(drawn(1, "a", cell, 0).weights.size(), 5U);
 }
 
 TYPED_TEST(GeneratorTest, ReplacesTheTrialOfAnotherSampler) {
   Cell weighted = cell_of("weights_mild", 1);
-  weighted.curve = suite::CurveKind::rational;
+  weighted.curve = Form::rational;
   Trial trial = drawn(1, "a", weighted, 0);
   const Sampler sampler(1, "a", cell_of(TypeParam::info.id, 1));
   sampler.draw(0, trial);

@@ -45,7 +45,7 @@ concept WeightGenerator = CoordinateGenerator<G> && requires(Words& words) {
 /// They are exact, and so is R times them for the R that the limits allow; every axis of a curve gets the same ones.
 template <class G>
 concept PolynomialGenerator = ParameterGenerator<G> &&
-    requires(Words& words, suite::CurveKind curve, std::span<double> coefficients) {
+    requires(Words& words, Form curve, std::span<double> coefficients) {
   { G::polynomial(words, curve, coefficients) } -> std::same_as<void>;
 };
 

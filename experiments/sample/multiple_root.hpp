@@ -33,9 +33,9 @@ struct MultipleRoot {
 
   static double parameter(Words& words, suite::Interval t) { return Continuous::parameter(words, t); }
 
-  static void polynomial(Words& /*words*/, suite::CurveKind curve, std::span<double> coefficients) {
+  static void polynomial(Words& /*words*/, Form curve, std::span<double> coefficients) {
     const int n = static_cast<int>(coefficients.size()) - 1;
-    const bool power = curve == suite::CurveKind::polynomial;
+    const bool power = curve == Form::power;
     std::int64_t integer = 1;  // (-3)^k, in power form times C(n,k), of coefficient n - k
     for (int k = 0; k <= n; ++k) {
       coefficients[static_cast<std::size_t>(n - k)] = std::ldexp(static_cast<double>(integer), -2 * (power ? k : n));

@@ -19,9 +19,8 @@ namespace bezierbench::sample {
 namespace {
 
 using Exact = boost::multiprecision::cpp_rational;
-using suite::CurveKind;
 
-constexpr std::array curves{CurveKind::bezier, CurveKind::polynomial};
+constexpr std::array curves{Form::bernstein, Form::power};
 
 Exact power(const Exact& base, int exponent) {
   Exact value = 1;
@@ -36,30 +35,29 @@ Exact binomial(int n, int i) {
 }
 
 /// From the definition of the basis functions.
-Exact value_at(const Exact& t, CurveKind curve, const std::vector<double>& coefficients) {
+Exact value_at(const Exact& t, Form curve, const std::vector<double>& coefficients) {
   const int n = static_cast<int>(coefficients.size()) - 1;
   Exact value = 0;
   for (int i = 0; i <= n; ++i) {
-    const Exact basis =
-        curve == CurveKind::polynomial ? power(t, i) : binomial(n, i) * power(t, i) * power(1 - t, n - i);
+    const Exact basis = curve == Form::power ? power(t, i) : binomial(n, i) * power(t, i) * power(1 - t, n - i);
     value += Exact(coefficients[static_cast<std::size_t>(i)]) * basis;
   }
   return value;
 }
 
-std::vector<double> drawn(const GeneratorInfo& info, CurveKind curve, int degree, double range, std::uint64_t trial) {
+std::vector<double> drawn(const GeneratorInfo& info, Form curve, int degree, double range, std::uint64_t trial) {
   Trial out;
   draw(1, 2, {curve, 1, degree, range, {}, std::string(info.id)}, trial, out);
   return out.coefficients;
 }
 
-int largest_degree(const GeneratorInfo& info, CurveKind curve) {
-  return curve == CurveKind::polynomial ? info.limits.polynomial_degree : info.limits.bezier_degree;
+int largest_degree(const GeneratorInfo& info, Form curve) {
+  return curve == Form::power ? info.limits.polynomial_degree : info.limits.bezier_degree;
 }
 
 // n + 1 values decide a polynomial of degree n.
 TEST(MultipleRoot, IsThatPolynomialAtEveryDegree) {
-  for (const CurveKind curve : curves) {
+  for (const Form curve : curves) {
     for (int n = 0; n <= largest_degree(MultipleRoot::info, curve); ++n) {
       for (const double range : {1.0, 0x1p-900, 0x1p900}) {
         const auto coefficients = drawn(MultipleRoot::info, curve, n, range, 0);
@@ -102,7 +100,7 @@ Exact lambda(int n) {
 
 // n roots and the value at 2 decide a polynomial of degree n.
 TEST(ClusteredRoots, HasItsRootsOnTheLatticeAtEveryDegree) {
-  for (const CurveKind curve : curves) {
+  for (const Form curve : curves) {
     for (int n = 0; n <= ClusteredRoots::largest_degree; ++n) {
       const Exact step = 1 / power(2, ClusteredRoots::lattice_bits(n));
       for (std::uint64_t trial = 0; trial < 20; ++trial) {
@@ -129,9 +127,9 @@ TEST(ClusteredRoots, HasOneAtTheCentreAndTheOthersAnywhereAsOften) {
   const Exact step = 1 / power(2, ClusteredRoots::lattice_bits(n));
   std::map<int, int> count;
   for (std::uint64_t trial = 0; trial < trials; ++trial) {
-    const auto coefficients = drawn(ClusteredRoots::info, CurveKind::polynomial, n, 1, trial);
+    const auto coefficients = drawn(ClusteredRoots::info, Form::power, n, 1, trial);
     for (int k = -n; k <= n; ++k)
-      if (value_at(Exact(1, 2) + k * step, CurveKind::polynomial, coefficients) == 0) ++count[k];
+      if (value_at(Exact(1, 2) + k * step, Form::power, coefficients) == 0) ++count[k];
   }
   for (int k = -n; k <= n; ++k) {
     const double p = k == 0 ? 1 : (n - 1) / (2.0 * n);
@@ -151,7 +149,7 @@ TEST(ClusteredRoots, IsAsTightAsDoublesAllow) {
 TEST(RootGenerators, GiveEveryAxisTheSamePolynomial) {
   for (const GeneratorInfo& info : {MultipleRoot::info, ClusteredRoots::info}) {
     Trial trial;
-    draw(1, 2, {CurveKind::bezier, 3, 4, 1, {}, std::string(info.id)}, 0, trial);
+    draw(1, 2, {Form::bernstein, 3, 4, 1, {}, std::string(info.id)}, 0, trial);
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_NE(trial.coefficients[3 * i], 0);
       EXPECT_EQ(trial.coefficients[3 * i + 1], trial.coefficients[3 * i]);
@@ -159,7 +157,7 @@ TEST(RootGenerators, GiveEveryAxisTheSamePolynomial) {
     }
     const std::vector<double> axis{trial.coefficients[0], trial.coefficients[3], trial.coefficients[6],
                                    trial.coefficients[9], trial.coefficients[12]};
-    EXPECT_EQ(value_at(Exact(info.id == MultipleRoot::info.id ? 3 : 2, 4), CurveKind::bezier, axis), 0);
+    EXPECT_EQ(value_at(Exact(info.id == MultipleRoot::info.id ? 3 : 2, 4), Form::bernstein, axis), 0);
   }
 }
 

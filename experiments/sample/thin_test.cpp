@@ -15,7 +15,7 @@ TEST(Thin, IsWholeOnTheFirstAxisAndNextToNothingOnOthers) {
   int zigzags = 0;
   for (std::uint64_t trial = 0; trial < trials; ++trial) {
     Trial out;
-    draw(1, 2, {suite::CurveKind::bezier, 3, 5, 0x1p-700, {}, "thin"}, trial, out);
+    draw(1, 2, {Form::bernstein, 3, 5, 0x1p-700, {}, "thin"}, trial, out);
     bool zigzag = true;
     for (std::size_t k = 0; k < out.coefficients.size(); ++k) {
       const double x = std::ldexp(out.coefficients[k], 700 + 5);
@@ -35,7 +35,7 @@ TEST(Thin, IsWholeOnTheFirstAxisAndNextToNothingOnOthers) {
 
 TEST(Thin, OnOneAxisIsWhole) {
   Trial out;
-  draw(1, 2, {suite::CurveKind::bezier, 1, 40, 32, {}, "thin"}, 7, out);
+  draw(1, 2, {Form::bernstein, 1, 40, 32, {}, "thin"}, 7, out);
   for (const double x : out.coefficients) EXPECT_EQ(x, std::round(x));
 }
 

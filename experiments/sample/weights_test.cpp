@@ -16,7 +16,7 @@ constexpr int trials = 4000;
 
 template <class G>
 Cell rational_cell() {
-  return {suite::CurveKind::rational, 2, 4, 10, {}, std::string(G::info.id)};
+  return {Form::rational, 2, 4, 10, {}, std::string(G::info.id)};
 }
 
 template <class G>

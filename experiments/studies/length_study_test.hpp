@@ -13,15 +13,16 @@
 
 namespace bezierbench::studies {
 
-inline suite::Study small_length_study(suite::Kind kind, std::vector<std::string> generators) {
+/// Of the kind that has these keys.
+template <class Keys>
+suite::Study small_length_study(std::vector<std::string> generators) {
   suite::Study study;
   study.id = "small";
-  study.kind = kind;
+  study.keys = Keys{.tolerance = {1e-3, 1e-9}};
   study.degree = {3};
   study.coordinate_range = {1};
   study.t_interval = {{0, 1}, {0.25, 0.75}};
   study.generator = std::move(generators);
-  study.tolerance = {1e-3, 1e-9};
   study.trials = 20;  // two blocks, the last one short
   return study;
 }
@@ -38,7 +39,7 @@ inline void expect_kept(const bundle::CsvDocument& csv, std::size_t row) {
 
 inline void expect_refusals(run::MakeJob make, const suite::Study& good) {
   auto polynomial = good;
-  polynomial.curve = suite::CurveKind::polynomial;
+  polynomial.curve = Form::power;
   EXPECT_THROW(make(polynomial, {1}), Failure);
   auto single = good;
   single.scalar = {suite::ScalarKind::float32};

@@ -14,6 +14,6 @@ namespace bezierbench::studies {
 std::unique_ptr<run::Job> make_job(const suite::Study& study, const run::JobContext& context);
 
 /// The tables that a study of this kind writes wherever it has rows, by file name: one of each list.
-[[nodiscard]] std::vector<std::vector<std::string>> tables_of(suite::Kind kind);
+[[nodiscard]] std::vector<std::vector<std::string>> tables_of(const suite::Study& study);
 
 }  // namespace bezierbench::studies

@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/suite/suite.hpp"
+#include "core/curve_view.hpp"
+#include "experiments/suite/values.hpp"
 
 namespace bezierbench::suite {
 
@@ -22,23 +23,10 @@ struct Word {
 template <class Enum>
 inline constexpr std::array<Word<Enum>, 0> words{};
 
+/// Of the forms in which a curve is given; `bezierbench::name` has the word for a form of coefficients.
 template <>
-inline constexpr std::array<Word<Kind>, 12> words<Kind>{{{Kind::accuracy, "accuracy"},
-                                                         {Kind::search, "search"},
-                                                         {Kind::conversion, "conversion"},
-                                                         {Kind::timing, "timing"},
-                                                         {Kind::roofline, "roofline"},
-                                                         {Kind::derivative, "derivative"},
-                                                         {Kind::arc_length, "arc_length"},
-                                                         {Kind::inverse_arc_length, "inverse_arc_length"},
-                                                         {Kind::projection, "projection"},
-                                                         {Kind::interpolation, "interpolation"},
-                                                         {Kind::fitting, "fitting"},
-                                                         {Kind::subdivision, "subdivision"}}};
-
-template <>
-inline constexpr std::array<Word<CurveKind>, 3> words<CurveKind>{
-    {{CurveKind::bezier, "bezier"}, {CurveKind::polynomial, "polynomial"}, {CurveKind::rational, "rational"}}};
+inline constexpr std::array<Word<Form>, 3> words<Form>{
+    {{Form::bernstein, "bezier"}, {Form::power, "polynomial"}, {Form::rational, "rational"}}};
 
 template <>
 inline constexpr std::array<Word<ScalarKind>, 2> words<ScalarKind>{

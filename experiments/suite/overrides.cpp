@@ -4,24 +4,26 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <utility>
 
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/suite/fields.hpp"
+#include "experiments/suite/kinds.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
+#include "experiments/suite/toml_value.hpp"
 #include "experiments/suite/validate.hpp"
 
 namespace bezierbench::suite {
 namespace {
 
-/// One option that changes a field of studies.
+/// One option that changes a key of studies.
 struct Setting {
   std::string option;  ///< as given, for messages
-  const Field* field;
+  std::string key;
   toml::array values;
 };
 
@@ -50,30 +52,40 @@ toml::array values_of(std::string_view key, std::string_view text) {
   return values;
 }
 
+/// Of all kinds, each once.
+std::vector<std::string> settable_keys() {
+  std::vector<std::string> keys;
+  for (const Kind* kind : kinds())
+    for (const Field* field : fields_of(*kind))
+      if (field->settable && std::ranges::find(keys, field->key) == keys.end()) keys.emplace_back(field->key);
+  return keys;
+}
+
 Setting parse_set(const std::string& text) {
   std::string option = "--set " + echo(text);
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) throw Failure(Exit::usage, option + ": write it as axis=v1,v2");
   const std::string key = text.substr(0, equals);
-  const Field* field = find_field(key);
-  if (field == nullptr || !field->settable) {
-    std::vector<std::string> keys;
-    for (const Field& known : study_fields()) {
-      if (known.settable) keys.emplace_back(known.key);
-    }
+  const auto keys = settable_keys();
+  if (std::ranges::find(keys, key) == keys.end())
     throw Failure(Exit::usage, fmt::format("{}: unknown axis \"{}\"{}", option, echo(key), suggestion(key, keys)));
-  }
   if (equals + 1 == text.size()) throw Failure(Exit::usage, option + ": no value; write it as axis=v1,v2");
-  return {std::move(option), field, values_of(key, std::string_view(text).substr(equals + 1))};
+  return {std::move(option), key, values_of(key, std::string_view(text).substr(equals + 1))};
 }
 
 void set(const Setting& setting, Study& study) {
-  const std::string_view key = setting.field->key;
-  const bool single = setting.field->single;
+  const Kind& kind = kind_of(study);
+  study.places.options[setting.key] = setting.option;
+  const Field* field = find_field(kind, setting.key);
+  if (field == nullptr)
+    refuse(
+        study,
+        {setting.key, Fault::key_itself, {}, foreign_key_problem(kind, setting.key) + "; choose studies with --only"});
+  const bool single = std::holds_alternative<std::int64_t*>(field->slot(study));
   if (single && setting.values.size() != 1)
-    throw Failure(Exit::usage, fmt::format("{}: takes one value; write {}=N", setting.option, key));
+    throw Failure(Exit::usage, fmt::format("{}: takes one value; write {}=N", setting.option, setting.key));
   const toml::node& node = single ? *setting.values.get(0) : static_cast<const toml::node&>(setting.values);
-  setting.field->read(setting.option, key, node, study);
+  read(setting.option, node, *field, study);
 }
 
 void keep_chosen(const Overrides& overrides, std::vector<Suite>& suites) {
@@ -86,7 +98,7 @@ void keep_chosen(const Overrides& overrides, std::vector<Suite>& suites) {
       ids.push_back(study.id);
       const bool chosen = !overrides.only || matches(*overrides.only, study.id);
       found = found || chosen;
-      return !chosen || (overrides.no_timing && is_timed(study.kind));
+      return !chosen || (overrides.no_timing && kind_of(study).timed);
     });
   }
   if (!found) {
@@ -97,14 +109,12 @@ void keep_chosen(const Overrides& overrides, std::vector<Suite>& suites) {
   if (suites.empty()) throw Failure(Exit::usage, "--no-timing: only timing studies were chosen; choose others");
 }
 
-/// The option to blame for `problem`: the one that set the field, or the field that it does not fit.
-std::string blamed(const Fault& problem, const std::vector<Setting>& settings) {
-  for (const std::string_view key : {problem.key, problem.other_key}) {
-    for (const Setting& setting : settings) {
-      if (setting.field->key == key) return setting.option;
-    }
-  }
-  return settings.front().option;  // nothing else changed the study
+/// A fault of a study that had none before its settings. It is in a key that no setting has changed where that key and
+/// others together are too much.
+[[noreturn]] void refuse_setting(const Study& study, const Setting& first, Fault fault) {
+  const auto is_set = [&](std::string_view key) { return study.places.options.contains(std::string(key)); };
+  if (!is_set(fault.key) && !is_set(fault.other_key)) fault.other_key = first.key;
+  refuse(study, fault);
 }
 
 }  // namespace
@@ -113,12 +123,12 @@ void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabul
   std::vector<Setting> settings;
   if (overrides.trials) {
     const std::string trials = fmt::format("{}", *overrides.trials);
-    settings.push_back({"--trials " + trials, find_field("trials"), values_of("trials", trials)});
+    settings.push_back({"--trials " + trials, "trials", values_of("trials", trials)});
   }
   for (const std::string& text : overrides.set) {
     Setting setting = parse_set(text);
     for (const Setting& other : settings) {
-      if (other.field != setting.field) continue;
+      if (other.key != setting.key) continue;
       throw Failure(Exit::usage, fmt::format("{}: {} sets this too; keep one of them", setting.option, other.option));
     }
     settings.push_back(std::move(setting));
@@ -134,13 +144,9 @@ void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabul
   for (Suite& suite : changed) {
     if (overrides.seed) suite.seed = *overrides.seed;
     for (Study& study : suite.studies) {
-      for (const Setting& setting : settings) {
-        if (setting.field->key != "modes" || study.kind == Kind::timing) set(setting, study);
-      }
-      const auto problem = settings.empty() ? std::nullopt : validate(study, known);
-      if (!problem) continue;
-      throw Failure(Exit::usage,
-                    fmt::format("{}: study \"{}\": {}", blamed(*problem, settings), study.id, problem->what));
+      for (const Setting& setting : settings) set(setting, study);
+      if (settings.empty()) continue;
+      if (auto fault = validate(study, known)) refuse_setting(study, settings.front(), std::move(*fault));
     }
   }
   suites = std::move(changed);

@@ -22,8 +22,8 @@ struct Overrides {
 };
 
 /// Applies `overrides`: drops the studies that `only` and `no_timing` leave out (and suites that are then empty), then
-/// sets seed, trials and axes in every study that remains; `modes` in timing studies only. The result passes the same
-/// checks as a suite file. Throws Failure(Exit::usage) as `--set degree=x: what; what to do`, suites then unchanged.
+/// sets seed, trials and keys in every study that remains; a key that one of them does not have is refused. The result
+/// passes the same checks as a suite file. Throws Failure(Exit::usage) as `--set degree=x: what; what to do`, suites then unchanged.
 void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabulary& known);
 
 }  // namespace bezierbench::suite

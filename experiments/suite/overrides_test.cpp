@@ -13,18 +13,17 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-Study study(const std::string& id, Kind kind) {
+Study study(const std::string& id, const KindKeys& keys) {
   Study made;
   made.id = id;
-  made.kind = kind;
+  made.keys = keys;
   made.degree = {4, 8};
-  if (kind == Kind::timing) made.modes = {Mode::point};
   return made;
 }
 
 std::vector<Suite> two_suites() {
-  return {{"one", "", 1, {study("a-1", Kind::accuracy), study("t-1", Kind::timing)}},
-          {"two", "", 1, {study("a-2", Kind::accuracy)}}};
+  return {{"one", "", 1, {study("a-1", AccuracyKeys()), study("t-1", TimingKeys())}},
+          {"two", "", 1, {study("a-2", AccuracyKeys())}}};
 }
 
 std::vector<Suite> applied(const Overrides& overrides) {
@@ -52,7 +51,7 @@ TEST(Overrides, NothingSetChangesNothing) {
 
 TEST(Overrides, SetsAxesInEveryStudy) {
   const auto suites = applied(setting({"degree=3,0x1p2", "coordinate_range=0x1p-1022,1e3", "t_interval=0:0.2,-1:1",
-                                       "scalar=float,double", "generator=dyadic", "modes=batch,latency"}));
+                                       "scalar=float,double", "generator=dyadic"}));
   for (const Suite& suite : suites) {
     for (const Study& changed : suite.studies) {
       EXPECT_THAT(changed.degree, ElementsAre(3, 4));
@@ -60,9 +59,32 @@ TEST(Overrides, SetsAxesInEveryStudy) {
       EXPECT_THAT(changed.t_interval, ElementsAre(Interval{0, 0.2}, Interval{-1, 1}));
       EXPECT_THAT(changed.scalar, ElementsAre(ScalarKind::float32, ScalarKind::float64));
       EXPECT_THAT(changed.generator, ElementsAre("dyadic"));
-      EXPECT_EQ(changed.modes.size(), changed.kind == Kind::timing ? 2U : 0U);
     }
   }
+}
+
+TEST(Overrides, SetsKeysOfAKindInStudiesOfThisKindAlone) {
+  Overrides overrides = setting({"modes=batch,latency"});
+  overrides.only = "t-*";
+  EXPECT_THAT(keys_of<TimingKeys>(applied(overrides)[0].studies[0]).modes, ElementsAre(Mode::batch, Mode::latency));
+  EXPECT_EQ(
+      refused(setting({"modes=batch"})),
+      "--set modes=batch: study \"a-1\": kind \"accuracy\" does not have the key modes; kind timing has it; choose "
+      "studies with --only");
+  EXPECT_THAT(refused(setting({"budget=5"})), HasSubstr("kind search has it"));
+}
+
+/// A fault of a key and another one is that of the option that changed either, wherever the study is written.
+TEST(Overrides, ErrorsNameTheOptionAlsoWhereTheKeyIsInTheFile) {
+  auto suites = two_suites();
+  Study& first = suites[0].studies[0];
+  first.places = {"x.toml", {4, 1}, {{"degree", {{5, 1}, {5, 10}, {{5, 11}, {5, 14}}}}}, {}};
+  first.degree = {4, 30};
+  first.curve = Form::power;
+  Overrides overrides = setting({"generator=multiple_root"});
+  overrides.only = "a-1";
+  EXPECT_THAT(failure_of([&] { apply(overrides, suites, test_vocabulary()); }),
+              StartsWith("--set generator=multiple_root: study \"a-1\": generator \"multiple_root\" draws"));
 }
 
 TEST(Overrides, SetsSeedTrialsAndReplicates) {

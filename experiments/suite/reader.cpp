@@ -17,7 +17,8 @@
 
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/suite/fields.hpp"
+#include "experiments/suite/fault.hpp"
+#include "experiments/suite/kinds.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/toml_value.hpp"
 #include "experiments/suite/validate.hpp"
@@ -109,38 +110,51 @@ class Reader {
   }
 
   Study study(const toml::table& table) {
-    std::vector<std::string> keys;
-    for (const Field& field : study_fields()) keys.emplace_back(field.key);
-    check_keys(table, keys);
-    if (!table.contains("kind")) fail(table, "kind is missing; see `bezierbench list studies`");
+    const toml::node* kind = table.get("kind");
+    if (kind == nullptr) fail(table, "kind is missing; see `bezierbench list kinds`");
     Study out;
-    out.place = fmt::format("{}:{}:{}", file_, table.source().begin.line, table.source().begin.column);
-    for (const Field& field : study_fields()) {
-      if (const toml::node* node = table.get(field.key)) field.read(file_, field.key, *node, out);
-    }
-    if (out.kind == Kind::timing && !table.contains("modes")) {
-      for (const auto& entry : words<Mode>) out.modes.push_back(entry.value);
-    }
-    if (out.curve == CurveKind::rational && !table.contains("generator")) {
+    read({file_, "kind"}, *kind, out.keys);
+    check_keys_of(kind_of(out), table);
+    out.places = places(table);
+    for (const Field* field : fields_of(kind_of(out)))
+      if (const toml::node* node = table.get(field->key); node != nullptr && node != kind)
+        read(file_, *node, *field, out);
+    if (out.curve == Form::rational && !table.contains("generator")) {
       const auto weighted = std::find_if(known_.generators.begin(), known_.generators.end(),
                                          [](const KnownGenerator& known) { return known.limits.weights; });
       if (weighted != known_.generators.end()) out.generator = {weighted->id};
     }
-    if (const auto problem = validate(out, known_)) fail(place(table, *problem), problem->what);
+    if (const auto fault = validate(out, known_))
+      throw Failure(Exit::usage, fmt::format("{}: {}", place_of(out, *fault), fault->what));
     if (!study_ids_.insert(out.id).second) {
       fail(*table.get("id"), fmt::format("another study has the id \"{}\"; rename one", out.id));
     }
     return out;
   }
 
-  /// The node at fault: the element, else the key, else the other key, else the table.
-  static const toml::node& place(const toml::table& table, const Fault& problem) {
-    const toml::node* node = table.get(problem.key);
-    if (node == nullptr) node = table.get(problem.other_key);
-    if (node == nullptr) return table;
-    const toml::array* array = node->as_array();
-    const bool of_key = table.contains(problem.key);
-    return array != nullptr && of_key && problem.index < array->size() ? *array->get(problem.index) : *node;
+  /// A key of another kind is refused as such, any other as unknown.
+  void check_keys_of(const Kind& kind, const toml::table& table) const {
+    std::vector<std::string> allowed;
+    for (const Field* field : fields_of(kind)) allowed.emplace_back(field->key);
+    for (const auto& [key, node] : table) {
+      if (find_field(kind, key.str()) != nullptr) continue;
+      if (const auto foreign = foreign_key_problem(kind, key.str()); !foreign.empty())
+        suite::fail(file_, key.source().begin, foreign + "; remove it");
+    }
+    check_keys(table, allowed);
+  }
+
+  static Position place(const toml::source_position& at) { return {at.line, at.column}; }
+
+  Places places(const toml::table& table) const {
+    Places all{std::string(file_), place(position(table)), {}, {}};
+    for (const auto& [key, node] : table) {
+      KeyPlace one{place(key.source().begin), place(position(node)), {}};
+      if (const toml::array* array = node.as_array())
+        for (const toml::node& element : *array) one.elements.push_back(place(position(element)));
+      all.keys.emplace(key.str(), std::move(one));
+    }
+    return all;
   }
 
   std::string_view file_;

@@ -13,9 +13,8 @@ namespace bezierbench::suite {
 
 /// Reads every suite of a TOML document: one in a file that people write (`[suite]`, `[[study]]`), several in the
 /// resolved file of a bundle (`[[suites]]`, `[[suites.study]]`; see writer.hpp). What is left out has the default of
-/// suite.hpp; a timing study without `modes` gets all of them, a rational one without `generator` the first that draws
-/// weights. Numbers may also be strings in decimal or hexadecimal
-/// floating point. Throws Failure(Exit::usage) with the one line `FILE:LINE:COLUMN: what; what to do`.
+/// suite.hpp; a rational study without `generator` gets the first that draws weights. Numbers may also be strings in
+/// decimal or hexadecimal floating point. A key that the kind of the study does not have is refused at its place. Throws Failure(Exit::usage) with the one line `FILE:LINE:COLUMN: what; what to do`.
 std::vector<Suite> parse_suites(std::string_view text, std::string_view file_name, const Vocabulary& known);
 
 /// As parse_suites, from a file; one that cannot be read is a Failure(Exit::usage) as well.

@@ -9,6 +9,7 @@
 
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/suite/kinds.hpp"
 
 namespace bezierbench::suite {
 
@@ -58,6 +59,19 @@ void read(const Source& source, const toml::node& node, Interval& out) {
   read(source, *ends->get(1), out.max);
 }
 
+void read(const Source& source, const toml::node& node, KindKeys& out) {
+  std::string word;
+  read(source, node, word);
+  const Kind* kind = find_kind(word);
+  if (kind == nullptr) {
+    std::vector<std::string> ids;
+    for (const Kind* known : kinds()) ids.emplace_back(known->id);
+    fail(source.name, node.source().begin,
+         fmt::format("unknown {} \"{}\"{}", source.key, echo(word), suggestion(word, ids)));
+  }
+  out = kind->keys();
+}
+
 std::string to_text(std::string_view value) {
   std::string text = "\"";
   for (const char c : value) {
@@ -83,6 +97,8 @@ std::string to_text(double value) {
   if (digits_only && std::abs(value) >= 0x1p53) text += ".0";
   return text;
 }
+
+std::string to_text(const KindKeys& value) { return to_text(kinds()[value.index()]->id); }
 
 std::string to_text(const Interval& value) { return fmt::format("[{}, {}]", to_text(value.min), to_text(value.max)); }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "experiments/echo.hpp"
+#include "experiments/suite/field.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/suite.hpp"
@@ -38,6 +39,10 @@ void read(const Source& source, const toml::node& node, int& out);
 void read(const Source& source, const toml::node& node, double& out);
 void read(const Source& source, const toml::node& node, Interval& out);
 void read(const Source& source, const toml::node& node, Goal& out);
+/// Of the id of a kind: its keys, all with their defaults.
+void read(const Source& source, const toml::node& node, KindKeys& out);
+/// Into the value of a key; `source` is the file or option.
+void read(std::string_view source, const toml::node& node, const Field& field, Study& out);
 
 template <Worded Enum>
 void read(const Source& source, const toml::node& node, Enum& out) {
@@ -70,12 +75,13 @@ std::string to_text(std::int64_t value);
 std::string to_text(double value);
 std::string to_text(const Interval& value);
 std::string to_text(const Goal& value);
+std::string to_text(const KindKeys& value);
 inline std::string to_text(int value) { return to_text(static_cast<std::int64_t>(value)); }
 inline std::string to_text(const std::string& value) { return to_text(std::string_view(value)); }
 
 template <Worded Enum>
 std::string to_text(Enum value) {
-  return to_text(name(value));
+  return to_text(suite::name(value));  // the form of a curve has another name besides
 }
 
 template <class T>

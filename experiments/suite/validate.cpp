@@ -14,7 +14,7 @@
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/suite/goal.hpp"
+#include "experiments/suite/kinds.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -22,10 +22,7 @@
 namespace bezierbench::suite {
 namespace {
 
-using Finding = std::optional<Fault>;
-
 constexpr std::int64_t most_replicates = 1000000;
-constexpr int most_points = 1000000;
 
 bool contains(std::span<const std::string> ids, std::string_view id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -33,19 +30,6 @@ bool contains(std::span<const std::string> ids, std::string_view id) {
 
 Finding unknown(std::string_view key, std::size_t i, std::string_view word, std::span<const std::string> known) {
   return Fault{key, i, {}, fmt::format("unknown {} \"{}\"{}", key, echo(word), suggestion(word, known))};
-}
-
-/// Applies `check(value) -> std::string` to every element, and looks for equal ones.
-/// The time grows as the number of elements, but for a logarithm: an axis may have any number of them.
-template <class T, class Check>
-Finding each(std::string_view key, const std::vector<T>& values, Check check) {
-  std::set<T> before;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::string what = check(values[i]); !what.empty()) return Fault{key, i, {}, std::move(what)};
-    if (!before.insert(values[i]).second)
-      return Fault{key, i, {}, fmt::format("{} has this value twice; remove one", key)};
-  }
-  return std::nullopt;
 }
 
 Finding check_axes(const Study& study) {
@@ -74,24 +58,12 @@ Finding check_axes(const Study& study) {
       })) {
     return found;
   }
-  if (auto found = each("scalar", study.scalar, fine)) return found;
-  return each("modes", study.modes, fine);
+  return each("scalar", study.scalar, fine);
 }
 
 Finding check_counts(const Study& study) {
   if (study.trials < 1) return Fault{"trials", 0, {}, "trials must be at least 1"};
   if (study.replicates < 1) return Fault{"replicates", 0, {}, "replicates must be at least 1"};
-  if (study.decomposed_trials < 0) return Fault{"decomposed_trials", 0, {}, "decomposed_trials must not be negative"};
-  if (study.decomposed_trials > 0 && study.kind != Kind::accuracy) {
-    return Fault{"decomposed_trials", 0, "kind",
-                 "decomposed_trials belong to studies of kind \"accuracy\"; remove them"};
-  }
-  if (study.kind == Kind::search && study.budget < 1) {
-    return Fault{"budget", 0, "kind", "kind \"search\" needs a budget, how many inputs it may try; add budget = 20000"};
-  }
-  if (study.kind != Kind::search && study.budget != 0) {
-    return Fault{"budget", 0, "kind", "a budget belongs to studies of kind \"search\"; remove it"};
-  }
   if (study.replicates > most_replicates) {
     return Fault{"replicates", 0, {}, fmt::format("replicates must be at most {}, for each is kept", most_replicates)};
   }
@@ -99,50 +71,6 @@ Finding check_counts(const Study& study) {
     return Fault{"replicates", 0, "trials", "trials * replicates must be below 2^63; lower one of them"};
   }
   return std::nullopt;
-}
-
-/// Of the kinds that start from data points. Where points are joined their number stands for the degree; points to be
-/// fitted are taken from curves of a degree. What is timed may be either.
-Finding check_points(const Study& study) {
-  const bool on_points = study.kind == Kind::interpolation || study.kind == Kind::fitting;
-  if (study.points.empty() == on_points && study.kind != Kind::timing) {
-    return Fault{"points", 0, "kind",
-                 fmt::format("kind \"{}\" {}", name(study.kind),
-                             on_points ? "needs numbers of data points; add points = [10, 100]"
-                                       : "has no data points; remove points")};
-  }
-  if (study.kind == Kind::interpolation && !study.degree.empty()) {
-    return Fault{"degree", 0, "kind", "degree is that of the segments, 3, for kind \"interpolation\"; remove it"};
-  }
-  return each("points", study.points, [](int points) {
-    return points >= 2 && points <= most_points ? "" : fmt::format("points must be 2 to {}", most_points);
-  });
-}
-
-/// What only studies of some kinds have, and need. A timing study may have what its problem is asked.
-Finding check_cases(const Study& study) {
-  const bool derivative = study.kind == Kind::derivative;
-  if (study.order.empty() == derivative && study.kind != Kind::timing) {
-    return Fault{"order", 0, "kind",
-                 derivative ? "kind \"derivative\" needs orders; add order = [1, 2]"
-                            : "order belongs to studies of kind \"derivative\"; remove it"};
-  }
-  const bool tolerant =
-      study.kind == Kind::arc_length || study.kind == Kind::inverse_arc_length || study.kind == Kind::fitting;
-  const bool may_be_tolerant = tolerant || study.kind == Kind::timing;
-  if (study.tolerance.empty() ? tolerant : !may_be_tolerant) {
-    return Fault{"tolerance", 0, "kind",
-                 fmt::format("kind \"{}\" {}", name(study.kind),
-                             tolerant ? "needs tolerances; add tolerance = [1e-6]" : "has no tolerance; remove it")};
-  }
-  if (auto found = each("order", study.order, [](int order) {
-        return order >= 0 && order <= max_degree ? "" : fmt::format("order must be 0 to {}", max_degree);
-      })) {
-    return found;
-  }
-  return each("tolerance", study.tolerance, [](double tolerance) {
-    return std::string(std::isfinite(tolerance) && tolerance > 0 ? "" : "tolerance must be finite and above 0");
-  });
 }
 
 const KnownGenerator* find_generator(const Vocabulary& known, std::string_view id) {
@@ -166,7 +94,7 @@ std::string power_or_decimal(double x) {
 
 /// Weights and rational curves belong together.
 std::string weights_problem(const Study& study, const KnownGenerator& generator, const Vocabulary& known) {
-  const bool rational = study.curve == CurveKind::rational;
+  const bool rational = study.curve == Form::rational;
   if (rational == generator.limits.weights) return {};
   std::vector<std::string> others;
   for (const auto& other : known.generators) {
@@ -195,13 +123,13 @@ Finding check_generator(const Study& study, std::size_t i, const Vocabulary& kno
   if (std::string what = weights_problem(study, generator, known); !what.empty()) {
     return Fault{"generator", i, "curve", std::move(what)};
   }
-  const int largest = study.curve == CurveKind::polynomial ? limits.polynomial_degree : limits.bezier_degree;
+  const int largest = study.curve == Form::power ? limits.polynomial_degree : limits.bezier_degree;
   for (std::size_t k = 0; k < study.degree.size(); ++k) {
     if (study.degree[k] > largest) {
       return Fault{"degree", k, "generator",
                    fmt::format("generator \"{}\" draws {} curves up to degree {} only, where their coefficients are "
                                "exact; lower the degree or change the generator",
-                               generator.id, name(study.curve), largest)};
+                               generator.id, suite::name(study.curve), largest)};
     }
   }
   for (std::size_t k = 0; k < study.coordinate_range.size(); ++k) {
@@ -240,9 +168,6 @@ Finding check_fit(const Study& study, const Vocabulary& known) {
                                number::decimal(range))};
     }
   }
-  if (study.kind != Kind::timing && !study.modes.empty()) {
-    return Fault{"modes", 0, "kind", "modes belong to studies of kind \"timing\"; remove them"};
-  }
   return std::nullopt;
 }
 
@@ -258,7 +183,7 @@ std::string missing_method(std::string_view entry, const Vocabulary& known) {
 
 /// What `entry` of `methods` is wrong about, else empty. A conversion is a chain of one or more parts.
 std::string method_problem(const Study& study, std::string_view entry, const Vocabulary& known) {
-  const bool conversion = study.kind == Kind::conversion;
+  const bool conversion = kind_of(study).chains;
   const std::span<const std::string> ids = conversion ? known.conversions : known.methods;
   std::string_view rest = entry;
   while (true) {
@@ -282,15 +207,12 @@ Finding check_ids(const Study& study, const Vocabulary& known) {
     }
   }
   std::vector<std::string> baselines{"exact"};
-  const auto& ids = study.kind == Kind::conversion ? known.conversions : known.methods;
+  const auto& ids = kind_of(study).chains ? known.conversions : known.methods;
   baselines.insert(baselines.end(), ids.begin(), ids.end());
   for (std::size_t i = 0; i < study.baseline.size(); ++i) {
     if (contains(baselines, study.baseline[i])) continue;
     if (is_peer(study.baseline[i])) return Fault{"baseline", i, {}, missing_method(study.baseline[i], known)};
     return unknown("baseline", i, study.baseline[i], baselines);
-  }
-  if (!study.published.empty() && !contains(known.published_files, study.published)) {
-    return unknown("published", 0, study.published, known.published_files);
   }
   const auto fine = [](const std::string&) { return std::string(); };
   if (auto found = each("generator", study.generator, fine)) return found;
@@ -298,20 +220,11 @@ Finding check_ids(const Study& study, const Vocabulary& known) {
   return each("methods", study.methods, [&](const std::string& entry) { return method_problem(study, entry, known); });
 }
 
-Finding check_goals(const Study& study, const Vocabulary& known) {
-  if (study.kind != Kind::roofline && !study.goals.empty())
-    return Fault{"goals", 0, "kind", "goals belong to studies of kind \"roofline\"; remove them"};
-  return each("goals", study.goals, [&](const Goal& goal) { return goal_problem(goal, known.methods); });
-}
-
 /// A few lines can ask for more cells than memory has room for, and a suite may be a stranger's.
 Finding check_cells(const Study& study) {
   constexpr double most_cells = 1e6;
   double cells = 1;
-  for (const std::size_t values :
-       {study.degree.size(), study.coordinate_range.size(), study.t_interval.size(), study.generator.size(),
-        study.dimension.size(), study.scalar.size(), study.order.size(), study.points.size(), study.tolerance.size()})
-    cells *= static_cast<double>(std::max<std::size_t>(values, 1));
+  for (const Field* field : fields_of(kind_of(study))) cells *= static_cast<double>(sweep_length(*field, study));
   if (cells <= most_cells) return std::nullopt;
   return Fault{"degree",
                0,
@@ -320,36 +233,45 @@ Finding check_cells(const Study& study) {
                            cells, most_cells)};
 }
 
+/// What a study cannot be without: what its kind needs, and a value on every axis that has a default.
 Finding check_present(const Study& study) {
-  const bool on_points_alone =
-      study.kind == Kind::interpolation || (study.kind == Kind::timing && !study.points.empty());
-  if (study.degree.empty() && !on_points_alone) {
-    return Fault{"degree", 0, {}, fmt::format("degree is missing; kind \"{}\" needs it", name(study.kind))};
+  const Kind& kind = kind_of(study);
+  Study defaults;
+  defaults.keys = kind.keys();
+  for (const Field* field : fields_of(kind)) {
+    if (!is_empty(*field, study)) continue;
+    if (needs(kind, *field))
+      return Fault{field->key,
+                   0,
+                   {},
+                   fmt::format("{} is missing; kind \"{}\" needs it, add {} = {}", field->key, kind.id, field->key,
+                               field->example)};
+    if (!is_empty(*field, defaults))
+      return Fault{field->key, 0, {}, fmt::format("{} is empty; name a value or leave it out", field->key)};
   }
-  const auto empty = [](std::string_view key) {
-    return Fault{key, 0, {}, fmt::format("{} is empty; name a value or leave it out", key)};
-  };
-  if (study.coordinate_range.empty()) return empty("coordinate_range");
-  if (study.t_interval.empty()) return empty("t_interval");
-  if (study.generator.empty()) return empty("generator");
-  if (study.dimension.empty()) return empty("dimension");
-  if (study.scalar.empty()) return empty("scalar");
-  if (study.baseline.empty()) return empty("baseline");
-  if (study.kind == Kind::timing && study.modes.empty()) return empty("modes");
   return check_cells(study);
+}
+
+Finding check_baseline(const Study& study) {
+  const Kind& kind = kind_of(study);
+  if (kind.has_baseline || study.baseline == std::vector<std::string>{"exact"}) return std::nullopt;
+  return Fault{"baseline", Fault::key_itself, "kind",
+               fmt::format("kind \"{}\" measures against the exact value only; remove baseline", kind.id)};
 }
 
 }  // namespace
 
-std::optional<Fault> validate(const Study& study, const Vocabulary& known) {
+Finding validate(const Study& study, const Vocabulary& known) {
   if (std::string what = id_problem(study.id); !what.empty()) return Fault{"id", 0, {}, std::move(what)};
+  if (auto found = check_counts(study)) return found;
   if (auto found = check_present(study)) return found;
   if (auto found = check_axes(study)) return found;
-  if (auto found = check_counts(study)) return found;
-  if (auto found = check_cases(study)) return found;
-  if (auto found = check_points(study)) return found;
+  const Kind& kind = kind_of(study);
+  if (kind.check != nullptr)
+    if (auto found = kind.check(study, known)) return found;
   if (auto found = check_ids(study, known)) return found;
-  if (auto found = check_goals(study, known)) return found;
+  if (auto found = check_baseline(study)) return found;
+  if (auto found = check_inputs(study, known.generators)) return found;
   return check_fit(study, known);
 }
 

@@ -2,28 +2,20 @@
 // What a study may say, whether it comes from a file or from the command line.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "experiments/suite/fault.hpp"
 #include "experiments/suite/suite.hpp"
 #include "experiments/suite/vocabulary.hpp"
 
 namespace bezierbench::suite {
 
-/// The first thing wrong with a study.
-struct Fault {
-  std::string_view key;        ///< the field at fault
-  std::size_t index = 0;       ///< of its element
-  std::string_view other_key;  ///< the field that it does not fit, if the two are at odds
-  std::string what;            ///< what is wrong and what to do
-};
-
-/// Whether `study` can be run: known ids, values in range, axes that fit one another, nothing twice on an axis.
-std::optional<Fault> validate(const Study& study, const Vocabulary& known);
+/// Whether `study` can be run: known ids, values in range, axes that fit one another and the
+/// kind, nothing twice on an axis.
+Finding validate(const Study& study, const Vocabulary& known);
 
 /// Why `seed` is none, else empty: seeds are 0 to 2^63-1, what TOML can hold.
 std::string seed_problem(std::uint64_t seed);

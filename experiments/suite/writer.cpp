@@ -5,7 +5,7 @@
 
 #include <iterator>
 
-#include "experiments/suite/fields.hpp"
+#include "experiments/suite/kinds.hpp"
 #include "experiments/suite/toml_value.hpp"
 
 namespace bezierbench::suite {
@@ -19,11 +19,9 @@ std::string to_toml(std::span<const Suite> suites) {
                    to_text(suite.title), suite.seed);
     for (const Study& study : suite.studies) {
       fmt::format_to(out, "\n{}\n", one ? "[[study]]" : "[[suites.study]]");
-      for (const Field& field : study_fields()) {
-        if (const std::string value = field.write(study); !value.empty()) {
-          fmt::format_to(out, "{} = {}\n", field.key, value);
-        }
-      }
+      for (const Field* field : fields_of(kind_of(study)))
+        if (const std::string value = to_text(*field, study); !value.empty())
+          fmt::format_to(out, "{} = {}\n", field->key, value);
     }
   }
   return text;

@@ -4,23 +4,26 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <random>
 #include <set>
-#include <tuple>
+#include <variant>
 
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/kinds.hpp"
 #include "experiments/suite/reader.hpp"
 #include "experiments/suite/test_vocabulary.hpp"
 
 namespace bezierbench::suite {
 namespace {
 
-auto members(const Study& s) {
-  return std::tie(s.id, s.title, s.kind, s.curve, s.degree, s.coordinate_range, s.t_interval, s.generator, s.dimension,
-                  s.scalar, s.methods, s.trials, s.replicates, s.baseline, s.modes, s.goals, s.published);
+/// Equal in every key that their kind has, as it is written.
+bool equal(const Study& a, const Study& b) {
+  if (a.keys.index() != b.keys.index()) return false;
+  return std::ranges::all_of(fields_of(kind_of(a)),
+                             [&](const Field* field) { return to_text(*field, a) == to_text(*field, b); });
 }
 
 void expect_equal(const std::vector<Suite>& a, const std::vector<Suite>& b) {
@@ -31,7 +34,7 @@ void expect_equal(const std::vector<Suite>& a, const std::vector<Suite>& b) {
     EXPECT_EQ(a[i].seed, b[i].seed);
     ASSERT_EQ(a[i].studies.size(), b[i].studies.size());
     for (std::size_t j = 0; j < a[i].studies.size(); ++j) {
-      EXPECT_TRUE(members(a[i].studies[j]) == members(b[i].studies[j])) << a[i].studies[j].id;
+      EXPECT_TRUE(equal(a[i].studies[j], b[i].studies[j])) << a[i].studies[j].id;
     }
   }
 }
@@ -68,37 +71,48 @@ class Random {
     Study made;
     made.id = id;
     made.title = below(2) == 0 ? "plain" : "quote \" backslash \\ tab \t new\nline \x7f \u00e9 [x] # no = comment";
-    made.kind = words<Kind>[below(words<Kind>.size())].value;
-    made.curve = words<CurveKind>[below(words<CurveKind>.size())].value;
-    made.degree = some<int>({0, 1, 2, 20, 1023});
+    const Kind& kind = *kinds()[below(kinds().size())];
+    made.keys = kind.keys();
+    made.curve = kind.inputs.forms[below(kind.inputs.forms.size())];
+    made.degree = some<int>({1, 2, 20, 1023});
+    if (kind.inputs.degree == DegreeUse::not_a_key) made.degree.clear();
     made.coordinate_range = some<double>({real(), real(), real(), 0, 5e-324, 1.7976931348623157e308});
     const double edge = real();
     made.t_interval = {Interval{-edge, edge}, Interval{0, real()}};
-    made.generator = made.curve == CurveKind::rational ? some<std::string>({"weights_mild", "weights_wild"})
-                                                       : some<std::string>({"continuous", "dyadic"});
+    if (kind.inputs.parameters == Parameters::from_0_to_1) made.t_interval = {{0.25, 0.75}, {0, 1}};
+    if (kind.inputs.parameters == Parameters::whole) made.t_interval = {{0, 1}};
+    made.generator = made.curve == Form::rational ? some<std::string>({"weights_mild", "weights_wild"})
+                                                  : some<std::string>({"continuous", "dyadic"});
     made.dimension = some<int>({1, 2, 3});
     made.methods = below(2) == 0 ? std::vector<std::string>{} : std::vector<std::string>{"*"};
     made.trials = 1 + static_cast<std::int64_t>(bits_() >> 34U);
     made.replicates = 1 + static_cast<std::int64_t>(bits_() >> 45U);
-    if (made.kind == Kind::search) made.budget = 1 + static_cast<std::int64_t>(bits_() >> 1U);
-    if (made.kind == Kind::interpolation) made.degree.clear();
-    if (made.kind == Kind::interpolation || made.kind == Kind::fitting) made.points = some<int>({2, 3, 1000});
-    if (made.kind == Kind::derivative) made.order = some<int>({0, 1, 2, 20});
-    if (made.kind == Kind::arc_length || made.kind == Kind::inverse_arc_length || made.kind == Kind::fitting)
-      made.tolerance = some<double>({1e-3, 1e-12, 5e-324});
-    if (made.kind == Kind::accuracy) made.decomposed_trials = static_cast<std::int64_t>(below(2) * (bits_() >> 1U));
-    made.baseline = made.kind == Kind::conversion ? some<std::string>({"exact", "factorial"})
-                                                  : some<std::string>({"exact", known.methods[0], known.methods[1]});
-    if (made.kind == Kind::timing) made.modes = some<Mode>({Mode::one_shot, Mode::latency, Mode::batch});
-    if (made.kind == Kind::roofline && below(2) == 0)
-      made.goals = {{.method = known.methods[0], .share = 0x1p-3 * static_cast<double>(1 + below(9)), .from_degree = 3},
-                    {.method = known.methods[1],
-                     .no_slower_than = known.methods[0],
-                     .scalar = ScalarKind::float32,
-                     .to_degree = 20,
-                     .needs_additions_beside = true}};
-    made.published = below(2) == 0 ? "" : known.published_files[0];
+    if (kind.has_baseline) made.baseline = some<std::string>({"exact", known.methods[0], known.methods[1]});
+    std::visit([&](auto& keys) { fill(keys); }, made.keys);
     return made;
+  }
+
+  /// Own keys of any kind, each by its name.
+  template <class Keys>
+  void fill(Keys& keys) {
+    const auto& known = test_vocabulary();
+    if constexpr (requires { keys.budget; }) keys.budget = 1 + static_cast<std::int64_t>(bits_() >> 1U);
+    if constexpr (requires { keys.decomposed_trials; })
+      keys.decomposed_trials = static_cast<std::int64_t>(below(2) * (bits_() >> 1U));
+    if constexpr (requires { keys.points; }) keys.points = some<int>({2, 3, 1000});
+    if constexpr (requires { keys.order; }) keys.order = some<int>({0, 1, 2, 20});
+    if constexpr (requires { keys.tolerance; }) keys.tolerance = some<double>({1e-3, 1e-12, 5e-324});
+    if constexpr (requires { keys.modes; }) keys.modes = some<Mode>({Mode::one_shot, Mode::latency, Mode::batch});
+    if constexpr (requires { keys.published; }) keys.published = below(2) == 0 ? "" : known.published_files[0];
+    if constexpr (requires { keys.goals; })
+      if (below(2) == 0)
+        keys.goals = {
+            {.method = known.methods[0], .share = 0x1p-3 * static_cast<double>(1 + below(9)), .from_degree = 3},
+            {.method = known.methods[1],
+             .no_slower_than = known.methods[0],
+             .scalar = ScalarKind::float32,
+             .to_degree = 20,
+             .needs_additions_beside = true}};
   }
 
   std::vector<Suite> suites() {

@@ -8,6 +8,7 @@
 
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/suite/kinds.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/published/published.hpp"
 
@@ -88,7 +89,7 @@ Row& set_not_in_suite(Row& row) { return row.set("verdict", "outside").set("note
 
 void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std::span<const Series> series,
                          Tables& tables) {
-  const std::string baseline = study.kind == suite::Kind::conversion ? "exact" : study.baseline.front();
+  const std::string& baseline = study.baseline.front();
   const auto* ours = find(series, study, cell, study.generator.front(), baseline, "");
   Row row = row_of("scorecard.csv", cell);
   if (ours == nullptr || ours->values.empty()) {
@@ -154,12 +155,12 @@ void write_timing_cell(const suite::Study& study, const PrintedCell& cell, std::
 void write_scorecards(std::span<const suite::Study> studies, std::span<const Series> series, Tables& tables) {
   std::vector<std::string> files;
   for (const auto& study : studies)
-    if (!study.published.empty() && std::ranges::find(files, study.published) == files.end())
-      files.push_back(study.published);
+    if (const auto file = suite::published_of(study); !file.empty() && std::ranges::find(files, file) == files.end())
+      files.emplace_back(file);
   for (const auto& file : files)
     for (const auto& cell : printed_cells(file))
       for (const auto& study : studies) {
-        if (study.published != file || !reproduces(study, cell)) continue;
+        if (suite::published_of(study) != file || !reproduces(study, cell)) continue;
         if (cell.statistic == time_statistic)
           write_timing_cell(study, cell, series, tables);
         else

@@ -46,7 +46,7 @@ suite::Study study_231() {
   study.coordinate_range = {1e6};
   study.generator = {"report", "continuous"};
   study.baseline = {"direct", "exact"};
-  study.published = "report_tables.csv";
+  suite::keys_of<suite::AccuracyKeys>(study).published = "report_tables.csv";
   return study;
 }
 
@@ -96,7 +96,7 @@ TEST(Scorecard, InsideAndOutsideTheBand) {
 TEST(Scorecard, ASlipIsExplainedOnlyByItsCorrection) {
   suite::Study study = study_231();
   study.id = "2.3.2-polynomial";
-  study.curve = suite::CurveKind::polynomial;
+  study.curve = Form::power;
   study.baseline = {"power_sum"};
   const auto verdict = [&](double low, double high) {
     Series series = series_of(low, high, "report", "power_sum");
@@ -123,9 +123,9 @@ TEST(Scorecard, ASlipIsExplainedOnlyByItsCorrection) {
 std::string timing_verdict(const std::string& degree, double ns) {
   suite::Study study;
   study.id = "2.4-bezier";
-  study.kind = suite::Kind::timing;
+  study.keys = suite::TimingKeys{};
+  suite::keys_of<suite::TimingKeys>(study).published = "report_tables.csv";
   study.generator = {"report"};
-  study.published = "report_tables.csv";
   Series series = series_of(ns, ns, "report", "");
   series.study = study.id;
   series.statistic = "total_time";

@@ -51,8 +51,8 @@ struct Wish {
 };
 
 std::string form_name(const tables::ChoiceGroup& group) {
-  const auto curve = suite::parse<suite::CurveKind>(group.curve);
-  return curve ? std::string(name(judge::form_of(*curve))) : group.curve;
+  const auto curve = suite::parse<Form>(group.curve);
+  return curve ? std::string(name(*curve)) : group.curve;
 }
 
 /// The tables of a bundle that a choice uses.
@@ -286,7 +286,7 @@ Exit choose(Wish wish) {
 
 std::vector<std::string> words_of_forms() {
   std::vector<std::string> forms;
-  for (const auto& entry : suite::words<suite::CurveKind>) forms.emplace_back(name(judge::form_of(entry.value)));
+  for (const auto& entry : suite::words<Form>) forms.emplace_back(name(entry.value));
   return forms;
 }
 

@@ -54,8 +54,8 @@ int whole(const std::string& text) { return static_cast<int>(number::parse_integ
 template <class Scalar>
 metric::CurveClass curve_class(const tables::ChoiceGroup& group, const DrawnClass& of) {
   const auto rounded = [](double end) { return static_cast<double>(static_cast<Scalar>(end)); };
-  const auto curve = suite::parse<suite::CurveKind>(group.curve);
-  return {curve ? judge::form_of(*curve) : Form::rational,  // rational classes have no bound
+  const auto curve = suite::parse<Form>(group.curve);
+  return {curve ? *curve : Form::rational,  // rational classes have no bound
           whole(group.dimension),
           whole(group.degree),
           std::max(of.range, rounded(of.range)),

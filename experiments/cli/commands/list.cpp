@@ -3,11 +3,15 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/commands/aligned.hpp"
 #include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/commands/kinds.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/suite/kinds.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/reader.hpp"
 #include "shipped_suites.hpp"
@@ -31,7 +35,7 @@ std::string studies_csv() {
   for (const auto& [file_name, text] : shipped_suites)
     for (const auto& one : suite::parse_suites(text, file_name, known))
       for (const auto& study : one.studies)
-        table.add_row({study.id, one.id, std::string(suite::name(study.kind)), std::string(suite::name(study.curve)),
+        table.add_row({study.id, one.id, std::string(suite::kind_of(study).id), std::string(suite::name(study.curve)),
                        study.title});
   return table.text();
 }
@@ -46,6 +50,21 @@ void add_topic(Command list, const std::string& topic, const std::string& help, 
   });
 }
 
+/// A topic of its own form: long texts, which fit no table.
+void add_kinds(Command list) {
+  struct Options {
+    std::optional<std::string> kind;
+    bool schema = false;
+  };
+  auto options = std::make_shared<Options>();
+  auto command = list.command("kinds", "the kinds of studies and the keys that each of them has in a suite");
+  command.option("kind", options->kind, "only this kind, with an example");
+  command.flag("--json-schema", options->schema, "a JSON Schema of suite files instead, for editors");
+  command.action([options] {
+    fmt::print("{}", options->schema ? suite_schema() : options->kind ? kind_text(*options->kind) : kinds_text());
+  });
+}
+
 }  // namespace
 
 void add_list(Command program, Exit& /*exit*/) {
@@ -56,6 +75,7 @@ void add_list(Command program, Exit& /*exit*/) {
   add_topic(list, "methods", "evaluators, converted paths and conversions", methods_csv, format);
   add_topic(list, "suites", "the suites that come with the program", suites_csv, format);
   add_topic(list, "studies", "their studies", studies_csv, format);
+  add_kinds(list);
   add_topic(list, "generators", "how random inputs are drawn", generators_csv, format);
 }
 

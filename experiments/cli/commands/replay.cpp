@@ -62,9 +62,9 @@ void print_result(const judge::PointVerdict& verdict, const reference::ExactPoin
 
 template <class Scalar>
 Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
-  const auto* kernel = judge::find_method<Scalar>(record.text("method"), judge::form_of(cell.curve), cell.dimension);
+  const auto* kernel = judge::find_method<Scalar>(record.text("method"), cell.curve, cell.dimension);
   if (kernel == nullptr) record.malformed("method", "is not one that this program knows");
-  judge::TrialInputs<Scalar> inputs(judge::form_of(cell.curve), cell);
+  judge::TrialInputs<Scalar> inputs(cell.curve, cell);
   inputs.assign(record.input(cell));
   const double recorded = record.number("error");
   const double recorded_u = record.error_u();

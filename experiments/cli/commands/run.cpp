@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/commands/kinds.hpp"
 #include "experiments/cli/commands/shard.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/this_build.hpp"
@@ -88,7 +89,8 @@ void add_run(Command program, Exit& exit) {
   command.option("--jobs", options->jobs, "threads; default: all cores").within(1, 4096);
   command.option("--seed", options->seed, "another seed than the suite's");
   command.option("--trials", options->trials, "trials per cell and replicate");
-  command.option("--set", options->overrides.set, "axis=v1,v2 for every study; intervals as 0:0.2");
+  command.option("--set", options->overrides.set,
+                 "key=v1,v2 for every study; intervals as 0:0.2; a key that one of them does not have is refused");
   command.option("--only", options->overrides.only, "only studies whose id matches this glob");
   command.option("--reference", options->reference, "how the truth is computed").one_of({"certified", "exact"});
   command.option("--shard", options->shard, "i/N: do one part of N; auto: ask Open MPI, PMI or Slurm which");
@@ -98,6 +100,7 @@ void add_run(Command program, Exit& exit) {
   command.flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
   command.flag("--host-name", options->host_name, "let machine.json say the host's name");
   command.flag("--quiet", options->quiet, "no progress");
+  command.footer("\nWhat a [[study]] of a suite file says:\n\n" + kinds_text());
   command.action([options, &exit] {
     if (options->seed) options->overrides.seed = static_cast<std::uint64_t>(whole_number("--seed", *options->seed));
     if (options->trials) options->overrides.trials = whole_number("--trials", *options->trials);

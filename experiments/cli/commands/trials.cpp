@@ -16,7 +16,7 @@
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
-#include "experiments/suite/fields.hpp"
+#include "experiments/suite/kinds.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/overrides.hpp"
 #include "experiments/suite/reader.hpp"
@@ -41,8 +41,8 @@ suite::Overrides narrowing(const Options& options, std::vector<std::string> set)
 /// Trials are judged against the exact reference, as the run judged them, so --set may choose a cell and nothing else.
 void check_that_cells_are_set(const std::vector<std::string>& settings) {
   std::vector<std::string> axes;
-  for (const auto& field : suite::study_fields())
-    if (field.of_cells) axes.emplace_back(field.key);
+  for (const auto& field : suite::shared_fields())
+    if (field.axis == suite::Axis::of_cells) axes.emplace_back(field.key);
   for (const auto& setting : settings) {
     const auto key = setting.substr(0, setting.find('='));
     if (std::ranges::find(axes, key) == axes.end())
@@ -92,7 +92,7 @@ const suite::Study& only_study(const std::vector<suite::Suite>& suites, const st
   if (suites.size() > 1 || suites.front().studies.size() > 1)
     throw Failure(Exit::usage, fmt::format("--study {}: matches more than one study; name one", wanted));
   const auto& study = suites.front().studies.front();
-  if (study.kind != suite::Kind::accuracy)
+  if (!suite::is_kind<suite::AccuracyKeys>(study))
     throw Failure(Exit::usage, fmt::format("--study {}: is of another kind; name one of kind accuracy", study.id));
   return study;
 }
@@ -152,7 +152,7 @@ void print_trials(const Chosen& from, const std::string& method) {
   const auto& kernel = chosen_kernel<Scalar>(from, method);
   const auto& cell = from.cell.cell;
   const sample::Sampler sampler(from.seed, from.study.id, cell);
-  judge::TrialInputs<Scalar> inputs(judge::form_of(cell.curve), cell);
+  judge::TrialInputs<Scalar> inputs(cell.curve, cell);
   judge::PointJudge<Scalar> judge;
   print_damage(from.damaged);
   fmt::print("trial,{},value,exact,error,error_u,bound_u\n", fmt::join(judge::input_columns(), ","));

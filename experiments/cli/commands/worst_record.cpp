@@ -51,7 +51,7 @@ suite::ScalarKind WorstRecord::scalar() const { return word<suite::ScalarKind>("
 
 sample::Cell WorstRecord::cell() const {
   sample::Cell cell;
-  cell.curve = word<suite::CurveKind>("curve");
+  cell.curve = word<Form>("curve");
   cell.dimension = count("dimension", 1, reference::max_dimension);
   cell.degree = count("degree", 0, max_degree);
   return cell;

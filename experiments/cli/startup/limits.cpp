@@ -101,4 +101,6 @@ void report_exhausted_memory() {
 
 void end_without_memory() { end_with("memory is exhausted"); }
 
+void end_without_resource(std::string_view reason) { end_with(reason); }
+
 }  // namespace bezierbench::cli

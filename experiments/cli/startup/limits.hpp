@@ -2,6 +2,8 @@
 // Limits of the system on a process: what the program does when memory or stack is exhausted.
 #pragma once
 
+#include <string_view>
+
 namespace bezierbench::cli {
 
 /// Raises the limit of the stack where it is too low, or throws Failure(Exit::environment) where that is not allowed.
@@ -14,5 +16,8 @@ void report_exhausted_memory();
 
 /// Writes that line without allocating memory, and ends the program. Does not return.
 [[noreturn]] void end_without_memory();
+
+/// The same for a library that cannot go on, in its words: oneTBB where it cannot start a thread.
+[[noreturn]] void end_without_resource(std::string_view reason);
 
 }  // namespace bezierbench::cli

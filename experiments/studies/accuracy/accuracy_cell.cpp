@@ -136,7 +136,7 @@ void AccuracyCell<Scalar>::write_reference(std::size_t method, const judge::Cell
 
 template <class Scalar>
 void AccuracyCell<Scalar>::write_worst(std::size_t method, const judge::Worst& worst, tables::Tables& tables) const {
-  judge::TrialInputs<Scalar> inputs(judge::form_of(study_.curve), cell_);
+  judge::TrialInputs<Scalar> inputs(study_.curve, cell_);
   inputs.draw(sampler_, worst.trial);
   tables.add(tables::Row("worst.csv")
                  .set("worst_id", fmt::format("w{}", tables.table("worst.csv").row_count() + 1))

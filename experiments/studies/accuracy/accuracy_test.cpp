@@ -78,13 +78,13 @@ TEST(Accuracy, OrderThreadsAndInterruptionsChangeNoByte) {
 }
 
 /// The mean and maximum of every replicate, recomputed here without tallies.
-void expect_errors_of_the_trials(suite::CurveKind kind, const std::string& generator) {
+void expect_errors_of_the_trials(Form kind, const std::string& generator) {
   auto study = small_study();
   study.degree = {3};
   study.curve = kind;
   study.generator = {generator};
   study.methods = {"direct", "de_casteljau"};
-  const Form form = judge::form_of(kind);
+  const Form form = kind;
   const auto job = accuracy_job(study, {5});
   run::run_all(*job);
   const sample::Cell cell{kind, 2, 3, 1, {}, generator};
@@ -116,8 +116,8 @@ void expect_errors_of_the_trials(suite::CurveKind kind, const std::string& gener
 }
 
 TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
-  expect_errors_of_the_trials(suite::CurveKind::bezier, "continuous");
-  expect_errors_of_the_trials(suite::CurveKind::rational, "weights_wild");
+  expect_errors_of_the_trials(Form::bernstein, "continuous");
+  expect_errors_of_the_trials(Form::rational, "weights_wild");
 }
 
 TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
@@ -155,7 +155,7 @@ TEST(Accuracy, UlpsAreOfTheLengthOfThePoint) {
   run::run_all(*job);
   const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
   sample::Trial trial;
-  sample::draw(5, sample::key(study.id), {suite::CurveKind::bezier, 2, 9, 1, {}, "continuous"}, 0, trial);
+  sample::draw(5, sample::key(study.id), {Form::bernstein, 2, 9, 1, {}, "continuous"}, 0, trial);
   reference::ExactCurve exact;
   const auto& truth = exact.point({Form::bernstein, 2, 9, trial.coefficients}, trial.t);
   const double length = std::hypot(reference::round_to(reference::binary64, truth.coordinate(0)),
@@ -198,13 +198,13 @@ TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
 TEST(Accuracy, RationalCurvesKeepTheirBounds) {
   auto study = small_study();
   study.degree = {1, 4, 12};
-  study.curve = suite::CurveKind::rational;
+  study.curve = Form::rational;
   study.generator = {"weights_mild", "weights_wild"};
   study.methods = {};
   study.baseline = {"exact"};
   study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
   study.trials = 500;
-  study.decomposed_trials = 50;
+  suite::keys_of<suite::AccuracyKeys>(study).decomposed_trials = 50;
   const auto job = accuracy_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
@@ -245,7 +245,7 @@ TEST(Accuracy, CountsTrialsWithoutABound) {
   std::int64_t outside = 0;
   sample::Trial trial;
   for (std::uint64_t k = 0; k < 400; ++k) {
-    sample::draw(5, sample::key(study.id), {suite::CurveKind::bezier, 2, 3, 1, {-1, 3}, "continuous"}, k, trial);
+    sample::draw(5, sample::key(study.id), {Form::bernstein, 2, 3, 1, {-1, 3}, "continuous"}, k, trial);
     outside += trial.t < 0 || trial.t > 1 ? 1 : 0;
   }
   EXPECT_GT(outside, 0);
@@ -288,7 +288,7 @@ TEST(Accuracy, KeepsTheWorstTrial) {
     EXPECT_EQ(worst.at(row, "method"), rows.at(row, "method"));
     EXPECT_EQ(worst.at(row, "error_u"), rows.at(row, "max_error_u"));
     sample::Trial trial;
-    sample::draw(5, sample::key(study.id), {suite::CurveKind::bezier, 2, 3, 1, {}, "continuous"},
+    sample::draw(5, sample::key(study.id), {Form::bernstein, 2, 3, 1, {}, "continuous"},
                  static_cast<std::uint64_t>(number::parse_integer(worst.at(row, "trial")).value()), trial);
     EXPECT_EQ(worst.at(row, "t"), number::hexadecimal(trial.t));
     std::string coefficients;
@@ -309,9 +309,9 @@ TEST(Accuracy, TiersAgreeByteForByte) {
   study.scalar = {suite::ScalarKind::float64};
   study.trials = 70;
   study.replicates = 1;
-  for (const auto curve : {suite::CurveKind::bezier, suite::CurveKind::polynomial}) {
+  for (const auto curve : {Form::bernstein, Form::power}) {
     study.curve = curve;
-    study.methods = curve == suite::CurveKind::bezier
+    study.methods = curve == Form::bernstein
                         ? std::vector<std::string>{"de_casteljau", "compensated_de_casteljau", "exact:horner"}
                         : std::vector<std::string>{"horner", "compensated_horner"};
     study.baseline = {"exact", study.methods.front()};
@@ -325,7 +325,7 @@ TEST(Accuracy, TiersAgreeByteForByte) {
     std::int64_t kept = 0;
     for (std::size_t row = 0; row < reference.row_count(); ++row) {
       const auto escalated = number::parse_integer(reference.at(row, "escalated")).value();
-      if (reference.at(row, "degree") == "57" && curve == suite::CurveKind::bezier) {
+      if (reference.at(row, "degree") == "57" && curve == Form::bernstein) {
         EXPECT_EQ(escalated, 70);
       }
       kept += 70 - escalated;

@@ -11,8 +11,7 @@
 
 namespace bezierbench::studies {
 
-/// Throws Failure(usage) for curves without control points or with weights, for scalars but double, and for intervals
-/// that leave [0, 1].
+/// Throws Failure(usage) for inputs that the kind does not take.
 std::unique_ptr<run::Job> arc_length_job(const suite::Study& study, const run::JobContext& context);
 
 extern const race::TimedProblem timed_arc_length;

@@ -9,7 +9,7 @@ namespace bezierbench::studies {
 namespace {
 
 /// Small whole numbers: cusps, turns, points.
-suite::Study small_study() { return small_length_study(suite::Kind::arc_length, {"continuous", "integer"}); }
+suite::Study small_study() { return small_length_study<suite::ArcLengthKeys>({"continuous", "integer"}); }
 
 TEST(ArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
   const auto tables = run::expect_order_changes_nothing(arc_length_job, small_study());

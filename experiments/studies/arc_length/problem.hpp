@@ -13,7 +13,6 @@
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/studies/arc_length/arc_length.hpp"
-#include "experiments/studies/check_lengths.hpp"
 #include "experiments/studies/promises.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "reference/true_length.hpp"
@@ -65,7 +64,6 @@ class ArcLengthProblem {
   static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::promises, &Promises::broken>}};
 
   static std::span<const Kernel> kernels(int dimension) { return judge::arc_length_methods(dimension); }
-  static void check(const suite::Study& study) { check_lengths(study, "the part to be measured"); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 32; }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t /*methods*/) {
     const double n = part.cell.degree + 1.0;

@@ -10,12 +10,12 @@
 #include <map>
 
 #include "core/evaluate/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/suite/fault.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/statistics.hpp"
 #include "reference/exact_conversion.hpp"
@@ -40,17 +40,19 @@ struct Chain {
   }
 };
 
-Chain chain_of(const suite::Study& study, const std::string& id, int dimension) {
+/// Of entry k of the study's methods.
+Chain chain_of(const suite::Study& study, std::size_t k, int dimension) {
+  const std::string& id = study.methods[k];
   Chain chain{id, {}};
-  Form form = judge::form_of(study.curve);
+  Form form = study.curve;
   for (std::size_t begin = 0; begin <= id.size();) {
     const auto end = std::min(id.find('+', begin), id.size());
     const auto part = id.substr(begin, end - begin);
     const auto* step = find_conversion<double>(part, form, dimension);
     if (step == nullptr)
-      throw Failure(Exit::usage,
-                    fmt::format("study \"{}\": conversion \"{}\" does not start from {} form; see `list methods`",
-                                study.id, part, name(form)));
+      suite::refuse(
+          study, {"methods", k, "curve",
+                  fmt::format("conversion \"{}\" does not start from {} form; see `list methods`", part, name(form))});
     chain.steps.push_back(step);
     form = form == Form::bernstein ? Form::power : Form::bernstein;
     begin = end + 1;
@@ -60,16 +62,11 @@ Chain chain_of(const suite::Study& study, const std::string& id, int dimension) 
 
 /// All conversions from this form where the study names none.
 std::vector<Chain> chains_of(const suite::Study& study, int dimension) {
-  if (study.curve == suite::CurveKind::rational)
-    throw Failure(
-        Exit::usage,
-        fmt::format("study \"{}\": conversions take polynomial curves; write curve = \"bezier\" or \"polynomial\"",
-                    study.id));
   std::vector<Chain> chains;
-  for (const auto& id : study.methods) chains.push_back(chain_of(study, id, dimension));
+  for (std::size_t k = 0; k < study.methods.size(); ++k) chains.push_back(chain_of(study, k, dimension));
   if (!study.methods.empty()) return chains;
   for (const auto& step : conversion_kernels<double>(dimension))
-    if (step.info->form == judge::form_of(study.curve)) chains.push_back({std::string(step.info->id), {&step}});
+    if (step.info->form == study.curve) chains.push_back({std::string(step.info->id), {&step}});
   return chains;
 }
 
@@ -119,6 +116,7 @@ struct RowTally {
 class ConversionJob final : public run::JobOf<RowTally> {
  public:
   ConversionJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
+    judge::check_inputs(study_);
     for (const auto& cell : sample::cells(study_))
       for (auto& chain : chains_of(study_, cell.dimension)) rows_.push_back({cell, std::move(chain)});
   }
@@ -173,8 +171,7 @@ RowTally ConversionJob::work(std::size_t block) const {
   sample::Trial trial;
   for (std::int64_t k = 0; k < study_.trials && !run::interrupted(); ++k) {
     sampler.draw(static_cast<std::uint64_t>(static_cast<std::int64_t>(replicate) * study_.trials + k), trial);
-    const double error =
-        error_of(row.chain, {judge::form_of(study_.curve), row.cell.dimension, row.cell.degree, trial.coefficients});
+    const double error = error_of(row.chain, {study_.curve, row.cell.dimension, row.cell.degree, trial.coefficients});
     if (!std::isfinite(error)) {
       ++tally.non_finite;
       continue;

@@ -20,7 +20,7 @@ bundle::CsvDocument rows_of(const suite::Study& study) {
 suite::Study study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "round_trip";
-  study.kind = suite::Kind::conversion;
+  study.keys = suite::ConversionKeys{};
   study.degree = {1, 3, 10};
   study.coordinate_range = {1e6};
   study.methods = std::move(methods);

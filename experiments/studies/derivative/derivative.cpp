@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/derivative/derivative.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
-#include "experiments/failure.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/derivative/problem.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
@@ -55,17 +51,6 @@ bool DerivativeProblem::is_right(const Kernel& method, const Drawn& drawn, doubl
   if (method.bound == nullptr)
     return drawn.scale.in_bound_units(error, metric::double_arithmetic) <= judge::half_of_the_digits;
   return !metric::TrialScale::violates(error, bound_of(method, drawn));
-}
-
-void check_derivatives(const suite::Study& study) {
-  if (study.curve == suite::CurveKind::rational)
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": derivatives are those of polynomial curves; write curve = \"bezier\" or "
-                              "\"polynomial\"",
-                              study.id));
-  if (std::ranges::any_of(study.scalar, [](auto scalar) { return scalar != suite::ScalarKind::float64; }))
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": derivatives are computed in double only; leave scalar out", study.id));
 }
 
 std::unique_ptr<run::Job> derivative_job(const suite::Study& study, const run::JobContext& context) {

@@ -9,10 +9,7 @@
 
 namespace bezierbench::studies {
 
-/// Throws Failure(usage) for rational curves and for scalars but double.
-void check_derivatives(const suite::Study& study);
-
-/// Throws Failure(usage) also where no method takes curves of this form.
+/// Throws Failure(usage) for inputs that the kind does not take and where no method takes curves of this form.
 std::unique_ptr<run::Job> derivative_job(const suite::Study& study, const run::JobContext& context);
 
 extern const race::TimedProblem timed_derivative;

@@ -13,9 +13,8 @@ namespace {
 suite::Study small_study() {
   suite::Study study;
   study.id = "small";
-  study.kind = suite::Kind::derivative;
+  study.keys = suite::DerivativeKeys{.order = {1, 2, 5}};
   study.degree = {3, 20};
-  study.order = {1, 2, 5};
   study.trials = 600;  // two blocks, the last one short
   study.replicates = 2;
   return study;
@@ -64,7 +63,7 @@ TEST(DerivativeStudy, BoundsHoldAndTheSeedDocumentIsRightForOrderOneOnly) {
 /// A Bezier curve and its power form draw the same; only methods of the form appear.
 TEST(DerivativeStudy, TakesTheMethodsOfTheForm) {
   auto study = small_study();
-  study.curve = suite::CurveKind::polynomial;
+  study.curve = Form::power;
   const auto csv = rows_of(study);
   ASSERT_EQ(csv.row_count(), 2U * 3);
   EXPECT_EQ(csv.at(0, "method"), "power_derivative");
@@ -72,7 +71,7 @@ TEST(DerivativeStudy, TakesTheMethodsOfTheForm) {
 
 TEST(DerivativeStudy, RefusesWhatItCannotDo) {
   auto rational = small_study();
-  rational.curve = suite::CurveKind::rational;
+  rational.curve = Form::rational;
   EXPECT_THROW(derivative_job(rational, {1}), Failure);
   auto single = small_study();
   single.scalar = {suite::ScalarKind::float32};

@@ -65,7 +65,6 @@ class DerivativeProblem {
   static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::violations>}};
 
   static std::span<const Kernel> kernels(int dimension) { return derivative_kernels(dimension); }
-  static void check(const suite::Study& study) { check_derivatives(study); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 256; }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t methods) {
     const double n = part.cell.degree + 1.0;

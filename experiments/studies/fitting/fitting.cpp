@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/fitting/fitting.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
-#include "experiments/failure.hpp"
 #include "experiments/judge/companions.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/fitting/problem.hpp"
@@ -75,7 +72,7 @@ void FittingProblem::write_example(tables::Tables& tables, const suite::Study& s
   const auto parts = judge::parts_of(study, axes, problem);
   const auto first = std::ranges::find_if(parts, [](const auto& part) { return part.cell.dimension == plane; });
   if (first == parts.end()) return;
-  const double tolerance = study.tolerance.front();
+  const double tolerance = suite::tolerances_of(study).front();
   for (auto part = first;
        part != parts.end() && part->cell == first->cell && part->values.points == first->values.points; ++part) {
     Drawn data;
@@ -98,18 +95,6 @@ void FittingProblem::write_example(tables::Tables& tables, const suite::Study& s
       for (std::size_t i = 0; 2 * i < b.size(); ++i) add(method->info->id, i / 4, i % 4, &b[2 * i]);
     }
   }
-}
-
-void check_fitting(const suite::Study& study) {
-  judge::check_bezier_in_double(study);
-  judge::check_independent_points(study);
-  if (std::ranges::any_of(study.degree, [](int degree) { return degree < 1; }))
-    throw Failure(
-        Exit::usage,
-        fmt::format("study \"{}\": data are taken from curves of degree 1 or more; remove the degree 0", study.id));
-  if (study.t_interval != std::vector{suite::Interval{}})
-    throw Failure(Exit::usage,
-                  fmt::format("study \"{}\": data are taken from whole curves; leave t_interval out", study.id));
 }
 
 std::unique_ptr<run::Job> fitting_job(const suite::Study& study, const run::JobContext& context) {

@@ -11,9 +11,7 @@
 
 namespace bezierbench::studies {
 
-/// Throws Failure(usage) for curves that no data are taken from.
-void check_fitting(const suite::Study& study);
-
+/// Throws Failure(usage) for inputs that the kind does not take.
 std::unique_ptr<run::Job> fitting_job(const suite::Study& study, const run::JobContext& context);
 
 extern const race::TimedProblem timed_fitting;

@@ -14,12 +14,10 @@ namespace {
 suite::Study small_study() {
   suite::Study study;
   study.id = "small";
-  study.kind = suite::Kind::fitting;
+  study.keys = suite::FittingKeys{.points = {3, 12}, .tolerance = {1e-2, 1e-9}};
   study.degree = {3};
   study.generator = {"integer"};  // ties, turns, coinciding points
-  study.points = {3, 12};
-  study.tolerance = {1e-2, 1e-9};
-  study.trials = 60;  // two blocks, the last one short
+  study.trials = 60;              // two blocks, the last one short
   return study;
 }
 
@@ -45,8 +43,7 @@ TEST(FittingStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
 TEST(FittingStudy, SaysWhatGivesItsSourceBack) {
   auto study = small_study();
   study.generator = {"continuous"};
-  study.points = {12};
-  study.tolerance = {1e-9};
+  study.keys = suite::FittingKeys{.points = {12}, .tolerance = {1e-9}};
   const auto job = fitting_job(study, {1});
   run::run_all(*job);
   const auto csv = bundle::parse_csv(run::text_of(*job).at("fitting.csv"), "fitting.csv");
@@ -59,7 +56,7 @@ TEST(FittingStudy, SaysWhatGivesItsSourceBack) {
 /// Data, then what each method made of them: from the first data point to the last.
 TEST(FittingStudy, ShowsAnExample) {
   auto study = small_study();
-  study.points = {12};
+  suite::keys_of<suite::FittingKeys>(study).points = {12};
   study.trials = 1;
   const auto job = fitting_job(study, {1});
   run::run_all(*job);
@@ -84,7 +81,7 @@ TEST(FittingStudy, ShowsAnExample) {
 
 TEST(FittingStudy, RefusesWhatItCannotDo) {
   auto polynomial = small_study();
-  polynomial.curve = suite::CurveKind::polynomial;
+  polynomial.curve = Form::power;
   EXPECT_THROW(fitting_job(polynomial, {1}), Failure);
   auto single = small_study();
   single.scalar = {suite::ScalarKind::float32};

@@ -77,7 +77,6 @@ class FittingProblem {
   static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::broken>}};
 
   static std::span<const Kernel> kernels(int dimension) { return fitting_kernels(dimension); }
-  static void check(const suite::Study& study) { check_fitting(study); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 16; }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t /*methods*/) {
     return *part.values.points * 50'000.0;

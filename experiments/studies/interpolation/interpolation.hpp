@@ -15,9 +15,7 @@ namespace bezierbench::studies {
 /// exact through any number of points.
 inline constexpr int most_points_of_exact_splines = 1025;
 
-/// Throws Failure(usage) for points that are not joined.
-void check_interpolation(const suite::Study& study);
-
+/// Throws Failure(usage) for inputs that the kind does not take.
 std::unique_ptr<run::Job> interpolation_job(const suite::Study& study, const run::JobContext& context);
 
 extern const race::TimedProblem timed_interpolation;

@@ -14,8 +14,7 @@ namespace {
 suite::Study study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "splines";
-  study.kind = suite::Kind::interpolation;
-  study.points = {2, 12};
+  study.keys = suite::InterpolationKeys{.points = {2, 12}};
   study.dimension = {1, 3};
   study.methods = std::move(methods);
   study.trials = 40;  // two blocks
@@ -62,7 +61,8 @@ TEST(InterpolationStudy, TellsMethodsApart) {
 
 TEST(InterpolationStudy, LeavesOutTheErrorWhereThereAreTooManyPoints) {
   auto study = study_of({"c2_natural"});
-  study.points = {most_points_of_exact_splines, most_points_of_exact_splines + 1};
+  suite::keys_of<suite::InterpolationKeys>(study).points = {most_points_of_exact_splines,
+                                                            most_points_of_exact_splines + 1};
   study.dimension = {1};
   study.trials = 1;
   const auto csv = rows_of(study);
@@ -113,7 +113,7 @@ TEST(InterpolationStudy, RefusesWhatItDoesNotJudge) {
     change(study);
     EXPECT_THROW(interpolation_job(study, {1}), Failure);
   };
-  refused([](auto& study) { study.curve = suite::CurveKind::polynomial; });
+  refused([](auto& study) { study.curve = Form::power; });
   refused([](auto& study) { study.scalar = {suite::ScalarKind::float32}; });
   refused([](auto& study) { study.generator = {"clustered_roots"}; });
   refused([](auto& study) { study.t_interval = {{0, 0.5}}; });

@@ -67,7 +67,6 @@ class InterpolationProblem {
   static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::violations>}};
 
   static std::span<const Kernel> kernels(int /*dimension*/) { return interpolation_kernels(); }
-  static void check(const suite::Study& study) { check_interpolation(study); }
   /// Fewer sets of many points, so that a batch is about as long.
   static std::size_t timed_trials(const judge::TrialPart& part) {
     return static_cast<std::size_t>(std::clamp(4096 / *part.values.points, 1, 64));

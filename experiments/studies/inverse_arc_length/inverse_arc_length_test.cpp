@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/length_study_test.hpp"
 
@@ -13,7 +12,7 @@ namespace bezierbench::studies {
 namespace {
 
 suite::Study small_study() {
-  auto study = small_length_study(suite::Kind::inverse_arc_length, {"cusp", "integer"});
+  auto study = small_length_study<suite::InverseArcLengthKeys>({"cusp", "integer"});
   study.t_interval = {{0.25, 0.75}};  // true parameters take longer than true lengths
   return study;
 }

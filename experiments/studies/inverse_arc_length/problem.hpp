@@ -12,7 +12,6 @@
 #include "experiments/judge/drawn_curves.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
-#include "experiments/studies/check_lengths.hpp"
 #include "experiments/studies/inverse_arc_length/inverse_arc_length.hpp"
 #include "experiments/studies/inverse_arc_length/spacing.hpp"
 #include "experiments/studies/promises.hpp"
@@ -77,7 +76,6 @@ class InverseArcLengthProblem {
   static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::promises, &Promises::broken>}};
 
   static std::span<const Kernel> kernels(int dimension) { return inverse_arc_length_kernels(dimension); }
-  static void check(const suite::Study& study) { check_lengths(study, "the share of the length at which t is sought"); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 32; }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t /*methods*/) {
     const double n = part.cell.degree + 1.0;

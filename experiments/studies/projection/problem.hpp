@@ -69,7 +69,6 @@ class ProjectionProblem {
   static constexpr std::array<TrialFailure<Row>, 0> failures{};  // no method promises anything
 
   static std::span<const Kernel> kernels(int dimension) { return judge::projection_methods(dimension); }
-  static void check(const suite::Study& study) { check_projection(study); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 64; }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t /*methods*/) {
     const double n = part.cell.degree;

@@ -70,11 +70,6 @@ bool ProjectionProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, d
          missed_tolerance * sample::largest_coordinate(drawn.placed);
 }
 
-void check_projection(const suite::Study& study) {
-  judge::check_bezier_in_double(study);
-  judge::check_independent_points(study);
-}
-
 std::unique_ptr<run::Job> projection_job(const suite::Study& study, const run::JobContext& context) {
   return trial_job<ProjectionProblem>(study, context);
 }

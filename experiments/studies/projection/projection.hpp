@@ -15,9 +15,6 @@ namespace bezierbench::studies {
 /// control points and point: no method is that inaccurate about the minimum that it did find.
 inline constexpr double missed_tolerance = 0x1p-20;
 
-/// Throws Failure(usage) for what is no Bezier curve in double, or none with control points of their own.
-void check_projection(const suite::Study& study);
-
 std::unique_ptr<run::Job> projection_job(const suite::Study& study, const run::JobContext& context);
 
 extern const race::TimedProblem timed_projection;

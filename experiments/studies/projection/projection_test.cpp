@@ -15,7 +15,7 @@ namespace {
 suite::Study study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "feet";
-  study.kind = suite::Kind::projection;
+  study.keys = suite::ProjectionKeys{};
   study.degree = {3};
   study.dimension = {2, 3};
   study.methods = std::move(methods);
@@ -70,7 +70,7 @@ TEST(ProjectionStudy, MethodsThatAreNotBitStableHaveAFileOfTheirOwn) {
 
 TEST(ProjectionStudy, RefusesWhatItDoesNotJudge) {
   auto study = study_of({});
-  study.curve = suite::CurveKind::polynomial;
+  study.curve = Form::power;
   EXPECT_THROW(projection_job(study, {1}), Failure);
   study = study_of({});
   study.scalar = {suite::ScalarKind::float32};

@@ -61,10 +61,10 @@ class Search {
     outcome.sampled_error_u = std::max(0.0, found.front().error_u);
     // The climb takes random words that no trial takes, because its study key differs.
     sample::Words words(seed_, sample::key(fmt::format("{}/{}", study_.id, kernel_.info->id)), sample::key(cell_), 0);
-    const auto each = study_.budget / shared_part / static_cast<std::int64_t>(found.size());
+    const auto each = budget() / shared_part / static_cast<std::int64_t>(found.size());
     for (auto& one : found) climb(words, each, one, judge, outcome);
     outcome.worst = *std::ranges::max_element(found, {}, &Found::error_u);
-    climb(words, study_.budget - each * static_cast<std::int64_t>(found.size()), outcome.worst, judge, outcome);
+    climb(words, budget() - each * static_cast<std::int64_t>(found.size()), outcome.worst, judge, outcome);
     return outcome;
   }
 
@@ -74,7 +74,7 @@ class Search {
         .set_each(tables::cell_columns(),
                   tables::cell_fields(study_, cell_, kernel_.info->id, judge::ScalarFacts<Scalar>::kind))
         .set("trials", study_.trials)
-        .set("budget", study_.budget);
+        .set("budget", budget());
     const Found& worst = outcome.worst;
     if (worst.error_u < 0)
       row.set("status", "non_finite");
@@ -99,6 +99,8 @@ class Search {
   [[nodiscard]] const sample::Cell& cell() const { return cell_; }
 
  private:
+  [[nodiscard]] std::int64_t budget() const { return suite::keys_of<suite::SearchKeys>(study_).budget; }
+
   /// `reached`: the climb raised the error by the required factor. `near_bound`: it cannot, because the sample is
   /// already that close to the proved bound. `short`: neither.
   [[nodiscard]] static std::string status(const Outcome& outcome) {
@@ -111,7 +113,7 @@ class Search {
   std::vector<Found> sampled(judge::PointJudge<Scalar>& judge, Outcome& outcome) const {
     const sample::Sampler sampler(seed_, study_.id, cell_);
     std::vector<Found> worst;
-    judge::TrialInputs<Scalar> inputs(judge::form_of(study_.curve), cell_);
+    judge::TrialInputs<Scalar> inputs(study_.curve, cell_);
     for (std::int64_t trial = 0; trial < study_.trials && !run::interrupted(); ++trial) {
       inputs.draw(sampler, static_cast<std::uint64_t>(trial));
       Found one = judged(inputs, judge, outcome);
@@ -140,7 +142,7 @@ class Search {
              Outcome& outcome) const {
     constexpr int unseen_bits = 53 - judge::ScalarFacts<Scalar>::format.precision;
     const Climb neighbours(cell_, unseen_bits);
-    judge::TrialInputs<Scalar> inputs(judge::form_of(study_.curve), cell_);
+    judge::TrialInputs<Scalar> inputs(study_.curve, cell_);
     for (; steps > 0 && !run::interrupted(); --steps) {
       sample::Trial next = from.input;
       neighbours.step(words, next);
@@ -167,10 +169,10 @@ class SearchJob final : public run::JobOf<Outcome> {
   [[nodiscard]] std::size_t parts() const override { return searches_.size(); }
   [[nodiscard]] double cost(std::size_t part) const override {
     const double n = cell(part).degree + 1.0;
-    return static_cast<double>(study_.trials + study_.budget) * (200 + 150 * n + 4 * n * n);
+    return static_cast<double>(study_.trials + budget()) * (200 + 150 * n + 4 * n * n);
   }
   [[nodiscard]] run::Extent extent() const override {
-    const auto evaluations = static_cast<std::uint64_t>(study_.trials + study_.budget);
+    const auto evaluations = static_cast<std::uint64_t>(study_.trials + budget());
     run::Extent sum;
     for (std::size_t part = 0; part < searches_.size(); ++part)
       sum += {1, 1, evaluations, judge::bytes_of_input(cell(part))};
@@ -194,6 +196,7 @@ class SearchJob final : public run::JobOf<Outcome> {
   }
 
  private:
+  [[nodiscard]] std::int64_t budget() const { return suite::keys_of<suite::SearchKeys>(study_).budget; }
   template <class Scalar>
   void add(std::uint64_t seed, const sample::Cell& cell) {
     for (const auto* kernel : judge::chosen_kernels<Scalar>(study_, cell.dimension))

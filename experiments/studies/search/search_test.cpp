@@ -16,11 +16,10 @@ namespace {
 suite::Study small_study() {
   suite::Study study;
   study.id = "search";
-  study.kind = suite::Kind::search;
+  study.keys = suite::SearchKeys{.budget = 1500};
   study.degree = {5};
   study.methods = {"de_casteljau*", "horner_bernstein", "direct_pow"};
   study.trials = 300;
-  study.budget = 1500;
   return study;
 }
 
@@ -52,7 +51,7 @@ TEST(Search, StaysBetweenTheSampleAndTheBound) {
 TEST(Search, FindsWhatSamplingDoesNot) {
   auto study = small_study();
   study.methods = {"de_casteljau_lerp"};
-  study.budget = 10000;
+  suite::keys_of<suite::SearchKeys>(study).budget = 10000;
   const auto table = table_of(study);
   EXPECT_GT(value(table, 0, "searched_error_u"), 50 * value(table, 0, "sampled_error_u"));
   EXPECT_EQ(table.at(0, "status"), "reached");
@@ -63,7 +62,7 @@ void expect_replay(const suite::Study& study) {
   const auto table = table_of(study);
   ASSERT_GT(table.row_count(), 0U);
   for (std::size_t row = 0; row < table.row_count(); ++row) {
-    const auto* kernel = find_kernel<double>(table.at(row, "method"), judge::form_of(study.curve), 2);
+    const auto* kernel = find_kernel<double>(table.at(row, "method"), study.curve, 2);
     ASSERT_NE(kernel, nullptr);
     sample::Cell cell;
     cell.curve = study.curve;
@@ -71,7 +70,7 @@ void expect_replay(const suite::Study& study) {
     const auto trial =
         judge::parse_input({table.at(row, "t"), table.at(row, "coefficients"), table.at(row, "weights")}, cell);
     ASSERT_TRUE(trial);
-    judge::TrialInputs<double> inputs(judge::form_of(study.curve), cell);
+    judge::TrialInputs<double> inputs(study.curve, cell);
     inputs.assign(*trial);
     judge::PointJudge<double> judge;
     EXPECT_EQ(judge.judge(*kernel, inputs).error_u, value(table, row, "searched_error_u"));
@@ -81,7 +80,7 @@ void expect_replay(const suite::Study& study) {
 TEST(Search, RowsCanBeReplayed) {
   expect_replay(small_study());
   auto rational = small_study();
-  rational.curve = suite::CurveKind::rational;
+  rational.curve = Form::rational;
   rational.generator = {"weights_mild"};
   rational.methods = {"de_casteljau*", "wozny_chudy"};
   expect_replay(rational);
@@ -89,7 +88,7 @@ TEST(Search, RowsCanBeReplayed) {
 
 TEST(InputFields, AreReadBackOrRefused) {
   sample::Cell cell;
-  cell.curve = suite::CurveKind::rational;
+  cell.curve = Form::rational;
   cell.degree = 1;
   const sample::Trial trial{{1, 2, -3, 0.1}, 0.25, {0.5, 3}};
   const auto fields = judge::input_fields(trial, 2);
@@ -102,7 +101,7 @@ TEST(InputFields, AreReadBackOrRefused) {
   EXPECT_EQ(read->t, trial.t);
   for (const std::string weights : {"", "1", "1 2 3", "1 nan", "1 2 ", " 1 2", "1  2"})
     EXPECT_FALSE(judge::parse_input({fields[0], fields[1], weights}, cell)) << weights;
-  cell.curve = suite::CurveKind::bezier;
+  cell.curve = Form::bernstein;
   EXPECT_FALSE(judge::parse_input({fields[0], fields[1], fields[2]}, cell));
   EXPECT_TRUE(judge::parse_input({fields[0], fields[1], ""}, cell));
 }

@@ -84,7 +84,6 @@ class SubdivisionProblem {
   };
 
   static std::span<const Kernel> kernels(int dimension) { return split_kernels(dimension); }
-  static void check(const suite::Study& study) { check_subdivision(study); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 64; }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t methods) {
     const double n = part.cell.degree + 1.0;

@@ -10,10 +10,7 @@
 
 namespace bezierbench::studies {
 
-/// Throws Failure(usage) for curves in power form and for scalars but double.
-void check_subdivision(const suite::Study& study);
-
-/// Throws Failure(usage) also where no method takes curves of this form.
+/// Throws Failure(usage) for inputs that the kind does not take and where no method takes curves of this form.
 std::unique_ptr<run::Job> subdivision_job(const suite::Study& study, const run::JobContext& context);
 
 extern const race::TimedProblem timed_subdivision;

@@ -13,7 +13,7 @@ namespace {
 suite::Study small_study() {
   suite::Study study;
   study.id = "small";
-  study.kind = suite::Kind::subdivision;
+  study.keys = suite::SubdivisionKeys{};
   study.degree = {1, 5, 12};
   study.trials = 40;  // two blocks, the last one short
   study.replicates = 2;
@@ -22,7 +22,7 @@ suite::Study small_study() {
 
 suite::Study rational_study() {
   auto study = small_study();
-  study.curve = suite::CurveKind::rational;
+  study.curve = Form::rational;
   study.generator = {"weights_wild"};
   return study;
 }
@@ -58,7 +58,7 @@ TEST(SubdivisionStudy, BoundsAndPromisesHold) {
       EXPECT_EQ(csv.at(row, "points_off"), csv.at(row, "method") == "lerp_split" ? "" : "0") << csv.at(row, "method");
       EXPECT_GT(number_at(csv, row, "max_error_u"), 0);
       EXPECT_LE(number_at(csv, row, "mean_error_u"), number_at(csv, row, "max_error_u"));
-      EXPECT_EQ(csv.at(row, "max_weight_error_u").empty(), study.curve == suite::CurveKind::bezier);
+      EXPECT_EQ(csv.at(row, "max_weight_error_u").empty(), study.curve == Form::bernstein);
     }
   }
 }
@@ -89,7 +89,7 @@ TEST(SubdivisionStudy, HasNoBoundOutside) {
 
 TEST(SubdivisionStudy, RefusesWhatItCannotDo) {
   auto power = small_study();
-  power.curve = suite::CurveKind::polynomial;
+  power.curve = Form::power;
   EXPECT_THROW(subdivision_job(power, {1}), Failure);
   auto single = small_study();
   single.scalar = {suite::ScalarKind::float32};

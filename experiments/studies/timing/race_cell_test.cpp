@@ -20,10 +20,10 @@ using testing::ElementsAre;
 suite::Study timing_study() {
   suite::Study study;
   study.id = "s";
-  study.kind = suite::Kind::timing;
+  study.keys = suite::TimingKeys{};
+  suite::keys_of<suite::TimingKeys>(study).modes = {suite::Mode::point};
   study.degree = {3, 5, 10, 20};
   study.methods = {"horner_bernstein", "de_casteljau"};  // the roster has them the other way round
-  study.modes = {suite::Mode::point};
   return study;
 }
 
@@ -71,7 +71,7 @@ std::vector<std::string> column(const bundle::CsvDocument& document, std::string
 TEST(RaceCell, EveryScalarCellAndModeIsOne) {
   auto study = timing_study();
   study.scalar = {suite::ScalarKind::float64, suite::ScalarKind::float32};
-  study.modes = {suite::Mode::point, suite::Mode::batch, suite::Mode::latency};
+  suite::keys_of<suite::TimingKeys>(study).modes = {suite::Mode::point, suite::Mode::batch, suite::Mode::latency};
   study.dimension = {1, 2};
   EXPECT_EQ(timed_problem(study).race_cells(study).size(), 2U * 3 * 2 * 4);
 }
@@ -267,7 +267,7 @@ TEST(ComplexityRows, FitTheDegreesOfAStudyAgainstTheClaim) {
 TEST(ComplexityRows, OneShotIsChargedWithPreparing) {
   auto study = timing_study();
   study.methods = {"differences:horner"};
-  study.modes = {suite::Mode::point, suite::Mode::one_shot};
+  suite::keys_of<suite::TimingKeys>(study).modes = {suite::Mode::point, suite::Mode::one_shot};
   auto race_cells = timed_problem(study).race_cells(study);
   for (auto& race_cell : race_cells) race_cell.laps = {lap_of(race_cell.cell.degree), lap_of(1), lap_of(1)};
   const auto csv = complexity_csv(study, race_cells);

@@ -4,6 +4,7 @@
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
+#include "experiments/judge/study_inputs.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/timed_check.hpp"
 #include "experiments/race/timed_inputs.hpp"
@@ -36,15 +37,17 @@ race::JudgedRivals rivals(const race::RaceCell& race_cell, const suite::Study& s
 }  // namespace
 
 std::vector<race::RaceCell> race_cells_of_evaluation(const suite::Study& study) {
-  const auto case_values = judge::cases_of(study, {}, name(Problem::evaluation)).front();
+  judge::check_timed(study, Problem::evaluation);
   std::vector<race::RaceCell> race_cells;
   for (const auto scalar : study.scalar)
     for (const auto& cell : sample::cells(study))
-      for (const auto mode : study.modes)
+      for (const auto mode : suite::keys_of<suite::TimingKeys>(study).modes)
         race_cells.push_back(
-            {cell, scalar, mode,
+            {cell,
+             scalar,
+             mode,
              judge::with_scalar(scalar, [&]<class Scalar>(Scalar /*zero*/) { return methods_of<Scalar>(study, cell); }),
-             case_values});
+             {}});
   return race_cells;
 }
 

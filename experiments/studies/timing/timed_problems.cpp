@@ -7,7 +7,6 @@
 #include <array>
 #include <string>
 
-#include "experiments/failure.hpp"
 #include "experiments/judge/companions.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/studies/arc_length/arc_length.hpp"
@@ -18,6 +17,7 @@
 #include "experiments/studies/projection/projection.hpp"
 #include "experiments/studies/subdivision/subdivision.hpp"
 #include "experiments/studies/timing/timed_evaluation.hpp"
+#include "experiments/suite/fault.hpp"
 #include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::studies {
@@ -48,8 +48,8 @@ const race::TimedProblem& timed_problem(const suite::Study& study) {
   const auto* const found =
       std::ranges::find_if(roster, [problem](const auto* one) { return one->problem == problem; });
   if (found == roster.end())
-    throw Failure(Exit::usage, fmt::format("study \"{}\": methods for the problem {} are not timed; name others",
-                                           study.id, name(problem)));
+    suite::refuse(
+        study, {"methods", 0, {}, fmt::format("methods for the problem {} are not timed; name others", name(problem))});
   return **found;
 }
 

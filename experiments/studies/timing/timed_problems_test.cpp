@@ -24,38 +24,40 @@ namespace {
 
 using testing::ElementsAre;
 
+suite::TimingKeys& timing(suite::Study& study) { return suite::keys_of<suite::TimingKeys>(study); }
+
 suite::Study study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "race";
-  study.kind = suite::Kind::timing;
+  study.keys = suite::TimingKeys{};
   study.degree = {3};
   study.methods = std::move(methods);
-  study.modes = {suite::Mode::one_shot};
+  timing(study).modes = {suite::Mode::one_shot};
   return study;
 }
 
 suite::Study derivatives(std::vector<std::string> methods, std::vector<int> order = {2}) {
   auto study = study_of(std::move(methods));
-  study.order = std::move(order);
+  timing(study).order = std::move(order);
   return study;
 }
 
 suite::Study lengths(std::vector<std::string> methods, std::vector<double> tolerance = {1e-6}) {
   auto study = study_of(std::move(methods));
-  study.tolerance = std::move(tolerance);
+  timing(study).tolerance = std::move(tolerance);
   return study;
 }
 
 suite::Study splines(std::vector<std::string> methods, std::vector<int> points = {12}) {
   auto study = study_of(std::move(methods));
   study.degree = {};
-  study.points = std::move(points);
+  timing(study).points = std::move(points);
   return study;
 }
 
 suite::Study fits(std::vector<std::string> methods, std::vector<double> tolerance = {1e-2}) {
   auto study = lengths(std::move(methods), std::move(tolerance));
-  study.points = {10};
+  timing(study).points = {10};
   return study;
 }
 
@@ -141,7 +143,7 @@ TEST(TimedProblem, AnAnswerThatIsOffIsNotRight) {
   EXPECT_EQ(before_and_after<FittingProblem>(fits({"schneider"}), 0), caught);
   EXPECT_EQ(before_and_after<SubdivisionProblem>(study_of({"blossom_split"}), 3), caught);
   auto weighted = study_of({"two_sided_split"});
-  weighted.curve = suite::CurveKind::rational;
+  weighted.curve = Form::rational;
   weighted.generator = {"weights_mild"};
   EXPECT_EQ(before_and_after<SubdivisionProblem>(weighted, 2), caught) << "a weight";
 }
@@ -224,27 +226,27 @@ TEST(TimedProblem, RefusesWhatIsNotTimed) {
   for (const auto& good : one_of_each()) {
     EXPECT_NO_THROW(studies::timing_job(good, {1})) << good.methods[0];
     auto study = good;
-    toggle(study.tolerance, 1e-3);
+    toggle(timing(study).tolerance, 1e-3);
     refused(study);
     study = good;
-    toggle(study.order, 1);
+    toggle(timing(study).order, 1);
     refused(study);
     study = good;
-    toggle(study.points, 10);
+    toggle(timing(study).points, 10);
     refused(study);
     study = good;
     toggle(study.degree, 3);
     refused(study);
     if (good.methods[0] == "de_casteljau") continue;
     study = good;
-    study.modes = {suite::Mode::one_shot, suite::Mode::point};
+    timing(study).modes = {suite::Mode::one_shot, suite::Mode::point};
     refused(study);
     study = good;
     study.scalar = {suite::ScalarKind::float32};
     refused(study);
     study = good;
     const bool splits = timed_problem(good).problem == Problem::subdivision;
-    study.curve = splits ? suite::CurveKind::polynomial : suite::CurveKind::rational;
+    study.curve = splits ? Form::power : Form::rational;
     refused(study);
     study = good;
     study.methods.emplace_back("de_casteljau");

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "experiments/failure.hpp"
 #include "experiments/race/clock.hpp"
 #include "experiments/race/race_cell.hpp"
 #include "experiments/race/timed_inputs.hpp"
@@ -13,6 +12,7 @@
 #include "experiments/studies/timing/complexity_rows.hpp"
 #include "experiments/studies/timing/timed_problems.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
+#include "experiments/suite/fault.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::studies {
@@ -40,7 +40,8 @@ class TimingJob final : public run::JobOf<race::RaceCellLaps> {
     return 5e7 / race::repetitions_per_race * static_cast<double>(race_cells_[part].methods.size());
   }
   [[nodiscard]] run::Extent extent() const override {
-    run::Extent sum{race_cells_.size(), study_.modes.size(), 0, 0};  // a sentinel's row in each mode
+    run::Extent sum{race_cells_.size(), suite::keys_of<suite::TimingKeys>(study_).modes.size(), 0,
+                    0};  // a sentinel's row in each mode
     for (const auto& race_cell : race_cells_) {
       sum.rows += race_cell.methods.size();
       sum.evaluations += race_cell.methods.size() * race::timed_inputs_per_cell;
@@ -89,9 +90,9 @@ void TimingJob::require_racing_baseline() const {
            std::ranges::any_of(race_cell.methods, [&](const auto* info) { return info->id == named; });
   };
   if (!named.empty() && std::ranges::none_of(race_cells_, races))
-    throw Failure(Exit::usage, fmt::format("study \"{}\": baseline \"{}\" is not among its methods; add it to them or "
-                                           "leave it out",
-                                           study_.id, named));
+    suite::refuse(study_,
+                  {"baseline", 0, "methods",
+                   fmt::format("baseline \"{}\" is not among its methods; add it to them or leave it out", named)});
 }
 
 /// A repetition in which a sentinel drifted is run again. The attempt in which the sentinels were nearer to their

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/timing/timing_rows.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "experiments/metric/order_statistics.hpp"
@@ -104,7 +103,8 @@ void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCe
   const race::Pace fastest = race::fastest_pace(race_cells);
   for (const auto& race_cell : race_cells)
     if (!race_cell.laps.empty()) add_race_cell(tables, study, race_cell, fastest);
-  for (const auto mode : study.modes) add_sentinel(tables, study, race_cells, mode, fastest);
+  for (const auto mode : suite::keys_of<suite::TimingKeys>(study).modes)
+    add_sentinel(tables, study, race_cells, mode, fastest);
 }
 
 }  // namespace bezierbench::studies

@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "experiments/failure.hpp"
+#include "experiments/judge/companions.hpp"
+#include "experiments/judge/study_inputs.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/run/interruption.hpp"
@@ -49,16 +51,13 @@ template <StudiedProblem P>
 class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
  public:
   TrialJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
-    P::check(study_);
+    judge::check_inputs(study_);
     tolerances_ = judge::tolerances_of(study_, P::axes);
-    for (auto& part : judge::parts_of(study_, P::axes, P::problem)) {
+    for (auto& part : judge::parts_of(study_, P::axes)) {
       auto methods = judge::chosen_trial_kernels<P>(study_, part.cell.dimension);
       parts_.push_back({std::move(part), std::move(methods)});
     }
-    if (std::ranges::all_of(parts_, [](const Part& part) { return part.methods.empty(); }))
-      throw Failure(Exit::usage,
-                    fmt::format("study \"{}\": none of its methods takes curves in {} form; see `list methods`",
-                                study_.id, name(judge::form_of(study_.curve))));
+    judge::require_form(study_, std::ranges::any_of(parts_, [](const Part& part) { return !part.methods.empty(); }));
   }
 
   [[nodiscard]] std::size_t parts() const override { return parts_.size(); }

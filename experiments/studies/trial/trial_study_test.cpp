@@ -14,6 +14,7 @@
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/run/job_test.hpp"
+#include "experiments/suite/kinds.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -43,7 +44,7 @@ class CountedProblem {
  public:
   static constexpr Problem problem = Problem::arc_length;
   static constexpr judge::CaseAxes axes{.tolerance = true};
-  static constexpr std::string_view table = "counted";
+  static constexpr std::string_view table = "arc_length";  // one that the schema declares
   static constexpr std::int64_t block_trials = 4;
 
   using Kernel = ArcLengthKernel;
@@ -57,13 +58,12 @@ class CountedProblem {
   static constexpr std::array case_columns{judge::case_column::tolerance};
   static constexpr std::array columns{
       TrialColumn<Row>{"max_error", column::statistic<tables::largest, &Errors::error>},
-      TrialColumn<Row>{"off", column::count<&Errors::off>},
-      TrialColumn<Row>{"tolerances", column::count<&Errors::tolerances, &metric::Total::sum>},
+      TrialColumn<Row>{"broken_promises", column::count<&Errors::off>},
+      TrialColumn<Row>{"max_evaluations", column::count<&Errors::tolerances, &metric::Total::sum>},
   };
   static constexpr std::array failures{TrialFailure<Row>{"numbers", column::trials<&Errors::off>}};
 
   static std::span<const Kernel> kernels(int dimension) { return arc_length_kernels(dimension); }
-  static void check(const suite::Study& /*study*/) {}
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 3; }
   static double trial_nanoseconds(const judge::TrialPart& /*part*/, std::size_t methods) {
     return 10.0 * static_cast<double>(methods);
@@ -102,9 +102,8 @@ suite::Study small_study() {
   calls = {};
   suite::Study study;
   study.id = "counted";
-  study.kind = suite::Kind::arc_length;
+  study.keys = suite::ArcLengthKeys{{0.5, 0.125}};
   study.degree = {2, 5};
-  study.tolerance = {0.5, 0.125};
   study.methods = {"gauss_legendre_24", "adaptive_simpson38"};
   study.trials = 5;
   study.replicates = 2;  // three blocks, the last one short
@@ -134,13 +133,13 @@ TEST(TrialStudy, AsksEveryMethodAtEveryToleranceOfEachTrialOnce) {
 TEST(TrialStudy, HasARowForEachPartToleranceAndMethod) {
   const auto job = trial_job<CountedProblem>(small_study(), {1});
   run::run_all(*job);
-  const auto csv = bundle::parse_csv(run::text_of(*job).at("counted.csv"), "counted.csv");
+  const auto csv = bundle::parse_csv(run::text_of(*job).at("arc_length.csv"), "arc_length.csv");
   ASSERT_EQ(csv.row_count(), 2U * 2 * 2);
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "degree"), row < 4 ? "2" : "5");
     EXPECT_EQ(csv.at(row, "tolerance"), row % 4 < 2 ? "0.5" : "0.125");
     EXPECT_EQ(csv.at(row, "method"), row % 2 == 0 ? "adaptive_simpson38" : "gauss_legendre_24") << "in roster order";
-    EXPECT_EQ(csv.at(row, "tolerances"), row % 4 < 2 ? "40" : "10") << "ten trials";
+    EXPECT_EQ(csv.at(row, "max_evaluations"), row % 4 < 2 ? "40" : "10") << "ten trials";
     EXPECT_EQ(csv.at(row, "trials"), "10");
     EXPECT_EQ(csv.at(row, "status"), "ok");
     EXPECT_EQ(csv.at(row, "max_error"), "0");
@@ -156,7 +155,7 @@ TEST(TrialStudy, SaysWhatFailedAndWhereFirst) {
   study.trials = 20;
   study.replicates = 1;
   study.degree = {5};
-  study.tolerance = {0.5};
+  study.keys = suite::ArcLengthKeys{{0.5}};
   study.methods = {"gauss_legendre_24"};
   const auto job = trial_job<CountedProblem>(study, {1});
   for (std::size_t block = job->blocks(); block-- > 0;) job->add(0, job->run_block(block));  // the last block first
@@ -175,15 +174,15 @@ TEST(TrialStudy, LeavesOutWhatTheMethodsDoNotTake) {
   const auto job = trial_job<CountedProblem>(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(calls.drawn.empty());
-  const auto csv = bundle::parse_csv(run::text_of(*job).at("counted.csv"), "counted.csv");
+  const auto csv = bundle::parse_csv(run::text_of(*job).at("arc_length.csv"), "arc_length.csv");
   ASSERT_EQ(csv.row_count(), 4U);
   EXPECT_EQ(csv.at(0, "status"), "degree_unsupported");
-  EXPECT_EQ(csv.at(0, "off"), "");
+  EXPECT_EQ(csv.at(0, "broken_promises"), "");
 }
 
 TEST(TrialStudy, RefusesMethodsOfAnotherForm) {
   auto study = small_study();
-  study.curve = suite::CurveKind::polynomial;
+  study.curve = Form::power;
   EXPECT_THROW(trial_job<CountedProblem>(study, {1}), Failure);
 }
 
@@ -223,8 +222,10 @@ TEST(TrialStudy, EndsABlockAtTheTrialInWhichItIsInterrupted) {
 /// The race draws the same trials, and asks and judges them by the same functions.
 TEST(TrialStudy, ItsProblemIsTimedAsItStands) {
   auto study = small_study();
-  study.kind = suite::Kind::timing;
-  study.modes = {suite::Mode::one_shot};
+  suite::TimingKeys keys;
+  keys.tolerance = suite::tolerances_of(study);
+  keys.modes = {suite::Mode::one_shot};
+  study.keys = keys;
   constexpr auto timed = race::timed_companion<CountedProblem>();
   const auto race_cells = timed.race_cells(study);
   ASSERT_EQ(race_cells.size(), 2U * 2);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// A key of a [[study]] table: what it means and where its value is kept. Reader, overrides, writer, the descriptions
+// of the kinds and the JSON Schema go through it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::suite {
+
+/// Where a study keeps a value; its type says what may be written.
+using Slot = std::variant<KindKeys*, std::string*, Form*, std::int64_t*, std::vector<int>*, std::vector<double>*,
+                          std::vector<Interval>*, std::vector<std::string>*, std::vector<ScalarKind>*,
+                          std::vector<Mode>*, std::vector<Goal>*>;
+using Value =
+    std::variant<const KindKeys*, const std::string*, const Form*, const std::int64_t*, const std::vector<int>*,
+                 const std::vector<double>*, const std::vector<Interval>*, const std::vector<std::string>*,
+                 const std::vector<ScalarKind>*, const std::vector<Mode>*, const std::vector<Goal>*>;
+
+/// Whether the values of a key are swept: they tell the cells of a study apart, or what is asked in each cell.
+enum class Axis { none, of_cells, of_cases };
+
+struct Field {
+  std::string_view key;
+  std::string_view meaning;        ///< for people
+  std::string_view example;        ///< a value, as TOML
+  std::string_view left_out = {};  ///< what holds then, where the default has no value to be shown
+  bool needed = false;
+  Axis axis = Axis::none;
+  bool settable = true;         ///< with `--set key=v1,v2`
+  bool bare_if_single = false;  ///< a list of one value may be written without brackets
+  /// Of a study whose kind has the key; field() sets both.
+  Slot (*slot)(Study& study) = nullptr;
+  Value (*value)(const Study& study) = nullptr;
+};
+
+namespace field_detail {
+
+template <class Member, class Owner>
+Owner owner_of(Member Owner::*);
+
+template <auto Member, class Pointer, class Any>
+Pointer pointer_to(Any& study) {
+  using Owner = decltype(owner_of(Member));
+  if constexpr (std::is_same_v<Owner, Study>)
+    return &(study.*Member);
+  else
+    return &(keys_of<Owner>(study).*Member);
+}
+
+}  // namespace field_detail
+
+/// The field of a member of Study or of the keys of a kind.
+template <auto Member>
+constexpr Field field(Field described) {
+  described.slot = field_detail::pointer_to<Member, Slot, Study>;
+  described.value = field_detail::pointer_to<Member, Value, const Study>;
+  return described;
+}
+
+/// Whether the study says nothing for this key: no text, an empty list, a count of 0.
+bool is_empty(const Field& field, const Study& study);
+
+/// How many values are swept: those of an axis, 1 where there are none or the key is no axis.
+std::size_t sweep_length(const Field& field, const Study& study);
+
+/// The value as TOML; empty where is_empty.
+std::string to_text(const Field& field, const Study& study);
+
+}  // namespace bezierbench::suite

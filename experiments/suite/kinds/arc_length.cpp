@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/kinds/arc_length.hpp"
+
+#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kinds/key_checks.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+constexpr std::array own{
+    field<&ArcLengthKeys::tolerance>({.key = "tolerance",
+                                      .meaning = "tolerances that the methods are given, relative to the length",
+                                      .example = "[1e-3, 1e-6]",
+                                      .needed = true,
+                                      .axis = Axis::of_cases})};
+
+Finding check(const Study& study, const Vocabulary& /*known*/) {
+  return check_tolerances(keys_of<ArcLengthKeys>(study).tolerance);
+}
+
+}  // namespace
+
+const Kind& ArcLengthKeys::kind() {
+  static constexpr Kind kind{.id = "arc_length",
+                             .about = "errors of arc lengths, and whether tolerances are kept",
+                             .own = own,
+                             .methods_example = "[\"gauss_legendre_adaptive\"]",
+                             .inputs = {.forms = bernstein_form,
+                                        .forms_reason = "lengths are those of polynomial Bezier curves",
+                                        .double_only = true,
+                                        .parameters = Parameters::from_0_to_1,
+                                        .parameters_reason = "the part to be measured"},
+                             .companion = Problem::arc_length,
+                             .keys = default_keys<ArcLengthKeys>,
+                             .check = check};
+  return kind;
+}
+
+}  // namespace bezierbench::suite

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/kinds/conversion.hpp"
+
+#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kinds/key_checks.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+constexpr std::array own{field<&ConversionKeys::published>(
+    {.key = "published",
+     .meaning = "file of printed values in reference/published that the results are compared with",
+     .example = "\"report_tables.csv\"",
+     .left_out = "none",
+     .settable = false})};
+
+Finding check(const Study& study, const Vocabulary& known) {
+  return check_published(keys_of<ConversionKeys>(study).published, known);
+}
+
+}  // namespace
+
+const Kind& ConversionKeys::kind() {
+  static constexpr Kind kind{
+      .id = "conversion",
+      .about = "errors of the coefficients in another form",
+      .own = own,
+      .methods_example = "[\"factorial+positive_sum\"]",
+      .inputs = {.forms = polynomial_forms, .forms_reason = "conversions take polynomial curves", .double_only = true},
+      .chains = true,
+      .keys = default_keys<ConversionKeys>,
+      .check = check};
+  return kind;
+}
+
+}  // namespace bezierbench::suite

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/kinds/derivative.hpp"
+
+#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kinds/key_checks.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+constexpr std::array own{field<&DerivativeKeys::order>({.key = "order",
+                                                        .meaning = "orders of the derivatives, 0 to 1023",
+                                                        .example = "[1, 2]",
+                                                        .needed = true,
+                                                        .axis = Axis::of_cases})};
+
+Finding check(const Study& study, const Vocabulary& /*known*/) {
+  return check_orders(keys_of<DerivativeKeys>(study).order);
+}
+
+}  // namespace
+
+const Kind& DerivativeKeys::kind() {
+  static constexpr Kind kind{.id = "derivative",
+                             .about = "errors of derivatives at one parameter",
+                             .own = own,
+                             .methods_example = "[\"differences_horner\"]",
+                             .inputs = {.forms = polynomial_forms,
+                                        .forms_reason = "derivatives are those of polynomial curves",
+                                        .double_only = true},
+                             .companion = Problem::derivative,
+                             .keys = default_keys<DerivativeKeys>,
+                             .check = check};
+  return kind;
+}
+
+}  // namespace bezierbench::suite

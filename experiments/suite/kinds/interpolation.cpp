@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/kinds/interpolation.hpp"
+
+#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kinds/key_checks.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+constexpr std::array own{field<&InterpolationKeys::points>({.key = "points",
+                                                            .meaning = "numbers of data points, 2 to 1000000",
+                                                            .example = "[10, 100]",
+                                                            .needed = true,
+                                                            .axis = Axis::of_cases})};
+
+Finding check(const Study& study, const Vocabulary& /*known*/) {
+  return check_points(keys_of<InterpolationKeys>(study).points);
+}
+
+}  // namespace
+
+const Kind& InterpolationKeys::kind() {
+  static constexpr Kind kind{.id = "interpolation",
+                             .about = "errors of splines through random points",
+                             .own = own,
+                             .methods_example = "[\"c2_natural\"]",
+                             .inputs = {.forms = bernstein_form,
+                                        .forms_reason = "splines are of polynomial Bezier curves",
+                                        .double_only = true,
+                                        .degree = DegreeUse::not_a_key,
+                                        .degree_reason = "degree is that of the segments, 3",
+                                        .parameters = Parameters::whole,
+                                        .parameters_reason = "points are joined whole",
+                                        .independent_points = true},
+                             .companion = Problem::interpolation,
+                             .keys = default_keys<InterpolationKeys>,
+                             .check = check};
+  return kind;
+}
+
+}  // namespace bezierbench::suite

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/kinds/inverse_arc_length.hpp"
+
+#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kinds/key_checks.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+constexpr std::array own{field<&InverseArcLengthKeys::tolerance>(
+    {.key = "tolerance",
+     .meaning = "tolerances that the methods are given, relative to the length of the whole curve",
+     .example = "[1e-3, 1e-6]",
+     .needed = true,
+     .axis = Axis::of_cases})};
+
+Finding check(const Study& study, const Vocabulary& /*known*/) {
+  return check_tolerances(keys_of<InverseArcLengthKeys>(study).tolerance);
+}
+
+}  // namespace
+
+const Kind& InverseArcLengthKeys::kind() {
+  static constexpr Kind kind{.id = "inverse_arc_length",
+                             .about = "errors of the parameter at a length, and whether tolerances are kept",
+                             .own = own,
+                             .methods_example = "[\"bracketed_newton\"]",
+                             .inputs = {.forms = bernstein_form,
+                                        .forms_reason = "lengths are those of polynomial Bezier curves",
+                                        .double_only = true,
+                                        .parameters = Parameters::from_0_to_1,
+                                        .parameters_reason = "the share of the length at which t is sought"},
+                             .companion = Problem::inverse_arc_length,
+                             .keys = default_keys<InverseArcLengthKeys>,
+                             .check = check};
+  return kind;
+}
+
+}  // namespace bezierbench::suite

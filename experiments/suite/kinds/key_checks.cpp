@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/kinds/key_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/curve_view.hpp"
+#include "experiments/echo.hpp"
+#include "experiments/suite/nearest.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+constexpr int most_points = 1000000;
+
+}  // namespace
+
+Finding check_orders(const std::vector<int>& order) {
+  return each("order", order, [](int value) {
+    return value >= 0 && value <= max_degree ? "" : fmt::format("order must be 0 to {}", max_degree);
+  });
+}
+
+Finding check_points(const std::vector<int>& points) {
+  return each("points", points, [](int value) {
+    return value >= 2 && value <= most_points ? "" : fmt::format("points must be 2 to {}", most_points);
+  });
+}
+
+Finding check_tolerances(const std::vector<double>& tolerance) {
+  return each("tolerance", tolerance, [](double value) {
+    return std::string(std::isfinite(value) && value > 0 ? "" : "tolerance must be finite and above 0");
+  });
+}
+
+Finding check_published(const std::string& published, const Vocabulary& known) {
+  if (published.empty() || std::ranges::count(known.published_files, published) > 0) return std::nullopt;
+  return Fault{
+      "published",
+      0,
+      {},
+      fmt::format("unknown published \"{}\"{}", echo(published), suggestion(published, known.published_files))};
+}
+
+}  // namespace bezierbench::suite

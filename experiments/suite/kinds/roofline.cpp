@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/suite/kinds/roofline.hpp"
+
+#include "experiments/suite/goal.hpp"
+#include "experiments/suite/kinds.hpp"
+
+namespace bezierbench::suite {
+namespace {
+
+constexpr std::array own{field<&RooflineKeys::goals>(
+    {.key = "goals",
+     .meaning = "what is asked of batch kernels: of a method, a share of the peak or no_slower_than another method; "
+                "scalar, from_degree and to_degree say in which rows, needs_additions_beside on which processors",
+     .example = "[{ method = \"horner_bernstein_fma\", share = 0.6 }]",
+     .left_out = "none",
+     .settable = false})};
+
+Finding check(const Study& study, const Vocabulary& known) {
+  return each("goals", keys_of<RooflineKeys>(study).goals,
+              [&](const Goal& goal) { return goal_problem(goal, known.methods); });
+}
+
+}  // namespace
+
+const Kind& RooflineKeys::kind() {
+  static constexpr Kind kind{.id = "roofline",
+                             .about = "batch kernels against the peak of each instruction set",
+                             .own = own,
+                             .methods_example = "[\"horner_bernstein_fma\"]",
+                             .timed = true,
+                             .keys = default_keys<RooflineKeys>,
+                             .check = check};
+  return kind;
+}
+
+}  // namespace bezierbench::suite
