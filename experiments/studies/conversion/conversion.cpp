@@ -11,6 +11,7 @@
 
 #include "core/evaluate/kernel.hpp"
 #include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/study_inputs.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/cell.hpp"

@@ -36,7 +36,7 @@ struct DerivativeErrors {
 class DerivativeProblem {
  public:
   static constexpr Problem problem = Problem::derivative;
-  static constexpr judge::CaseAxes axes{.order = true};
+  static constexpr judge::CaseAxes axes{};
   static constexpr std::string_view table = "derivative";
   static constexpr std::int64_t block_trials = 512;
 

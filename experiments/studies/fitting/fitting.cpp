@@ -10,6 +10,7 @@
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/fitting/problem.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/suite/kinds.hpp"
 #include "reference/fit_distance.hpp"
 
 namespace bezierbench::studies {
@@ -69,7 +70,7 @@ bool FittingProblem::is_right(const Kernel& method, const Drawn& data, double to
 /// then what each method made of them.
 void FittingProblem::write_example(tables::Tables& tables, const suite::Study& study, std::uint64_t seed) {
   constexpr int plane = 2;
-  const auto parts = judge::parts_of(study, axes, problem);
+  const auto parts = judge::parts_of(study, axes);
   const auto first = std::ranges::find_if(parts, [](const auto& part) { return part.cell.dimension == plane; });
   if (first == parts.end()) return;
   const double tolerance = suite::tolerances_of(study).front();

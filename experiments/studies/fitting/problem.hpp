@@ -40,7 +40,7 @@ struct FitErrors {
 class FittingProblem {
  public:
   static constexpr Problem problem = Problem::fitting;
-  static constexpr judge::CaseAxes axes{.tolerance = true, .points = true, .data = true};
+  static constexpr judge::CaseAxes axes{.tolerance = true, .data = true};
   static constexpr std::string_view table = "fitting";
   static constexpr std::int64_t block_trials = 50;
 

@@ -23,7 +23,7 @@ namespace bezierbench::studies {
 class InterpolationProblem {
  public:
   static constexpr Problem problem = Problem::interpolation;
-  static constexpr judge::CaseAxes axes{.degree = false, .points = true};
+  static constexpr judge::CaseAxes axes{.degree = false};
   static constexpr std::string_view table = "interpolation";
   static constexpr std::int64_t block_trials = 32;
 
