@@ -3,7 +3,7 @@
 // one curve or each on a curve of its own.
 //
 // Every lane performs the IEEE operations of the scalar method in the same order, and has the same bits. Where the
-// result is NaN, only that it is NaN is the same, not its payload. Each target includes this in one translation unit,
+// result is NaN, only that it is NaN is the same, not its payload. Each target includes this in translation units
 // compiled for it; the namespace bears the target's name, so that no two targets share an inline function.
 #pragma once
 
