@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: MIT
-# bezierbench_folder(NAME [SUBFOLDERS] DEPENDS target...): the sources of this folder, and with SUBFOLDERS those of the
-# folders in it, become the library NAME, their *_test.cpp the test program NAME_test. Files are globbed
+# bezierbench_folder(NAME [SUBFOLDERS] [JOINED] DEPENDS target...): the sources of this folder, and with SUBFOLDERS those of
+# the folders in it, become the library NAME, their *_test.cpp the test program NAME_test. Files are globbed
 # so that adding a method or a study needs no second list.
+#
+# With JOINED GCC compiles up to eight sources as one translation unit, since most of a short one's time goes into what
+# it includes. Names in the unnamed namespaces of such a folder are different from each other. Clang compiles each source
+# by itself. Kernels and what times them are never joined: nothing of a caller may be inlined into them, or the reverse.
+option(BEZIERBENCH_JOINED "compile the short sources of a folder together (GCC)" ON)
 function(bezierbench_folder name)
-  cmake_parse_arguments(FOLDER "SUBFOLDERS" "" "DEPENDS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(FOLDER "SUBFOLDERS;JOINED" "" "DEPENDS;TEST_DEPENDS" ${ARGN})
   set(patterns *.cpp)
   if(FOLDER_SUBFOLDERS)
     list(APPEND patterns */*.cpp)
@@ -16,6 +21,9 @@ function(bezierbench_folder name)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC numerics ${FOLDER_DEPENDS})
     target_precompile_headers(${name} REUSE_FROM precompiled)
+    if(FOLDER_JOINED AND BEZIERBENCH_JOINED AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    endif()
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE numerics ${FOLDER_DEPENDS})

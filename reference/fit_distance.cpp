@@ -12,8 +12,6 @@
 namespace bezierbench::reference {
 namespace {
 
-bool less(const Rational& a, const Rational& b) { return sgn((a - b).numerator) < 0; }
-
 class Distances {
  public:
   Distances(int dimension, std::span<const double> points, std::span<const double> control_points)

@@ -108,8 +108,6 @@ Rational root_of(const Rational& b) {
   return {sqrt(integer), 1, drop};
 }
 
-bool less(const Rational& a, const Rational& b) { return sgn((a - b).numerator) < 0; }
-
 }  // namespace
 
 ExactProjection projection(const CurveView<double>& curve, std::span<const double> point) {

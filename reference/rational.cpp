@@ -76,6 +76,8 @@ Rational operator*(const Rational& a, const Rational& b) {
 
 Rational abs(const Rational& a) { return {::abs(a.numerator), a.denominator, a.exponent}; }
 
+bool less(const Rational& a, const Rational& b) { return sgn((a - b).numerator) < 0; }
+
 double round_to(const Format& format, const Rational& value) {
   const bool negative = value.numerator < 0;
   mpz_class integer = ::abs(value.numerator);

@@ -25,6 +25,9 @@ Rational operator-(const Rational& a, const Rational& b);
 Rational operator*(const Rational& a, const Rational& b);
 Rational abs(const Rational& a);
 
+/// Whether a < b.
+bool less(const Rational& a, const Rational& b);
+
 /// A floating-point format to round into.
 struct Format {
   int precision;          ///< significant bits

@@ -3,7 +3,7 @@
 // one curve or on a curve for each; experiments/metric/scale_lanes.cpp computes the scales of many trials.
 //
 // Every lane performs the IEEE operations of the scalar method in the same order, and has the same bits. The payload of
-// a NaN may differ. Each translation unit that includes this is compiled for one target; the namespace has the target's
+// a NaN may differ. Each target includes this in translation units compiled for it; the namespace has the target's
 // name, so that no two targets share an inline function.
 #pragma once
 

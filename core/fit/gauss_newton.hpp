@@ -145,12 +145,14 @@ struct GaussNewton {
     return {adjustment.cubic(now.handles), std::move(now.t), steps};
   }
 
-  template <int Dimension>
-  using Handles = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * Dimension, 1>;
+  /// Two handles in three dimensions. All dimensions have the same types, so that Eigen's solver is compiled once.
+  static constexpr int most_unknowns = 6;
+  using Handles = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
+  using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
 
   template <int Dimension>
   struct State {
-    Handles<Dimension> handles;
+    Handles handles;
     std::vector<double> t;
     double cost;
   };
@@ -166,7 +168,7 @@ struct GaussNewton {
     /// The best handles for these parameters; a third of the polyline's length where these are not positive.
     [[nodiscard]] State<Dimension> begin(Parameters t) const {
       const double third = section_.length / 3;
-      Handles<Dimension> handles(unknowns_);
+      Handles handles(unknowns_);
       for (int k = 0; k < unknowns_; ++k) {
         const bool start = k < of_start_;
         const auto& end = start ? section_.start : section_.end;
@@ -180,7 +182,7 @@ struct GaussNewton {
       return state;
     }
 
-    [[nodiscard]] Cubic<Dimension> cubic(const Handles<Dimension>& handles) const {
+    [[nodiscard]] Cubic<Dimension> cubic(const Handles& handles) const {
       const Point<double, Dimension> first = section_.points.col(0);
       const Point<double, Dimension> last = section_.points.col(section_.points.cols() - 1);
       return {first, first + handle(section_.start, handles, 0), last + handle(section_.end, handles, of_start_), last};
@@ -189,7 +191,7 @@ struct GaussNewton {
     /// One damped step; its cost is infinite where the length of a handle at a smooth joint would not be positive.
     [[nodiscard]] State<Dimension> step(const State<Dimension>& now, double damping) const {
       const auto curve = cubic(now.handles);
-      const Handles<Dimension> moves = change(now, damping, projection);
+      const Handles moves = change(now, damping, projection);
       State<Dimension> next{now.handles + moves, now.t, std::numeric_limits<double>::infinity()};
       if (!allowed(next.handles)) return next;
       for (std::size_t i = 1; i + 1 < next.t.size(); ++i) {
@@ -203,17 +205,16 @@ struct GaussNewton {
     }
 
    private:
-    using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2 * Dimension, 2 * Dimension>;
     using Jacobian = Eigen::Matrix<double, Dimension, Eigen::Dynamic, Dimension == 1 ? Eigen::RowMajor : 0, Dimension,
                                    2 * Dimension>;
     using Square = Eigen::Matrix<double, Dimension, Dimension>;
 
     /// The solution of the damped normal equations; `measured` gives the matrix that weighs the residuals.
     template <class Measured>
-    [[nodiscard]] Handles<Dimension> change(const State<Dimension>& now, double damping, Measured measured) const {
+    [[nodiscard]] Handles change(const State<Dimension>& now, double damping, Measured measured) const {
       const auto curve = cubic(now.handles);
       System normal = System::Zero(unknowns_, unknowns_);
-      Handles<Dimension> gradient = Handles<Dimension>::Zero(unknowns_);
+      Handles gradient = Handles::Zero(unknowns_);
       for (std::size_t i = 1; i + 1 < now.t.size(); ++i) {
         const auto at = offset_at<Dimension>(curve, point(i), now.t[i]);
         const auto jacobian = jacobian_at(now.t[i]);
@@ -230,8 +231,7 @@ struct GaussNewton {
       return section_.points.col(static_cast<Eigen::Index>(i));
     }
 
-    [[nodiscard]] Point<double, Dimension> handle(const End<Dimension>& end, const Handles<Dimension>& handles,
-                                                  int from) const {
+    [[nodiscard]] Point<double, Dimension> handle(const End<Dimension>& end, const Handles& handles, int from) const {
       if (end.bound) return handles[from] * end.direction;
       return handles.template segment<Dimension>(from);
     }
@@ -260,7 +260,7 @@ struct GaussNewton {
       return across;
     }
 
-    [[nodiscard]] bool allowed(const Handles<Dimension>& handles) const {
+    [[nodiscard]] bool allowed(const Handles& handles) const {
       constexpr double least = 0x1p-10;  // share of the length
       constexpr double most = 0x1p+10;
       for (int k = 0; k < unknowns_; ++k)

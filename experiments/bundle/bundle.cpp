@@ -41,11 +41,6 @@ void remove_entry(const fs::path& path) {
   if (error) fail(path, fmt::format("cannot be removed: {}; remove it and run again", error.message()));
 }
 
-bool is_there(const fs::path& path) {
-  std::error_code ignored;
-  return fs::exists(fs::symlink_status(path, ignored));
-}
-
 // blocks/ first: finish() of another process writes bundle.json before it removes blocks/.
 bool is_bundle(const fs::path& path) { return is_inner_folder(path / blocks_name) || is_there(path / manifest_name); }
 

@@ -21,6 +21,11 @@ bool is_inner_folder(const std::filesystem::path& path) {
   throw Failure(Exit::input_output, fmt::format("{}: is not a folder; remove it", path.string()));
 }
 
+bool is_there(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
+}
+
 Folder list_folder(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   Folder folder;

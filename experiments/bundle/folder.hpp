@@ -24,6 +24,9 @@ struct Folder {
 /// anything else, a link to a folder too: what a stranger's bundle says must not lead out of it.
 [[nodiscard]] bool is_inner_folder(const std::filesystem::path& path);
 
+/// Whether anything has this name, a link that leads nowhere included.
+[[nodiscard]] bool is_there(const std::filesystem::path& path);
+
 /// Lists `path`, not what is below. Throws Failure(Exit::input_output) where that cannot be done.
 [[nodiscard]] Folder list_folder(const std::filesystem::path& path);
 

@@ -71,7 +71,9 @@ Standing standing(const Side& side, const Pair& pair, const std::set<Inputs>& co
 }
 
 /// Bundles without a mean come last.
-double place(const Standing& one) { return one.timings > 0 ? one.mean_ratio : std::numeric_limits<double>::infinity(); }
+double mean_ratio_or_last(const Standing& one) {
+  return one.timings > 0 ? one.mean_ratio : std::numeric_limits<double>::infinity();
+}
 
 }  // namespace
 
@@ -84,11 +86,12 @@ std::vector<Standing> standings(const Side& base, const std::vector<Side>& other
   const auto common = common_timings(pairs);
   std::vector<Standing> all{first_standing(base, common)};
   for (std::size_t k = 0; k < others.size(); ++k) all.push_back(standing(others[k], pairs[k], common));
-  std::ranges::stable_sort(all, {}, place);
+  std::ranges::stable_sort(all, {}, mean_ratio_or_last);
   for (auto& one : all)
     if (one.timings > 0)
-      one.rank = 1 + static_cast<int>(
-                         std::ranges::count_if(all, [&](const Standing& rival) { return place(rival) < place(one); }));
+      one.rank = 1 + static_cast<int>(std::ranges::count_if(all, [&](const Standing& rival) {
+                   return mean_ratio_or_last(rival) < mean_ratio_or_last(one);
+                 }));
   return all;
 }
 

@@ -44,13 +44,13 @@ constexpr GoalKey goal_key(std::string_view key) {
   return {key, &read_member<Member>, &write_member<Member>};
 }
 
-constexpr std::array keys{goal_key<&Goal::method>("method"),
-                          goal_key<&Goal::share>("share"),
-                          goal_key<&Goal::no_slower_than>("no_slower_than"),
-                          goal_key<&Goal::scalar>("scalar"),
-                          goal_key<&Goal::from_degree>("from_degree"),
-                          goal_key<&Goal::to_degree>("to_degree"),
-                          GoalKey{"needs_additions_beside", &read_flag, &write_flag}};
+constexpr std::array goal_keys{goal_key<&Goal::method>("method"),
+                               goal_key<&Goal::share>("share"),
+                               goal_key<&Goal::no_slower_than>("no_slower_than"),
+                               goal_key<&Goal::scalar>("scalar"),
+                               goal_key<&Goal::from_degree>("from_degree"),
+                               goal_key<&Goal::to_degree>("to_degree"),
+                               GoalKey{"needs_additions_beside", &read_flag, &write_flag}};
 
 }  // namespace
 
@@ -71,10 +71,10 @@ void read(const Source& source, const toml::node& node, Goal& out) {
   const toml::table* table = node.as_table();
   if (table == nullptr) fail_type(source, node, "a table such as { method = \"horner_fma\", share = 0.85 }");
   for (const auto& [key, value] : *table) {
-    const auto found = std::ranges::find(keys, std::string_view(key.str()), &GoalKey::key);
-    if (found == keys.end()) {
+    const auto found = std::ranges::find(goal_keys, std::string_view(key.str()), &GoalKey::key);
+    if (found == goal_keys.end()) {
       std::vector<std::string> allowed;
-      for (const auto& one : keys) allowed.emplace_back(one.key);
+      for (const auto& one : goal_keys) allowed.emplace_back(one.key);
       fail(source.name, key.source().begin,
            fmt::format("unknown key \"{}\"{}", key.str(), suggestion(key.str(), allowed)));
     }
@@ -84,7 +84,7 @@ void read(const Source& source, const toml::node& node, Goal& out) {
 
 std::string to_text(const Goal& goal) {
   std::string text;
-  for (const auto& key : keys)
+  for (const auto& key : goal_keys)
     if (const auto value = key.write(goal); !value.empty())
       text += fmt::format("{}{} = {}", text.empty() ? "{ " : ", ", key.key, value);
   return text + " }";

@@ -12,15 +12,6 @@
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
-namespace {
-
-bool is_there(const std::filesystem::path& path) {
-  std::error_code ignored;
-  return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
-}
-
-}  // namespace
-
 CheckedReader::CheckedReader(const std::filesystem::path& path, Damage damage)
     : path_(BundleDirectory::open(path).path()), damage_(damage) {
   if (is_there(path_ / sums_name))

@@ -19,7 +19,7 @@
 namespace bezierbench::cli {
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::vector<std::string> bundles;
   std::string format = "text";
   std::string fail_on;
@@ -101,7 +101,7 @@ Exit judge(const Compared& all, bool slower_fails) {
   return exit;
 }
 
-Exit run_compare(const Options& options) {
+Exit run_compare(const CompareOptions& options) {
   if (options.damaged && !options.out.empty())
     throw Failure(Exit::usage, "--damaged: not with --out, whose tables would not say so; leave one of them out");
   const Compared all = compared(options.bundles, damage_of(options.damaged));
@@ -119,7 +119,7 @@ Exit run_compare(const Options& options) {
 }  // namespace
 
 void add_compare(Command program, Exit& exit) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   auto command = program.command("compare", "machines, accuracy and times of bundles, against the first");
   command.option("bundles", options->bundles, "folders that run wrote; two or more").required();
   command.option("--format", options->format, "text or csv").one_of({"text", "csv"});

@@ -15,12 +15,12 @@
 namespace bezierbench::cli {
 namespace {
 
-struct Options {
+struct MergeOptions {
   std::vector<std::string> bundles;
   std::string out;
 };
 
-Exit merge(const Options& options) {
+Exit merge(const MergeOptions& options) {
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   const std::vector<std::filesystem::path> bundles(options.bundles.begin(), options.bundles.end());
   auto request = request_of_this_build();
@@ -36,7 +36,7 @@ Exit merge(const Options& options) {
 }  // namespace
 
 void add_merge(Command program, Exit& exit) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MergeOptions>();
   auto command = program.command("merge", "join the shards of a run");
   command.option("bundles", options->bundles, "folders that run --shard wrote").required();
   command.option("--out", options->out, "folder of the whole bundle").required();

@@ -24,7 +24,7 @@
 namespace bezierbench::cli {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::vector<std::string> suites;
   std::string out;
   int jobs = 0;
@@ -56,7 +56,7 @@ std::chrono::milliseconds pause(const std::string& text) {
   return std::chrono::milliseconds(std::llround(*seconds * milliseconds));
 }
 
-Exit run(const Options& options) {
+Exit run(const RunOptions& options) {
   const auto known = vocabulary();
   auto request = request_of_this_build();
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
@@ -82,7 +82,7 @@ Exit run(const Options& options) {
 }  // namespace
 
 void add_run(Command program, Exit& exit) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   auto command = program.command("run", "run suites into a bundle");
   command.option("suites", options->suites, "suite files (TOML)").required();
   command.option("--out", options->out, "folder of the bundle").required();

@@ -25,7 +25,7 @@
 namespace bezierbench::cli {
 namespace {
 
-struct Options {
+struct TrialsOptions {
   std::string bundle;
   std::string study;
   std::string method;
@@ -34,7 +34,7 @@ struct Options {
 };
 
 /// The study of a suite that the options select, with the values of `set`.
-suite::Overrides narrowing(const Options& options, std::vector<std::string> set) {
+suite::Overrides narrowing(const TrialsOptions& options, std::vector<std::string> set) {
   return {.seed = {}, .trials = {}, .set = std::move(set), .only = options.study, .only_option = "--study"};
 }
 
@@ -97,7 +97,7 @@ const suite::Study& only_study(const std::vector<suite::Suite>& suites, const st
   return study;
 }
 
-Chosen chosen(const Options& options) {
+Chosen chosen(const TrialsOptions& options) {
   check_that_cells_are_set(options.set);
   bundle::CheckedReader reader(options.bundle, damage_of(options.damaged));
   const auto known = vocabulary();
@@ -172,7 +172,7 @@ void print_trials(const Chosen& from, const std::string& method) {
 }  // namespace
 
 void add_trials(Command program, Exit& exit) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TrialsOptions>();
   auto command = program.command("trials", "every trial of one cell of a bundle, as CSV");
   command.option("bundle", options->bundle, "folder of the bundle").required();
   command.option("--study", options->study, "its study, of kind accuracy").required();

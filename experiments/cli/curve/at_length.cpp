@@ -20,7 +20,7 @@ namespace {
 
 using reference::LongReal;
 
-struct Options {
+struct AtLengthOptions {
   CurveOptions curve;
   std::string length;
   std::string fraction;
@@ -28,7 +28,7 @@ struct Options {
   std::vector<std::string> methods;
 };
 
-double tolerance_of(const Options& options) {
+double tolerance_of(const AtLengthOptions& options) {
   const double tolerance = finite_option("--tolerance", options.tolerance);
   if (tolerance <= 0)
     throw Failure(Exit::usage, fmt::format("--tolerance {}: must be above 0; it is relative to the length of the curve",
@@ -37,7 +37,7 @@ double tolerance_of(const Options& options) {
 }
 
 /// The requested length, exactly. A value that is the rounded length of the whole curve stands for the whole curve.
-LongReal target_of(const Options& options, const LongReal& whole) {
+LongReal target_of(const AtLengthOptions& options, const LongReal& whole) {
   if (!options.fraction.empty()) {
     const double fraction = finite_option("--fraction", options.fraction);
     if (fraction < 0 || fraction > 1)
@@ -56,7 +56,7 @@ LongReal target_of(const Options& options, const LongReal& whole) {
 class Truth {
  public:
   /// Writes to standard error where they are not certain; the results of the methods are printed in any case.
-  Truth(const Options& options, const CurveView<double>& curve) {
+  Truth(const AtLengthOptions& options, const CurveView<double>& curve) {
     try {
       lengths_.emplace(curve);
       whole_ = lengths_->whole();
@@ -90,7 +90,7 @@ class Truth {
   LongReal whole_;
 };
 
-void find(const Options& options) {
+void find(const AtLengthOptions& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const double tolerance = tolerance_of(options);
   const auto methods =
@@ -117,7 +117,7 @@ void find(const Options& options) {
 }  // namespace
 
 void add_curve_at_length(Command curve) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AtLengthOptions>();
   auto command = curve.command("at-length", "the parameter at a length from the beginning of a curve");
   options->curve.add_to(command);
   auto target = command.alternatives("target", "where");

@@ -16,7 +16,7 @@
 namespace bezierbench::cli {
 namespace {
 
-struct Options {
+struct ConvertOptions {
   CurveOptions curve;
   std::vector<std::string> methods;
 };
@@ -37,7 +37,7 @@ void refuse_inner_conversion(const std::string& id, int dimension) {
 }
 
 /// A coefficient that overflows is an error, because the reader of curve files refuses numbers that are not finite.
-void require_finite(const CurveFile& converted, const Options& options) {
+void require_finite(const CurveFile& converted, const ConvertOptions& options) {
   for (int i = 0; i <= converted.degree(); ++i)
     for (int axis = 0; axis < converted.dimension; ++axis)
       if (!std::isfinite(converted.view()(axis, i)))
@@ -47,7 +47,7 @@ void require_finite(const CurveFile& converted, const Options& options) {
                                   options.curve.file, i, axis_name(axis), options.methods.front()));
 }
 
-void convert(const Options& options) {
+void convert(const ConvertOptions& options) {
   auto curve = read_curve(options.curve.file, options.curve.form_value());
   refuse_inner_conversion(options.methods.front(), curve.dimension);
   const auto methods =
@@ -62,7 +62,7 @@ void convert(const Options& options) {
 }  // namespace
 
 void add_curve_convert(Command curve) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertOptions>();
   auto command = curve.command("convert", "coefficients in the other form");
   options->curve.add_to(command);
   command.option("--method", options->methods, "conversion id").required().once();

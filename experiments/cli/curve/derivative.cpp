@@ -18,7 +18,7 @@
 namespace bezierbench::cli {
 namespace {
 
-struct Options {
+struct DerivativeOptions {
   CurveOptions curve;
   std::vector<std::string> t;
   int order = 0;
@@ -26,16 +26,17 @@ struct Options {
 };
 
 /// The true derivative at one t and the scales of its errors.
-struct Target {
+struct DerivativeTarget {
   double t;
   reference::ExactPoint truth;
   reference::ExactPoint p_tilde;
   std::vector<metric::DerivativeScale> scales;  ///< per axis
 };
 
-Target target_of(const CurveFile& curve, int order, double t) {
+DerivativeTarget target_of(const CurveFile& curve, int order, double t) {
   reference::ExactCurve exact;
-  Target target{t, exact.derivative(curve.view(), order, t), exact.derivative_p_tilde(curve.view(), order, t), {}};
+  DerivativeTarget target{
+      t, exact.derivative(curve.view(), order, t), exact.derivative_p_tilde(curve.view(), order, t), {}};
   target.scales.resize(static_cast<std::size_t>(curve.dimension));
   for (int axis = 0; axis < curve.dimension; ++axis) {
     std::vector<double> coefficients;
@@ -45,7 +46,7 @@ Target target_of(const CurveFile& curve, int order, double t) {
   return target;
 }
 
-void add_rows(const DerivativeKernel& method, const CurveFile& curve, int order, const Target& target,
+void add_rows(const DerivativeKernel& method, const CurveFile& curve, int order, const DerivativeTarget& target,
               bundle::CsvTable& table) {
   std::vector<double> point(static_cast<std::size_t>(curve.dimension));
   method.derivative(curve.view(), order, target.t, point.data());
@@ -63,7 +64,7 @@ void add_rows(const DerivativeKernel& method, const CurveFile& curve, int order,
   }
 }
 
-void differentiate(const Options& options) {
+void differentiate(const DerivativeOptions& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const auto methods = chosen(derivative_kernels(curve.dimension), options.methods, curve, ids_of(derivative_infos()));
   if (methods.empty())
@@ -71,7 +72,7 @@ void differentiate(const Options& options) {
                   fmt::format("{}: has weights (column w); derivatives are those of polynomial curves, leave "
                               "the column out",
                               options.curve.file));
-  std::vector<Target> targets;
+  std::vector<DerivativeTarget> targets;
   for (const auto& text : options.t) targets.push_back(target_of(curve, options.order, finite_option("--t", text)));
   bundle::CsvTable table(
       {"method", "t", "order", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"});
@@ -83,7 +84,7 @@ void differentiate(const Options& options) {
 }  // namespace
 
 void add_curve_derivative(Command curve) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DerivativeOptions>();
   auto command = curve.command("derivative", "a derivative of a curve");
   options->curve.add_to(command);
   command.option("--t", options->t, "parameter; may be repeated").required();

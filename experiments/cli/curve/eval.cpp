@@ -21,7 +21,7 @@
 namespace bezierbench::cli {
 namespace {
 
-struct Options {
+struct EvalOptions {
   CurveOptions curve;
   std::vector<std::string> t;
   std::vector<std::string> methods;
@@ -39,7 +39,7 @@ std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis
   return bound_field(scale.bound(*info.bound, metric::double_arithmetic, length), p_tilde);
 }
 
-void evaluate(const Options& options) {
+void evaluate(const EvalOptions& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const auto methods = chosen(judge::methods<double>(curve.dimension), options.methods, curve, vocabulary().methods);
   std::vector<double> ts;
@@ -78,7 +78,7 @@ void evaluate(const Options& options) {
 }  // namespace
 
 void add_curve_eval(Command curve) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EvalOptions>();
   auto command = curve.command("eval", "points of a curve");
   options->curve.add_to(command);
   command.option("--t", options->t, "parameter; may be repeated").required();

@@ -20,7 +20,7 @@ namespace {
 /// The default: on most data it needs fewer segments than Schneider's fit, and it recovers a cubic from points of it.
 constexpr std::string_view default_method = "gauss_newton";
 
-struct Options {
+struct FitOptions {
   std::string points;
   std::string tolerance;
   std::string method = std::string(default_method);
@@ -34,7 +34,7 @@ const FittingKernel& chosen_kernel(const std::string& id, int dimension) {
   return *found;
 }
 
-void fit(const Options& options) {
+void fit(const FitOptions& options) {
   const double tolerance = finite_option("--tolerance", options.tolerance);
   if (tolerance < 0)
     throw Failure(Exit::usage, fmt::format("--tolerance {}: must be 0 or more; it is a distance, in the units of the "
@@ -55,7 +55,7 @@ void fit(const Options& options) {
 }  // namespace
 
 void add_curve_fit(Command curve) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FitOptions>();
   auto command = curve.command("fit", "a piecewise cubic near points");
   command.option("--points", options->points, "point file (CSV)").required();
   command.option("--tolerance", options->tolerance, "largest distance of a point from the curve, in its units")

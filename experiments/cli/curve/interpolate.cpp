@@ -15,7 +15,7 @@
 namespace bezierbench::cli {
 namespace {
 
-struct Options {
+struct InterpolateOptions {
   std::string points;
   std::string method;
 };
@@ -29,7 +29,7 @@ const InterpolationKernel& chosen_kernel(const std::string& id) {
   return *found;
 }
 
-void interpolate(const Options& options) {
+void interpolate(const InterpolateOptions& options) {
   const auto& kernel = chosen_kernel(options.method);
   const auto points = read_points(options.points, 2);
   const auto segments = kernel.interpolate(points.coordinates, points.dimension);
@@ -44,7 +44,7 @@ void interpolate(const Options& options) {
 }  // namespace
 
 void add_curve_interpolate(Command curve) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InterpolateOptions>();
   auto command = curve.command("interpolate", "the C2 natural cubic spline through points");
   command.option("--points", options->points, "point file (CSV)").required();
   command.option("--method", options->method,

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int exact_digits = 30;
 
-struct Options {
+struct LengthOptions {
   CurveOptions curve;
   std::string from = "0";
   std::string to = "1";
@@ -34,7 +34,7 @@ struct Task {
   double tolerance;
 };
 
-Task task_of(const Options& options) {
+Task task_of(const LengthOptions& options) {
   const Task task{finite_option("--from", options.from), finite_option("--to", options.to),
                   finite_option("--tolerance", options.tolerance)};
   if (task.from < 0 || task.to > 1 || task.from > task.to)
@@ -47,7 +47,7 @@ Task task_of(const Options& options) {
 }
 
 /// Empty where it is not certain, after a line on standard error; the results of the methods are printed in any case.
-std::optional<reference::TrueLength> true_length(const Options& options, const CurveView<double>& curve,
+std::optional<reference::TrueLength> true_length(const LengthOptions& options, const CurveView<double>& curve,
                                                  const Task& task) {
   try {
     return reference::TrueLength(curve, task.from, task.to);
@@ -57,7 +57,7 @@ std::optional<reference::TrueLength> true_length(const Options& options, const C
   }
 }
 
-void measure(const Options& options) {
+void measure(const LengthOptions& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const auto task = task_of(options);
   const auto kernels = judge::arc_length_methods(curve.dimension);
@@ -82,7 +82,7 @@ void measure(const Options& options) {
 }  // namespace
 
 void add_curve_length(Command curve) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LengthOptions>();
   auto command = curve.command("length", "the arc length of a curve or of a part of it");
   options->curve.add_to(command);
   command.option("--from", options->from, "parameter of the beginning; default: 0");

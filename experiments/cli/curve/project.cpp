@@ -16,7 +16,7 @@
 namespace bezierbench::cli {
 namespace {
 
-struct Options {
+struct ProjectOptions {
   CurveOptions curve;
   std::string point;
   std::vector<std::string> methods;
@@ -36,7 +36,7 @@ std::vector<double> point_option(const std::string& text, const CurveFile& curve
   return point;
 }
 
-void project(const Options& options) {
+void project(const ProjectOptions& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const auto point = point_option(options.point, curve, options.curve.file);
   const auto kernels = judge::projection_methods(curve.dimension);
@@ -63,7 +63,7 @@ void project(const Options& options) {
 }  // namespace
 
 void add_curve_project(Command curve) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ProjectOptions>();
   auto command = curve.command("project", "the point of a curve that is nearest to a point");
   options->curve.add_to(command);
   command.option("--point", options->point, "coordinates, separated by commas: X,Y or X,Y,Z").required();

@@ -21,7 +21,7 @@ namespace {
 
 using studies::Side;
 
-struct Options {
+struct SplitOptions {
   CurveOptions curve;
   std::string t;
   std::vector<std::string> methods;
@@ -42,8 +42,8 @@ struct Axis {
 };
 
 /// The true halves and the scales of their errors.
-struct Target {
-  Target(const CurveFile& curve, double parameter)
+struct SplitTarget {
+  SplitTarget(const CurveFile& curve, double parameter)
       : t(parameter),
         exact(reference::exact_split(curve.view(), parameter)),
         p_tilde(reference::split_p_tilde(curve.view(), parameter)) {
@@ -56,7 +56,7 @@ struct Target {
   std::deque<Axis> axes;
 };
 
-void require_points(const reference::ExactHalf& half, const Options& options) {
+void require_points(const reference::ExactHalf& half, const SplitOptions& options) {
   for (const auto& point : half.points)
     if (!point.exists())
       throw Failure(Exit::usage, fmt::format("--t {}: a control point of a half would have the weight zero, so {} "
@@ -73,7 +73,8 @@ std::vector<std::string> judged(double value, const reference::Rational& truth, 
   return fields;
 }
 
-void add_rows(const SplitKernel& method, const CurveFile& curve, const Target& target, bundle::CsvTable& table) {
+void add_split_rows(const SplitKernel& method, const CurveFile& curve, const SplitTarget& target,
+                    bundle::CsvTable& table) {
   std::vector<double> numbers;
   studies::compute_halves(method, curve.view(), target.t, numbers);
   const studies::ComputedHalves computed(curve.view(), std::move(numbers));
@@ -102,25 +103,25 @@ void add_rows(const SplitKernel& method, const CurveFile& curve, const Target& t
   }
 }
 
-void split(const Options& options) {
+void split(const SplitOptions& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const auto methods = chosen(split_kernels(curve.dimension), options.methods, curve, ids_of(split_infos()));
   if (methods.empty())
     throw Failure(
         Exit::usage,
         fmt::format("{}: is in power form, what is split has control points; see `curve convert`", options.curve.file));
-  const Target target(curve, finite_option("--t", options.t));
+  const SplitTarget target(curve, finite_option("--t", options.t));
   require_points(target.exact.left, options);
   require_points(target.exact.right, options);
   bundle::CsvTable table({"method", "half", "index", "axis", "value", "exact", "error", "error_u", "bound_u"});
-  for (const auto* method : methods) add_rows(*method, curve, target, table);
+  for (const auto* method : methods) add_split_rows(*method, curve, target, table);
   fmt::print("{}", table.text());
 }
 
 }  // namespace
 
 void add_curve_split(Command curve) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SplitOptions>();
   auto command = curve.command("split", "both halves of a curve");
   options->curve.add_to(command);
   command.option("--t", options->t, "where the curve is split").required();

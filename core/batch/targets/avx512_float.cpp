@@ -8,7 +8,5 @@ static_assert(HWY_TARGET == HWY_AVX3, "this file is compiled with the flags of i
 
 template <>
 constinit const TargetTable<float> Tables<float>::avx512 = HWY_NAMESPACE::table_of<float>(Unfused{}, Fused{});
-template <>
-constinit const TargetTable<double> Tables<double>::avx512 = HWY_NAMESPACE::table_of<double>(Unfused{}, Fused{});
 
 }  // namespace bezierbench::batch

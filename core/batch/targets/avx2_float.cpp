@@ -8,7 +8,5 @@ static_assert(HWY_TARGET == HWY_AVX2, "this file is compiled with the flags of i
 
 template <>
 constinit const TargetTable<float> Tables<float>::avx2 = HWY_NAMESPACE::table_of<float>(Unfused{}, Fused{});
-template <>
-constinit const TargetTable<double> Tables<double>::avx2 = HWY_NAMESPACE::table_of<double>(Unfused{}, Fused{});
 
 }  // namespace bezierbench::batch

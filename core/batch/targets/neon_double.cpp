@@ -7,8 +7,6 @@ namespace bezierbench::batch {
 static_assert(HWY_TARGET == HWY_NEON, "this file is compiled with the flags of its target");
 
 template <>
-constinit const TargetTable<float> Tables<float>::neon = HWY_NAMESPACE::table_of<float>(Unfused{}, Fused{});
-template <>
 constinit const TargetTable<double> Tables<double>::neon = HWY_NAMESPACE::table_of<double>(Unfused{}, Fused{});
 
 }  // namespace bezierbench::batch
