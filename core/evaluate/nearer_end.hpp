@@ -14,6 +14,9 @@ constexpr Scalar select(bool condition, const Scalar& first, const Scalar& secon
   return condition ? first : second;
 }
 
+/// True where a choice is the same in all lanes, the first one.
+constexpr bool every(bool condition) { return condition; }
+
 /// Coefficient i of an axis, counted from the start or from the other end.
 template <class Scalar, int Dimension, int Degree>
 Scalar counted(bool from_start, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, int axis, int i) {
