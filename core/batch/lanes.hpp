@@ -22,6 +22,15 @@ struct LaneMask {
   hn::Mask<hn::ScalableTag<Scalar>> mask[Count];
 };
 
+/// True where a choice is the same in all lanes, the first one.
+template <class Scalar, int Count>
+HWY_INLINE bool every(const LaneMask<Scalar, Count>& choice) {
+  return [&]<int... K>(std::integer_sequence<int, K...> /*all*/) {
+    return (hn::AllTrue(hn::ScalableTag<Scalar>(), choice.mask[K]) && ...);
+  }
+  (std::make_integer_sequence<int, Count>());
+}
+
 /// One number for all lanes: a value that many curves share is computed once.
 template <class Scalar>
 class Same {
@@ -98,6 +107,18 @@ class Lanes {
   }
 
   friend HWY_INLINE Mask operator<=(const Lanes& a, const Lanes& b) { return less_equal(a, b, All()); }
+  /// `result`, but in lanes where it is NaN, which should be few, what `settle` says of their t.
+  template <class Settle>
+  friend HWY_INLINE Lanes or_else(const Lanes& result, const Lanes& t, const Settle& settle) {
+    if (every(result <= result)) return result;
+    Scalar results[size];
+    Scalar parameters[size];
+    result.store(results);
+    t.store(parameters);
+    for (std::size_t lane = 0; lane < size; ++lane)
+      if (!(results[lane] <= results[lane])) results[lane] = settle(parameters[lane]);
+    return load(results);
+  }
   friend HWY_INLINE Lanes select(const Mask& condition, const Lanes& first, const Lanes& second) {
     return each([&](int k) { return hn::IfThenElse(condition.mask[k], first.vector_[k], second.vector_[k]); });
   }

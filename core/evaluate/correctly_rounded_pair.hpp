@@ -86,9 +86,9 @@ void each_axis(const Of& of) {
 template <class Scalar, int Dimension>
 using Pairs = std::array<Expansion2<Scalar>, static_cast<std::size_t>(Dimension)>;
 
-/// Calls `of.template operator()<First, Count>()` for ranges of axes that go through Horner's scheme side by side: all of
-/// them, so that one's steps hide the other's latency, or one by one where the scalar is many numbers and has that from
-/// them, and needs the registers.
+/// Calls `of.template operator()<First, Count>()` for ranges of axes that go through Horner's scheme side by side: all
+/// of them, so that the steps of one hide the latency of another; or one by one where the scalar is many numbers, which
+/// hide it themselves and need the registers.
 template <class Scalar, int Dimension, class Of>
 void each_range_of_axes(const Of& of) {
   if constexpr (std::floating_point<Scalar>)
@@ -98,8 +98,8 @@ void each_range_of_axes(const Of& of) {
 }
 
 /// A step of Horner's scheme: value + error <- (value + error) r + c + correction, where r and c are numbers and the
-/// correction is of the order of the error. It is two_sum of c and the product, whose own error one fused operation adds
-/// to that of its part.
+/// correction is of the order of the error. It is two_sum of c and the product, whose own error one fused operation
+/// adds to that of its part.
 template <class Scalar>
 void horner_step(Scalar& value, Scalar& error, const Scalar& r, const Scalar& c, const Scalar& correction) {
   const Scalar next = value * r + c;
