@@ -20,7 +20,7 @@ constexpr std::string_view exact_baseline = "exact";
 
 template <class Scalar>
 JudgedMethods<Scalar>::JudgedMethods(const suite::Study& study, const sample::Cell& cell) : degree_(cell.degree) {
-  for (const auto* method : chosen_kernels<Scalar>(study, cell.dimension)) {
+  for (const auto* method : chosen_kernels<Scalar>(study, cell)) {
     methods_.emplace_back(*method);
     bounds_.emplace_back();
     if (!method->info->bound) continue;
@@ -36,6 +36,8 @@ JudgedMethods<Scalar>::JudgedMethods(const suite::Study& study, const sample::Ce
         throw Failure(Exit::usage,
                       fmt::format("study \"{}\": baseline \"{}\" does not take curves in {} form; see `list methods`",
                                   study.id, id, name(form_of(study.curve))));
+      if (!takes(*kernel->info, cell.t_interval))
+        throw Failure(Exit::usage, fmt::format("study \"{}\": baseline \"{}\" takes t in [0,1] only", study.id, id));
     }
     baselines_.emplace_back();
     if (kernel != nullptr) baselines_.back().emplace(*kernel);

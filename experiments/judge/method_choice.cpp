@@ -22,14 +22,27 @@ Form form_of(suite::CurveKind curve) {
   return Form::bernstein;
 }
 
+bool takes(const MethodInfo& info, const suite::Interval& t_interval) {
+  return !info.unit_interval_only || (t_interval.min >= 0 && t_interval.max <= 1);
+}
+
 template <class Scalar>
-std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, int dimension) {
+std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, const sample::Cell& cell) {
   const Form form = form_of(study.curve);
+  const int dimension = cell.dimension;
   for (const auto& pattern : study.methods) {
-    const bool applies = std::ranges::any_of(methods<Scalar>(dimension), [&](const auto& kernel) {
-      return kernel.info->form == form && suite::means(pattern, kernel.info->id);
-    });
-    if (!applies)
+    const MethodInfo* named = nullptr;
+    bool somewhere = false;
+    for (const auto& kernel : methods<Scalar>(dimension)) {
+      if (kernel.info->form != form || !suite::means(pattern, kernel.info->id)) continue;
+      named = kernel.info;
+      somewhere = somewhere || std::ranges::any_of(study.t_interval, [&](const auto& t) { return takes(*named, t); });
+    }
+    if (named != nullptr && !somewhere)
+      throw Failure(Exit::usage, fmt::format("study \"{}\": method \"{}\" takes t in [0,1] only; narrow t_interval or "
+                                             "leave it out",
+                                             study.id, pattern));
+    if (named == nullptr)
       throw Failure(Exit::usage,
                     fmt::format("study \"{}\": method \"{}\" does not take curves in {} form, {} with {} axes; see "
                                 "`list methods`",
@@ -38,7 +51,7 @@ std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, int
   std::vector<const Kernel<Scalar>*> chosen;
   const std::vector<std::string> all{"*"};
   for (const auto& kernel : methods<Scalar>(dimension)) {
-    if (kernel.info->form != form) continue;
+    if (kernel.info->form != form || !takes(*kernel.info, cell.t_interval)) continue;
     const bool named = std::ranges::any_of(study.methods.empty() ? all : study.methods,
                                            [&](const auto& pattern) { return suite::means(pattern, kernel.info->id); });
     if (named) chosen.push_back(&kernel);
@@ -46,7 +59,7 @@ std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, int
   return chosen;
 }
 
-template std::vector<const Kernel<float>*> chosen_kernels<float>(const suite::Study&, int);
-template std::vector<const Kernel<double>*> chosen_kernels<double>(const suite::Study&, int);
+template std::vector<const Kernel<float>*> chosen_kernels<float>(const suite::Study&, const sample::Cell&);
+template std::vector<const Kernel<double>*> chosen_kernels<double>(const suite::Study&, const sample::Cell&);
 
 }  // namespace bezierbench::judge

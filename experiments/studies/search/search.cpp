@@ -210,7 +210,7 @@ class SearchJob final : public run::JobOf<Outcome> {
  private:
   template <class Scalar>
   void add(std::uint64_t seed, const sample::Cell& cell) {
-    for (const auto* kernel : judge::chosen_kernels<Scalar>(study_, cell.dimension))
+    for (const auto* kernel : judge::chosen_kernels<Scalar>(study_, cell))
       if (kernel->info->bit_stable && kernel->info->template supports<Scalar>(cell.degree))
         searches_.push_back(std::make_unique<ScalarSearch<Scalar>>(study_, seed, cell, *kernel));
   }
