@@ -7,8 +7,8 @@
 // (power form), where all b_k or q_j were multiplied by one power of two that makes them integers. P S is taken as
 // P 2^e - P T, so that a step is a few passes over the limbs of P, however small t is.
 //
-// Size: numbers of double have at most 2098 bits between the largest and the smallest, t has e <= 1074, and the
-// binomials add n bits: at most 1075 n + 2100 bits.
+// Size: numbers of double are multiples of 2^-1074 and below 2^1024, t has e <= 1074, and the binomials add n bits: at
+// most 1075 n + 2100 bits.
 #pragma once
 
 namespace bezierbench {
