@@ -58,6 +58,7 @@ struct MethodInfo {
   int min_degree = 0;
   int max_degree = bezierbench::max_degree;        ///< in double
   int max_degree_float = bezierbench::max_degree;  ///< in float, whose range is smaller
+  bool unit_interval_only = false;                 ///< t outside [0,1] is outside its domain
   std::optional<ErrorBound> bound = std::nullopt;
   std::string_view promise = {};  ///< of a companion problem's method: the property that its results have, for people
   bool bit_stable = true;         ///< false where libm decides the last bits

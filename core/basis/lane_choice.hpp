@@ -15,6 +15,8 @@ constexpr Scalar select(bool condition, const Scalar& first, const Scalar& secon
 
 constexpr bool both(bool a, bool b) { return a && b; }
 constexpr bool either(bool a, bool b) { return a || b; }
+/// True where a choice is the first one in all lanes.
+constexpr bool all_of(bool condition) { return condition; }
 
 /// The value of a lane; a scalar is the only lane.
 constexpr double lane_of(double value, std::size_t /*lane*/) { return value; }

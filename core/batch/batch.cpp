@@ -31,7 +31,9 @@ struct Known {
 template <class Scalar, class Prepared>
 Parts<Scalar> parts_of(const void* prepared) {
   const auto& state = *static_cast<const Prepared*>(prepared);
-  if constexpr (requires { state.high; })
+  if constexpr (requires { state.rounding; })
+    return {state.scaled.degree(), state.scaled.data(), state.lost.data(), state.given.data(), state.rounding.data()};
+  else if constexpr (requires { state.high; })
     return {state.degree(), state.high.data(), state.low.data()};
   else if constexpr (requires { state.lost; })
     return {state.scaled.degree(), state.scaled.data(), state.lost.data()};

@@ -112,6 +112,7 @@ TEST(Batch, OffersWhatItPromises) {
                                             "horner_bernstein_fma",
                                             "volk_schumaker",
                                             "compensated_volk_schumaker",
+                                            "correctly_rounded",
                                             "horner",
                                             "horner_fma",
                                             "compensated_horner",

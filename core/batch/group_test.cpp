@@ -134,12 +134,14 @@ TEST_P(GroupTarget, HasThemAtHighDegrees) {
     expect_group_bits<double>(target(), dimension, max_degree, as_given);
 }
 
-/// What goes side by side on one curve does so on many, and so do all conversions but exact ones.
+/// What goes side by side on one curve does so on many, unless lanes come back to the curve, and so do all conversions
+/// but exact ones.
 TEST(Group, OffersWhatBatchesDo) {
   for (const auto& target : built_targets())
     for (const auto& kernel : kernels<double>(2)) {
       const auto found = find_group(target, kernel);
-      EXPECT_TRUE(found.evaluate || !find(target, kernel)) << target.name << " " << kernel.info->id;
+      const bool comes_back = kernel.evaluator->id == "correctly_rounded";
+      EXPECT_TRUE(found.evaluate || comes_back || !find(target, kernel)) << target.name << " " << kernel.info->id;
       EXPECT_TRUE(found.convert || kernel.conversion == nullptr || kernel.conversion->id.starts_with("exact"))
           << target.name << " " << kernel.info->id;
     }

@@ -4,6 +4,8 @@
 #pragma once
 
 #include "core/batch/lanes.hpp"
+#include "core/batch/target_table.hpp"
+#include "core/evaluate/correctly_rounded_pair.hpp"
 #include "core/evaluate/nearer_end.hpp"
 
 namespace bezierbench {
@@ -36,6 +38,30 @@ struct Curve<Form::power_double_double, batch::HWY_NAMESPACE::Lanes<S, Count>, D
 
   Part high;
   Part low;
+};
+
+/// What `correctly_rounded` prepares, for lanes; those that are left undecided are settled one by one.
+template <Form F, class S, int Count, int DimensionT>
+struct RoundedState<F, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, dynamic> {
+  using Coefficients = Curve<F, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, dynamic>;
+
+  HWY_INLINE explicit RoundedState(const batch::Parts<S>& parts)
+      : scaled(parts.first, parts.degree), lost(parts.second, parts.degree), rounding(parts.rounding), parts_(parts) {}
+
+  [[nodiscard]] HWY_INLINE AxisState<S> axis(int a) const {
+    const int n = parts_.degree;
+    return {{parts_.first + a, DimensionT, n},
+            {parts_.second + a, DimensionT, n},
+            {parts_.given + a, DimensionT, n},
+            rounding[a]};
+  }
+
+  Coefficients scaled;
+  Coefficients lost;
+  const AxisRounding<S>* rounding;
+
+ private:
+  const batch::Parts<S>& parts_;
 };
 
 namespace batch::HWY_NAMESPACE {

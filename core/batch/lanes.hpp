@@ -127,6 +127,18 @@ class Lanes {
 
   friend HWY_INLINE Mask operator<=(const Lanes& a, const Lanes& b) { return less_equal(a, b, All()); }
   friend HWY_INLINE Mask operator<(const Lanes& a, const Lanes& b) { return less(a, b, All()); }
+  /// `result`, but in lanes where it is NaN, which should be few, what `settle` says of their t.
+  template <class Settle>
+  friend HWY_INLINE Lanes or_else(const Lanes& result, const Lanes& t, const Settle& settle) {
+    if (all_of(result <= result)) return result;
+    Scalar results[size];
+    Scalar parameters[size];
+    result.store(results);
+    t.store(parameters);
+    for (std::size_t lane = 0; lane < size; ++lane)
+      if (!(results[lane] <= results[lane])) results[lane] = settle(parameters[lane]);
+    return load(results);
+  }
   friend HWY_INLINE Lanes select(const Mask& condition, const Lanes& first, const Lanes& second) {
     return each([&](int k) { return hn::IfThenElse(condition.mask[k], first.vector_[k], second.vector_[k]); });
   }

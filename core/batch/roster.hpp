@@ -11,6 +11,8 @@
 #include "core/convert/triangle.hpp"
 #include "core/evaluate/compensated_horner.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
+#include "core/evaluate/correctly_rounded.hpp"
+#include "core/evaluate/correctly_rounded_power.hpp"
 #include "core/evaluate/de_casteljau.hpp"
 #include "core/evaluate/de_casteljau_fma.hpp"
 #include "core/evaluate/de_casteljau_lerp.hpp"
@@ -69,13 +71,18 @@ using Unfused = TypeList<Triangle<DeCasteljau>,                          //
                          Entry<Horner, TheCurve<Form::power>, 1, 1>>;
 
 /// For targets that have a fused multiply-add in hardware: those that use it.
-using Fused = TypeList<Triangle<DeCasteljauFma>,                                         //
-                       UnrolledTriangle<DeCasteljauLerpFma>,                             //
-                       Entry<HornerBernsteinFma, HornerBernstein, 1, 1>,                 //
-                       Entry<CompensatedVolkSchumaker, CompensatedVolkSchumaker, 2, 6>,  //
-                       Entry<HornerFma, TheCurve<Form::power>, 1, 1>,                    //
-                       Entry<CompensatedHorner, TheCurve<Form::power>, 2, 3>,            //
-                       Entry<HornerDoubleDouble, TheCurve<Form::power_double_double>, 2, 3>>;
+using FusedAndGroups = TypeList<Triangle<DeCasteljauFma>,                                         //
+                                UnrolledTriangle<DeCasteljauLerpFma>,                             //
+                                Entry<HornerBernsteinFma, HornerBernstein, 1, 1>,                 //
+                                Entry<CompensatedVolkSchumaker, CompensatedVolkSchumaker, 2, 6>,  //
+                                Entry<HornerFma, TheCurve<Form::power>, 1, 1>,                    //
+                                Entry<CompensatedHorner, TheCurve<Form::power>, 2, 3>,            //
+                                Entry<HornerDoubleDouble, TheCurve<Form::power_double_double>, 2, 3>>;
+
+/// For one curve only: a lane that is left undecided comes back to the curve, which all lanes share.
+using FusedOnly = TypeList<Entry<CorrectlyRounded, CorrectlyRounded, 0, 6>,  //
+                           Entry<CorrectlyRoundedPower, CorrectlyRoundedPower, 0, 5>>;
+using Fused = typename Concatenated<FusedAndGroups, FusedOnly>::Type;
 
 /// For many curves only.
 using GroupOnly = TypeList<Direct, WangBall, PowerSum, HornerCentered, Estrin>;
@@ -93,7 +100,7 @@ struct EvaluatorsOf<TypeList<Entries...>> {
 
 /// The evaluators with kernels for many curves, those that are fused last.
 using UnfusedOfGroups = typename Concatenated<typename detail::EvaluatorsOf<Unfused>::Type, GroupOnly>::Type;
-using FusedOfGroups = typename detail::EvaluatorsOf<Fused>::Type;
+using FusedOfGroups = typename detail::EvaluatorsOf<FusedAndGroups>::Type;
 
 /// The conversions with kernels for many curves. The exact ones are integers.
 using ConversionsOfGroups =

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "core/batch/group_kernels.hpp"
@@ -15,7 +16,9 @@ namespace bezierbench::batch::HWY_NAMESPACE {
 
 template <class Prepared, class S>
 HWY_INLINE Prepared prepared_from(const Parts<S>& parts) {
-  if constexpr (requires { Prepared{parts.first, parts.degree}; })
+  if constexpr (std::is_constructible_v<Prepared, const Parts<S>&>)
+    return Prepared(parts);
+  else if constexpr (requires { Prepared{parts.first, parts.degree}; })
     return Prepared{parts.first, parts.degree};
   else if constexpr (requires { Prepared{{parts.first, parts.degree}, {parts.second, parts.degree}}; })
     return Prepared{{parts.first, parts.degree}, {parts.second, parts.degree}};

@@ -4,7 +4,12 @@
 
 #include <cstddef>
 
-namespace bezierbench::batch {
+namespace bezierbench {
+
+template <class Scalar>
+struct AxisRounding;
+
+namespace batch {
 
 inline constexpr int max_dimension = 3;
 
@@ -13,7 +18,9 @@ template <class Scalar>
 struct Parts {
   int degree;
   const Scalar* first;
-  const Scalar* second;  ///< null where there is one
+  const Scalar* second;                            ///< null where there is one
+  const Scalar* given = nullptr;                   ///< the curve itself, where single lanes come back to it
+  const AxisRounding<Scalar>* rounding = nullptr;  ///< by axis, of methods that round correctly
 };
 
 /// Writes coordinate `axis` of the point at t[k] to points[axis * count + k].
@@ -70,4 +77,5 @@ struct TargetTable {
   GroupTable<Scalar> group;
 };
 
-}  // namespace bezierbench::batch
+}  // namespace batch
+}  // namespace bezierbench

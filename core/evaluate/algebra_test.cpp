@@ -16,9 +16,18 @@ namespace mp = boost::multiprecision;
 using Rational = mp::number<mp::cpp_rational_backend, mp::et_off>;
 constexpr int degree = 6;
 
-/// Methods that cannot run on rationals: libm's pow, and conversions that are defined by rounding to double.
 template <class M>
-inline constexpr bool algebraic = M::info.bit_stable;
+inline constexpr bool rounds_correctly = false;
+template <>
+inline constexpr bool rounds_correctly<CorrectlyRounded> = true;
+template <>
+inline constexpr bool rounds_correctly<CorrectlyRoundedPower> = true;
+template <class C, class E>
+inline constexpr bool rounds_correctly<Via<C, E>> = rounds_correctly<E>;
+
+/// Methods that cannot run on rationals: libm's pow, and those that are defined by rounding to double.
+template <class M>
+inline constexpr bool algebraic = M::info.bit_stable && !rounds_correctly<M>;
 template <class E>
 inline constexpr bool algebraic<Via<ExactToPower, E>> = false;
 template <class E>

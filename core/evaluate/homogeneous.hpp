@@ -63,6 +63,7 @@ requires(Method::info.form == Form::bernstein) struct Homogeneous {
                                    .min_degree = Method::info.min_degree,
                                    .max_degree = Method::info.max_degree,
                                    .max_degree_float = Method::info.max_degree_float,
+                                   .unit_interval_only = Method::info.unit_interval_only,
                                    .bound = bound(),
                                    .bit_stable = Method::info.bit_stable,
                                    .one_minus_t = Method::info.one_minus_t,

@@ -9,6 +9,8 @@
 #include "core/evaluate/compensated_de_casteljau_k4.hpp"
 #include "core/evaluate/compensated_horner.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
+#include "core/evaluate/correctly_rounded.hpp"
+#include "core/evaluate/correctly_rounded_power.hpp"
 #include "core/evaluate/de_casteljau.hpp"
 #include "core/evaluate/de_casteljau_farin.hpp"
 #include "core/evaluate/de_casteljau_fma.hpp"
@@ -49,6 +51,7 @@ using Evaluators = TypeList<Direct,                             //
                             HornerBernsteinFma,                 //
                             VolkSchumaker,                      //
                             CompensatedVolkSchumaker,           //
+                            CorrectlyRounded,                   //
                             WoznyChudy,                         //
                             WoznyChudyPositive,                 //
                             BarycentricChebyshev,               //
@@ -59,6 +62,7 @@ using Evaluators = TypeList<Direct,                             //
                             HornerFma,                          //
                             CompensatedHorner,                  //
                             HornerDoubleDouble,                 //
+                            CorrectlyRoundedPower,              //
                             HornerCentered,                     //
                             Estrin,                             //
                             Homogeneous<Direct>,                //

@@ -23,10 +23,11 @@ bool supports(const Kernel<Scalar>& kernel, int degree) {
 
 const std::vector<double> parameters{0, 1, 0.5, 0.3, 0x1p-30, 1 - 0x1p-53, 0.9, -0.25, 1.5};
 
-/// Those at which every scheme for this form has a value: outside [0,1] sums of weights may vanish.
-std::vector<double> parameters_for(Form form) {
+/// Those at which the method has a value: outside [0,1] sums of weights may vanish, and some methods end there.
+std::vector<double> parameters_for(const MethodInfo& info) {
   auto ts = parameters;
-  if (form == Form::rational) std::erase_if(ts, [](double t) { return t < 0 || t > 1; });
+  if (info.form == Form::rational || info.unit_interval_only)
+    std::erase_if(ts, [](double t) { return t < 0 || t > 1; });
   return ts;
 }
 
@@ -217,7 +218,7 @@ TEST_P(Method, IsRightOnMildCurves) {
 double tolerance(int degree) { return 4 * 256 * 0x1p-53 * std::pow(3, degree); }
 
 TEST_P(Method, ReproducesConstants) {
-  const auto ts = parameters_for(kernel().info->form);
+  const auto ts = parameters_for(*kernel().info);
   const auto& method = kernel();
   for (const int degree : {0, 1, 3, 6}) {
     std::vector<double> coefficients(static_cast<std::size_t>(2 * degree) + 2, 0);
@@ -265,7 +266,7 @@ TEST_P(BernsteinMethod, ReversesWithItsControlPoints) {
 }
 
 TEST_P(StableMethod, ScalesWithPowersOfTwo) {
-  const auto ts = parameters_for(kernel().info->form);
+  const auto ts = parameters_for(*kernel().info);
   const auto& method = kernel();
   Inputs inputs(4);
   for (const int degree : {0, 1, 3, 8, 20}) {
@@ -279,7 +280,7 @@ TEST_P(StableMethod, ScalesWithPowersOfTwo) {
 }
 
 TEST_P(Method, TreatsAxesAlike) {
-  const auto ts = parameters_for(kernel().info->form);
+  const auto ts = parameters_for(*kernel().info);
   Inputs inputs(5);
   for (const int degree : {1, 4, 20}) {
     const auto coefficients = inputs.coefficients(degree, 3);
@@ -294,7 +295,7 @@ TEST_P(Method, TreatsAxesAlike) {
 }
 
 TEST_P(Method, BatchEqualsOneByOne) {
-  const auto ts = parameters_for(kernel().info->form);
+  const auto ts = parameters_for(*kernel().info);
   Inputs inputs(6);
   const auto coefficients = inputs.coefficients(9, 2);
   const auto curve = view(kernel().info->form, 2, 9, coefficients);

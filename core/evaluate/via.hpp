@@ -72,6 +72,7 @@ requires(Converter::target == Method::info.form) struct Via {
       .min_degree = std::max(Converter::info.min_degree, Method::info.min_degree),
       .max_degree = std::min(Converter::info.max_degree, Method::info.max_degree),
       .max_degree_float = std::min(Converter::info.max_degree_float, Method::info.max_degree_float),
+      .unit_interval_only = Method::info.unit_interval_only,
       .bound = bound(),
       .bit_stable = Converter::info.bit_stable && Method::info.bit_stable,
       .one_minus_t = Method::info.one_minus_t,

@@ -20,7 +20,7 @@ constexpr std::string_view exact_baseline = "exact";
 
 template <class Scalar>
 JudgedMethods<Scalar>::JudgedMethods(const suite::Study& study, const sample::Cell& cell) : degree_(cell.degree) {
-  for (const auto* method : chosen_kernels<Scalar>(study, cell.dimension)) {
+  for (const auto* method : chosen_kernels<Scalar>(study, cell)) {
     methods_.emplace_back(*method);
     bounds_.emplace_back();
     if (!method->info->bound) continue;
@@ -37,6 +37,8 @@ JudgedMethods<Scalar>::JudgedMethods(const suite::Study& study, const sample::Ce
         suite::refuse(study, {"baseline", k, "curve",
                               fmt::format("baseline \"{}\" does not take curves in {} form; see `list methods`", id,
                                           name(study.curve))});
+      if (!takes(*kernel->info, cell.t_interval))
+        suite::refuse(study, {"baseline", k, "t_interval", fmt::format("baseline \"{}\" takes t in [0,1] only", id)});
     }
     baselines_.emplace_back();
     if (kernel != nullptr) baselines_.back().emplace(*kernel);

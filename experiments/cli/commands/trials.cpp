@@ -124,9 +124,13 @@ template <class Scalar>
 const Kernel<Scalar>& chosen_kernel(const Chosen& from, const std::string& method) {
   suite::Study study = from.study;
   study.methods = {method};
-  const auto kernels = judge::chosen_kernels<Scalar>(study, from.cell.cell.dimension);
+  const auto kernels = judge::chosen_kernels<Scalar>(study, from.cell.cell);
   if (kernels.size() > 1)
     throw Failure(Exit::usage, fmt::format("--method {}: matches {} methods; name one", method, kernels.size()));
+  if (kernels.empty())
+    throw Failure(Exit::usage, fmt::format("--method {}: takes t in [0,1] only, the cell's t are in [{},{}]", method,
+                                           number::decimal(from.cell.cell.t_interval.min),
+                                           number::decimal(from.cell.cell.t_interval.max)));
   if (!kernels.front()->info->template supports<Scalar>(from.cell.cell.degree))
     throw Failure(Exit::usage, fmt::format("--method {}: does not take degree {}; see `list methods`", method,
                                            from.cell.cell.degree));

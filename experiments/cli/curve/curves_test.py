@@ -85,6 +85,17 @@ class Curves(Case):
         self.write("c.csv", "x\n" + "1\n" * 171)
         self.assertEqual(rows(self.fine(*evaluate, "--method", "direct"))[0]["exact"], "1")
 
+    def test_parameters_beyond_a_method(self):
+        evaluate = ["curve", "eval", "--curve", "c.csv", "--t", "0.5"]
+        for t in ("2", "-5e-324"):
+            self.refused(USAGE, evaluate + ["--t", t, "--method", "correctly_rounded"], "correctly_rounded", "[0,1]", t)
+            found = [row["method"] for row in rows(self.fine(*evaluate, "--t", t))]  # without --method: all that apply
+            self.assertIn("de_casteljau", found)
+            self.assertNotIn("correctly_rounded", found)
+        for form in ("bernstein", "power"):
+            found = rows(self.fine(*evaluate, "--t", "0", "--t", "1", "--form", form, "--method", "correctly_rounded"))
+            self.assertEqual([row["value"] for row in found], [row["exact"] for row in found])
+
     def test_output(self):
         text = self.fine("curve", "eval", "--curve", "c.csv", "--t", "-0.5", "0x1p-1", "--t", "1e-3", "--method",
                          "direct", "--method", "de_casteljau")

@@ -2,6 +2,7 @@
 // `curve eval`: points of one curve by any method, against the exact ones.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -39,11 +40,27 @@ std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis
   return bound_field(scale.bound(*info.bound, metric::double_arithmetic, length), p_tilde);
 }
 
+/// The methods as `chosen` says, those that have a point at every t. Throws Failure(usage) for a named one that has
+/// none.
+std::vector<const Kernel<double>*> chosen_for(const std::vector<double>& ts, const EvalOptions& options,
+                                              const CurveFile& curve) {
+  auto methods = chosen(judge::methods<double>(curve.dimension), options.methods, curve, vocabulary().methods);
+  const auto outside = std::ranges::find_if(ts, [](double t) { return t < 0 || t > 1; });
+  if (outside == ts.end()) return methods;
+  const auto ends_there = [](const auto* kernel) { return kernel->info->unit_interval_only; };
+  const auto ended = std::ranges::find_if(methods, ends_there);
+  if (!options.methods.empty() && ended != methods.end())
+    throw Failure(Exit::usage, fmt::format("--method {}: takes t in [0,1] only, --t is {}; see `list methods`",
+                                           (*ended)->info->id, number::decimal(*outside)));
+  std::erase_if(methods, ends_there);
+  return methods;
+}
+
 void evaluate(const EvalOptions& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
-  const auto methods = chosen(judge::methods<double>(curve.dimension), options.methods, curve, vocabulary().methods);
   std::vector<double> ts;
   for (const auto& text : options.t) ts.push_back(finite_option("--t", text));
+  const auto methods = chosen_for(ts, options, curve);
   std::vector<reference::ExactPoint> truths;
   std::vector<reference::ExactPoint> p_tildes;
   reference::ExactCurve exact;

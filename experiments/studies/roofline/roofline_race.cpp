@@ -18,7 +18,7 @@ template <class Scalar>
 std::vector<TargetRival> rivals_of(const suite::Study& study, const sample::Cell& cell) {
   std::vector<TargetRival> methods;
   const auto targets = batch::usable_targets();
-  for (const auto* kernel : judge::chosen_kernels<Scalar>(study, cell.dimension)) {
+  for (const auto* kernel : judge::chosen_kernels<Scalar>(study, cell)) {
     if (!kernel->info->template supports<Scalar>(cell.degree)) continue;
     const auto add = [&](Work work, const batch::Target* target) {
       methods.push_back({work, kernel->info, kernel->evaluator, target});

@@ -199,7 +199,7 @@ class SearchJob final : public run::JobOf<Outcome> {
   [[nodiscard]] std::int64_t budget() const { return suite::keys_of<suite::SearchKeys>(study_).budget; }
   template <class Scalar>
   void add(std::uint64_t seed, const sample::Cell& cell) {
-    for (const auto* kernel : judge::chosen_kernels<Scalar>(study_, cell.dimension))
+    for (const auto* kernel : judge::chosen_kernels<Scalar>(study_, cell))
       if (kernel->info->bit_stable && kernel->info->template supports<Scalar>(cell.degree))
         searches_.push_back(Search<Scalar>(study_, seed, cell, *kernel));
   }

@@ -15,7 +15,7 @@ namespace {
 template <class Scalar>
 std::vector<const MethodInfo*> methods_of(const suite::Study& study, const sample::Cell& cell) {
   std::vector<const MethodInfo*> methods;
-  for (const auto* kernel : judge::chosen_kernels<Scalar>(study, cell.dimension))
+  for (const auto* kernel : judge::chosen_kernels<Scalar>(study, cell))
     if (kernel->info->template supports<Scalar>(cell.degree)) methods.push_back(kernel->info);
   return methods;
 }

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Curves and t at which rounding once is hard: ties, numbers beside them, cancellation, underflow, overflow.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string_view>
+#include <vector>
+
+#include "core/curve_view.hpp"
+
+namespace bezierbench::rounded {
+
+/// Inputs that depend on the seed only.
+template <class Scalar>
+class Draw {
+ public:
+  using Limits = std::numeric_limits<Scalar>;
+  explicit Draw(std::uint64_t seed) : words_(seed) {}
+
+  std::uint64_t below(std::uint64_t count) { return words_() % count; }
+  int between(int first, int last) {
+    return first + static_cast<int>(below(static_cast<std::uint64_t>(last - first) + 1));
+  }
+  Scalar sign() { return below(2) == 0 ? Scalar(-1) : Scalar(1); }
+  Scalar unit() { return static_cast<Scalar>(std::ldexp(static_cast<double>(words_() >> 11U), -53)); }
+  Scalar symmetric() { return 2 * unit() - 1; }
+  /// An integer that takes all bits of a significand.
+  Scalar long_integer() { return std::ldexp(1 + unit(), Limits::digits - 1); }
+  /// Far below any bit that a pair could hold.
+  Scalar tiny() { return sign() * std::ldexp(Scalar(1), -between(Limits::digits, smallest_exponent)); }
+
+  static constexpr int smallest_exponent = Limits::digits - Limits::min_exponent;  // of the smallest subnormal, negated
+
+ private:
+  std::mt19937_64 words_;
+};
+
+template <class Scalar>
+struct HardCase {
+  std::vector<Scalar> coefficients;
+  Scalar t;
+};
+
+/// Integers of full length at a t of few bits: the value has few bits below those of the result.
+template <class Scalar>
+HardCase<Scalar> tie(Draw<Scalar>& draw, Form form) {
+  HardCase<Scalar> drawn{{}, static_cast<Scalar>(draw.between(1, 3)) / 4};
+  const int degree = draw.between(1, 3);
+  for (int i = 0; i <= degree; ++i)
+    drawn.coefficients.push_back(form == Form::power && i > 0 ? static_cast<Scalar>(draw.between(-8, 8))
+                                                              : draw.long_integer());
+  return drawn;
+}
+
+/// The same, but for a coefficient that is next to nothing.
+template <class Scalar>
+HardCase<Scalar> beside_a_tie(Draw<Scalar>& draw, Form form) {
+  auto drawn = tie(draw, form);
+  if (form == Form::power)
+    drawn.coefficients.push_back(draw.tiny());
+  else
+    drawn.coefficients[draw.below(drawn.coefficients.size())] = draw.tiny();
+  return drawn;
+}
+
+/// (2t - 1)^n, whose coefficients are integers in both forms, at and around its only root; its magnitudes sum to 1, or
+/// to 3^n in power form.
+template <class Scalar>
+HardCase<Scalar> root(Draw<Scalar>& draw, Form form) {
+  const int degree = draw.between(1, 12);
+  HardCase<Scalar> drawn{{}, Scalar(0.5)};
+  Scalar binomial = 1;
+  for (int i = 0; i <= degree; ++i) {
+    const Scalar sign = (degree - i) % 2 == 0 ? Scalar(1) : Scalar(-1);
+    drawn.coefficients.push_back(form == Form::power ? sign * std::ldexp(binomial, i) : sign);
+    binomial = binomial * static_cast<Scalar>(degree - i) / static_cast<Scalar>(i + 1);
+  }
+  if (draw.below(8) != 0)
+    drawn.t += std::ldexp(draw.symmetric(), -draw.between(2, std::numeric_limits<Scalar>::digits));
+  return drawn;
+}
+
+/// A polygon that is its own mirror image with the other sign: all of it cancels at t = 1/2. In power form a sum of
+/// pairs that cancel at t = 1.
+template <class Scalar>
+HardCase<Scalar> cancellation(Draw<Scalar>& draw, Form form) {
+  const int half = draw.between(1, 12);
+  HardCase<Scalar> drawn{{}, form == Form::power ? Scalar(1) : Scalar(0.5)};
+  for (int i = 0; i < half; ++i) drawn.coefficients.push_back(draw.symmetric());
+  for (int i = half - 1; i >= 0; --i) drawn.coefficients.push_back(-drawn.coefficients[static_cast<std::size_t>(i)]);
+  if (draw.below(2) == 0) drawn.coefficients[draw.below(drawn.coefficients.size())] += draw.tiny();
+  if (draw.below(2) == 0) drawn.t -= std::ldexp(draw.unit(), -draw.between(10, 60));
+  return drawn;
+}
+
+template <class Scalar, class Of>
+HardCase<Scalar> of_each(Draw<Scalar>& draw, const Of& of) {
+  HardCase<Scalar> drawn;
+  const int degree = draw.between(0, 20);
+  for (int i = 0; i <= degree; ++i) drawn.coefficients.push_back(of());
+  drawn.t = draw.unit();
+  return drawn;
+}
+
+template <class Scalar>
+HardCase<Scalar> subnormal_curve(Draw<Scalar>& draw, Form /*form*/) {
+  return of_each(draw, [&] {
+    return std::ldexp(draw.symmetric(), std::numeric_limits<Scalar>::min_exponent - draw.between(0, 40));
+  });
+}
+
+/// All exponents alike, and any t.
+template <class Scalar>
+HardCase<Scalar> every_magnitude(Draw<Scalar>& draw, Form /*form*/) {
+  using D = Draw<Scalar>;
+  auto drawn = of_each(draw, [&] {
+    return std::ldexp(draw.symmetric(), draw.between(-D::smallest_exponent, std::numeric_limits<Scalar>::max_exponent));
+  });
+  if (draw.below(2) == 0) drawn.t = std::ldexp(draw.unit(), -draw.between(0, D::smallest_exponent));
+  return drawn;
+}
+
+/// Subnormal, next to 0, next to 1.
+template <class Scalar>
+HardCase<Scalar> next_to_an_end(Draw<Scalar>& draw, Form /*form*/) {
+  using Limits = std::numeric_limits<Scalar>;
+  auto drawn = of_each(draw, [&] { return draw.symmetric(); });
+  switch (draw.below(4)) {
+    case 0: drawn.t = Limits::denorm_min() * static_cast<Scalar>(draw.between(0, 9)); break;
+    case 1: drawn.t = std::ldexp(draw.unit(), -draw.between(0, Draw<Scalar>::smallest_exponent)); break;
+    case 2: drawn.t = 1 - static_cast<Scalar>(draw.between(0, 9)) * Limits::epsilon() / 2; break;
+    default: drawn.t = 1 - std::ldexp(draw.unit(), -draw.between(0, Limits::digits)); break;
+  }
+  if (draw.below(2) == 0) drawn.coefficients[draw.below(2) == 0 ? 0 : drawn.coefficients.size() - 1] = draw.tiny();
+  return drawn;
+}
+
+/// In power form the result may be infinite, or the largest number.
+template <class Scalar>
+HardCase<Scalar> next_to_the_largest(Draw<Scalar>& draw, Form /*form*/) {
+  constexpr Scalar largest = std::numeric_limits<Scalar>::max();
+  auto drawn = of_each(draw, [&]() -> Scalar {
+    switch (draw.below(3)) {
+      case 0: return draw.sign() * largest;
+      case 1: return draw.sign() * largest * std::ldexp(Scalar(1), -draw.between(50, 60));
+      default: return draw.symmetric() * largest;
+    }
+  });
+  if (draw.below(2) == 0) drawn.t = 1;
+  return drawn;
+}
+
+/// One point many times, and the ends.
+template <class Scalar>
+HardCase<Scalar> constant(Draw<Scalar>& draw, Form /*form*/) {
+  const Scalar value = draw.below(4) == 0 ? Scalar(0) : draw.symmetric();
+  auto drawn = of_each(draw, [&] { return value; });
+  if (draw.below(3) == 0) drawn.t = static_cast<Scalar>(draw.below(2));
+  return drawn;
+}
+
+template <class Scalar>
+struct Family {
+  std::string_view name;
+  HardCase<Scalar> (*draw)(Draw<Scalar>& draw, Form form);
+};
+
+template <class Scalar>
+constexpr Family<Scalar> families[] = {{"exact ties", tie<Scalar>},
+                                       {"beside a tie", beside_a_tie<Scalar>},
+                                       {"root of high order", root<Scalar>},
+                                       {"full cancellation", cancellation<Scalar>},
+                                       {"subnormal curves", subnormal_curve<Scalar>},
+                                       {"every magnitude", every_magnitude<Scalar>},
+                                       {"t next to 0 and 1", next_to_an_end<Scalar>},
+                                       {"next to the largest", next_to_the_largest<Scalar>},
+                                       {"constants and ends", constant<Scalar>}};
+
+}  // namespace bezierbench::rounded

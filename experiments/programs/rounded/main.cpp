@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+// Is every result of `correctly_rounded` the number nearest to the exact value? Random points against the certified
+// reference, random points and hard cases against the integers of the reference; how often each stage was needed.
+// bezierbench_rounded [--random N] [--integers N] [--hard N] [--threads N] [--seed N]; exit 1 where one is misrounded.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/batch/batch.hpp"
+#include "core/evaluate/correctly_rounded.hpp"
+#include "core/evaluate/correctly_rounded_power.hpp"
+#include "core/evaluate/kernel_of.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/programs/rounded/hard_cases.hpp"
+#include "reference/certified_points.hpp"
+#include "reference/exact_curve.hpp"
+
+namespace {
+
+using namespace bezierbench;
+using rounded::Draw;
+
+constexpr int dimension = 2;
+constexpr int largest_degree = 40;
+
+struct Counts {
+  long points = 0;  ///< coordinates, to be exact
+  long misrounded = 0;
+  long by_pair = 0;
+  long by_p_tilde = 0;
+  long by_integers = 0;
+  long uncertain = 0;  ///< to the certified reference, which its integers settled
+
+  Counts& operator+=(const Counts& more) {
+    points += more.points;
+    misrounded += more.misrounded;
+    by_pair += more.by_pair;
+    by_p_tilde += more.by_p_tilde;
+    by_integers += more.by_integers;
+    uncertain += more.uncertain;
+    return *this;
+  }
+};
+
+template <class Scalar>
+constexpr reference::Format format = sizeof(Scalar) == sizeof(double) ? reference::binary64 : reference::binary32;
+
+/// Prints the first few of those that are wrong.
+template <class Scalar>
+void judge(Counts& counts, Scalar ours, double right, Form form, int degree, Scalar t) {
+  ++counts.points;
+  if (static_cast<double>(ours) == right) return;
+  if (++counts.misrounded <= 3)
+    fmt::print("MISROUNDED: {} form, degree {}, t {}: {} for {}\n", name(form), degree, number::hexadecimal(double{t}),
+               number::hexadecimal(double{ours}), number::hexadecimal(right));
+}
+
+template <class E, class Scalar, class State>
+void count_stage(Counts& counts, const State& prepared, Scalar t) {
+  constexpr int axes = State::Coefficients::dimension;
+  const auto pairs = E::template pairs<axes>(prepared, t);
+  for (int axis = 0; axis < axes; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    if (!std::isnan(decided<Scalar>(pairs[a], prepared.rounding[a])))
+      ++counts.by_pair;
+    else if (!std::isnan(settled_by_p_tilde(prepared.axis(axis), t, E::info.form)))
+      ++counts.by_p_tilde;
+    else
+      ++counts.by_integers;
+  }
+}
+
+/// Many t of one curve in the plane: points by the kernel that is timed and by those for many t, which must agree.
+template <class E>
+class RandomCurve {
+ public:
+  RandomCurve(Draw<double>& draw, std::size_t points)
+      : degree_(draw.between(0, largest_degree)),
+        prepared_(E::prepare(instantiate::load<E::info.form, dimension>(draw_curve(draw)))) {
+    for (std::size_t k = 0; k < points; ++k) t_.push_back(draw.unit());
+    ours_.resize(points * dimension);
+    const auto& kernel = *find_kernel<double>(E::info.id, E::info.form, dimension);
+    alignas(64) thread_local std::byte memory[sizeof(State)];
+    if (kernel.prepared_size > sizeof memory) throw std::logic_error("the kernel prepares another state");
+    kernel.prepare(view(), memory);
+    kernel.evaluate(memory, t_, ours_.data());
+    std::vector<double> by_axis(ours_.size());
+    for (const auto* target : batch::usable_targets()) {
+      batch::find(*target, kernel)(memory, t_, by_axis.data());
+      for (std::size_t k = 0; k < points; ++k)
+        for (std::size_t axis = 0; axis < dimension; ++axis)
+          if (by_axis[axis * points + k] != ours_[k * dimension + axis]) ++batch_differs_;
+    }
+  }
+
+  void against_certified(Counts& counts) {
+    reference::CertifiedPoints certified(E::info.form, dimension, degree_);
+    for (std::size_t first = 0; first < t_.size(); first += reference::certified_lanes) {
+      for (std::size_t lane = 0; lane < reference::certified_lanes; ++lane)
+        certified.load(lane, view(), t_[std::min(first + lane, t_.size() - 1)]);
+      certified.evaluate();
+      for (std::size_t lane = 0; lane < reference::certified_lanes && first + lane < t_.size(); ++lane)
+        judge_one(counts, first + lane, certified.point(lane));
+    }
+    finish(counts);
+  }
+  void against_integers(Counts& counts) {
+    for (std::size_t k = 0; k < t_.size(); ++k) judge_one(counts, k, std::nullopt);
+    finish(counts);
+  }
+
+ private:
+  using State = PreparedOf<E, double, dimension>;
+
+  CurveView<double> draw_curve(Draw<double>& draw) {
+    const int exponent = draw.between(-30, 30);
+    for (int i = 0; i < (degree_ + 1) * dimension; ++i) drawn_.push_back(std::ldexp(draw.symmetric(), exponent));
+    return view();
+  }
+  [[nodiscard]] CurveView<double> view() const { return {E::info.form, dimension, degree_, drawn_}; }
+
+  /// What the certified values leave open, or all where there are none, the integers say.
+  void judge_one(Counts& counts, std::size_t k, const std::optional<reference::CertifiedPoint>& certified) {
+    count_stage<E>(counts, prepared_, t_[k]);
+    for (int axis = 0; axis < dimension; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      const double ours = ours_[k * dimension + a];
+      if (certified) {
+        const double error = 2 * certified->error;  // twice: the next two operations round
+        const double upper = certified->high[a] + (certified->low[a] + error);
+        if (upper == certified->high[a] + (certified->low[a] - error)) {
+          judge(counts, ours, upper, E::info.form, degree_, t_[k]);
+          continue;
+        }
+      }
+      ++counts.uncertain;
+      const auto truth = exact_.point(view(), t_[k]).coordinate(axis);
+      const double right = reference::round_to(reference::binary64, truth);
+      judge(counts, ours, right, E::info.form, degree_, t_[k]);
+      const auto coordinate = prepared_.axis(axis).given;
+      const double integers =
+          E::info.form == Form::power ? rounded_power_sum(coordinate, t_[k]) : rounded_bernstein_sum(coordinate, t_[k]);
+      if (integers != right) ++counts.misrounded;
+    }
+  }
+  void finish(Counts& counts) const { counts.misrounded += batch_differs_; }
+
+  int degree_;
+  std::vector<double> drawn_;
+  std::vector<double> t_;
+  std::vector<double> ours_;
+  long batch_differs_ = 0;
+  State prepared_;
+  reference::ExactCurve exact_;
+};
+
+template <class E, class Scalar>
+void judge_hard_case(Counts& counts, const rounded::HardCase<Scalar>& hard, reference::ExactCurve& exact) {
+  const int degree = static_cast<int>(hard.coefficients.size()) - 1;
+  const CurveView<Scalar> given{E::info.form, 1, degree, hard.coefficients};
+  const auto prepared = E::prepare(instantiate::load<E::info.form, 1>(given));
+  count_stage<E>(counts, prepared, hard.t);
+  const std::vector<double> widened(hard.coefficients.begin(), hard.coefficients.end());
+  const auto truth = exact.point({E::info.form, 1, degree, widened}, double{hard.t}).coordinate(0);
+  judge(counts, E::evaluate(prepared, hard.t)[0], reference::round_to(format<Scalar>, truth), E::info.form, degree,
+        hard.t);
+}
+
+/// Deals numbered pieces of work to threads; the counts depend on the pieces only.
+Counts dealt(long pieces, unsigned threads, const std::function<Counts(long piece)>& work) {
+  Counts total;
+  std::mutex guard;
+  std::atomic<long> next = 0;
+  std::vector<std::jthread> workers;
+  for (unsigned k = 0; k < threads; ++k)
+    workers.emplace_back([&] {
+      for (long piece = next++; piece < pieces; piece = next++) {
+        const auto counts = work(piece);
+        const std::lock_guard lock(guard);
+        total += counts;
+      }
+    });
+  workers.clear();
+  return total;
+}
+
+bool report(std::string_view what, const Counts& counts) {
+  fmt::print("{:<42} {:>12} points  {:>4} misrounded   pair {:>12}   p~ {:>9}   integers {:>9}", what, counts.points,
+             counts.misrounded, counts.by_pair, counts.by_p_tilde, counts.by_integers);
+  fmt::print("{}\n", counts.uncertain > 0 ? fmt::format("   (reference: {} by integers)", counts.uncertain) : "");
+  std::fflush(stdout);
+  return counts.misrounded == 0;
+}
+
+struct Options {
+  std::map<std::string, long> values{{"--random", 1'000'000'000},
+                                     {"--integers", 10'000'000},
+                                     {"--hard", 100'000},
+                                     {"--threads", std::thread::hardware_concurrency()},
+                                     {"--seed", 1}};
+
+  /// False, with a line that says why, for what is no option.
+  bool read(int count, char** arguments) {
+    for (int k = 1; k < count; k += 2) {
+      const auto found = values.find(arguments[k]);
+      const auto value = k + 1 < count ? number::parse_number(arguments[k + 1]) : std::nullopt;
+      if (found == values.end() || !value || !(*value >= 0 && *value < 1e15)) {
+        fmt::print(stderr, "rounded: {}: takes --random, --integers, --hard, --threads or --seed and a number\n",
+                   arguments[k]);
+        return false;
+      }
+      found->second = static_cast<long>(*value);
+    }
+    return true;
+  }
+};
+
+template <class E>
+bool check_random(Options& options, bool certified) {
+  constexpr long points_of_curve = 256;
+  constexpr long curves_of_piece = 16;
+  const auto seed = static_cast<std::uint64_t>(options.values["--seed"]);
+  const long all = options.values[certified ? "--random" : "--integers"] / 2;  // half of them in each form
+  const auto pieces =
+      (all + points_of_curve * curves_of_piece * dimension - 1) / (points_of_curve * curves_of_piece * dimension);
+  const auto counts = dealt(pieces, static_cast<unsigned>(options.values["--threads"]), [&](long piece) {
+    Draw<double> draw((seed << 40U) + (certified ? 0 : 1ULL << 39U) + static_cast<std::uint64_t>(piece));
+    Counts of_piece;
+    for (long k = 0; k < curves_of_piece; ++k) {
+      RandomCurve<E> curve(draw, points_of_curve);
+      certified ? curve.against_certified(of_piece) : curve.against_integers(of_piece);
+    }
+    return of_piece;
+  });
+  return report(fmt::format("{}: random, against {}", name(E::info.form), certified ? "certified" : "integers"),
+                counts);
+}
+
+template <class E, class Scalar>
+bool check_hard(Options& options) {
+  constexpr long cases_of_piece = 1000;
+  const auto seed = static_cast<std::uint64_t>(options.values["--seed"]);
+  const long pieces = (options.values["--hard"] + cases_of_piece - 1) / cases_of_piece;
+  bool right = true;
+  for (const auto& family : rounded::families<Scalar>) {
+    const auto counts = dealt(pieces, static_cast<unsigned>(options.values["--threads"]), [&](long piece) {
+      Draw<Scalar> draw((seed << 40U) + static_cast<std::uint64_t>(piece));
+      reference::ExactCurve exact;
+      Counts of_piece;
+      for (long k = 0; k < cases_of_piece; ++k)
+        judge_hard_case<E, Scalar>(of_piece, family.draw(draw, E::info.form), exact);
+      return of_piece;
+    });
+    const auto what =
+        fmt::format("{}, {}: {}", name(E::info.form), sizeof(Scalar) == 8 ? "double" : "float", family.name);
+    right = report(what, counts) && right;
+  }
+  return right;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  Options options;
+  if (!options.read(count, arguments)) return 2;
+  bool right = true;
+  for (const bool certified : {true, false}) {
+    right = check_random<CorrectlyRounded>(options, certified) && right;
+    right = check_random<CorrectlyRoundedPower>(options, certified) && right;
+  }
+  right = check_hard<CorrectlyRounded, double>(options) && right;
+  right = check_hard<CorrectlyRoundedPower, double>(options) && right;
+  right = check_hard<CorrectlyRounded, float>(options) && right;
+  right = check_hard<CorrectlyRoundedPower, float>(options) && right;
+  fmt::print("{}\n", right ? "no misrounding" : "MISROUNDED");
+  return right ? 0 : 1;
+}
