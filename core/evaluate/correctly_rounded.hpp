@@ -59,7 +59,7 @@ struct CorrectlyRounded {
       .bound = ErrorBound{.text = "u p~ on [0,1]",
                           .amplification = Amplification::p_tilde_bernstein,
                           .factor = [](int /*n*/, double /*u*/) { return 0.0; },
-                          .underflow = [](int /*n*/) { return 0.5; },
+                          .underflow = [](int /*n*/) { return 1.0; },  // eta, for eta/2 is no double
                           .underflow_scales_with_coefficients = false,
                           .unit_interval_only = true,
                           .result_roundings = 1},
