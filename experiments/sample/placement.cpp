@@ -10,12 +10,12 @@ namespace {
 
 using Vector = std::vector<double>;
 
-double& at(PlacedPoint& problem, int i, int axis) {
+double& at(ProjectionCase& problem, int i, int axis) {
   return problem.points[static_cast<std::size_t>(i * problem.dimension + axis)];
 }
 
 /// The point of the k-th hodograph at t, without the factors of the degree; rounding does not matter.
-Vector difference_at(const PlacedPoint& problem, int k, double t) {
+Vector difference_at(const ProjectionCase& problem, int k, double t) {
   auto b = problem;
   for (int last = b.degree; last > 0; --last)
     for (int i = 0; i < last; ++i)
@@ -33,12 +33,12 @@ double dot(const Vector& a, const Vector& b) {
   return sum;
 }
 
-void uniform(PlacedPoint& /*problem*/, double /*t*/) {}
+void uniform(ProjectionCase& /*problem*/, double /*t*/) {}
 
-void on_curve(PlacedPoint& problem, double t) { problem.point = difference_at(problem, 0, t); }
+void on_curve(ProjectionCase& problem, double t) { problem.point = difference_at(problem, 0, t); }
 
 /// A millionth of the way from the curve to the point that was drawn.
-void beside(PlacedPoint& problem, double t) {
+void beside(ProjectionCase& problem, double t) {
   const auto foot = difference_at(problem, 0, t);
   for (std::size_t axis = 0; axis < foot.size(); ++axis)
     problem.point[axis] = foot[axis] + 0x1p-20 * (problem.point[axis] - foot[axis]);
@@ -46,7 +46,7 @@ void beside(PlacedPoint& problem, double t) {
 
 /// C + N / kappa: with v = C' and a the part of C'' normal to v, that is C + a |v|^2 / |a|^2. Where the curve is
 /// straight, the drawn point stays.
-void centre(PlacedPoint& problem, double t) {
+void centre(ProjectionCase& problem, double t) {
   if (problem.degree < 2 || problem.dimension < 2) return;
   const double n = problem.degree;
   const auto foot = difference_at(problem, 0, t);
@@ -61,7 +61,7 @@ void centre(PlacedPoint& problem, double t) {
 
 /// C'(1/2) = 0, exactly, as long as (2^20) 2^n is: on a lattice of about 2^20 steps the first control point is moved to
 /// where sum C(n-1,j) (b_(j+1) - b_j) = 0. The point is placed at this cusp.
-void cusp(PlacedPoint& problem, double /*t*/) {
+void cusp(ProjectionCase& problem, double /*t*/) {
   double largest = 0;
   for (const double x : problem.points) largest = std::fmax(largest, std::abs(x));
   if (largest == 0 || problem.degree < 2) return on_curve(problem, 0.5);
@@ -80,7 +80,7 @@ void cusp(PlacedPoint& problem, double /*t*/) {
 }
 
 /// The second half mirrors the first at the plane x = 0, on which the point lies: nearest points come in pairs.
-void mirrored(PlacedPoint& problem, double /*t*/) {
+void mirrored(ProjectionCase& problem, double /*t*/) {
   const int n = problem.degree;
   for (int i = 0; 2 * i <= n; ++i)
     for (int axis = 0; axis < problem.dimension; ++axis)
@@ -91,7 +91,7 @@ void mirrored(PlacedPoint& problem, double /*t*/) {
 
 /// Control points at equal steps on a line: C'' = 0, and all leading coefficients of (C - P).C' vanish, except for the
 /// rounding of the steps.
-void line(PlacedPoint& problem, double /*t*/) {
+void line(ProjectionCase& problem, double /*t*/) {
   for (int i = 1; i < problem.degree; ++i)
     for (int axis = 0; axis < problem.dimension; ++axis) {
       const double from = at(problem, 0, axis);
@@ -110,7 +110,7 @@ constexpr std::array all{Placement{"uniform", "as a control point", uniform},
 
 }  // namespace
 
-double largest_coordinate(const PlacedPoint& problem) {
+double largest_coordinate(const ProjectionCase& problem) {
   double largest = 0;
   for (const auto* values : {&problem.points, &problem.point})
     for (const double x : *values) largest = std::max(largest, std::abs(x));
@@ -124,14 +124,14 @@ Cell with_point(Cell cell) {
   return cell;
 }
 
-PlacedPoint place(const Placement& placement, const Sampler& sampler, const Cell& cell, std::uint64_t trial) {
+ProjectionCase place(const Placement& placement, const Sampler& sampler, const Cell& cell, std::uint64_t trial) {
   Trial drawn;
   sampler.draw(trial, drawn);
   const auto d = static_cast<std::ptrdiff_t>(cell.dimension);
-  PlacedPoint problem{cell.dimension,
-                      cell.degree,
-                      {drawn.coefficients.begin(), drawn.coefficients.end() - d},
-                      {drawn.coefficients.end() - d, drawn.coefficients.end()}};
+  ProjectionCase problem{cell.dimension,
+                         cell.degree,
+                         {drawn.coefficients.begin(), drawn.coefficients.end() - d},
+                         {drawn.coefficients.end() - d, drawn.coefficients.end()}};
   placement.place(problem, drawn.t);
   return problem;
 }

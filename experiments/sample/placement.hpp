@@ -13,7 +13,7 @@
 namespace bezierbench::sample {
 
 /// A curve in Bernstein form and a point with as many coordinates.
-struct PlacedPoint {
+struct ProjectionCase {
   int dimension = 0;
   int degree = 0;
   std::vector<double> points;  ///< point by point
@@ -21,12 +21,12 @@ struct PlacedPoint {
 };
 
 /// The largest |coordinate| of control points and point.
-double largest_coordinate(const PlacedPoint& problem);
+double largest_coordinate(const ProjectionCase& problem);
 
 struct Placement {
   std::string_view id;
   std::string_view what;
-  void (*place)(PlacedPoint& problem, double t);
+  void (*place)(ProjectionCase& problem, double t);
 };
 
 /// All placements.
@@ -34,7 +34,7 @@ std::span<const Placement> placements();
 
 /// Trial number `trial` of the cell; the point is placed with respect to the parameter that is drawn with the curve.
 /// `sampler` draws the cell with one degree more (see with_point): its last control point is the drawn point.
-PlacedPoint place(const Placement& placement, const Sampler& sampler, const Cell& cell, std::uint64_t trial);
+ProjectionCase place(const Placement& placement, const Sampler& sampler, const Cell& cell, std::uint64_t trial);
 
 /// The cell whose curves have one more control point, which becomes the point.
 Cell with_point(Cell cell);

@@ -14,7 +14,7 @@ const Placement& find(std::string_view id) {
   return *std::ranges::find_if(placements(), [id](const Placement& one) { return one.id == id; });
 }
 
-PlacedPoint placed(std::string_view id, int degree, int dimension, std::uint64_t trial) {
+ProjectionCase placed(std::string_view id, int degree, int dimension, std::uint64_t trial) {
   Cell cell;
   cell.degree = degree;
   cell.dimension = dimension;
@@ -22,7 +22,7 @@ PlacedPoint placed(std::string_view id, int degree, int dimension, std::uint64_t
   return place(find(id), Sampler(1, "placement", with_point(cell)), cell, trial);
 }
 
-double x(const PlacedPoint& problem, int i, int axis) {
+double x(const ProjectionCase& problem, int i, int axis) {
   return problem.points[static_cast<std::size_t>(i * problem.dimension + axis)];
 }
 
@@ -61,7 +61,7 @@ TEST(Placement, MirrorsTheCurve) {
 
 /// At the centre of curvature (C - P).C' has a double root: with q = C - P, q.C' = 0 and |C'|^2 + q.C'' = 0.
 TEST(Placement, FindsTheCentreOfCurvature) {
-  PlacedPoint parabola{2, 2, {0, 0, 1, 0, 2, 2}, {9, 9}};  // (u, u^2 / 2), u = 2t: radius 1 at its vertex
+  ProjectionCase parabola{2, 2, {0, 0, 1, 0, 2, 2}, {9, 9}};  // (u, u^2 / 2), u = 2t: radius 1 at its vertex
   find("centre").place(parabola, 0);
   EXPECT_EQ(parabola.point, (std::vector<double>{0, 1}));
 }

@@ -45,7 +45,7 @@ class ProjectionProblem {
   using Errors = ProjectionErrors;
   using Row = TrialRow<Kernel, Errors>;
   struct Drawn {
-    sample::PlacedPoint placed;
+    sample::ProjectionCase placed;
     reference::ExactProjection exact;
   };
 

@@ -26,7 +26,7 @@ double t_error(double t, const reference::ExactProjection& exact) {
   return error;
 }
 
-CurveView<double> curve_of(const sample::PlacedPoint& placed) {
+CurveView<double> curve_of(const sample::ProjectionCase& placed) {
   return {Form::bernstein, placed.dimension, placed.degree, placed.points};
 }
 
