@@ -11,7 +11,7 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parent.parent))
 sys.dont_write_bytecode = True  # the source tree may be read-only
-from report.digests import Agreement  # noqa: E402
+from scripts.digests import Agreement  # noqa: E402
 
 if __name__ == "__main__":
     if len(sys.argv) != 3:

@@ -12,7 +12,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True  # the source tree may be read-only
-from report import digests, schema  # noqa: E402
+from report import schema
+from scripts import digests  # noqa: E402
 
 BASELINE = ROOT / "results/baseline"
 METHOD = {"accuracy.csv": "method", "worst.csv": "method", "scorecard.csv": "method", "conversion.csv": "conversion"}

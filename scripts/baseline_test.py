@@ -16,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True  # the source tree may be read-only
-from report.digests import Agreement  # noqa: E402
+from scripts.digests import Agreement  # noqa: E402
 
 STUDIES = ("2.2", "2.3.3-bezier", "truth-polynomial")
 

@@ -27,7 +27,7 @@ sys.dont_write_bytecode = True  # the source tree may be read-only
 from report.bundle import Bundle, Comparison, Folder  # noqa: E402
 from report.chapters import method_list  # noqa: E402
 from report.chapters.scorecard import VERDICTS, counts  # noqa: E402
-from report.digests import Agreement  # noqa: E402
+from scripts.digests import Agreement  # noqa: E402
 from report.wording import listing  # noqa: E402
 RESULTS = ROOT / "results"
 BASELINE = RESULTS / "baseline"

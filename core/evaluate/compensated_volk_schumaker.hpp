@@ -13,8 +13,11 @@
 //   there.
 #pragma once
 
+#include <functional>
+
 #include "core/basis/amplification.hpp"
 #include "core/basis/binomial.hpp"
+#include "core/basis/integer_power.hpp"
 #include "core/error_free.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
@@ -35,14 +38,8 @@ constexpr CorrectedPair operator*(const CorrectedPair& a, const CorrectedPair& b
 struct CompensatedVolkSchumaker {
   /// A power by squaring, base.error included: result.value + result.error = base^exponent but for second order.
   template <class Scalar>
-  static Expansion2<Scalar> power(Expansion2<Scalar> base, int exponent) {
-    Expansion2<Scalar> result{Scalar(1), Scalar(0)};
-    while (true) {
-      if (exponent % 2 != 0) result = product(result, base);
-      exponent /= 2;
-      if (exponent == 0) return result;
-      base = product(base, base);
-    }
+  static Expansion2<Scalar> power(const Expansion2<Scalar>& base, int exponent) {
+    return power_by_squaring<Expansion2<Scalar>>(base, exponent, {Scalar(1), Scalar(0)}, product<Scalar>);
   }
 
   template <class Scalar>
@@ -52,14 +49,8 @@ struct CompensatedVolkSchumaker {
   }
 
   /// The same power in the algebra of the bound.
-  static constexpr CorrectedPair power_bound(CorrectedPair base, int exponent) {
-    CorrectedPair result{0, 0};
-    while (true) {
-      if (exponent % 2 != 0) result = result * base;
-      exponent /= 2;
-      if (exponent == 0) return result;
-      base = base * base;
-    }
+  static constexpr CorrectedPair power_bound(const CorrectedPair& base, int exponent) {
+    return power_by_squaring<CorrectedPair>(base, exponent, {0, 0}, std::multiplies<>());
   }
 
   static constexpr double bound_factor(int n, double u) {

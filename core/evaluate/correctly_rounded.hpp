@@ -34,6 +34,7 @@
 #include <cstdint>
 
 #include "core/basis/binomial.hpp"
+#include "core/basis/integer_power.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
 #include "core/evaluate/correctly_rounded_pair.hpp"
 
@@ -59,7 +60,7 @@ struct CorrectlyRounded {
       .bound = ErrorBound{.text = "u p~ on [0,1]",
                           .amplification = Amplification::p_tilde_bernstein,
                           .factor = [](int /*n*/, double /*u*/) { return 0.0; },
-                          .underflow = [](int /*n*/) { return 1.0; },  // eta, for eta/2 is no double
+                          .underflow = [](int /*n*/) { return 0.5; },  // where the result is subnormal
                           .underflow_scales_with_coefficients = false,
                           .unit_interval_only = true,
                           .result_roundings = 1},
@@ -105,14 +106,8 @@ struct CorrectlyRounded {
   }
 
   template <class Scalar>
-  static Expansion2<Scalar> power(Expansion2<Scalar> base, int exponent) {
-    Expansion2<Scalar> result{Scalar(1), Scalar(0)};
-    while (true) {
-      if (exponent % 2 != 0) result = product(result, base);
-      exponent /= 2;
-      if (exponent == 0) return result;
-      base = product(base, base);
-    }
+  static Expansion2<Scalar> power(const Expansion2<Scalar>& base, int exponent) {
+    return power_by_squaring<Expansion2<Scalar>>(base, exponent, {Scalar(1), Scalar(0)}, product<Scalar>);
   }
 
   /// The numerator over the denominator, which may have an error part.

@@ -21,7 +21,7 @@ struct CaseValues {
   friend bool operator==(const CaseValues&, const CaseValues&) = default;
 };
 
-/// What a problem has besides the keys of its studies.
+/// The axes of a problem that follow from the problem, not from the keys of its studies.
 struct CaseAxes {
   bool degree = true;      ///< of curves; else the points are all that is given
   bool tolerance = false;  ///< a method is asked for one

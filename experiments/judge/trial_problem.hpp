@@ -18,8 +18,8 @@
 
 namespace bezierbench::judge {
 
-/// One cell and one case of what is asked in it: what one set of trials is drawn for. Never a tolerance, for a study
-/// asks every tolerance of the same trials.
+/// A cell and a case of it: what one set of trials is drawn for. The tolerance of `values` is empty, because a study
+/// asks the methods for each tolerance on the same trials.
 struct TrialPart {
   sample::Cell cell;
   CaseValues values;
@@ -47,17 +47,18 @@ concept TrialProblem = std::constructible_from<P, const suite::Study&, std::uint
   P::numbers(answer);
 };
 
-/// Of what joins points: cubic segments.
+/// The degree of the segments of splines and fits.
 inline constexpr int segment_degree = 3;
 
-/// What is asked of a method where no bound is proved, in u times the scale of the result: half of the digits.
+/// The largest error that counts as right where no bound is proved, in u times the scale of the result: half of the
+/// digits.
 inline constexpr double half_of_the_digits = 0x1p26;
 
-/// Every cell of the study with every case but the tolerances. Of a problem without degree the number of points takes
-/// its place among the axes, and the degree is that of the cubic segments.
+/// Every cell of the study with every case, tolerances left out. Where the curves have no degree, the number of points
+/// takes its place among the axes, and the cell has the degree of the segments.
 std::vector<TrialPart> parts_of(const suite::Study& study, CaseAxes axes);
 
-/// The tolerances that are asked of each trial: 0, once, for a problem without.
+/// The tolerances that methods are asked for on each trial; a single 0 where the problem has no tolerance.
 std::vector<double> tolerances_of(const suite::Study& study, const CaseAxes& axes);
 
 /// The kernels that the study names and that take its form of curve, in roster order.

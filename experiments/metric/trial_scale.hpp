@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -32,11 +33,11 @@ struct BoundAtDegree {
   BoundAtDegree(const ErrorBound& error_bound, int degree, const Arithmetic& arithmetic)
       : bound(error_bound),
         factor(error_bound.factor(degree, arithmetic.unit_roundoff)),
-        underflow(error_bound.underflow(degree)) {}
+        underflow(std::ceil(error_bound.underflow(degree))) {}
 
   ErrorBound bound;
   double factor;
-  double underflow;
+  double underflow;  ///< whole, for no fraction of the smallest subnormal is a double
 };
 
 /// What a proved bound says of one error.

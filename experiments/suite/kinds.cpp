@@ -8,6 +8,8 @@
 #include <string>
 #include <type_traits>
 
+#include "core/curve_view.hpp"
+
 namespace bezierbench::suite {
 namespace {
 
@@ -98,6 +100,8 @@ constexpr std::array shared{
                                         "accuracy and timing have exact only",
                              .example = "\"exact\"",
                              .bare_if_single = true})};
+
+static_assert(max_degree == 1023 && most_replicates == 1000000, "the meanings of degree and replicates state them");
 
 }  // namespace
 

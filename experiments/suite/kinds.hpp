@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -28,6 +29,8 @@ enum class DegreeUse {
 
 /// Which t_interval a study may have.
 enum class Parameters { any, from_0_to_1, whole };
+
+inline constexpr std::int64_t most_replicates = 1000000;  ///< of a cell, for each is kept
 
 /// The inputs that a kind of study takes of those that suites can describe.
 struct Inputs {

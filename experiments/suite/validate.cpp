@@ -22,8 +22,6 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::int64_t most_replicates = 1000000;
-
 bool contains(std::span<const std::string> ids, std::string_view id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }

@@ -44,7 +44,7 @@ struct MethodDigest {
 [[nodiscard]] std::vector<MethodDigest> digests_of(const std::filesystem::path& bundle, int version);
 [[nodiscard]] std::string digests_csv(const std::vector<MethodDigest>& digests);
 
-/// The other way round. Throws Failure(Exit::input_output) for a table without the columns or a wrong count of rows.
+/// The digests that a digests.csv states. Throws Failure(Exit::input_output) for a table without the columns or a wrong count of rows.
 [[nodiscard]] std::vector<MethodDigest> parse_digests(const CsvDocument& table);
 
 /// Says whether two bundles agree bit for bit: the SHA-256 of digests.csv. In schema version 1 that of the sha256sum

@@ -11,7 +11,8 @@ import sys
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[3]))
-from report import digests, schema  # noqa: E402
+from report import schema  # noqa: E402
+from scripts import digests  # noqa: E402
 
 # What a field, a value or a piece of a file may be replaced by.
 NASTY = [b"", b"nan", b"-inf", b"1e999", b"-1", b"0", b"9223372036854775808", b"18446744073709551616", b"1e308", b"0x1p-1074",

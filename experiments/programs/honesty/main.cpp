@@ -52,7 +52,8 @@ std::vector<double> points_of(const Kernel<double>& kernel, const race::Inputs<d
   return points;
 }
 
-/// A rival that runs its batch `count` times and counts it as `batches`: more of the same work on the same memory.
+/// A rival that does the work of `count` batches and reports the time of `batches`: more of the same work on the same
+/// memory.
 race::Rival rival_of(const Kernel<double>& kernel, suite::Mode mode, const race::Inputs<double>& inputs,
                      std::size_t count) {
   auto rival = race::kernel_rival(kernel, mode, inputs, points_of(kernel, inputs));

@@ -13,12 +13,7 @@ constexpr std::array own{
          .meaning = "so many trials of the first replicate of a cell have their error taken apart by its sources",
          .example = "100",
          .left_out = "0"}),
-    field<&AccuracyKeys::published>(
-        {.key = "published",
-         .meaning = "file of printed values in reference/published that the results are compared with",
-         .example = "\"report_tables.csv\"",
-         .left_out = "none",
-         .settable = false})};
+    field<&AccuracyKeys::published>(published_key)};
 
 Finding check(const Study& study, const Vocabulary& known) {
   const auto& keys = keys_of<AccuracyKeys>(study);

@@ -7,12 +7,8 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{
-    field<&ArcLengthKeys::tolerance>({.key = "tolerance",
-                                      .meaning = "tolerances that the methods are given, relative to the length",
-                                      .example = "[1e-3, 1e-6]",
-                                      .needed = true,
-                                      .axis = Axis::of_cases})};
+constexpr std::array own{field<&ArcLengthKeys::tolerance>(
+    tolerance_key("tolerances that the methods are given, relative to the length", "[1e-3, 1e-6]"))};
 
 Finding check(const Study& study, const Vocabulary& /*known*/) {
   return check_tolerances(keys_of<ArcLengthKeys>(study).tolerance);

@@ -7,12 +7,7 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&ConversionKeys::published>(
-    {.key = "published",
-     .meaning = "file of printed values in reference/published that the results are compared with",
-     .example = "\"report_tables.csv\"",
-     .left_out = "none",
-     .settable = false})};
+constexpr std::array own{field<&ConversionKeys::published>(published_key)};
 
 Finding check(const Study& study, const Vocabulary& known) {
   return check_published(keys_of<ConversionKeys>(study).published, known);

@@ -7,11 +7,7 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&DerivativeKeys::order>({.key = "order",
-                                                        .meaning = "orders of the derivatives, 0 to 1023",
-                                                        .example = "[1, 2]",
-                                                        .needed = true,
-                                                        .axis = Axis::of_cases})};
+constexpr std::array own{field<&DerivativeKeys::order>(order_key)};
 
 Finding check(const Study& study, const Vocabulary& /*known*/) {
   return check_orders(keys_of<DerivativeKeys>(study).order);

@@ -7,16 +7,9 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&FittingKeys::points>({.key = "points",
-                                                      .meaning = "numbers of data points, 2 to 1000000",
-                                                      .example = "[10, 100]",
-                                                      .needed = true,
-                                                      .axis = Axis::of_cases}),
-                         field<&FittingKeys::tolerance>({.key = "tolerance",
-                                                         .meaning = "distances from the data that a fit may have",
-                                                         .example = "[1e-2, 1e-4]",
-                                                         .needed = true,
-                                                         .axis = Axis::of_cases})};
+constexpr std::array own{
+    field<&FittingKeys::points>(points_key),
+    field<&FittingKeys::tolerance>(tolerance_key("distances from the data that a fit may have", "[1e-2, 1e-4]"))};
 
 Finding check(const Study& study, const Vocabulary& /*known*/) {
   const auto& keys = keys_of<FittingKeys>(study);

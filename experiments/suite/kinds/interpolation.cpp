@@ -7,11 +7,7 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&InterpolationKeys::points>({.key = "points",
-                                                            .meaning = "numbers of data points, 2 to 1000000",
-                                                            .example = "[10, 100]",
-                                                            .needed = true,
-                                                            .axis = Axis::of_cases})};
+constexpr std::array own{field<&InterpolationKeys::points>(points_key)};
 
 Finding check(const Study& study, const Vocabulary& /*known*/) {
   return check_points(keys_of<InterpolationKeys>(study).points);

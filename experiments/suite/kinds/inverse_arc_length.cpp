@@ -8,11 +8,7 @@ namespace bezierbench::suite {
 namespace {
 
 constexpr std::array own{field<&InverseArcLengthKeys::tolerance>(
-    {.key = "tolerance",
-     .meaning = "tolerances that the methods are given, relative to the length of the whole curve",
-     .example = "[1e-3, 1e-6]",
-     .needed = true,
-     .axis = Axis::of_cases})};
+    tolerance_key("tolerances that the methods are given, relative to the length of the whole curve", "[1e-3, 1e-6]"))};
 
 Finding check(const Study& study, const Vocabulary& /*known*/) {
   return check_tolerances(keys_of<InverseArcLengthKeys>(study).tolerance);

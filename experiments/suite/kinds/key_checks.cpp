@@ -4,17 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/curve_view.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/suite/nearest.hpp"
 
 namespace bezierbench::suite {
-namespace {
-
-constexpr int most_points = 1000000;
-
-}  // namespace
-
 Finding check_orders(const std::vector<int>& order) {
   return each("order", order, [](int value) {
     return value >= 0 && value <= max_degree ? "" : fmt::format("order must be 0 to {}", max_degree);

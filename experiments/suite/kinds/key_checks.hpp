@@ -1,14 +1,49 @@
 // SPDX-License-Identifier: MIT
-// Checks of values that keys of several kinds have; internal to this folder.
+// Keys that several kinds have, and the checks of their values; internal to this folder.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "core/curve_view.hpp"
 #include "experiments/suite/fault.hpp"
+#include "experiments/suite/field.hpp"
 #include "experiments/suite/vocabulary.hpp"
 
 namespace bezierbench::suite {
+
+inline constexpr Field order_key{.key = "order",
+                                 .meaning = "orders of the derivatives, 0 to 1023",
+                                 .example = "[1, 2]",
+                                 .needed = true,
+                                 .axis = Axis::of_cases};
+static_assert(max_degree == 1023, "the meaning of order states it");
+
+inline constexpr int most_points = 1000000;
+inline constexpr Field points_key{.key = "points",
+                                  .meaning = "numbers of data points, 2 to 1000000",
+                                  .example = "[10, 100]",
+                                  .needed = true,
+                                  .axis = Axis::of_cases};
+static_assert(most_points == 1000000, "the meaning of points states it");
+
+constexpr Field tolerance_key(std::string_view meaning, std::string_view example) {
+  return {.key = "tolerance", .meaning = meaning, .example = example, .needed = true, .axis = Axis::of_cases};
+}
+
+inline constexpr Field published_key{
+    .key = "published",
+    .meaning = "file of printed values in reference/published that the results are compared with",
+    .example = "\"report_tables.csv\"",
+    .left_out = "none",
+    .settable = false};
+
+/// The same key in a kind that does not need it; `left_out` says what holds without it.
+constexpr Field optional(Field key, std::string_view left_out) {
+  key.needed = false;
+  key.left_out = left_out;
+  return key;
+}
 
 Finding check_orders(const std::vector<int>& order);
 Finding check_points(const std::vector<int>& points);

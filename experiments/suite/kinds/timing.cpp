@@ -13,27 +13,12 @@ constexpr std::array own{
          .meaning = "what one timed call does: one_shot prepares and evaluates one point, point evaluates one prepared "
                     "point, latency a chain of them, batch many t; companion problems are timed in one_shot only",
          .example = "[\"point\"]"}),
-    field<&TimingKeys::order>({.key = "order",
-                               .meaning = "orders of the derivatives, 0 to 1023",
-                               .example = "[1, 2]",
-                               .left_out = "none; only methods of derivatives have it",
-                               .axis = Axis::of_cases}),
-    field<&TimingKeys::points>({.key = "points",
-                                .meaning = "numbers of data points, 2 to 1000000",
-                                .example = "[10, 100]",
-                                .left_out = "none; only methods of interpolation and fitting have it",
-                                .axis = Axis::of_cases}),
-    field<&TimingKeys::tolerance>({.key = "tolerance",
-                                   .meaning = "tolerances, relative to the length for lengths, distances for fits",
-                                   .example = "[1e-3, 1e-6]",
-                                   .left_out = "none; only methods of lengths and fitting have it",
-                                   .axis = Axis::of_cases}),
-    field<&TimingKeys::published>(
-        {.key = "published",
-         .meaning = "file of printed values in reference/published that the results are compared with",
-         .example = "\"report_tables.csv\"",
-         .left_out = "none",
-         .settable = false})};
+    field<&TimingKeys::order>(optional(order_key, "none; only methods of derivatives have it")),
+    field<&TimingKeys::points>(optional(points_key, "none; only methods of interpolation and fitting have it")),
+    field<&TimingKeys::tolerance>(
+        optional(tolerance_key("tolerances, relative to the length for lengths, distances for fits", "[1e-3, 1e-6]"),
+                 "none; only methods of lengths and fitting have it")),
+    field<&TimingKeys::published>(published_key)};
 
 Finding check(const Study& study, const Vocabulary& known) {
   const auto& keys = keys_of<TimingKeys>(study);

@@ -7,7 +7,7 @@ import io
 from collections import Counter
 from typing import NamedTuple
 
-from . import schema
+from report import schema
 
 NAME = "digests.csv"
 

@@ -1,0 +1,260 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""`run` from outside: what it writes, its estimates, and how it ends when stopped. Usage: run_test.py BEZIERBENCH"""
+import hashlib
+import json
+import os
+import re
+import resource
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from program_case import (CONVERSION, FINDING, FINE, INPUT_OUTPUT, INTERRUPTED, PATIENCE,  # noqa: E402
+                          PROGRAM, REPORT_SUITE, ROOT, STUDY, TIMING, USAGE, Case, rows)
+
+sys.path.append(str(ROOT))
+from scripts.digests import of_bundle  # noqa: E402
+
+
+class Bundles(Case):
+    def test_again_changes_nothing(self):
+        self.bundle()
+        before = self.snapshot()
+        result = self.run_program("run", "s.toml", "--out", "b")
+        self.assertEqual((result.returncode, result.stdout, result.stderr),
+                         (FINE, b"", b"b: already complete, nothing to do\n"))
+        self.assertEqual(self.fine("run", "s.toml", "--out", "b", "--quiet"), "")
+        self.assertEqual(before, self.snapshot())
+
+    def test_another_run_is_refused(self):
+        self.bundle()
+        self.refused(USAGE, ["run", "s.toml", "--out", "b", "--seed", "77"], "b: ", "seed 1", "77")
+        digest = self.manifest("b")["suites"]["digest"][:12]
+        self.refused(USAGE, ["run", "s.toml", "--out", "b", "--trials", "51"], "b: ", "suite tiny", digest)
+        self.refused(USAGE, ["run", "s.toml", "--out", "b", "--set", "degree=4", "--dry-run"], "b: ", digest)
+        manifest = self.manifest("b")
+        for key, what in (("program_version", "version"), ("git_commit", "commit"), ("fp_flags", "flags")):
+            with self.subTest(key=key):
+                self.write("b/bundle.json", json.dumps({**manifest, key: "theirs"}))
+                self.refused(USAGE, ["run", "s.toml", "--out", "b"], "b: ", what, "theirs", manifest[key])
+
+    def test_dry_run_writes_nothing(self):
+        self.suite(STUDY, TIMING, CONVERSION)
+        before = self.snapshot()
+        self.assertIn("evaluations", self.fine("run", "s.toml", "--out", "b/c", "--dry-run"))
+        self.fine("run", "s.toml", "--out", "b", "--dry-run", "--trials", 2**63 - 1, "--set", "replicates=1")
+        self.assertEqual(before, self.snapshot())
+
+    def test_dry_run_counts_the_time_of_races(self):
+        """Few evaluations, repeated until they can be timed."""
+        degrees = str(list(range(1, 11)))
+        self.assertLess(self.estimated(self.suite({**STUDY, "degree": degrees, "trials": "1"}))[0], 0.5)
+        self.assertGreater(self.estimated(self.suite({**TIMING, "degree": degrees, "methods": '["direct", "de_casteljau"]'}))[0], 1)
+
+    def estimated(self, suite, *options):
+        """Seconds, megabytes of disk and of memory."""
+        text = self.fine("run", suite, "--out", "dry", "--dry-run", *options)
+        found = re.search(r"estimated +([\d.]+) s on one thread, ([\d.]+) MB of disk, ([\d.]+) MB of memory", text)
+        return [float(number) for number in found.groups()]
+
+    def test_dry_run_says_what_a_run_takes(self):
+        """Within a factor of 2 on a machine at rest (scripts/check estimate); here of 4, for others may be at work."""
+        suite = self.suite({**STUDY, "degree": "[4, 20, 60]", "methods": None, "trials": "3000"},
+                           {**CONVERSION, "degree": "[5, 30]", "trials": "400", "methods": None},
+                           {**TIMING, "modes": '["point"]', "methods": '["direct", "de_casteljau"]'})
+        estimated = self.estimated(suite)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.bundle(suite, "--jobs", "1")
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        self.assertLess(estimated[0] / seconds, 4)
+        self.assertGreater(estimated[0] / seconds, 1 / 4)
+        bundle = sum(path.stat().st_size for path in (self.folder / "b").iterdir()) / 1e6
+        self.assertGreater(estimated[1], bundle / 2)  # files of blocks come on top
+
+    def test_estimates_grow_with_trials(self):
+        """Also where nothing could wait for the run that they speak of."""
+        suite = self.suite({**STUDY, "degree": "[20]"})
+        few, many = (self.estimated(suite, "--trials", str(trials))[0] for trials in (10**8, 10**12))
+        self.assertGreater(many / few, 10**4 / 4)
+        self.assertLess(many / few, 10**4 * 4)
+        alone, repeated = (self.estimated(suite, "--trials", "1", "--set", f"replicates={n}")[2] for n in (1, 10**6))
+        self.assertGreater(repeated - alone, 30)  # two methods, two statistics of 8 bytes each, a million times
+        self.assertLess(repeated - alone, 500)
+
+    def test_no_timing(self):
+        self.bundle(self.suite(STUDY, TIMING), "--no-timing")
+        names = {path.name for path in (self.folder / "b").iterdir()}
+        self.assertIn("accuracy.csv", names)
+        self.assertEqual([name for name in names if "timing" in name], [])
+
+    def test_same_bytes_everywhere(self):
+        """With one thread and with many, and in any locale."""
+        self.suite({**STUDY, "trials": "1100", "degree": "[3, 12]", "replicates": "2", "methods": None,
+                    "scalar": '["double", "float"]', "dimension": "[1, 2, 3]"}, CONVERSION)
+        plain = dict(os.environ, LC_ALL="C", LANG="C")
+        german = dict(os.environ, LC_ALL="de_DE.UTF-8", LANG="de_DE.UTF-8", TZ="Asia/Tokyo", COLUMNS="20")
+        kept = []
+        for name, options, environment in (("one", ["--jobs", "1"], plain), ("four", ["--jobs", "4"], german),
+                                           ("default", [], None)):
+            self.bundle("s.toml", *options, name=name, env=environment)
+            kept.append({path.name: path.read_bytes() for path in (self.folder / name).iterdir()
+                         if path.name not in ("machine.json", "SHA256SUMS")})
+        self.assertLessEqual({"accuracy.csv", "conversion.csv", "suite.toml", "bundle.json"}, set(kept[0]))
+        for other in kept[1:]:
+            self.assertEqual(kept[0], other)
+        self.write("c.csv", "x,y\n0.1,1e300\n1,2\n")
+        self.assertEqual(*(self.fine("curve", "eval", "--curve", "c.csv", "--t", "0.3", env=environment)
+                           for environment in (plain, german)))
+
+    def test_digest_is_that_of_the_contract(self):
+        self.bundle(self.suite(STUDY, CONVERSION))
+        text = (self.folder / "b/digests.csv").read_bytes()
+        self.assertEqual(text.decode(), of_bundle(self.folder / "b", 2))
+        self.assertEqual({row["table"] for row in rows(text.decode())}, {"accuracy.csv", "conversion.csv", "worst.csv"})
+        self.assertEqual(self.manifest("b")["accuracy_digest"], hashlib.sha256(text).hexdigest())
+
+    def test_a_method_that_is_added_changes_no_digest(self):
+        """Though it comes first and other rows of worst.csv are numbered anew."""
+        self.bundle(self.suite(STUDY, CONVERSION))
+        self.suite({**STUDY, "methods": '["horner_bernstein", "direct", "de_casteljau"]'}, CONVERSION)
+        self.bundle("s.toml", name="more")
+        before, after = (set((self.folder / name / "digests.csv").read_text().splitlines()) for name in ("b", "more"))
+        self.assertLess(before, after)
+        self.assertEqual({line.split(",")[2] for line in after - before}, {"horner_bernstein"})
+        self.assertIn("by table, study and method: 5 agree, 2 only in b\n    only in b: accuracy.csv, study a, method horner_bernstein\n",
+                      self.fine("compare", "b", "more"))
+
+    def test_a_bundle_of_an_earlier_schema_version_is_not_continued(self):
+        self.suite()
+        self.fine("run", "s.toml", "--quiet", "--out", "b", "--shard", "1/2")
+        self.write("b/bundle.json", json.dumps({**self.manifest("b"), "schema_version": 1}))
+        self.refused(USAGE, ["run", "s.toml", "--out", "b"], "b: holds results of schema version 1, this run has 2; choose another --out")
+
+    def test_verify_finds_damage(self):
+        self.bundle()
+        for name in ("accuracy.csv", "suite.toml", "machine.json"):
+            with self.subTest(name=name):
+                path = self.folder / "b" / name
+                good = path.read_bytes()
+                path.write_bytes(good[:-2] + bytes([good[-2] ^ 1]) + good[-1:])
+                result = self.run_program("verify", "b")
+                self.assertEqual((result.returncode, result.stdout), (FINDING, b""))
+                self.assertIn(f"b/{name}: checksum differs", result.stderr.decode())
+                path.write_bytes(good)
+        self.assertEqual(self.fine("verify", "b").splitlines()[0], "b: fine")
+        self.refused(INPUT_OUTPUT, ["verify", "absent"], "bezierbench: absent: ")
+
+    def test_verify_says_how_much_the_timed_kernels_judged(self):
+        """direct_pow has no kernel for groups; of de_casteljau the first trial of each block goes through both."""
+        self.bundle(self.suite(degree="[4]", trials="1030", methods='["de_casteljau", "direct_pow"]'))
+        counts = {row["method"]: int(row["own_kernel"]) for row in rows((self.folder / "b/reference.csv").read_text())}
+        self.assertEqual(counts["direct_pow"], 1030)
+        self.assertIn(counts["de_casteljau"], (2, 1030))  # the latter on a processor without kernels for groups
+        told = self.fine("verify", "b").splitlines()[1]
+        self.assertIn(f"of 2060 evaluations that accuracy studies judged, {sum(counts.values())} went through", told)
+
+    def test_degrees_beyond_a_method(self):
+        self.bundle(self.suite(degree="[170, 171]", trials="5", baseline='["exact", "direct"]'))
+        table = rows((self.folder / "b/accuracy.csv").read_text())
+        statuses = {(row["method"], row["degree"], row["baseline"]): row for row in table}
+        self.assertEqual({key: row["status"] for key, row in statuses.items()},
+                         {("direct", "170", "exact"): "ok", ("direct", "171", "exact"): "degree_unsupported",
+                          ("de_casteljau", "170", "exact"): "ok", ("de_casteljau", "171", "exact"): "ok",
+                          ("de_casteljau", "170", "direct"): "ok",
+                          ("de_casteljau", "171", "direct"): "baseline_degree_unsupported"})
+        columns = list(table[0])
+        for row in table:
+            numbers = [row[column] for column in columns[columns.index("status") + 1:]]
+            if row["status"] == "ok":
+                self.assertTrue(all(map(float, filter(None, numbers[:7]))), row)
+            else:
+                self.assertEqual(set(numbers), {""}, row)
+
+    def test_no_method_to_time(self):
+        self.bundle(self.suite(TIMING, degree="[171]", methods='["direct"]'))
+        self.assertEqual(rows((self.folder / "b/timing.csv").read_text()), [])
+
+    def test_timing(self):
+        """What is in the files; never how long anything took."""
+        modes = ["point", "batch", "latency", "one_shot"]
+        self.bundle(self.suite(TIMING, degree="[1, 2, 3]", methods='["horner_bernstein", "de_casteljau"]',
+                               scalar='["double", "float"]', modes=json.dumps(modes), baseline='"horner_bernstein"'))
+        table = rows((self.folder / "b/timing.csv").read_text())
+        timed = [row for row in table if row["method"] != "sentinel"]
+        self.assertEqual(len({tuple(row[key] for key in ("method", "scalar", "degree", "mode")) for row in timed}),
+                         2 * 2 * 3 * 4)
+        for row in timed:
+            self.assertEqual((row["checked"], row["relative_to"]), ("yes", "horner_bernstein"), row)
+            self.assertIn(row["quality"], ("ok", "noisy"))
+            self.assertGreaterEqual(int(row["rounds"]), 41)
+            self.assertGreater(float(row["median_ns"]), 0)
+            self.assertLessEqual(float(row["ratio_low"]), float(row["ratio"]))
+            self.assertLessEqual(float(row["ratio"]), float(row["ratio_high"]))
+            self.assertEqual(row["cycles"] == "", row["instructions"] == "")
+        sentinels = [row for row in table if row["method"] == "sentinel"]
+        self.assertEqual([row["mode"] for row in sentinels], modes)
+        self.assertEqual({(row["dimension"], row["degree"], row["checked"]) for row in sentinels}, {("", "", "yes")})
+        complexity = rows((self.folder / "b/complexity.csv").read_text())
+        self.assertEqual(len(complexity), 2 * 2 * 4)
+        for row in complexity:
+            self.assertEqual(row["claimed"], {"de_casteljau": "2", "horner_bernstein": "1"}[row["method"]])
+            self.assertIn(row["verdict"], ("within", "above", "unresolved"))
+        counters = json.loads((self.folder / "b/machine.json").read_text())["counters"]
+        self.assertEqual(counters.startswith("unavailable: "), timed[0]["cycles"] == "")
+        self.assertEqual(self.fine("verify", "b").splitlines()[0], "b: fine")
+
+    def test_report_scorecard(self):
+        self.bundle(REPORT_SUITE, "--only", "2.3.1-bezier", "--trials", "20", "--set", "replicates=20")
+        cells = rows((self.folder / "b/scorecard.csv").read_text())
+        self.assertEqual({(cell["table"], cell["curve"]) for cell in cells}, {("2.3.1", "bezier")})
+        for cell in cells:
+            self.assertIn(cell["verdict"], ("inside", "outside", "explained"))
+            for column in ("published", "ours_median", "ours_p05", "ours_p95", "continuous_median", "against_exact"):
+                self.assertGreaterEqual(float(cell[column]), 0)
+            self.assertLessEqual(float(cell["ours_p05"]), float(cell["ours_p95"]))
+
+
+class Interruption(Case):
+    def interrupted(self, name, suite, which):
+        with subprocess.Popen([PROGRAM, "run", suite, "--out", name], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as process:
+            try:
+                deadline = time.monotonic() + PATIENCE
+                while not (self.folder / name / "bundle.json").exists() and time.monotonic() < deadline:
+                    time.sleep(0.01)
+                time.sleep(0.1)
+                process.send_signal(which)
+                out, err = process.communicate(timeout=PATIENCE)
+            finally:
+                process.kill()
+        result = subprocess.CompletedProcess([], process.returncode, out, err)
+        self.assertEqual((result.returncode, result.stdout), (INTERRUPTED, b""), result)
+        self.assert_one_line(result, f"{name}: interrupted", "run the same command again")
+        self.assertEqual(self.manifest(name)["state"], "partial")
+        for left in ("accuracy.csv", "conversion.csv"):
+            self.assertFalse((self.folder / name / left).exists())
+        self.assertEqual([name for name in self.snapshot() if name.endswith(".tmp")], [])
+
+    def test_long_studies_end_soon(self):
+        most = str(2**63 - 1)
+        for study in (STUDY, CONVERSION):
+            for degree in ("[3]", "[500]"):
+                for which in (signal.SIGINT, signal.SIGTERM):
+                    with self.subTest(kind=study["kind"], degree=degree, signal=which):
+                        suite = self.suite(study, degree=degree, trials=most, replicates="1",
+                                           methods='["exact"]' if study is CONVERSION else None)
+                        self.interrupted(f"b{len(list(self.folder.iterdir()))}", suite, which)
+
+    def test_another_run_goes_on(self):
+        self.interrupted("b", self.suite(trials="2000000000"), signal.SIGINT)
+        self.refused(USAGE, ["run", self.suite(), "--out", "b"], "b: ", "suite", "choose another --out")
+
+
+if __name__ == "__main__":
+    unittest.main()
