@@ -5,7 +5,7 @@ from ..document import Cell, Text
 from ..error_tables import error_tables, swept
 from ..tables import by_axis
 from ..wording import large
-from .suite_parts import with_times
+from .suite_parts import figure, of_suite, with_times
 
 TITLE = "Subdivision"
 PREFIX = "subdivision-"
@@ -33,8 +33,10 @@ def _kept(study, rows):
 
 @with_times("subdivision")
 def blocks(bundle, findings):
-    """The tables of each study: errors, then what does not fit together."""
+    """Findings, the figure, then the tables of each study: errors, and what does not fit together."""
     table = bundle["subdivision.csv"].starting(PREFIX)
+    yield from of_suite(findings, "subdivision")
+    yield from figure("subdivision_against_degree", bundle)
     for study in table.distinct("study"):
         rows = table.select(study=study)
         yield from error_tables(study, rows, *swept(rows))

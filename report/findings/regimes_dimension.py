@@ -8,7 +8,7 @@ from .series import names
 
 
 def find(bundle):
-    """Holds where no method's mean error over u p~ hangs on the number of axes."""
+    """Holds where no method's mean error over u p~ depends on the number of axes."""
     rows = study(bundle, "dimension")
     found = spreads(rows, "dimension")
     apart = [m for m, s in found.items() if s.apart]

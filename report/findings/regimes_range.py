@@ -8,7 +8,7 @@ from .series import names
 
 
 def find(bundle):
-    """Holds where no method's mean error over u p~ hangs on the range; where it overflows is said apart."""
+    """Holds where no method's mean error over u p~ depends on the range; where it overflows is said apart."""
     rows = study(bundle, "range")
     found = spreads(rows, "coordinate_range")
     uneven = [m for m, s in found.items() if s.apart]
