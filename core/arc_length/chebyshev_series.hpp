@@ -31,8 +31,7 @@ class ChebyshevSeries {
   /// For curves of this degree.
   explicit ChebyshevSeries(int curve_degree)
       : curve_degree_(static_cast<std::size_t>(curve_degree)),
-        stride_((curve_degree_ + 1) * Dimension + Dimension + chunk),
-        rows_(stride_ * (std::min(curve_degree_, degree_limit) + 1), 0.0) {
+        stride_((curve_degree_ + 1) * Dimension + Dimension + chunk) {
     constexpr double u = 0x1p-53;
     rounding_ = curve_degree == 0 ? 0 : 3 * u * (curve_degree + 1) * std::sqrt(curve_degree + 1.0);
   }
@@ -48,8 +47,60 @@ class ChebyshevSeries {
 
   /// Makes it the series of h, whose control points have at most the size `largest`.
   void expand(const Curve<Form::bernstein, double, Dimension>& h, double largest) {
-    std::copy_n(h.data(), (curve_degree_ + 1) * Dimension, rows_.begin());
     cut_ = rounding(largest);
+    switch (curve_degree_) {
+      case 1: return expand_fixed<1>(h);
+      case 2: return expand_fixed<2>(h);
+      case 3: return expand_fixed<3>(h);
+      case 4: return expand_fixed<4>(h);
+      default: return expand_any(h);
+    }
+  }
+
+  /// Removes as many of the last terms as change the series by at most `allowed`, including the terms removed before.
+  void shorten(double allowed) {
+    while (degree_ > 0 && cut_ + sizes_[degree_] <= allowed) cut_ += sizes_[degree_--];
+  }
+
+ private:
+  static constexpr std::size_t chunk = 4;
+  using Chunk = Eigen::Array<double, chunk, 1>;
+
+  static Chunk read(const double* from) { return Eigen::Map<const Chunk>(from); }
+
+  /// Curves of a low degree that the compiler knows: the same operations, without loops through memory. Nothing is cut.
+  template <std::size_t Degree>
+  void expand_fixed(const Curve<Form::bernstein, double, Dimension>& h) {
+    static_assert(Degree <= degree_limit);
+    std::array<double, Degree + 1> squares{};
+    for (int axis = 0; axis < Dimension; ++axis) {
+      std::array<std::array<double, Degree + 1>, Degree + 1> of_point;
+      for (std::size_t i = 0; i <= Degree; ++i) of_point[i][0] = h(axis, static_cast<int>(i));
+      for (std::size_t level = 1; level <= Degree; ++level)
+        for (std::size_t i = 0; i + level <= Degree; ++i) combine(of_point[i], of_point[i + 1], level);
+      for (std::size_t k = 0; k <= Degree; ++k) squares[k] += of_point[0][k] * of_point[0][k];
+    }
+    degree_ = Degree;
+    for (std::size_t k = 0; k <= Degree; ++k) sizes_[k] = std::sqrt(squares[k]);
+  }
+
+  /// Puts (A + B)/2 + z (B - A)/2, of degree `level`, in place of A.
+  template <std::size_t Count>
+  static void combine(std::array<double, Count>& a, const std::array<double, Count>& b, std::size_t level) {
+    double here = (b[0] - a[0]) / 4;
+    double before = 0;  // of T_(k-1), twice that of T_0
+    for (std::size_t k = 0; k < level; ++k) {
+      const double after = k + 1 < level ? (b[k + 1] - a[k + 1]) / 4 : 0.0;
+      a[k] = (a[k] + b[k]) / 2 + (before + after);
+      before = k == 0 ? 2 * here : here;
+      here = after;
+    }
+    a[level] = before;
+  }
+
+  void expand_any(const Curve<Form::bernstein, double, Dimension>& h) {
+    if (rows_.empty()) rows_.resize(stride_ * (std::min(curve_degree_, degree_limit) + 1), 0.0);
+    std::copy_n(h.data(), (curve_degree_ + 1) * Dimension, rows_.begin());
     for (std::size_t level = 1; level <= curve_degree_; ++level) {
       const std::size_t width = (curve_degree_ - level + 1) * Dimension;
       double cut = 0;
@@ -65,17 +116,6 @@ class ChebyshevSeries {
       sizes_[k] = std::sqrt(square);
     }
   }
-
-  /// Removes as many of the last terms as change the series by at most `allowed`, including the terms removed before.
-  void shorten(double allowed) {
-    while (degree_ > 0 && cut_ + sizes_[degree_] <= allowed) cut_ += sizes_[degree_--];
-  }
-
- private:
-  static constexpr std::size_t chunk = 4;
-  using Chunk = Eigen::Array<double, chunk, 1>;
-
-  static Chunk read(const double* from) { return Eigen::Map<const Chunk>(from); }
 
   /// Puts (A + B)/2 + z (B - A)/2 in place of A, both of degree at most `from`, in some columns, of which `used` count;
   /// returns the size of the term that is cut.
@@ -110,7 +150,7 @@ class ChebyshevSeries {
 
   std::size_t curve_degree_;
   std::size_t stride_;
-  std::vector<double> rows_;  ///< row k: a_k of each series of a level
+  std::vector<double> rows_;  ///< row k: a_k of each series of a level; for expand_any() only
   std::array<double, degree_limit + 1> sizes_;
   std::size_t degree_ = 0;
   double rounding_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arc_length/part.hpp"
+#include "core/arc_length/power_of_two.hpp"
 #include "core/arc_length/roster.hpp"
 #include "core/arc_length/scale.hpp"
 #include "core/evaluate/kernel_of.hpp"
@@ -18,7 +19,7 @@ template <int Dimension>
 ArcLength unscaled(ArcLength part, const ScaledHodograph<Dimension>& scaled, double width, double rounding,
                    double tolerance) {
   const double length = part.length * width;
-  part.length = std::ldexp(length, scaled.exponent);
+  part.length = times_power_of_two(length, scaled.exponent);
   const double lost = std::abs(scaled.in_units(part.length) - length);
   part.error_estimate = scaled.unscaled_error(part.error_estimate * width + rounding + lost);
   part.converged = part.converged && std::isfinite(part.length) &&
@@ -34,7 +35,7 @@ ArcLength measure(const CurveView<double>& view, double from, double to, double 
   restrict_to(h, from, to);
   const double rounding_of_whole = rounding_of_part(scaled.h, h, from, to);
   const int exponent = normalise(h);
-  const double rounding = std::ldexp(rounding_of_whole, -exponent);
+  const double rounding = times_power_of_two(rounding_of_whole, -exponent);
   scaled.exponent += exponent;
   // Cut to 0, it may yet be some length below its roundings.
   const ArcLength part = is_zero(h) ? ArcLength{.error_estimate = 0} : M::measure(h, tolerance);

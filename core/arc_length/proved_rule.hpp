@@ -23,6 +23,7 @@
 #include <cstddef>
 
 #include "core/arc_length/chebyshev_series.hpp"
+#include "core/arc_length/power_of_two.hpp"
 #include "core/basis/integer_power.hpp"
 
 namespace bezierbench {
@@ -75,8 +76,7 @@ ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double allowed) {
   const double largest = 2 * h.size(0);
   if (!(allowed_of_rule > 0 && limit > 0)) return {};
   if (h.degree() == 0) return {8, 2 * h.cut()};  // a constant, of which a rule misses nothing
-  int exponent = 0;
-  std::frexp(largest / allowed_of_rule, &exponent);
+  const int exponent = binary_exponent(largest / allowed_of_rule);
   const auto last = detail::ellipse_count - 1;
   const std::array<std::size_t, detail::gauss_rules> ellipse{std::min(detail::ellipse_for(exponent, 1), last),
                                                              std::min(detail::ellipse_for(exponent, 2), last),

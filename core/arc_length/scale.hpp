@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/arc_length/power_of_two.hpp"
 #include "core/curve.hpp"
 #include "core/derivative/hodograph.hpp"
 
@@ -23,9 +24,7 @@ int exponent_of_axis(const Curve<Form::bernstein, double, Dimension>& curve, int
   double largest = 0;
   for (int i = 0; i <= curve.degree(); ++i) largest = std::max(largest, std::abs(curve(axis, i)));
   if (largest == 0) return no_exponent;
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return exponent;
+  return binary_exponent(largest);
 }
 
 /// Multiplies axis by axis by 2^(of_axis - common), where `common` makes the largest coordinate lie in [1/2, 1);
@@ -39,7 +38,7 @@ int normalise(Curve<Form::bernstein, double, Dimension>& h, const std::array<int
   if (common == no_exponent) return 0;
   for (int axis = 0; axis < Dimension; ++axis)
     for (int i = 0; i <= h.degree(); ++i)
-      h(axis, i) = std::ldexp(h(axis, i), of_axis[static_cast<std::size_t>(axis)] - common);
+      h(axis, i) = times_power_of_two(h(axis, i), of_axis[static_cast<std::size_t>(axis)] - common);
   return common;
 }
 
@@ -64,14 +63,17 @@ bool is_zero(const Curve<Form::bernstein, double, Dimension>& h) {
 /// A hodograph over 2^exponent.
 template <int Dimension>
 struct ScaledHodograph {
-  Curve<Form::bernstein, double, Dimension> h;
-  int exponent;
+  /// Not an aggregate, all of which GCC would fill with zeros first: the room for max_degree.
+  explicit ScaledHodograph(const Curve<Form::bernstein, double, Dimension>& hodograph) : h(hodograph) {}
 
-  [[nodiscard]] double in_units(double length) const { return std::ldexp(length, -exponent); }
+  Curve<Form::bernstein, double, Dimension> h;
+  int exponent = 0;
+
+  [[nodiscard]] double in_units(double length) const { return times_power_of_two(length, -exponent); }
 
   /// 2^exponent times an error, never rounded down.
   [[nodiscard]] double unscaled_error(double error) const {
-    const double rounded = std::ldexp(error, exponent);
+    const double rounded = times_power_of_two(error, exponent);
     return in_units(rounded) < error ? std::nextafter(rounded, std::numeric_limits<double>::infinity()) : rounded;
   }
 };
@@ -87,10 +89,10 @@ ScaledHodograph<Dimension> scaled_hodograph(Curve<Form::bernstein, double, Dimen
   for (int axis = 0; axis < Dimension; ++axis) {
     const int exponent = detail::exponent_of_axis(curve, axis);
     if (exponent <= std::numeric_limits<double>::max_exponent - of_differences) continue;
-    for (int i = 0; i <= curve.degree(); ++i) curve(axis, i) = std::ldexp(curve(axis, i), -of_differences);
+    for (int i = 0; i <= curve.degree(); ++i) curve(axis, i) = times_power_of_two(curve(axis, i), -of_differences);
     taken[static_cast<std::size_t>(axis)] = of_differences;
   }
-  ScaledHodograph<Dimension> result{hodograph(curve, 1), 0};
+  ScaledHodograph<Dimension> result(hodograph(curve, 1));
   result.exponent = detail::normalise<Dimension>(result.h, taken);
   return result;
 }
