@@ -26,7 +26,7 @@ void read_member(const Source& source, const toml::node& node, Goal& out) {
   read(source, node, out.*Member);
 }
 
-/// What is as it would be without the key is not written.
+/// The member as TOML; empty where it has its default.
 template <auto Member>
 std::string write_member(const Goal& goal) {
   return goal.*Member == Goal().*Member ? "" : to_text(goal.*Member);
