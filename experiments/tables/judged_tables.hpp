@@ -28,8 +28,7 @@ class JudgedTables {
 
  private:
   std::vector<bundle::CsvDocument> accuracies_;
-  std::set<std::vector<std::string>>
-      all_bounded_;  ///< cells and methods all of whose trials have a bound, by reference.csv
+  std::set<std::vector<std::string>> all_bounded_;  ///< cells and methods all of whose trials have a bound
 };
 
 }  // namespace bezierbench::tables

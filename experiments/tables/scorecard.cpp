@@ -24,8 +24,7 @@ struct PrintedCell {
   double coordinate_range = 0;
   std::optional<suite::Interval> t_interval;
   double value = 0;
-  std::optional<double>
-      corrected;  ///< the value that was probably meant, where the printed one breaks the pattern of its row
+  std::optional<double> corrected;  ///< the value probably meant, where the printed one breaks its row's pattern
 };
 
 double number(const std::string& text) { return number::parse_number(text).value(); }
