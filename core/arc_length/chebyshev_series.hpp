@@ -28,7 +28,7 @@ class ChebyshevSeries {
  public:
   static constexpr std::size_t degree_limit = 16;
 
-  /// For curves of this degree.
+  /// Room for the series of curves of this degree.
   explicit ChebyshevSeries(int curve_degree)
       : curve_degree_(static_cast<std::size_t>(curve_degree)),
         stride_((curve_degree_ + 1) * Dimension + Dimension + chunk),
@@ -40,13 +40,13 @@ class ChebyshevSeries {
   [[nodiscard]] std::size_t degree() const { return degree_; }
   /// |a_k|
   [[nodiscard]] double size(std::size_t k) const { return sizes_[k]; }
-  /// The curve and the series are never farther apart than this on [-1, 1].
+  /// A bound of the distance between the curve and the series on [-1, 1].
   [[nodiscard]] double cut() const { return cut_; }
 
-  /// The part of `cut` that is due to rounding, for control points of this size.
+  /// The part of cut() that comes from rounding, for control points of at most this size.
   [[nodiscard]] double rounding(double largest) const { return rounding_ * largest; }
 
-  /// Makes it the series of h, whose control points have at most the size `largest`.
+  /// Replaces the series by that of h, whose control points are at most `largest` in size.
   void expand(const Curve<Form::bernstein, double, Dimension>& h, double largest) {
     std::copy_n(h.data(), (curve_degree_ + 1) * Dimension, rows_.begin());
     cut_ = rounding(largest);
@@ -66,7 +66,7 @@ class ChebyshevSeries {
     }
   }
 
-  /// Removes as many of the last terms as change the series by at most `allowed`, including the terms removed before.
+  /// Removes as many of the last terms as possible while cut(), which includes earlier removals, is at most `allowed`.
   void shorten(double allowed) {
     while (degree_ > 0 && cut_ + sizes_[degree_] <= allowed) cut_ += sizes_[degree_--];
   }
@@ -77,15 +77,15 @@ class ChebyshevSeries {
 
   static Chunk read(const double* from) { return Eigen::Map<const Chunk>(from); }
 
-  /// Puts (A + B)/2 + z (B - A)/2 in place of A, both of degree at most `from`, in some columns, of which `used` count;
-  /// returns the size of the term that is cut.
+  /// Replaces A by (A + B)/2 + z (B - A)/2 in a chunk of columns, the first `used` of which count. A and B have at most
+  /// the degree `from`. Returns the size of the term that is cut.
   double step(std::size_t first, std::size_t used, std::size_t from) {
     const std::size_t degree = std::min(from, degree_limit);
     double* row = &rows_[first];
     Chunk a = read(row);
     Chunk b = read(row + Dimension);
     Chunk here = (b - a) / 4;
-    Chunk before = Chunk::Zero();  // of T_(k-1), twice that of T_0
+    Chunk before = Chunk::Zero();  // coefficient of T_(k-1), twice that of T_0
     for (std::size_t k = 0; k <= degree; ++k) {
       const Chunk sum = a + b;
       Chunk after = Chunk::Zero();
@@ -110,7 +110,7 @@ class ChebyshevSeries {
 
   std::size_t curve_degree_;
   std::size_t stride_;
-  std::vector<double> rows_;  ///< row k: a_k of each series of a level
+  std::vector<double> rows_;  ///< row k: the a_k of every series of a level
   std::array<double, degree_limit + 1> sizes_;
   std::size_t degree_ = 0;
   double rounding_;
