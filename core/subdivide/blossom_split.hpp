@@ -42,8 +42,8 @@ struct BlossomSplit {
   }
 
  private:
-  /// The blossom value with `levels` arguments t, `first` arguments 1 and the rest 0: the triangle over the control
-  /// points first .. first + levels.
+  /// The value of the blossom with `levels` arguments t, `first` arguments 1 and all others 0: the triangle over the
+  /// control points first .. first + levels.
   template <class Scalar, int Dimension, int Degree>
   static Scalar blossom(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, int axis, int first, int levels,
                         const Scalar& s, const Scalar& t) {

@@ -15,7 +15,7 @@
 
 namespace bezierbench {
 
-/// The amplification that the bound of a control point multiplies.
+/// The amplification in the bound of a control point.
 enum class SplitAmplification {
   p_tilde,  ///< sum |c_j| B_j(t)
   largest   ///< max |c_j|
