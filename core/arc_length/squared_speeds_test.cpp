@@ -23,8 +23,7 @@ double squared_norm_at(const Curve<Form::bernstein, double, Dimension>& curve, d
 
 template <int Dimension>
 void expect_those_of_de_casteljau() {
-  const auto squared_speeds =
-      std::make_unique<SquaredSpeeds<Dimension>>();  // one object: earlier numbers must not matter
+  const auto squared_speeds = std::make_unique<SquaredSpeeds<Dimension>>();  // one object serves all curves below
   Inputs inputs(11);
   for (const int degree : {20, 0, 1, 2, 3, 5, 10, max_degree, 4, 0}) {
     const auto points = inputs.coefficients(degree, Dimension);
