@@ -32,7 +32,8 @@ def line(fields):
 
 
 def of_table(file, text, columns):
-    """{Rows: (number of rows, digest)} of a table's text, in the order of their first rows; the digests are over `columns`."""
+    """{Rows: (number of rows, digest)} of a table's text, in the order of their first rows; the digests are over
+    `columns`."""
     header, *rows = csv.reader(io.StringIO(text, newline=""), strict=True)
     study, method = (header.index(schema.table(file).get(key, key)) for key in ("study", "method"))
     places = [header.index(column) for column in columns]

@@ -4,8 +4,8 @@
 
 hostile_bundle.py BUNDLE OUT --seed N [--stale-sums]
 
-The same seed makes the same change; standard output says which. The checksums fit the changed files, as a stranger would make
-them; with --stale-sums they remain those of BUNDLE.
+The same seed makes the same change; standard output says which. The checksums fit the changed files, as a stranger
+would make them; with --stale-sums they remain those of BUNDLE.
 """
 import argparse
 import sys

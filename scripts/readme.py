@@ -169,7 +169,8 @@ def judged_methods():
 
 
 def differing_method(listed, baseline, judged):
-    """The id of the first of the `judged` methods in `baseline` whose facts differ in `listed`; None if there is none."""
+    """The id of the first of the `judged` methods in `baseline` whose facts differ in `listed`; None if there is
+    none."""
     def facts(text):
         return [{column: field for column, field in row.items() if column not in WORDING}
                 for row in csv.DictReader(io.StringIO(text))]
@@ -195,7 +196,8 @@ def filled(text, program):
 
 
 def new_methods(text, wanted):
-    """The methods of the program that README.md lacks. Empty if anything else differs: an added method alone needs no update."""
+    """The methods of the program that README.md lacks. Empty if anything else differs: an added method alone needs no
+    update."""
     ours, theirs = text.splitlines(), wanted.splitlines()
     more = [line for line in theirs if line not in set(ours)]
     if not all(line.startswith("| `") for line in more) or ours != [line for line in theirs if line not in set(more)]:

@@ -40,7 +40,8 @@ def cxx_files(root):
 
 
 def comments(text):
-    """[(number of its first line, text)] for each block of comment lines. A comment at the end of a line of code is its own block."""
+    """[(number of its first line, text)] for each block of comment lines. A comment at the end of a line of code is its
+    own block."""
     blocks, last = [], 0
     for number, line in enumerate(text.splitlines(), 1):
         match = COMMENT.search(line)

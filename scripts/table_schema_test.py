@@ -76,7 +76,8 @@ def judge(file, column):
 
 
 def readings(text):
-    """Yields the values that a field may stand for. A number with superfluous digits is text, which no column of numbers admits."""
+    """Yields the values that a field may stand for. A number with superfluous digits is text, which no column of
+    numbers admits."""
     if not text:
         yield None
     if INTEGER.fullmatch(text):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Each further working precision of a compensated scheme extends the condition numbers it can handle by a factor 1/u."""
+"""Each further working precision of a compensated scheme extends the condition numbers it can handle by a factor
+1/u."""
 
 import re
 
@@ -23,7 +24,8 @@ def precision(method):
 
 
 def cells(bundle):
-    """{(curve, method): rows by ascending condition number}, for rows with a median condition number and relative error."""
+    """{(curve, method): rows by ascending condition number}, for rows with a median condition number and relative
+    error."""
     found = {}
     for row in bundle.exact("conditioning-").rows:
         if row["p50_condition"] is not None and row["p50_relative"] is not None:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Errors of converted coefficients against the norm of the conversion, the effect of rounding the given coefficients."""
+"""Errors of converted coefficients against the norm of the conversion, the effect of rounding the given
+coefficients."""
 
 from ..bundle import Missing
 from ..document import Finding
@@ -11,7 +12,8 @@ WITHIN = 4  # times u R sqrt(d) norm, which the problem allows up to a constant
 
 
 def find(bundle):
-    """Holds where, at every degree, some conversion to Bernstein form and every one to power form stays within the norm."""
+    """Holds where, at every degree, some conversion to Bernstein form and every one to power form stays within the
+    norm."""
     table = bundle["conversion.csv"].starting("conversion-")
     ratios = {}  # (curve, conversion): (largest error over u R sqrt(d) norm, its row)
     for row in table.rows:

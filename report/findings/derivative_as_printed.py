@@ -11,7 +11,8 @@ WRONG = 1e6  # an error larger than the corrected loop's by this factor is not a
 
 
 def find(bundle):
-    """Holds where the printed loop is as accurate as the corrected one for the first derivative and wrong for every higher one."""
+    """Holds where the printed loop is as accurate as the corrected one for the first derivative and wrong for every
+    higher one."""
     table = bundle["derivative.csv"]
     pairs = []
     for row in table.select(study=STUDY, method=PRINTED, generator="continuous"):

@@ -18,7 +18,8 @@ def _race(race, ours):
 
 
 def _ours(races):
-    """Our own method that is right in most races and, of several, has the least median in most; None where there is none."""
+    """Our own method that is right in most races and, of several, has the least median in most; None where there is
+    none."""
     right, fastest = Counter(), Counter()
     for race in races:
         own = {m: row for m, row in race.items() if not m.startswith(PEER)}
@@ -28,8 +29,8 @@ def _ours(races):
 
 
 def faster_than_peers(bundle, finding_id, suite, study, what):
-    """A finding that holds where, in every race, our best method is right and its interval of times is below that of every other
-    library."""
+    """A finding that holds where, in every race, our best method is right and its interval of times is below that of
+    every other library."""
     rows = bundle["timing.csv"].some(study=study)
     races = {}
     for row in rows:

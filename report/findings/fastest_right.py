@@ -32,7 +32,8 @@ def _right(race):
 
 
 def _winner(races, study):
-    """(method, wins): of the methods that are right in every race, the one that most often has the least ratio of the right ones."""
+    """(method, wins): of the methods that are right in every race, the one that most often has the least ratio of the
+    right ones."""
     always = [m for m in races[0] if all(m in race and race[m]["checked"] == "yes" for race in races)] if races else []
     if not always or not any(len(_right(race)) > 1 for race in races):
         raise Missing(f"`{study}` needs ratios of two methods that are right")
@@ -59,8 +60,8 @@ def _times(races, best):
 
 
 def fastest_right(bundle, finding_id, study, answers, belongs=lambda row: True):
-    """A finding that holds where one method is right in every race that `belongs` accepts, and every other right method certainly
-    takes longer there: the intervals of their ratios, taken round by round, do not overlap."""
+    """A finding that holds where one method is right in every race that `belongs` accepts, and every other right method
+    certainly takes longer there: the intervals of their ratios, taken round by round, do not overlap."""
     races = _races(r for r in bundle["timing.csv"].some(study=study) if r["degree"] is not None and belongs(r))
     best, wins = _winner(races, study)
     duels = [(race[best], row) for race in races for row in _right(race) if row["method"] != best]

@@ -16,8 +16,8 @@ def accuracy_cells(bundle):
 
 
 def experiments(cells):
-    """The cells grouped by their random curves. The methods and statistics of one experiment share its trials, so that their
-    deviations are correlated."""
+    """The cells grouped by their random curves. The methods and statistics of one experiment share its trials, so that
+    their deviations are correlated."""
     found = {}
     for row in cells:
         found.setdefault(tuple(row[c] for c in ("curve", "degree", "coordinate_range", "t_min", "t_max")), []).append(row)

@@ -47,7 +47,8 @@ def find(bundle):
 
 
 def _conversion(bundle, rows):
-    """Yields the conversion's part of the error on the grid at both ends of the range; nothing where no error was split into parts."""
+    """Yields the conversion's part of the error on the grid at both ends of the range; nothing where no error was split
+    into parts."""
     shares = []
     for row in (rows[0], rows[-1]):
         parts = bundle.judged().select(study="2.3.2-bezier", method=METHOD, baseline="exact", generator="report", scalar="double",

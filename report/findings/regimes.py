@@ -26,8 +26,8 @@ class Spread:
 
     @property
     def apart(self):
-        """Whether the means differ by more than `ALIKE` times what their scatter explains. Errors of converted paths are
-        heavy-tailed: their means differ by factors from sample to sample."""
+        """Whether the means differ by more than `ALIKE` times what their scatter explains. Errors of converted paths
+        are heavy-tailed: their means differ by factors from sample to sample."""
         return self.ratio > ALIKE * _scatter(self.low) * _scatter(self.high)
 
 

@@ -30,7 +30,8 @@ def derivative_of_powers(coefficients, order):
 
 
 def derivative(form, coefficients, order):
-    """The coefficients of the derivative in the form of the curve. A curve in Bernstein form is converted to powers and back."""
+    """The coefficients of the derivative in the form of the curve. A curve in Bernstein form is converted to powers and
+    back."""
     if form == "power":
         return derivative_of_powers(coefficients, order)
     return exact.to_bernstein(derivative_of_powers(exact.to_power(coefficients), order))

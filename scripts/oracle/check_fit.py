@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Judges `bezierbench curve fit` in rational arithmetic, on random and difficult points.
 
-It shares no code with the program. For every data point a parameter is searched for in floating point, on a dense grid and
-then by halving steps. The distance at that parameter is computed in fractions; it may exceed neither the tolerance nor the
-maximum error that the program claims. Segments must join in data points, from the first point to the last.
+It shares no code with the program. For every data point a parameter is searched for in floating point, on a dense grid
+and then by halving steps. The distance at that parameter is computed in fractions; it may exceed neither the tolerance
+nor the maximum error that the program claims. Segments must join in data points, from the first point to the last.
 
 check_fit.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -33,7 +33,8 @@ def squared_length_at(offsets, t):
 
 
 def candidates(offsets):
-    """Candidates (segment, t) for the nearest point, in floating point: the best of a grid, refined by steps that are halved."""
+    """Candidates (segment, t) for the nearest point, in floating point: the best of a grid, refined by steps that are
+    halved."""
     grid = sorted((squared_length_at(segment, k / GRID), i, k / GRID)
                   for i, segment in enumerate(offsets) for k in range(GRID + 1))
     for distance, i, t in grid[:STARTS]:

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Judges `bezierbench curve interpolate` in rational arithmetic, on random and difficult points.
 
-It shares no code with the program. The conditions of a C2 natural spline are written as one system for all control points,
-with P0, P1, P2 and P3 of every segment unknown, and solved by Gaussian elimination with fractions.
+It shares no code with the program. The conditions of a C2 natural spline are written as one system for all control
+points, with P0, P1, P2 and P3 of every segment unknown, and solved by Gaussian elimination with fractions.
 
 check_interpolate.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -45,7 +45,8 @@ def eliminate(rows):
 
 
 def conditions(n):
-    """Yields (kind, number of the data point, left-hand side) of every condition; unknown 4i + j is P_j of segment i."""
+    """Yields (kind, number of the data point, left-hand side) of every condition; unknown 4i + j is P_j of segment
+    i."""
     one = Fraction(1)
     for i in range(n):
         yield "data", i, {4 * i: one}

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Judges `bezierbench curve length` and `curve at-length` in decimal arithmetic, on random and difficult curves.
 
-It shares no code with the program. Lengths are integrals by the tanh-sinh rule (Takahasi and Mori 1974) in 45 digits, over
-pieces that end at the extrema of |C'|^2 and so next to its roots. Two step sizes must agree. The lengths at exact_t +- one
-ulp must lie on either side of the target. A promised tolerance must be kept.
+It shares no code with the program. Lengths are integrals by the tanh-sinh rule (Takahasi and Mori 1974) in 45 digits,
+over pieces that end at the extrema of |C'|^2 and so next to its roots. Two step sizes must agree. The lengths at
+exact_t +- one ulp must lie on either side of the target. A promised tolerance must be kept.
 
 check_length.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -86,8 +86,9 @@ def roots_of(coefficients):
 
 
 def cuts(square):
-    """The ends of the pieces: 0, 1, the real parts of complex roots of |C'|^2, and its extrema. A root next to the real axis gives
-    a minimum, which is refined in decimal: a cusp is a double root of |C'|^2, but a simple root of its derivative."""
+    """The ends of the pieces: 0, 1, the real parts of complex roots of |C'|^2, and its extrema. A root next to the real
+    axis gives a minimum, which is refined in decimal: a cusp is a double root of |C'|^2, but a simple root of its
+    derivative."""
     slope = [decimal(c) for c in derivative(square)]
     bend = derivative(slope)
     found = {Decimal(0), Decimal(1)}

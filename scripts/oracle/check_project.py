@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Judges `bezierbench curve project` in rational arithmetic, on random and difficult curves.
 
-It shares no code with the program. The distance at the program's exact_t is computed from the definition. (C - P).C' must
-change its sign there, or vanish, or at an end point out of the interval. No point of a grid may be nearer.
+It shares no code with the program. The distance at the program's exact_t is computed from the definition. (C - P).C'
+must change its sign there, or vanish, or at an end point out of the interval. No point of a grid may be nearer.
 
 check_project.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Judges `bezierbench curve split` by the definition in rational arithmetic, on random and difficult curves.
 
-Point i of the left half is the value at t of the Bernstein form with the control points c_0 to c_i; for the right half these
-are c_i to c_n. For a rational curve the points (w c, w) are split and then divided.
+Point i of the left half is the value at t of the Bernstein form with the control points c_0 to c_i; for the right half
+these are c_i to c_n. For a rational curve the points (w c, w) are split and then divided.
 
 check_split.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Control points of random and difficult curves for the oracles: functions of a random.Random, the degree and the dimension."""
+"""Control points of random and difficult curves for the oracles: functions of a random.Random, the degree and the
+dimension."""
 
 
 def uniform(draw, n, d):

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Independent reference values: the definitions in rational arithmetic, in plain Python, without code of the C++ program.
+"""Independent reference values: the definitions in rational arithmetic, in plain Python, without code of the C++
+program.
 
-Every double is a dyadic rational, so curve values are exact rationals. A rational is a pair (numerator, denominator)
-of integers with denominator > 0, not reduced: greatest common divisors of numbers with 10^5 bits would take most of the time.
+Every double is a dyadic rational, so curve values are exact rationals. A rational is a pair (numerator, denominator) of
+integers with denominator > 0, not reduced: greatest common divisors of numbers with 10^5 bits would take most of the
+time.
 """
 import math
 from fractions import Fraction
@@ -83,7 +85,8 @@ def rational_value(terms, coefficients, weights):
 
 
 def rational_p_tilde(terms, coefficients, weights):
-    """p~(t) = sum |w_i c_i basis_i(t)| / |sum w_i basis_i(t)|, from basis_terms(); None where the denominator is zero."""
+    """p~(t) = sum |w_i c_i basis_i(t)| / |sum w_i basis_i(t)|, from basis_terms(); None where the denominator is
+    zero."""
     pair = weighted_ratio(terms, coefficients, weights, abs)
     return pair and (pair[0], abs(pair[1]))
 

@@ -292,7 +292,8 @@ def self_test():
 
 
 def check_polynomials():
-    """Checks that the coefficients are doubles at every degree that the program takes; polynomial() raises where one is not."""
+    """Checks that the coefficients are doubles at every degree that the program takes; polynomial() raises where one is
+    not."""
     for (generator, curve), largest in DEGREES.items():
         for n in range(largest + 1):
             cell = {"curve": curve, "dimension": 1, "degree": n, "coordinate_range": 1.0, "t_min": 0.0, "t_max": 1.0,

@@ -18,7 +18,8 @@ class Program:
         self.program, self.file = program, file
 
     def ask(self, command, option, points, *options):
-        """(rows, standard error) of `curve COMMAND OPTION FILE OPTIONS`, FILE with `points`. Raises ValueError where it fails."""
+        """(rows, standard error) of `curve COMMAND OPTION FILE OPTIONS`, FILE with `points`. Raises ValueError where it
+        fails."""
         write_curve(self.file, points)
         result = subprocess.run([self.program, "curve", command, option, str(self.file), *options], capture_output=True, text=True,
                                 timeout=120, check=False)
@@ -28,8 +29,8 @@ class Program:
 
 
 def main(description, what, least, questions):
-    """Judges every (name, iterator of mismatches) that questions(program, seed) yields, and prints a summary. Returns the exit
-    code: 1 for any mismatch, and if fewer than `least` were judged. `what` is the plural of what is judged."""
+    """Judges every (name, iterator of mismatches) that questions(program, seed) yields, and prints a summary. Returns
+    the exit code: 1 for any mismatch, and if fewer than `least` were judged. `what` is the plural of what is judged."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--seed", type=int, default=1)
