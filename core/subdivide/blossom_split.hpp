@@ -7,7 +7,7 @@
 // Cost: d n(n+1)(n+2) + 1 flops.
 // Bound: as for de_casteljau_split, whose operations are done again for each point: gamma_3k sum |b_j| B_j,k(t) on
 //   [0,1] and 2k eta.
-// Fails: cubic cost, for the bits of de_casteljau_split.
+// Fails: its cost is cubic, although its bits are those of de_casteljau_split.
 #pragma once
 
 #include "core/subdivide/de_casteljau_split.hpp"

@@ -66,7 +66,7 @@ std::string goal_problem(const Goal& goal, std::span<const std::string> methods)
   return {};
 }
 
-/// From an inline table.
+/// Reads a goal from an inline table.
 void read(const Source& source, const toml::node& node, Goal& out) {
   const toml::table* table = node.as_table();
   if (table == nullptr) fail_type(source, node, "a table such as { method = \"horner_fma\", share = 0.85 }");
