@@ -73,8 +73,8 @@ Data polyline(DataSource source) {
   return data;
 }
 
-/// Samples of a closed curve. From degree 4 on both ends have the same derivative. For a cubic this would give b_2 -
-/// b_0 = -(b_1 - b_0), a curve that runs forth and back on a line.
+/// Samples of a closed curve. From degree 4 on both ends have the same derivative. For a cubic this would give
+/// b_2 - b_0 = -(b_1 - b_0), a curve that runs forth and back on a line.
 Data closed(DataSource source) {
   const auto d = dimension_of(source);
   auto& b = source.control_points;

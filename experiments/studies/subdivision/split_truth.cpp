@@ -154,8 +154,8 @@ SplitError SplitTruth::of_weight(const SplitBound* bound, Side side, int i, doub
 
 /// The bound of the error of a half's middle. The middle is an average of the control points, so its error is at most
 /// the largest of their bounds. For a rational curve the coefficients of this average have errors as well: if the
-/// relative errors of the weights are at most r, those of the coefficients are at most 2 r / (1 - r), and |b_i| <=
-/// p~_i.
+/// relative errors of the weights are at most r, those of the coefficients are at most 2 r / (1 - r),
+/// and |b_i| <= p~_i.
 double SplitTruth::middle_bound(const SplitBound* bound, Side side) const {
   double of_points = 0;
   double of_weights = 0;  // r
