@@ -1,10 +1,11 @@
 #!/usr/bin/python3 -I
 # SPDX-License-Identifier: MIT
-"""Does a bundle have all that another one says of accuracy, bit for bit, table by table, study by study and method by method?
+"""Compares the accuracy of two bundles bit for bit, by table, study and method.
 
-agreement.py BASE OTHER    exits 1 where rows of BASE are missing or differ; methods and studies that OTHER has beside are named
+agreement.py BASE OTHER    exits 1 where rows of BASE are missing or differ in OTHER; names what only OTHER has
 
-Computed from the tables, over the digested columns that both have: bundles of any schema version can be compared.
+The digests are computed from the tables, over the digested columns that both have, so that bundles of any two schema
+versions can be compared.
 """
 import sys
 from pathlib import Path

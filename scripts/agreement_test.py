@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What agreement.py and digests.csv say of a bundle to whose tables rows are added, or in which some change or are lost."""
+"""agreement.py and digests.csv for a bundle to whose tables rows are added, or whose rows change or are lost."""
 import csv
 import shutil
 import subprocess
@@ -27,7 +27,7 @@ class Agreement(unittest.TestCase):
         shutil.copytree(BASELINE, self.copy)
 
     def change(self, change):
-        """Lets `change(table, rows)` give each deterministic table other rows; worst inputs are numbered anew."""
+        """Replaces the rows of each deterministic table by `change(table, rows)` and numbers the worst inputs again."""
         for table in METHOD:
             with open(self.copy / table, newline="", encoding="utf-8") as file:
                 header, *rows = csv.reader(file)

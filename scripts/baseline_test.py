@@ -4,9 +4,9 @@
 
 baseline_test.py PROGRAM
 
-Inputs depend on nothing but seed, study, cell and trial, so a study run alone must give the rows that it gave in the
-whole suite. A method that the baseline does not have yet is named and no failure. `scripts/check golden` compares
-everything; this is what fits into the tests.
+Inputs depend only on seed, study, cell and trial, so a study run alone must give the rows that it gave in the whole
+suite. A method that the baseline does not have yet is named, but is no failure. `scripts/check golden` compares all
+studies; this test takes those that are quick enough for every run.
 """
 import subprocess
 import sys

@@ -20,7 +20,7 @@ class Rows(NamedTuple):
     method: str
 
     def words(self):
-        """For a message."""
+        """The rows as text, for a message."""
         return f"{self.table}, study {self.study}" + (f", method {self.method}" if self.method else "")
 
 
@@ -32,7 +32,8 @@ def line(fields):
 
 
 def of_table(file, text, columns):
-    """{Rows: (number of rows, digest)} in the order of their first rows, over those columns of a table's text."""
+    """{Rows: (number of rows, digest)} of a table's text, in the order of their first rows; the digests are over
+    `columns`."""
     header, *rows = csv.reader(io.StringIO(text, newline=""), strict=True)
     study, method = (header.index(schema.table(file).get(key, key)) for key in ("study", "method"))
     places = [header.index(column) for column in columns]
@@ -45,7 +46,7 @@ def of_table(file, text, columns):
 
 
 def of_bundle(bundle, version):
-    """The text of the digests.csv of a bundle of this schema version."""
+    """The text of digests.csv for the tables of a bundle, by the rule of schema version `version`."""
     lines = [line(schema.written(NAME))]
     for file in schema.deterministic():
         if (bundle / file).exists():
@@ -58,7 +59,7 @@ class Agreement:
     """Which rows of two bundles agree, over the digested columns that both have."""
 
     def __init__(self, base, other, studies=None):
-        """`studies`: only of these, if given."""
+        """Compares only the rows of `studies`, if given."""
         self.agreeing, self.differing, self.only_base, self.only_other = [], [], [], []
         for file in schema.deterministic():
             a, b = (_text(bundle / file) if (bundle / file).exists() else None for bundle in (base, other))
@@ -78,12 +79,12 @@ class Agreement:
         return bool(self.agreeing) and not self.differing and not self.only_base
 
     def counts(self):
-        """Both bundles in one line."""
+        """How many Rows agree, differ, are missing and are new, in one line."""
         kinds = {"agree": self.agreeing, "differ": self.differing, "are missing": self.only_base, "are new": self.only_other}
         return "by table, study and method: " + ", ".join(f"{len(rows)} {what}" for what, rows in kinds.items() if rows or what == "agree")
 
     def named(self, most=5):
-        """Lines that name a few of those that do not agree."""
+        """Lines that name Rows which do not agree, at most `most` of each kind."""
         for what, rows in (("differs", self.differing), ("is missing", self.only_base), ("is new", self.only_other)):
             yield from (f"{what}: {at.words()}" for at in rows[:most])
             if len(rows) > most:

@@ -4,8 +4,8 @@
 
 earlier_bundles_test.py PROGRAM
 
-experiments/bundle/fixtures holds one per schema version. They are never made anew: that they stay as they are is the
-point.
+experiments/bundle/fixtures has one bundle per schema version. They are never made anew, since the test is about bundles
+of earlier programs.
 """
 import csv
 import subprocess
@@ -42,7 +42,7 @@ class EarlierBundles(unittest.TestCase):
             self.assertEqual(self.output(PROGRAM, "verify", bundle).splitlines()[0], f"{bundle}: fine")
 
     def test_compare_with_a_bundle_of_today(self):
-        """Inputs are found again in what this program makes of the same suite; what it computes is golden's business."""
+        """Every row's inputs are found in a new run of the same suite. `scripts/check golden` compares the results."""
         for bundle in BUNDLES:
             now = self.folder / bundle.name
             self.output(PROGRAM, "run", bundle / "suite.toml", "--quiet", "--no-timing", "--out", now)

@@ -1,11 +1,11 @@
 #!/usr/bin/python3 -I
 # SPDX-License-Identifier: MIT
-"""A copy of a bundle, changed as damage and malice change one: for checks of whatever reads bundles.
+"""Copies a bundle and changes the copy as damage or malice would, for checks of programs that read bundles.
 
 hostile_bundle.py BUNDLE OUT --seed N [--stale-sums]
 
-The same seed makes the same change; standard output says which. The checksums fit what OUT then holds, as a stranger would see
-to; with --stale-sums they are those of BUNDLE.
+The same seed makes the same change; standard output says which. The checksums fit the changed files, as a stranger
+would make them; with --stale-sums they remain those of BUNDLE.
 """
 import argparse
 import sys

@@ -152,7 +152,7 @@ def folder_of(path):
 
 
 def allowed_to(path):
-    """All that the file at `path` may include: project places and packages in one list."""
+    """What the file at `path` may include: folders and files of the project, and packages, in one list."""
     folder = folder_of(path)
     project, packages = TABLE[folder]
     return [folder, *project, *packages] + [what for where, what, _ in ADDITIONS if re.match(where, path)]
@@ -163,7 +163,7 @@ def package_of(header):
 
 
 def complaint(path, quote, header):
-    """Why the file at `path` may not include `header`, or None."""
+    """Why the file at `path` may not include `header`; None if it may."""
     folder = folder_of(path)
     allowed = allowed_to(path)
     rule = f"{folder} may include {', '.join(allowed)}"
@@ -183,7 +183,7 @@ def complaint(path, quote, header):
 
 
 def check(root):
-    """All violations under `root`, each as 'file:line: reason', and the number of files read."""
+    """(violations under `root` as 'file:line: reason', number of files read)."""
     findings = []
     files = sorted(
         file

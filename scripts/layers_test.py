@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""layers.py finds a violation of each kind, and lets pass what the table allows."""
+"""layers.py finds a violation of each kind and accepts what the table allows."""
 import subprocess
 import sys
 import tempfile
@@ -47,11 +47,11 @@ FORBIDDEN = [
     ("reference/exact.hpp", '#include "core/evaluate/horner.hpp"'),
     ("reference/exact.hpp", '#include "core/curve.hpp"'),
     ("experiments/suite/parse.cpp", '#include "core/evaluate/roster.hpp"'),
-    # a way around by dots, by angle brackets, by blanks
+    # other spellings of a path: with dots, angle brackets, blanks
     ("reference/exact.hpp", '#include "reference/../core/evaluate/horner.hpp"'),
     ("reference/exact.hpp", "#include <core/evaluate/horner.hpp>"),
     ("reference/exact.hpp", '  #  include   "core/evaluate/horner.hpp"'),
-    # not named from the root
+    # a path that does not begin at the root
     ("core/evaluate/horner.hpp", '#include "curve.hpp"'),
     ("core/evaluate/horner.hpp", '#include "../curve.hpp"'),
     ("experiments/bundle/write.cpp", '#include "build_facts.hpp"'),
@@ -67,7 +67,7 @@ FORBIDDEN = [
     ("experiments/cli/main.cpp", "#include <nlohmann/json.hpp>"),
     ("experiments/studies/accuracy/accuracy.cpp", "#include <toml++/toml.h>"),
     ("experiments/sample/draw.cpp", "#include <gtest/gtest.h>"),
-    # nobody's package
+    # a package that no folder may include
     ("experiments/cli/main.cpp", "#include <boost/spirit.hpp>"),
     ("experiments/cli/main.cpp", "#include <zlib.h>"),
 ]

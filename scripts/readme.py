@@ -1,12 +1,12 @@
 #!/usr/bin/python3 -I
 # SPDX-License-Identifier: MIT
-"""The parts of README.md that are numbers: filled in from the committed bundles, never typed.
+"""Fills in the parts of README.md that are numbers, from the committed bundles.
 
-readme.py            compares, and exits 1 where README.md says something else than the bundles
+readme.py            compares, and exits 1 where README.md differs from what the bundles give
 readme.py --update   writes them
-readme.py --program PROGRAM   also looks at what only PROGRAM can say: which methods it has, how it compares the committed
-                              bundles, whether each of them is as it was written, and whether PROGRAM still has every method
-                              of the baseline, with the facts that the baseline states of it
+readme.py --program PROGRAM   also compares what only PROGRAM can say: its methods and its comparison of the committed bundles.
+                              Checks with PROGRAM that each bundle is as it was written, and that PROGRAM still has every
+                              method of the baseline with the facts that the baseline states about it
 """
 import argparse
 import csv
@@ -34,7 +34,7 @@ BASELINE = RESULTS / "baseline"
 OTHER_BUILD = RESULTS / "clang"
 README = ROOT / "README.md"
 WIDTH = 118  # of a line of prose
-WORDING = ("citation",)  # columns of methods.csv that may be worded anew; they say nothing of a bundle's numbers
+WORDING = ("citation",)  # columns of methods.csv whose wording may change; they have no numbers of a bundle
 TIMES = "2.4"  # the table of the report that prints times
 SAID = {"inside": "inside the band that chance allows", "explained": "outside it for a stated cause", "outside": "outside it without a known cause",
         "untestable": "untestable, since they are no more than one tick of the report's clock"}
@@ -52,7 +52,7 @@ def scorecard():
 
 
 def printed():
-    """How many of the printed cells are what, errors and times apart."""
+    """The numbers of printed cells by verdict, for errors and times separately, as sentences."""
     tables = counts(Bundle(BASELINE))
     times = tables.pop(TIMES)
     lines = [f"Of the {found.total()} {what}, "
@@ -80,7 +80,7 @@ def timings(bundle):
 
 
 def agreement(bundle):
-    """In words, how far the accuracy of a committed bundle is the baseline's."""
+    """How many methods of a committed bundle agree with the baseline, as text. Ends the program where one differs."""
     found = Agreement(BASELINE, bundle)
     if found.differing:
         sys.exit("\n".join([f"{bundle.relative_to(ROOT)}: differs from {BASELINE.relative_to(ROOT)}, {found.counts()}", *found.named(),
@@ -90,7 +90,7 @@ def agreement(bundle):
 
 
 def digest():
-    """The baseline's digest, then where each committed bundle was made, and how far it agrees."""
+    """The baseline's digest, then a table of the committed bundles: where each was made and how many methods agree."""
     body = []
     for bundle in committed_bundles():
         name = bundle.relative_to(ROOT)
@@ -100,7 +100,7 @@ def digest():
 
 
 class Listing(Folder):
-    """What `list methods` prints, as the report reads a bundle."""
+    """The output of `list methods` as a folder that the report's code can read."""
 
     writer = "bezierbench list methods --format csv"
 
@@ -109,7 +109,7 @@ class Listing(Folder):
 
 
 def method_list_of(program):
-    """The methods of our own, as CSV; peers depend on what a machine has installed."""
+    """Our own methods as CSV, without peers, which depend on what a machine has installed."""
     text = subprocess.run([program, "list", "methods", "--format", "csv"], check=True, capture_output=True, text=True).stdout
     return "".join(line for line in text.splitlines(keepends=True) if not line.startswith("peer_"))
 
@@ -134,7 +134,7 @@ def compared(program):
 
 
 def comparison(program):
-    """Both builds in words, then the ratios of the times in the mode in which curves are prepared."""
+    """A description of both builds, then the ratios of the times in the mode for prepared curves."""
     found = compared(program)
     judged = [row for row in found.rows.rows if row["kind"] == "accuracy"]
     times = [row for row in found.rows.rows if row["kind"] == "timing" and row["degree"] is not None]
@@ -169,7 +169,8 @@ def judged_methods():
 
 
 def differing_method(listed, baseline, judged):
-    """The first of the `judged` methods in `baseline` for which `listed` has no line of the same facts; None without one."""
+    """The id of the first of the `judged` methods in `baseline` whose facts differ in `listed`; None if there is
+    none."""
     def facts(text):
         return [{column: field for column, field in row.items() if column not in WORDING}
                 for row in csv.DictReader(io.StringIO(text))]
@@ -195,7 +196,8 @@ def filled(text, program):
 
 
 def new_methods(text, wanted):
-    """The methods that the program has and README.md lacks, where nothing else differs: whoever adds one need not touch it."""
+    """The methods of the program that README.md lacks. Empty if anything else differs: an added method alone needs no
+    update."""
     ours, theirs = text.splitlines(), wanted.splitlines()
     more = [line for line in theirs if line not in set(ours)]
     if not all(line.startswith("| `") for line in more) or ours != [line for line in theirs if line not in set(more)]:

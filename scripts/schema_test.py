@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""bundle.json and machine.json against the schemas that say what is in them.
+"""Checks bundle.json and machine.json against their schemas.
 
-schema_test.py PROGRAM    of a run of PROGRAM, of the committed bundles, and of bundles of every earlier schema version
+schema_test.py PROGRAM    checks a run of PROGRAM, the committed bundles, and a bundle of every earlier schema version
 """
 import copy
 import json
@@ -34,7 +34,7 @@ def read(bundle, file):
 
 
 def leaves(value, place=()):
-    """The place of every value that is no object."""
+    """Yields the path of every value that is not an object."""
     if not isinstance(value, dict):
         return [place]
     return [leaf for key, inner in value.items() for leaf in leaves(inner, (*place, key))]

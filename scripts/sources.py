@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Whether every citation can be looked up, and whether every method's header opens with its labelled lines.
+"""Checks that every citation can be looked up, and that every method's header opens with its labelled lines.
 
 sources.py [ROOT] [--program PROGRAM]   prints one line per finding and exits 1 if there is any.
 
 A citation is a key in brackets, such as [Higham 2002], that reference/published/SOURCES.md lists. The C++ files of core/ and
-reference/ are read, and with --program what PROGRAM lists of its methods.
+reference/ are read and, with --program, the list of methods that PROGRAM prints.
 """
 import argparse
 import csv
@@ -18,12 +18,12 @@ from pathlib import Path
 SOURCES = "reference/published/SOURCES.md"
 FOLDERS = ("core", "reference")
 LABELS = ("Formula", "Source", "Cost", "Bound", "Fails")
-WIDTH = 120  # clang-format leaves comments alone, so nothing else holds them to it
+WIDTH = 120  # clang-format does not wrap comments
 NO_SOURCE = "bound derived here"  # a part of a method's citation that names no source
 
 KEY = r"\[((?:de )?[A-Z][A-Za-z.\- ]* \d{3,4})\]"
 ENTRY = re.compile(rf"^(?:###|-) {KEY} \S", re.MULTILINE)
-# What a citation without a key looks like: a year that is in no brackets, or a document by its number.
+# A citation without a key: a year outside brackets, or a document by its number.
 UNLISTED = re.compile(r"\b(?:1[89]|20)\d\d\b(?!\^|,\d)|\b(?:[Rr]eport|[Dd]ocument)s? 00\d\b")
 LABEL_IN_A_LINE = re.compile(rf"^// .*\S +(?:{'|'.join(LABELS)}): ")
 COMMENT = re.compile(r"//[/<! ]*(.*)$")
@@ -31,7 +31,7 @@ INCLUDE = re.compile(r'#include "(core/[^"]+)"')
 
 
 def keys_of(sources):
-    """The listed keys, in order; a key listed twice appears twice."""
+    """The keys in the text of SOURCES.md, in order, with repetitions."""
     return ENTRY.findall(sources)
 
 
@@ -40,7 +40,8 @@ def cxx_files(root):
 
 
 def comments(text):
-    """(number of its first line, text) of each block of comment lines; what ends a line of code is a block of its own."""
+    """[(number of its first line, text)] for each block of comment lines. A comment at the end of a line of code is its
+    own block."""
     blocks, last = [], 0
     for number, line in enumerate(text.splitlines(), 1):
         match = COMMENT.search(line)
@@ -67,7 +68,7 @@ def opening(text):
 
 
 def citation_findings(name, text, keys):
-    """Citations in the comments of a file that lead nowhere."""
+    """Yields the citations in the comments of a file that are not listed."""
     for number, comment in comments(text):
         for key in re.findall(KEY, comment):
             if key not in keys:
@@ -78,7 +79,7 @@ def citation_findings(name, text, keys):
 
 
 def line_findings(name, text):
-    """Labelled lines that were joined with the line before, and comments that are too long."""
+    """Yields labelled lines that are joined with the line before, and comments that are too long."""
     for number, line in enumerate(text.splitlines(), 1):
         if LABEL_IN_A_LINE.search(line):
             yield f"{name}:{number}: a labelled line of a header stands within another line; begin a line with it"
@@ -87,13 +88,13 @@ def line_findings(name, text):
 
 
 def method_headers(root):
-    """The headers that a roster includes and that define a method."""
+    """The names of the headers that a roster includes and that define a method."""
     included = {name for roster in (root / "core").rglob("roster.hpp") for name in INCLUDE.findall(roster.read_text())}
     return sorted(name for name in included if re.search(r'\.id\s*=\s*"', (root / name).read_text()))
 
 
 def header_findings(name, text):
-    """A method's header whose opening lacks a label, or whose Source lacks a key of the method's citation."""
+    """Yields what is wrong with a method's header: a missing label, or a cited key that its line Source lacks."""
     paragraphs = {}
     found = []
     for line in opening(text):
@@ -115,13 +116,13 @@ def header_findings(name, text):
 
 
 def listed_findings(listing, keys):
-    """What the program lists: every part of a citation begins with a key."""
+    """Yields the parts of citations in the program's list of methods that do not begin with a listed key."""
     rows = list(csv.DictReader(io.StringIO(listing)))
     if not rows:
         yield "the program lists no methods"
     for row in rows:
         if row["id"].startswith("peer_"):
-            continue  # another library, which is its own source
+            continue  # another library needs no citation
         for part in row["citation"].split("; "):
             match = re.match(KEY, part)
             if not match and part != NO_SOURCE:

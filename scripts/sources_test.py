@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""sources.py finds a violation of each kind, and lets pass what is right."""
+"""sources.py finds a violation of each kind and accepts correct files."""
 import sys
 import tempfile
 import unittest

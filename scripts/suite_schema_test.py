@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The JSON Schema of suites and the descriptions of the kinds of studies, against the program and the suites.
+"""Checks the JSON Schema of suites and the descriptions of the kinds against the program and the suites.
 
 suite_schema_test.py PROGRAM
 """
@@ -41,7 +41,7 @@ class SuiteSchema(unittest.TestCase):
         return self.validator.is_valid(tomllib.loads(text))
 
     def planned(self, text):
-        """What the program says of a suite, and its exit code."""
+        """(the program's output for a suite, exit code)."""
         with tempfile.TemporaryDirectory(prefix="bezierbench-suite-") as folder:
             Path(folder, "s.toml").write_text(text, encoding="utf-8")
             done = subprocess.run([PROGRAM, "run", "s.toml", "--out", "b", "--trials", "1", "--dry-run"], cwd=folder,

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The CSV tables of bundles against the schema that says what is in them, and the schema against the tables.
+"""Checks the CSV tables of bundles against their schema, and the schema against the tables.
 
-table_schema_test.py PROGRAM    of a run of PROGRAM with every kind of study, of the committed bundles, and of bundles
-                                of every earlier schema version
+table_schema_test.py PROGRAM    checks a run of PROGRAM with every kind of study, the committed bundles, and a bundle of
+                                every earlier schema version
 """
 import copy
 import csv
@@ -23,15 +23,15 @@ ROOT = Path(__file__).resolve().parent.parent
 SCHEMA = json.loads((ROOT / "experiments/bundle/schema/tables.schema.json").read_text(encoding="utf-8"))
 COMMITTED = sorted(path.parent for path in ROOT.glob("results/*/bundle.json"))
 EARLIER = sorted(path.parent for path in ROOT.glob("experiments/bundle/fixtures/*/bundle.json"))
-# Only other libraries' methods write them.
+# Only methods of other libraries write these tables.
 OF_PEERS = {"arc_length_unstable.csv"}
 PROGRAM = Path(sys.argv.pop(1)).resolve()
 
 INTEGER = re.compile(r"-?(0|[1-9][0-9]*)")
 DECIMAL = re.compile(r"-?[0-9]+(\.[0-9]+)?(e[+-][0-9]+)?")
 
-# Degrees that a method does not have, weights, both scalar types and printed cells: every table, and fields that are
-# empty elsewhere.
+# Studies that give every table and fields that are rarely filled: degrees that a method does not support, weights, both
+# scalar types, printed cells.
 REPORT = 'coordinate_range = [1e6]\ngenerator = ["report"]\npublished = "report_tables.csv"'
 STUDIES = {
     "2.3.1-bezier": ("accuracy", "bezier", 'degree = [4, 300]\nscalar = ["double", "float"]\nbaseline = ["exact", "direct"]\n'
@@ -58,7 +58,7 @@ def suite():
 
 
 def resolved(schema):
-    """The schema that a $ref names, with what is said beside it."""
+    """The schema that a $ref names, with the keywords beside the $ref added to it."""
     while "$ref" in schema:
         *path, last = schema["$ref"].removeprefix("#/").split("/")
         place = functools.reduce(dict.__getitem__, path, SCHEMA)
@@ -76,7 +76,8 @@ def judge(file, column):
 
 
 def readings(text):
-    """What a field may stand for. A number with more digits than it needs is text, which no column of numbers admits."""
+    """Yields the values that a field may stand for. A number with superfluous digits is text, which no column of
+    numbers admits."""
     if not text:
         yield None
     if INTEGER.fullmatch(text):
@@ -88,7 +89,7 @@ def readings(text):
 
 @functools.cache
 def typed(file, column, text):
-    """The first reading that the column admits; the text where it admits none, or is unknown."""
+    """The first reading that the column admits; the text itself where it admits none, and for unknown columns."""
     if file not in SCHEMA["properties"] or column not in columns(file):
         return text
     return next((value for value in readings(text) if judge(file, column).is_valid(value)), text)
@@ -143,7 +144,7 @@ class TableSchema(unittest.TestCase):
                     self.fail(error.message)
 
     def test_columns_are_in_its_order(self):
-        """A run of today has all of them but the deprecated ones; bundles that were made before may lack some."""
+        """A new run has all columns except deprecated ones; earlier bundles may lack some."""
         for bundle in [self.fresh, *COMMITTED, *EARLIER]:
             for file, table in tables(bundle).items():
                 with self.subTest(bundle=bundle, file=file):

@@ -40,7 +40,7 @@ struct AdaptiveSimpson38 {
   template <int Dimension>
   static ArcLength measure(Curve<Form::bernstein, double, Dimension> hodograph, double tolerance) {
     Search<Dimension> search;
-    // A first length, to make the tolerance absolute; half of it, for that length may be too large.
+    // A first length makes the tolerance absolute. Half of it is taken, since it may exceed the true length.
     const double first_length = search.first_length(hodograph);
     search.allowed = tolerance * first_length / 2;
     search.rounding = rounding_of_length(hodograph, 6 * hodograph.degree() + 3 * depth_limit + 32);
@@ -57,11 +57,11 @@ struct AdaptiveSimpson38 {
     using Hodograph = Curve<Form::bernstein, double, Dimension>;
 
     SquaredSpeeds<Dimension> squared_speeds;
-    double allowed = 0;   ///< to be off, of the mean speed of each panel, so of the length
-    double rounding = 0;  ///< of the length
+    double allowed = 0;   ///< absolute error allowed in the mean speed of a panel
+    double rounding = 0;  ///< absolute rounding error of the length
     ArcLength result{.length = 0, .error_estimate = 0};
 
-    /// The mean of the speeds in the middle of many equal parts.
+    /// A first length: the mean of the speeds in the middles of many equal parts.
     double first_length(const Hodograph& h) {
       constexpr std::size_t count = SquaredSpeeds<Dimension>::count;
       const int groups = h.degree() / 2 + 1;
@@ -77,7 +77,7 @@ struct AdaptiveSimpson38 {
       return sum / parts;
     }
 
-    /// The mean speed of a panel: S of both halves and of the whole, extrapolated.
+    /// The mean speed of a panel, extrapolated from S of both halves and of the whole.
     double mean_speed(const Hodograph& h) {
       static constexpr std::array<double, 8> abscissae{0, 1.0 / 6, 1.0 / 3, 0.5, 2.0 / 3, 5.0 / 6, 1, 1};
       auto f = squared_speeds(h, abscissae);
@@ -88,7 +88,7 @@ struct AdaptiveSimpson38 {
       return halves + (halves - whole) / 15;
     }
 
-    /// A panel of this width of the parameter; spoils its hodograph h.
+    /// Adds the length of a panel, `width` wide in the parameter. Overwrites its hodograph h.
     void add_panel(Hodograph& h, double width, int depth) {
       const auto fourth = fourth_derivative(h);
       const double missed = fourth.bound / 48600;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The concept of a method for arc length: `info`, and one function from a hodograph to a length with its error.
+// The concept of a method for arc length: `info`, and one function from a hodograph to its length with an error
+// estimate.
 #pragma once
 
 #include <concepts>
@@ -10,9 +11,9 @@
 
 namespace bezierbench {
 
-/// The length of a curve is the integral of |h(t)| over [0, 1], h its first hodograph, which a method is handed scaled
-/// such that the largest of its control vectors has a size between 1/2 and 2 sqrt(3) (ArcLengthKernel does that).
-/// `tolerance` > 0 is relative to the length. A method that cannot keep it says so: `converged` is then false.
+/// The length of a curve is the integral of |h(t)| over [0, 1], where h is its first hodograph. ArcLengthKernel scales
+/// h such that the size of its largest control vector is between 1/2 and 2 sqrt(3). `tolerance` > 0 is relative to the
+/// length. If a method cannot keep it, `converged` is false.
 template <class M>
 concept ArcLengthMethod = requires(const Curve<Form::bernstein, double, 2>& hodograph, double tolerance) {
   requires M::info.problem == Problem::arc_length;

@@ -28,7 +28,7 @@ class ChebyshevSeries {
  public:
   static constexpr std::size_t degree_limit = 16;
 
-  /// For curves of this degree.
+  /// Room for the series of curves of this degree.
   explicit ChebyshevSeries(int curve_degree)
       : curve_degree_(static_cast<std::size_t>(curve_degree)),
         stride_((curve_degree_ + 1) * Dimension + Dimension + chunk) {
@@ -39,13 +39,13 @@ class ChebyshevSeries {
   [[nodiscard]] std::size_t degree() const { return degree_; }
   /// |a_k|
   [[nodiscard]] double size(std::size_t k) const { return sizes_[k]; }
-  /// The curve and the series are never farther apart than this on [-1, 1].
+  /// A bound of the distance between the curve and the series on [-1, 1].
   [[nodiscard]] double cut() const { return cut_; }
 
-  /// The part of `cut` that is due to rounding, for control points of this size.
+  /// The part of cut() that comes from rounding, for control points of at most this size.
   [[nodiscard]] double rounding(double largest) const { return rounding_ * largest; }
 
-  /// Makes it the series of h, whose control points have at most the size `largest`.
+  /// Replaces the series by that of h, whose control points are at most `largest` in size.
   void expand(const Curve<Form::bernstein, double, Dimension>& h, double largest) {
     cut_ = rounding(largest);
     switch (curve_degree_) {
@@ -125,7 +125,7 @@ class ChebyshevSeries {
     Chunk a = read(row);
     Chunk b = read(row + Dimension);
     Chunk here = (b - a) / 4;
-    Chunk before = Chunk::Zero();  // of T_(k-1), twice that of T_0
+    Chunk before = Chunk::Zero();  // coefficient of T_(k-1), twice that of T_0
     for (std::size_t k = 0; k <= degree; ++k) {
       const Chunk sum = a + b;
       Chunk after = Chunk::Zero();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chebyshev polynomials, whose control points are known, come back as themselves.
+// The series of Chebyshev polynomials, whose control points are known, have one term.
 #include "core/arc_length/chebyshev_series.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(ChebyshevSeries, OfAChebyshevPolynomialIsItself) {
   }
 }
 
-/// Every axis counts in a term's size, and in what is cut; a series serves many curves.
+/// The size of a term and the cut include every axis. One series serves many curves.
 TEST(ChebyshevSeries, CombinesAxes) {
   ChebyshevSeries<3> series(5);
   Curve<Form::bernstein, double, 3> curve(5);

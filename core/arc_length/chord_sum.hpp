@@ -50,7 +50,7 @@ struct ChordSum {
       result.error_estimate += roundings;
       result.evaluations = chords + 1;
       result.converged = result.error_estimate <= tolerance * result.length;
-      const bool hopeless = roundings > tolerance * result.length;  // more chords have more of them
+      const bool hopeless = roundings > tolerance * result.length;  // more chords have more roundings
       if (result.converged || hopeless || doubling == doublings) return result;
       points = with_middles(prepared, points);
       chords *= 2;
@@ -72,7 +72,7 @@ struct ChordSum {
     return finer;
   }
 
-  /// The sum, and by how much it may be short of the length.
+  /// The sum of the chords, and how much shorter than the curve it may be.
   template <int Dimension>
   static ArcLength sum_of_chords(const std::vector<Point<double, Dimension>>& points, double bend) {
     const double width = 1 / static_cast<double>(points.size() - 1);
@@ -87,7 +87,7 @@ struct ChordSum {
     return result;
   }
 
-  /// max |C''| is at most that of its control vectors.
+  /// A bound of |C''|: the largest of its control vectors.
   template <int Dimension>
   static double largest_bend(const Curve<Form::bernstein, double, Dimension>& hodograph) {
     double largest = 0;

@@ -24,16 +24,16 @@
 
 namespace bezierbench {
 
-/// A bound of |f''''| on [0, 1], f the speed; infinite where no positive lower bound of |h| is known.
+/// A bound of |f''''| on [0, 1] for the speed f; infinite where no positive lower bound of |h| is known.
 struct FourthDerivative {
   double bound = std::numeric_limits<double>::infinity();
-  /// The part of the bound that is due to roundings. It remains when panels are halved.
+  /// The part of the bound that comes from roundings, which remains when panels are halved.
   double rounding = 0;
 };
 
 namespace detail {
 
-/// A lower bound of |h| on [0, 1]; 0 or less where it is none.
+/// A lower bound of |h| on [0, 1]. It says nothing where it is 0 or less.
 template <int Dimension>
 double least_size(const Curve<Form::bernstein, double, Dimension>& h) {
   std::array<double, Dimension> mean{};
@@ -60,7 +60,7 @@ FourthDerivative fourth_derivative(const Curve<Form::bernstein, double, Dimensio
   const double longest = longest_vector(h);
   const double least = detail::least_size(h) - 4 * Dimension * u * longest;
   if (!(least > 0)) return {};
-  std::array<double, 5> derivatives{};  // of h, their largest sizes
+  std::array<double, 5> derivatives{};  // largest sizes of h and its derivatives
   FourthDerivative result;
   double factor = 1;
   auto differences = h;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nodes and weights of the Gauss-Legendre rules with 8, 16 and 24 points on [-1, 1]: those x > 0 in falling order, each
-// for its opposite, too. A rule of m points integrates polynomials up to degree 2m - 1 exactly (the tests show it).
+// Nodes and weights of the Gauss-Legendre rules with 8, 16 and 24 points on [-1, 1]: the nodes x > 0 in descending
+// order, each of which also stands for -x. A rule of m points is exact for polynomials up to degree 2m - 1 (tested).
 //
 // Source: [Davis and Rabinowitz 1984], section 2.7.
 #pragma once

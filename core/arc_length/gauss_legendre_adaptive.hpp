@@ -41,14 +41,14 @@ struct GaussLegendreAdaptive {
   template <int Dimension>
   static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {
     Search<Dimension> search(hodograph.degree());
-    // The tolerance made absolute by a first length, of which half is taken, for that length may be too large.
+    // A first length makes the tolerance absolute. Half of it is taken, since it may exceed the true length.
     const double first_length = search.template integral<8>(hodograph);
     auto result = within(hodograph, tolerance * first_length / 2, search);
     result.converged = result.error_estimate <= tolerance * result.length;
     return result;
   }
 
-  /// The same for an absolute tolerance of the integral over [0, 1]; `converged` where the estimate is at most that.
+  /// The same for an absolute tolerance of the integral over [0, 1]; `converged` if the error estimate is at most that.
   template <int Dimension>
   static ArcLength measure_within(const Curve<Form::bernstein, double, Dimension>& hodograph, double absolute) {
     Search<Dimension> search(hodograph.degree());
@@ -70,9 +70,9 @@ struct GaussLegendreAdaptive {
     return result;
   }
 
-  /// False where no rule will be proved, for the ends of h point apart by a right angle or more: with the series of h,
-  /// h(1) + h(-1) is twice the sum of its even terms and h(1) - h(-1) that of its odd ones; were the sizes of all after
-  /// a_0 smaller than |a_0| together, the first would be longer than the second.
+  /// Whether a rule may be proved for h; none is where the ends of h are a right angle or more apart. h(1) + h(-1) is
+  /// twice the sum of the even terms of the series of h, and h(1) - h(-1) twice that of the odd ones. A proof needs
+  /// that the sizes of all terms after a_0 sum to less than |a_0|, so that the first sum is the longer one.
   template <int Dimension>
   static bool may_be_proved(const Curve<Form::bernstein, double, Dimension>& h) {
     double product = 0;
@@ -80,14 +80,14 @@ struct GaussLegendreAdaptive {
     return product > 0;
   }
 
-  /// One measurement: what its panels add up to, and where they are worked out.
+  /// One measurement: the result so far, and working memory.
   template <int Dimension>
   struct Search {
     explicit Search(int degree) : series(degree) {}
 
     SquaredSpeeds<Dimension> squared_speeds;
     ChebyshevSeries<Dimension> series;
-    double allowed = 0;  ///< to be off, of the mean speed of each panel, so of the length
+    double allowed = 0;  ///< absolute error allowed in the mean speed of a panel
     ArcLength result{.length = 0, .error_estimate = 0};
 
     /// The mean speed of a panel by one rule.
@@ -105,7 +105,7 @@ struct GaussLegendreAdaptive {
       return sum;
     }
 
-    /// A panel of this width of the parameter; spoils its hodograph h.
+    /// Adds the length of a panel, `width` wide in the parameter. Overwrites its hodograph h.
     void add_panel(Curve<Form::bernstein, double, Dimension>& h, double width, int depth) {
       const auto take = [&](double mean_speed, double error) {
         result.length += width * mean_speed;

@@ -13,8 +13,9 @@
 namespace bezierbench {
 namespace {
 
-/// `part`, over [0, 1] and in units of 2^exponent, as the answer: times the width of its parameters, with the roundings
-/// of cutting it, and with what is lost where the length is no double. It has converged where all that is proved.
+/// The answer for the whole task. `part` is the result over [0, 1] in units of 2^exponent. The answer is that times the
+/// width of the parameters; its error includes the roundings of cutting the curve, and the rounding of a length that is
+/// no double. It has converged if all of this is within the tolerance.
 template <int Dimension>
 ArcLength unscaled(ArcLength part, const ScaledHodograph<Dimension>& scaled, double width, double rounding,
                    double tolerance) {
@@ -37,7 +38,7 @@ ArcLength measure(const CurveView<double>& view, double from, double to, double 
   const int exponent = normalise(h);
   const double rounding = times_power_of_two(rounding_of_whole, -exponent);
   scaled.exponent += exponent;
-  // Cut to 0, it may yet be some length below its roundings.
+  // A part that is 0 after cutting may have a length, below the roundings.
   const ArcLength part = is_zero(h) ? ArcLength{.error_estimate = 0} : M::measure(h, tolerance);
   return unscaled(part, scaled, to - from, rounding, tolerance);
 }

@@ -10,19 +10,19 @@
 
 namespace bezierbench {
 
-/// One method, for Bezier curves with this many axes.
+/// One method, for Bezier curves of one dimension.
 struct ArcLengthKernel {
   const MethodInfo* info;
   int dimension;
-  /// The length of the part of `curve` between parameters 0 <= from <= to <= 1, to `tolerance` > 0 times that length.
-  /// Sizes are scaled by a power of two first, so that coordinates of any size have the same results.
+  /// The length of the part of `curve` between the parameters 0 <= from <= to <= 1, up to `tolerance` > 0 times that
+  /// length. Sizes are scaled by a power of two first, so that results do not depend on the size of the coordinates.
   ArcLength (*measure)(const CurveView<double>& curve, double from, double to, double tolerance);
 };
 
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const ArcLengthKernel> arc_length_kernels(int dimension);
 
-/// The info of every method, in roster order.
+/// The infos of all methods, in roster order.
 std::span<const MethodInfo* const> arc_length_infos();
 
 }  // namespace bezierbench

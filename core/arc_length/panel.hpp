@@ -9,7 +9,7 @@
 
 namespace bezierbench {
 
-/// The length of the chord, |mean of the control vectors|: no curve from one end to the other is shorter.
+/// The length of the chord, |mean of the control vectors|, which is a lower bound of the length of the panel.
 template <int Dimension>
 double chord_length(const Curve<Form::bernstein, double, Dimension>& h) {
   double square = 0;
@@ -33,7 +33,7 @@ double longest_vector(const Curve<Form::bernstein, double, Dimension>& h) {
   return std::sqrt(largest_square);
 }
 
-/// Leaves the right half of a hodograph in h and returns the left one.
+/// Halves a hodograph: returns the left half and leaves the right one in h.
 template <int Dimension>
 Curve<Form::bernstein, double, Dimension> cut_left_half(Curve<Form::bernstein, double, Dimension>& h) {
   const int m = h.degree();

@@ -9,8 +9,8 @@
 
 namespace bezierbench {
 
-/// The control points of h over [from, to] by de Casteljau's algorithm, twice: cut at `to`, then at from / to. Exact
-/// but for rounding; beyond [0, 1] it continues the polynomial, and roundings grow. `to` is not 0 unless `from` is.
+/// Replaces h by its control points over [from, to], by two runs of de Casteljau's algorithm: a cut at `to`, then one
+/// at from / to. Exact except for roundings, which grow outside [0, 1]. `to` may be 0 only if `from` is 0.
 template <int Dimension>
 void restrict_to(Curve<Form::bernstein, double, Dimension>& h, double from, double to) {
   const int m = h.degree();
@@ -30,10 +30,10 @@ void restrict_to(Curve<Form::bernstein, double, Dimension>& h, double from, doub
   if (from != 0) cut(from / to, false);
 }
 
-/// By how much the length of `part`, which restrict_to made of h, may be off for its roundings: each control vector, of
-/// which the length is the mean times the width, by 6 (m + 1) u of the largest of h; and the beginning, where the speed
-/// is that of the first vector, by u from the quotient from / to. Nothing for the whole. Next to a cusp that is much
-/// more than what roundings do to a curve with the control vectors of the part.
+/// A bound of the error of the length of `part` due to the roundings of restrict_to, which made it from h. The length
+/// is the mean of the control vectors times the width; each of them is off by 6 (m + 1) u of the largest of h. The
+/// beginning, where the speed is that of the first vector, is off by u from the quotient from / to. 0 for the whole
+/// curve. Next to a cusp this error is much larger than the effect of roundings in the part's own control vectors.
 template <int Dimension>
 double rounding_of_part(const Curve<Form::bernstein, double, Dimension>& h,
                         const Curve<Form::bernstein, double, Dimension>& part, double from, double to) {

@@ -22,8 +22,7 @@ Curve<Form::bernstein, double, Dimension> curve_of(const Curve<Form::bernstein, 
   return curve;
 }
 
-/// The largest change of one chord by roundings: two points, each with the roundings of its evaluation by
-/// Horner-Bernstein.
+/// The largest error of one chord due to roundings: those of the evaluation of two points by Horner-Bernstein.
 template <int Dimension>
 double rounding_of_chord(const Curve<Form::bernstein, double, Dimension>& curve) {
   constexpr double u = 0x1p-53;

@@ -28,10 +28,10 @@
 
 namespace bezierbench {
 
-/// A rule of 8, 16 or 24 points; none: 0 points.
+/// A rule of 8, 16 or 24 points; 0 points if none is proved.
 struct ProvedRule {
   int points = 0;
-  double missed = 0;  ///< at most, of the mean speed
+  double missed = 0;  ///< largest error of the mean speed
 };
 
 namespace detail {
@@ -42,7 +42,7 @@ inline constexpr std::size_t ellipse_count = 64;
 /// Ellipses with rho = 2^(1/16), 2^(2/16) ... 16.
 struct Ellipses {
   std::array<double, ellipse_count> half_axis;                        ///< (rho + 1/rho)/2 = A_1
-  std::array<std::array<double, ellipse_count>, gauss_rules> missed;  ///< by each rule, where M is 1
+  std::array<std::array<double, ellipse_count>, gauss_rules> missed;  ///< largest error of each rule, for M = 1
 };
 
 inline constexpr Ellipses ellipses = [] {
@@ -58,15 +58,16 @@ inline constexpr Ellipses ellipses = [] {
   return table;
 }();
 
-/// The smallest ellipse with which the rule of 8 `eights` points misses at most 2^-exponent M: rho^(-16 eights) <=
-/// 2^-(exponent + 3), for what stands before that in the theorem is at most 8 from rho = 1.2 on.
+/// The index of the smallest ellipse with which the rule of 8 `eights` points misses at most 2^-exponent M: rho^(-16
+/// eights) <= 2^-(exponent + 3). The factor before rho^(-2N) in the theorem is at most 8 from rho = 1.2 on.
 constexpr std::size_t ellipse_for(int exponent, int eights) {
   return static_cast<std::size_t>(std::max((exponent + 2) / eights, 0));
 }
 
 }  // namespace detail
 
-/// For the mean speed on [-1, 1]; `allowed` is absolute, and what was cut from the series counts twice.
+/// The rule that is proved for the mean speed on [-1, 1]. `allowed` is absolute; the part cut from the series counts
+/// twice.
 template <int Dimension>
 ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double allowed) {
   using detail::ellipses;

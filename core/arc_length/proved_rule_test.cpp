@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rule that is proved misses no more than the proof says, against the mean speed in 70 digits.
+// A proved rule misses no more than the proof says, compared with the mean speed to 70 digits.
 #include "core/arc_length/proved_rule.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace bezierbench {
 namespace {
 
-/// How the control vectors of a hodograph lie about the first axis: all within `spread` of its unit vector.
+/// Control vectors of a hodograph that all lie within `spread` of the first axis' unit vector.
 std::vector<double> about_an_axis(Inputs& inputs, int degree, int dimension, double spread) {
   auto vectors = inputs.coefficients(degree, dimension);
   for (std::size_t k = 0; k < vectors.size(); ++k) {
@@ -27,7 +27,7 @@ std::vector<double> about_an_axis(Inputs& inputs, int degree, int dimension, dou
   return vectors;
 }
 
-/// How often a rule of each number of points was proved, by eights; none first.
+/// The number of times that no rule, or that of 8, 16 or 24 points, was proved.
 struct Count {
   std::array<int, 4> rules{};
 };
@@ -66,11 +66,11 @@ TEST(ProvedRule, MissesNoMoreThanItSays) {
   expect_proofs_to_hold<1>(count);
   expect_proofs_to_hold<2>(count);
   expect_proofs_to_hold<3>(count);
-  for (const int often : count.rules) EXPECT_GT(often, 20);  // none of the cases is rare
+  for (const int often : count.rules) EXPECT_GT(often, 20);  // none of these outcomes is rare
 }
 
-/// Roots of h.h = 1 + z^2 / b^2 are at i b and -i b: no ellipse with a root inside may be used. A rule misses about
-/// rho^(-2N), with rho = b + sqrt(1 + b^2), and nothing below that may be said of it.
+/// h.h = 1 + z^2 / b^2 has the roots i b and -i b, and no ellipse that contains one may be used. A rule misses about
+/// rho^(-2N) with rho = b + sqrt(1 + b^2), so that no smaller bound can be true.
 TEST(ProvedRule, KnowsWhereTheSpeedHasRoots) {
   for (const double b : {0.5, 0.8, 1.0, 1.5, 2.0, 3.0}) {
     const std::vector<double> vectors{1, -1 / b, 1, 1 / b};
@@ -98,7 +98,7 @@ TEST(ProvedRule, NeedsASpeedAndRoom) {
   for (int i = 0; i <= 2; ++i) zero(0, i) = 1;
   series.expand(zero, 1);
   EXPECT_EQ(proved_rule(series, 1e-6).points, 8);
-  EXPECT_EQ(proved_rule(series, 2 * series.cut()).points, 0);  // its rounding alone is as much
+  EXPECT_EQ(proved_rule(series, 2 * series.cut()).points, 0);  // the rounding error of the series is as large
 }
 
 TEST(ProvedRule, CountsWhatWasCut) {

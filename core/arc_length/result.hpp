@@ -7,12 +7,12 @@
 
 namespace bezierbench {
 
-/// A length with its method's estimate of the error.
+/// A length, with the method's estimate of its error.
 struct ArcLength {
   double length = 0;
-  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< absolute; NaN: the method has none
-  std::int64_t evaluations = 0;                                      ///< of the speed or, for chords, of the curve
-  bool converged = false;  ///< the estimate is at most tolerance times the length: the promise
+  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< absolute; NaN if the method has none
+  std::int64_t evaluations = 0;                                      ///< of the speed or, for chords, the curve
+  bool converged = false;  ///< error_estimate is at most tolerance times the length
 };
 
 }  // namespace bezierbench

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lengths that are known in closed form, and the promise: a tolerance is kept, or the result says that it is not.
+// Lengths known in closed form, and the promise of every method: the result keeps the tolerance or says that it does
+// not.
 #include "core/arc_length/roster.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ std::vector<Known> known_curves() {
       {"line", 2, {1, 2, 4, 6}, 5},
       {"line of degree 3", 3, {0, 0, 0, 1, 2, 2, 2, 4, 4, 3, 6, 6}, 9},
       {"there and back", 1, {0, 1, 0}, 1},
-      {"there and farther back", 1, {0, 2, -1}, 13.0 / 5},  // 4t - 5t^2 turns at 2/5, 4/5 up: 4/5 + 9/5
+      {"there and farther back", 1, {0, 2, -1}, 13.0 / 5},  // 4t - 5t^2 rises to 4/5, falls to -1: 4/5 + 9/5
       {"parabola", 2, {0, 0, 0.5, 0, 1, 1}, std::sqrt(5) / 2 + std::asinh(2) / 4},
       {"cusp at the beginning", 2, {0, 0, 0, 0, 1.0 / 3, 0, 1, 1}, (13 * std::sqrt(13) - 8) / 27},
       {"cusp in the middle", 2, cusp, 2 * from_cusp(1)},
@@ -65,7 +66,7 @@ std::vector<Known> known_curves() {
   Inputs inputs(3);
   for (int k = 0; k < 20; ++k)
     all.push_back(pythagorean(inputs.symmetric(), inputs.symmetric(), inputs.symmetric(), inputs.symmetric()));
-  for (const double nearness : {1e-1, 1e-2, 1e-3, 1e-5, 1e-8}) {  // of the cusp that u = 0 would be, at k
+  for (const double nearness : {1e-1, 1e-2, 1e-3, 1e-5, 1e-8}) {  // 0 would give a cusp at t = k
     const double k = 0.2 + 0.5 * inputs.unit();
     all.push_back(pythagorean(-k, 1 - k, nearness, nearness * 1.5));
   }
@@ -87,7 +88,7 @@ TEST(ArcLength, KeepsItsToleranceOrSaysSo) {
           const auto result = kernel.measure(curve.view(), curve.from, curve.to, tolerance);
           if (!result.converged) continue;
           const double error = std::abs(result.length - curve.length);
-          const double of_known = 1e-14 * curve.length;  // roundings of the control points and of the known length
+          const double of_known = 1e-14 * curve.length;  // rounding errors of the control points and the known length
           EXPECT_LE(error, tolerance * curve.length + of_known)
               << kernel.info->id << " " << curve.name << " x " << factor << " tolerance " << tolerance;
           EXPECT_LE(result.error_estimate, tolerance * result.length);
@@ -95,7 +96,7 @@ TEST(ArcLength, KeepsItsToleranceOrSaysSo) {
       }
 }
 
-/// Cusps and near cusps anywhere between the abscissae of the rules.
+/// Cusps and near cusps at any place between the abscissae of the rules.
 TEST(ArcLength, KeepsItsToleranceWhereverACuspIs) {
   Inputs inputs(5);
   for (int trial = 0; trial < 200; ++trial) {
@@ -117,7 +118,7 @@ TEST(ArcLength, KeepsItsToleranceWhereverACuspIs) {
   }
 }
 
-/// Parts next to a cusp, where what cutting the curve rounds is much against the length.
+/// Parts next to a cusp, where the roundings of cutting the curve are large compared with the length.
 TEST(ArcLength, KeepsItsToleranceNextToACusp) {
   const CurveView<double> curve{Form::bernstein, 2, 3, cusp};
   for (int width = 1; width < 50; width += 4)
@@ -172,7 +173,7 @@ TEST(ArcLength, OfAPointIsZero) {
     }
 }
 
-/// Scaling by a power of two changes nothing but the scale, and far from the origin lengths stay the same.
+/// A power of two scales the length and changes nothing else. Far from the origin lengths stay the same.
 TEST(ArcLength, DoesNotHangOnScale) {
   const auto curve = known_curves()[4];
   for (const auto& kernel : arc_length_kernels(2)) {
@@ -183,7 +184,7 @@ TEST(ArcLength, DoesNotHangOnScale) {
   }
 }
 
-/// Two methods that both promise cannot be farther apart than both promises.
+/// Where two methods report convergence, their lengths differ by at most the sum of both tolerances.
 TEST(ArcLength, MethodsAgreeOnCurvesOfAnyDegree) {
   Inputs inputs(7);
   for (int trial = 0; trial < 120; ++trial) {
@@ -207,8 +208,8 @@ TEST(ArcLength, MethodsAgreeOnCurvesOfAnyDegree) {
   }
 }
 
-/// A curve for which experience alone foretold an error that was 3.6 times too small (suite arc_length, study
-/// arc_length-tolerance, degree 10, trial 371).
+/// For this curve a constant found by experiment gave an error estimate that was 3.6 times too small (suite arc_length,
+/// study arc_length-tolerance, degree 10, trial 371).
 TEST(ArcLength, KeepsItsToleranceWhereConstantsFromExperienceDoNot) {
   const std::vector<double> points{
       0x1.00d846a82b9b7p-1,  -0x1.2b1b644399d28p-1, -0x1.39772556d2007p-1, -0x1.7922b52255f25p-1, 0x1.7ce717f78deb3p-1,
@@ -224,7 +225,7 @@ TEST(ArcLength, KeepsItsToleranceWhereConstantsFromExperienceDoNot) {
   }
 }
 
-/// Rules that agree by accident: rare, so many curves, of low degree, where bends are sharp.
+/// Two rules agree by accident on few curves, so many curves are tried, of low degree, where bends are sharp.
 TEST(ArcLength, AdaptiveMethodsAreNotFooledByChance) {
   Inputs inputs(8);
   for (int trial = 0; trial < 20000; ++trial) {
@@ -235,7 +236,7 @@ TEST(ArcLength, AdaptiveMethodsAreNotFooledByChance) {
     for (const auto& kernel : arc_length_kernels(2))
       if (kernel.info->id == GaussLegendreAdaptive::info.id) reference = kernel.measure(curve, 0, 1, 1e-11).length;
     for (const auto& kernel : arc_length_kernels(2)) {
-      if (kernel.info->id == ChordSum::info.id) continue;  // proved
+      if (kernel.info->id == ChordSum::info.id) continue;  // its tolerance is proved
       for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6}) {
         const auto result = kernel.measure(curve, 0, 1, tolerance);
         if (result.converged) {
@@ -247,7 +248,7 @@ TEST(ArcLength, AdaptiveMethodsAreNotFooledByChance) {
   }
 }
 
-/// Each method on each curve, against the true length, in 1e-2 to 1e-15.
+/// Checks every method on a curve against the true length, with tolerances from 1e-2 to 1e-15.
 void expect_promises_kept(const std::vector<double>& points, int dimension) {
   const CurveView<double> curve{Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};
   const reference::TrueLength truth(curve, 0, 1);
@@ -262,8 +263,9 @@ void expect_promises_kept(const std::vector<double>& points, int dimension) {
     }
 }
 
-/// Turns between two abscissae of the sums that Simpson's rule compares: C' = 3 (72 t^2 - 70 t + 17) is below 0 from
-/// 17/36 to 1/2 only, by 3 * 72/6 * (1/36)^3 = 1/1296 in all, so the length is 18 + 2/1296 = 11665/648.
+/// A curve that turns between two abscissae of the sums that Simpson's rule compares. C' = 3 (72 t^2 - 70 t + 17) is
+/// negative between 17/36 and 1/2 only, where its integral is -3 * 72/6 * (1/36)^3 = -1/1296, so that the length is 18
+/// + 2/1296 = 11665/648.
 TEST(ArcLength, SeesATurnBetweenTheAbscissae) {
   const std::vector<double> turn{1, 18, 0, 19};
   const CurveView<double> line{Form::bernstein, 1, 3, turn};
@@ -277,7 +279,7 @@ TEST(ArcLength, SeesATurnBetweenTheAbscissae) {
   expect_promises_kept({1, 0, 0, 18, 1e-4, 0, 0, 1e-4, 1e-3, 19, 0, 0}, 3);
 }
 
-/// The same in all its neighbours of whole numbers, on a line and as thin curves.
+/// The same for all neighbours of that curve in whole numbers, on a line and as thin curves.
 TEST(ArcLength, SeesTurnsOfSmallWholeNumbers) {
   Inputs inputs(9);
   for (int neighbour = 0; neighbour < 81; ++neighbour) {
@@ -290,7 +292,7 @@ TEST(ArcLength, SeesTurnsOfSmallWholeNumbers) {
   }
 }
 
-/// All points have the same coordinate on one axis, which is up to 1e338 times their differences on the other.
+/// All points have the same coordinate on one axis. It is up to 1e338 times their differences on the other axis.
 TEST(ArcLength, IsThatOfTheDifferences) {
   const double length = 3e-30;
   for (const double far : {1e300, 1.7e308, -1e300, 1.0, 0.0})
@@ -302,7 +304,7 @@ TEST(ArcLength, IsThatOfTheDifferences) {
       }
 }
 
-/// A length that is no double, or one that is rounded by more than the tolerance, is not promised.
+/// A length that is not a double, or whose rounding exceeds the tolerance, is not promised.
 TEST(ArcLength, AtTheEndsOfTheRangeIsNotPromisedUnlessItIsRight) {
   constexpr double least = std::numeric_limits<double>::denorm_min();
   for (const double unit : {1.7e308, 8e307, 1e-307, least, 7 * least, 71 * least, 0x1p30 * least, 0x1p50 * least})
@@ -324,7 +326,7 @@ TEST(ArcLength, AtTheEndsOfTheRangeIsNotPromisedUnlessItIsRight) {
     }
 }
 
-/// A part that is cut to 0 has some length yet, below its roundings.
+/// A part that becomes 0 when it is cut still has a length, below the roundings, and is not promised.
 TEST(ArcLength, OfAPartThatIsLostIsNotPromised) {
   const std::vector<double> rests{0, 0, 0, 1};  // t^3
   for (const auto& kernel : arc_length_kernels(1))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sizes taken out of a hodograph, so that coordinates of any size have the same results, and put back into a length.
+// Scales hodographs, so that results do not depend on the size of the coordinates, and scales lengths back.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace detail {
 
 inline constexpr int no_exponent = std::numeric_limits<int>::min();
 
-/// The exponent of the largest coordinate of an axis, which is below 2^exponent; none for zeros.
+/// The exponent e of the largest coordinate of an axis, which is in [2^(e-1), 2^e); no_exponent where all are 0.
 template <int Dimension>
 int exponent_of_axis(const Curve<Form::bernstein, double, Dimension>& curve, int axis) {
   double largest = 0;
@@ -27,8 +27,8 @@ int exponent_of_axis(const Curve<Form::bernstein, double, Dimension>& curve, int
   return binary_exponent(largest);
 }
 
-/// Multiplies axis by axis by 2^(of_axis - common), where `common` makes the largest coordinate lie in [1/2, 1);
-/// returns `common`.
+/// Multiplies each axis by 2^(of_axis - common), with `common` such that the largest coordinate of all is in [1/2, 1).
+/// Returns `common`.
 template <int Dimension>
 int normalise(Curve<Form::bernstein, double, Dimension>& h, const std::array<int, Dimension>& of_axis) {
   int common = no_exponent;
@@ -44,14 +44,14 @@ int normalise(Curve<Form::bernstein, double, Dimension>& h, const std::array<int
 
 }  // namespace detail
 
-/// Scales h by a power of two such that its largest coordinate is in [1/2, 1); returns the exponent that was taken out.
-/// 0 stays 0.
+/// Scales h by a power of two such that its largest coordinate is in [1/2, 1). Returns the exponent of the factor taken
+/// out. A zero h stays zero.
 template <int Dimension>
 int normalise(Curve<Form::bernstein, double, Dimension>& h) {
   return detail::normalise<Dimension>(h, {});
 }
 
-/// True where all control vectors are 0: the curve is a point, whose length 0 needs no method.
+/// Whether all control vectors are 0. The curve is then a point, and its length is 0.
 template <int Dimension>
 bool is_zero(const Curve<Form::bernstein, double, Dimension>& h) {
   for (int i = 0; i <= h.degree(); ++i)
@@ -60,7 +60,7 @@ bool is_zero(const Curve<Form::bernstein, double, Dimension>& h) {
   return true;
 }
 
-/// A hodograph over 2^exponent.
+/// A hodograph divided by 2^exponent.
 template <int Dimension>
 struct ScaledHodograph {
   /// Not an aggregate, all of which GCC would fill with zeros first: the room for max_degree.
@@ -71,17 +71,17 @@ struct ScaledHodograph {
 
   [[nodiscard]] double in_units(double length) const { return times_power_of_two(length, -exponent); }
 
-  /// 2^exponent times an error, never rounded down.
+  /// 2^exponent times an error, rounded up.
   [[nodiscard]] double unscaled_error(double error) const {
     const double rounded = times_power_of_two(error, exponent);
     return in_units(rounded) < error ? std::nextafter(rounded, std::numeric_limits<double>::infinity()) : rounded;
   }
 };
 
-/// The first hodograph of a curve, its largest coordinate in [1/2, 1). What is scaled are the differences of the
-/// control points: next to coordinates of 1e300 a difference of 1e-30 on another axis is a length, and 1e-330 would not
-/// be. An axis is scaled before only as far as its differences would overflow; what that takes from its small
-/// coordinates is below 2^-1000 of its large differences.
+/// The first hodograph of a curve, scaled such that its largest coordinate is in [1/2, 1). Scaling comes after taking
+/// differences: next to coordinates of 1e300, a difference of 1e-30 on another axis is a length, but 1e-330 would not
+/// be. An axis is scaled before only as far as its differences would overflow; what its small coordinates lose by this
+/// is below 2^-1000 of its large differences.
 template <int Dimension>
 ScaledHodograph<Dimension> scaled_hodograph(Curve<Form::bernstein, double, Dimension> curve) {
   std::array<int, Dimension> taken{};

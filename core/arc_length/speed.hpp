@@ -11,7 +11,7 @@
 
 namespace bezierbench {
 
-/// Evaluates |h(t)| by Horner-Bernstein; counts how often.
+/// Evaluates |h(t)| by Horner-Bernstein and counts the evaluations.
 template <int Dimension>
 class Speed {
  public:
@@ -29,7 +29,8 @@ class Speed {
   std::int64_t evaluations_ = 0;
 };
 
-/// The mean size of the control vectors: the length of the control polygon, which is never below that of the curve.
+/// The mean size of the control vectors, that is the length of the control polygon: an upper bound of the length of the
+/// curve.
 template <int Dimension>
 double polygon_length(const Curve<Form::bernstein, double, Dimension>& hodograph) {
   double sum = 0;
@@ -41,8 +42,9 @@ double polygon_length(const Curve<Form::bernstein, double, Dimension>& hodograph
   return sum / (hodograph.degree() + 1);
 }
 
-/// What `roundings` relative errors u in each value of h, and in the sums of a quadrature with positive weights, can
-/// change a length by: each |h(t)| is off by at most gamma sum |h_i| B_i(t), whose integral is the polygon's length.
+/// A bound of the change of a length by `roundings` relative errors u in each value of h and in the sums of a
+/// quadrature with positive weights: each |h(t)| is off by at most gamma sum |h_i| B_i(t), whose integral is the length
+/// of the polygon.
 template <int Dimension>
 double rounding_of_length(const Curve<Form::bernstein, double, Dimension>& hodograph, int roundings) {
   constexpr double u = 0x1p-53;

@@ -15,7 +15,7 @@
 
 namespace bezierbench {
 
-/// Room for the triangles of hodographs of any degree: one of these serves many calls.
+/// Working memory for hodographs of any degree. One object serves many calls.
 template <int Dimension>
 class SquaredSpeeds {
  public:
@@ -41,7 +41,7 @@ class SquaredSpeeds {
  private:
   static constexpr std::size_t coordinates(int points) { return static_cast<std::size_t>(points) * Dimension; }
 
-  /// From one level of the triangles to the next, which has `points` points.
+  /// Computes the next level of the triangles, which has `points` points.
   void step(int points, const Eight& s, const Eight& t) {
     for (std::size_t j = 0; j < coordinates(points); ++j)
       for (std::size_t k = 0; k < count; ++k)

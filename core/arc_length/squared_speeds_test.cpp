@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Eight speeds at once are those of one at a time, bit for bit.
+// Eight speeds computed at once have the bits of single ones.
 #include "core/arc_length/squared_speeds.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ double squared_norm_at(const Curve<Form::bernstein, double, Dimension>& curve, d
 
 template <int Dimension>
 void expect_those_of_de_casteljau() {
-  const auto squared_speeds = std::make_unique<SquaredSpeeds<Dimension>>();  // for all: leftovers must not matter
+  const auto squared_speeds = std::make_unique<SquaredSpeeds<Dimension>>();  // one object serves all curves below
   Inputs inputs(11);
   for (const int degree : {20, 0, 1, 2, 3, 5, 10, max_degree, 4, 0}) {
     const auto points = inputs.coefficients(degree, Dimension);

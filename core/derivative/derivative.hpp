@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The concept of a method for derivatives: `info`, the work per curve for one order, and the work per point.
+// The concept of a method for derivatives: `info`, a function for the work per curve and order, and one for the work
+// per point.
 #pragma once
 
 #include <concepts>
@@ -10,9 +11,9 @@
 
 namespace bezierbench {
 
-/// `prepare(curve, order)` does all work that does not depend on t, for any order >= 0. `evaluate` gives the derivative
-/// of that order at t: 0 beyond the degree, the point itself for order 0. A method with a proved bound has a
-/// `DerivativeBound bound`.
+/// `prepare(curve, order)` does all work that does not depend on t, for any order >= 0. `evaluate` returns the
+/// derivative of that order at t: the point itself for order 0, and 0 for orders beyond the degree. A method with a
+/// proved bound has a `DerivativeBound bound`.
 template <class M>
 concept DerivativeMethod = requires(const Curve<M::info.form, double, 2>& curve, int order, double t) {
   requires M::info.problem == Problem::derivative;

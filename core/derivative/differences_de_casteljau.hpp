@@ -4,7 +4,7 @@
 //   m runs to n - m.
 // Cost: once d k (2n - k + 1)/2 + d (n-k+1) + k, then 3 d (n-k)(n-k+1)/2 + 1 flops per point.
 // Bound: gamma_k A + gamma_(k + 3(n-k)) p~, to first order.
-// Fails: as the hodograph.
+// Fails: where the hodograph does (hodograph.hpp).
 #pragma once
 
 #include "core/derivative/hodograph.hpp"

@@ -4,7 +4,7 @@
 // Source: [Farin 2002], higher order derivatives and nested multiplication.
 // Cost: once d k (2n - k + 1)/2 + 2d (n-k+1) + k, then (n-k)(1 + 3d) + 1 flops per point.
 // Bound: gamma_k A + gamma_(k + 3(n-k) + 1) p~, to first order, and n-k more roundings past n-k = 54.
-// Fails: as the hodograph.
+// Fails: where the hodograph does (hodograph.hpp).
 #pragma once
 
 #include "core/derivative/hodograph.hpp"

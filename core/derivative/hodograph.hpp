@@ -18,7 +18,7 @@
 
 namespace bezierbench {
 
-/// The control points of the derivative of this order; the single point 0 for orders beyond the degree.
+/// The control points of the derivative of this order; a single point, 0, for orders beyond the degree.
 template <class Scalar, int Dimension, int Degree>
 Curve<Form::bernstein, Scalar, Dimension> hodograph(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve,
                                                     int order) {
@@ -34,7 +34,7 @@ Curve<Form::bernstein, Scalar, Dimension> hodograph(const Curve<Form::bernstein,
   return result;
 }
 
-/// Differences, then the evaluator `E` on the hodograph: all of such a method except its `info`.
+/// All members of a method except `info`: differences, then the evaluator `E` on the hodograph.
 template <Evaluator E>
 struct HodographBy {
   static_assert(E::info.bound->amplification == Amplification::p_tilde_bernstein &&

@@ -10,7 +10,7 @@
 
 namespace bezierbench {
 
-/// One method, for curves with this many axes.
+/// One method, for curves of one dimension.
 struct DerivativeKernel {
   const MethodInfo* info;
   const DerivativeBound* bound;  ///< nullptr where nothing is proved
@@ -22,7 +22,7 @@ struct DerivativeKernel {
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const DerivativeKernel> derivative_kernels(int dimension);
 
-/// The data of all methods, in roster order.
+/// The infos of all methods, in roster order.
 std::span<const MethodInfo* const> derivative_infos();
 
 }  // namespace bezierbench

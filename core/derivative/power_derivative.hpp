@@ -4,7 +4,7 @@
 // Cost: (n-k+1)(k + d) once, then 2d (n-k) flops per point.
 // Bound: gamma_(k+2(n-k)) p~: each coefficient has k roundings, Horner's scheme 2(n-k). Products may underflow, by
 //   eta/2 each.
-// Fails: as any power form, when its coefficients came out of a rounded conversion.
+// Fails: like any power form, where its coefficients come from a rounded conversion.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Properties of every method for derivatives, then the bounds over random and nasty curves.
+// Properties of every method for derivatives, then the bounds on random and on difficult curves.
 #include "core/derivative/roster.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ std::vector<double> derivative(const DerivativeKernel& kernel, const CurveView<d
   return point;
 }
 
-/// Every method of this form that is right at this order.
+/// The methods for this form, except those that are wrong at this order.
 std::vector<DerivativeKernel> right_kernels(Form form, int dimension, int order) {
   std::vector<DerivativeKernel> kernels;
   for (const auto& kernel : derivative_kernels(dimension))
@@ -63,7 +63,7 @@ TEST(Derivative, TheSeedDocumentAsPrintedIsWrongFromTheSecondOrderOn) {
   EXPECT_THAT(derivative(seed, curve, 3, 0.5), testing::ElementsAre(12, 0));
 }
 
-/// 20 19 ... 13 = 5079110400 is 784143104 in 32 bits. D^8 b_0 = b_0 where all other control points are 0.
+/// 20 19 ... 13 = 5079110400 becomes 784143104 in 32 bits. D^8 b_0 = b_0 where all other control points are 0.
 TEST(Derivative, TheFactorOfTheSeedDocumentWrapsAround) {
   std::vector<double> first(21, 0.0);
   first[0] = 1;
@@ -72,7 +72,7 @@ TEST(Derivative, TheFactorOfTheSeedDocumentWrapsAround) {
   EXPECT_EQ(derivative(derivative_kernels(1).front(), curve, 8, 0)[0], 5079110400);
 }
 
-/// What every method of the form must keep, at whatever order.
+/// Calls `check` for every method, form, order and degree.
 template <class Check>
 void for_each_method(Check check) {
   for (const Form form : {Form::bernstein, Form::power})
@@ -97,7 +97,7 @@ TEST(Derivative, OfAConstantAndBeyondTheDegreeIsZero) {
   });
 }
 
-/// Powers of two scale every operation exactly while nothing underflows.
+/// A power of two scales every operation exactly while nothing underflows.
 TEST(Derivative, ScalesWithTheCurve) {
   for_each_method([](const DerivativeKernel& kernel, Form form, int order, int n) {
     const auto c = Inputs(static_cast<std::uint64_t>(n)).coefficients(n, 1);
@@ -140,7 +140,7 @@ TEST(TriangleDerivatives, GivesAllOrdersAtOnce) {
   }
 }
 
-/// Curves on which differences or evaluators have lost digits, range or sense.
+/// Curves on which differences or evaluators lose digits or range.
 std::vector<double> nasty(int kind, int n, int d, Inputs& inputs) {
   auto c = inputs.coefficients(n, d);
   for (std::size_t i = 0; i < c.size(); ++i) {
@@ -173,7 +173,7 @@ double nasty_t(int trial, Inputs& inputs) {
   }
 }
 
-/// 1,000 curves of each kind, each at orders from 0 beyond the degree, by every method with a bound.
+/// 1,000 curves of each kind, each at orders from 0 to beyond the degree, by every method with a bound.
 TEST(Derivative, KeepsItsBoundOnRandomAndNastyCurves) {
   Inputs inputs(10);
   reference::ExactCurve exact;
@@ -203,7 +203,7 @@ TEST(Derivative, KeepsItsBoundOnRandomAndNastyCurves) {
       ASSERT_LT(violations, 5);
     }
   }
-  EXPECT_GT(judged, 22000);  // all but what overflows
+  EXPECT_GT(judged, 22000);  // all but those that overflow
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 // Cost: d k (n-k+1) once, then 3 d (n-k)(n-k+1)/2 + d + 1 flops per point.
 // Bound: none.
 // Fails: from the second derivative on. Points (1,1) (3,1) (4,2) (6,3), t = 1/2: C'' = (6,6), the truth is (0,3). The
-//   factor (n)_k is an int of 32 bits, which 20 19 ... 14 exceeds; here it wraps around.
+//   factor (n)_k is an int of 32 bits, which 20 19 ... 13 exceeds; it wraps around here, too.
 #pragma once
 
 #include <algorithm>

@@ -83,7 +83,7 @@ struct TriangleDerivatives {
     }
   }
 
-  /// (n)_k D^k b_0 of the first k + 1 points of `level`.
+  /// (n)_k D^k b_0 for the first k + 1 points of `level`, k = `order`.
   template <int Dimension>
   static Point<double, Dimension> top_difference(Curve<Form::bernstein, double, Dimension> level, int n, int order) {
     for (int m = order; m > 0; --m)

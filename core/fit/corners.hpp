@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The corners of the data and, elsewhere, their tangents. Both come from points at a distance of two tolerances, called
-// arms, because nearer points say more about noise than about the shape: noise of half the tolerance turns two arms of
-// two tolerances by less than 2 asin(1/2) = 60 degrees. A corner is also sharp to arms of a quarter of that length;
-// else it is a bend, which the data resolve.
+// The corners of the data and, elsewhere, their tangents. Both are computed from arms: chords to points at a distance
+// of two tolerances. Nearer points say more about noise than about the shape: noise of half the tolerance turns two
+// arms by less than 2 asin(1/2) = 60 degrees. A corner is sharp for arms of a quarter of that length, too; otherwise it
+// is a bend that the data resolve.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ Point<double, Dimension> direction_of(const Point<double, Dimension>& v) {
   if (!(norm > 0)) return Point<double, Dimension>::Zero();
   Point<double, Dimension> scaled;
   int exponent = 0;
-  std::frexp(norm, &exponent);  // so that tiny vectors keep their digits
+  std::frexp(norm, &exponent);  // scaled, so that tiny vectors keep their digits
   for (int axis = 0; axis < Dimension; ++axis)
     scaled[axis] = std::ldexp(v[axis], -exponent) / std::ldexp(norm, -exponent);
   return scaled;
@@ -29,10 +29,11 @@ class Shape {
  public:
   Shape(const FitData<Dimension>& data, double tolerance) : data_(data), arm_(2 * tolerance) {}
 
-  /// For each point, whether the data have a corner there. At a corner the arms turn by more than 75.5 degrees (cosine
-  /// 1/4; a pentagon's corners turn by 72, a square's by 90), and no point between their ends turns more. Of these
-  /// points the one with the largest sum of distances to the ends of the arms is chosen, because arms end at data
-  /// points, in coarse steps. False for the first and the last point of open data; in closed data these are one point.
+  /// Whether the data have a corner, for each point. At a corner the arms turn by more than 75.5 degrees (cosine 1/4; a
+  /// pentagon's corners turn by 72, a square's by 90), and no point between their ends turns more. Arms end at data
+  /// points and are therefore not all of one length, so that several points qualify; the one with the largest sum of
+  /// distances to the ends of the arms is chosen. False for the first and the last point of open data. In closed data
+  /// these two are the same point.
   [[nodiscard]] std::vector<bool> corners() const {
     const int first = data_.closed ? 0 : 1;
     std::vector<Turn> turns(static_cast<std::size_t>(data_.count()));
@@ -49,7 +50,8 @@ class Shape {
     return result;
   }
 
-  /// The first point beyond an arm's length from point `from`, else the last one before `to`, in steps of +1 or -1.
+  /// The chord from point `from` to the first point farther than an arm's length in the direction of `to`; to `to`, if
+  /// none is, and to the last of `most_steps` points, if the data are dense.
   [[nodiscard]] Point<double, Dimension> chord(int from, int to) const {
     const int step = to > from ? 1 : -1;
     int i = from + step;
@@ -58,8 +60,8 @@ class Shape {
   }
 
  private:
-  static constexpr double sharp = 0.25;   ///< cosine
-  static constexpr int most_steps = 256;  ///< bounds the time for long data, which would be quadratic
+  static constexpr double sharp = 0.25;   ///< cosine of the angle at a corner
+  static constexpr int most_steps = 256;  ///< limits the time for long data, which would be quadratic
 
   struct Turn {
     double cosine = 1;
@@ -71,13 +73,13 @@ class Shape {
     return length<Dimension>(data_.points.col(k) - data_.points.col(i)) > arm;
   }
 
-  /// The index of a point of closed data whose number runs on past the ends.
+  /// The index of a point. In closed data numbers beyond either end continue at the other.
   [[nodiscard]] int around(int i) const {
     if (!data_.closed) return i;
     return (i + data_.last()) % data_.last();
   }
 
-  /// Steps from i to a point beyond this arm; 0 where there is none.
+  /// The number of steps from i to the first point beyond this arm; 0 where there is none.
   [[nodiscard]] int steps_from(int i, int direction, double arm) const {
     for (int k = 1; k <= std::min(most_steps, data_.last() - 1); ++k) {
       const int other = i + direction * k;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A cubic Bezier segment relative to a data point P: everything is computed from b_j - P, which is small where the
-// point is near, however far both are from the origin.
+// A cubic Bezier segment relative to a data point P. All values are computed from b_j - P, which is small near the
+// point, however far both are from the origin.
 #pragma once
 
 #include <algorithm>
@@ -64,8 +64,8 @@ double squared(const Point<double, Dimension>& v) {
   return dot<Dimension>(v, v);
 }
 
-/// Takes at most `most_steps` steps from t in [0, 1] to parameters at which the curve is nearer to the point: Newton
-/// steps where the distance is convex, else Gauss-Newton steps. Never returns a parameter that is farther than t.
+/// Takes at most `most_steps` steps from t in [0, 1] towards a foot point: Newton steps where the distance is convex,
+/// else Gauss-Newton steps. The curve at the parameter returned is never farther from the point than at t.
 template <int Dimension>
 double approach(const Cubic<Dimension>& b, const Point<double, Dimension>& point, double t, int most_steps) {
   auto at = offset_at<Dimension>(b, point, t);
@@ -84,9 +84,10 @@ double approach(const Cubic<Dimension>& b, const Point<double, Dimension>& point
   return t;
 }
 
-/// A proved upper bound of the distance of the point to C(t), for coordinates up to 1 in magnitude. Let a be the
+/// A proved upper bound of the distance of the point from C(t), for coordinates up to 1 in magnitude. Let a be the
 /// largest coordinate of all b_j - P. One rounding of each difference and 13 in de Casteljau's three levels change a
-/// coordinate by less than 16 u a and the length by less than sqrt(3) times that; its own roundings are below u a.
+/// coordinate by less than 16 u a and the length by less than sqrt(3) times that. The roundings of the length itself
+/// are below u a.
 template <int Dimension>
 double distance_bound(const Cubic<Dimension>& b, const Point<double, Dimension>& point, double t) {
   double largest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The data in the form in which fits use them: scaled by a power of two, and without repetitions.
+// The data that fits work on: scaled by a power of two, without repetitions.
 #pragma once
 
 #include <span>
@@ -40,11 +40,11 @@ struct FitData {
   [[nodiscard]] int count() const { return static_cast<int>(points.cols()); }
   [[nodiscard]] int last() const { return count() - 1; }
 
-  /// The largest change of a coordinate by scaling and scaling back, in scaled units: subnormal numbers are rounded.
+  /// The largest change of a coordinate by scaling and scaling back, in scaled units. Only subnormal numbers change.
   [[nodiscard]] double quantum() const { return std::ldexp(1.0, std::max(-1073, -1073 - exponent)); }
 
-  Polygon<Dimension> original;  ///< consecutive points are different
-  Polygon<Dimension> points;    ///< the original over 2^exponent: at most 1 in magnitude
+  Polygon<Dimension> original;  ///< the given points without repetitions
+  Polygon<Dimension> points;    ///< `original` over 2^exponent: at most 1 in magnitude
   std::vector<int> index;       ///< index of each given point in `points`
   int exponent = 0;
   bool closed = false;  ///< the last point equals the first

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The concept of a method for piecewise fitting: `info`, and two functions. One makes a cubic segment near a section of
-// the data. The other gives the direction in which the curve passes a point, from the two chords at that point. Where a
-// segment is too far from the data, piecewise.hpp splits the section.
+// The concept of a method for piecewise fitting: `info` and two functions. `piece` makes a cubic segment near a section
+// of the data. `tangent` gives the direction in which the curve passes a point, from the two chords at that point.
+// Where a segment is too far from the data, piecewise.hpp splits the section.
 #pragma once
 
 #include <concepts>
@@ -17,7 +17,7 @@ namespace bezierbench {
 template <int Dimension>
 struct End {
   Point<double, Dimension> direction;  ///< unit vector into the section, from the data
-  bool bound;  ///< the segment must leave in that direction, because it joins another smoothly; else it is a guess
+  bool bound;  ///< whether the segment must leave in that direction, since it joins another smoothly
 };
 
 /// The data of one segment.
@@ -34,12 +34,12 @@ struct Section {
 /// The segment that a method fits to a section.
 template <int Dimension>
 struct Piece {
-  Cubic<Dimension> cubic;  ///< from the first point to the last; finite
-  std::vector<double> t;   ///< for each point a parameter at which the segment is near it
+  Cubic<Dimension> cubic;  ///< from the first point to the last, finite
+  std::vector<double> t;   ///< for each point, a parameter at which the segment is near it
   int iterations = 0;      ///< number of solutions for the handles
 };
 
-/// The largest distance of a point to the segment at the point's parameter, up to rounding.
+/// The largest distance of a point from the segment at the point's parameter, up to rounding.
 template <int Dimension>
 double largest_error(const Section<Dimension>& section, const Piece<Dimension>& piece) {
   double largest = 0;

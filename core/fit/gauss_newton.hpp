@@ -45,7 +45,8 @@ struct GaussNewton {
     return fine;
   }
 
-  /// The tangent of the parabola through the three points whose parameters are as far apart as the points.
+  /// The tangent of the parabola through the three points, with the distances between the points as steps of its
+  /// parameter.
   template <int Dimension>
   static Point<double, Dimension> tangent(const Point<double, Dimension>& before,
                                           const Point<double, Dimension>& after) {
@@ -79,7 +80,7 @@ struct GaussNewton {
     return best;
   }
 
-  /// A sample of `most_points` points, at even steps, with both ends.
+  /// A sample of `most_points` points at even steps, both ends among them.
   template <int Dimension>
   static Section<Dimension> thinned(const Section<Dimension>& section) {
     Section<Dimension> some{
@@ -92,8 +93,8 @@ struct GaussNewton {
     return some;
   }
 
-  /// Interpolates linearly: the values at `all` of the function with the values `value` at `at`, which rises and has
-  /// the same ends.
+  /// The values at `all` of the piecewise linear function that has the values `value` at `at`. `at` ascends, and its
+  /// ends are those of `all`.
   static Parameters parameters_between(const Parameters& at, const Parameters& value, const Parameters& all) {
     Parameters result;
     std::size_t k = 0;
@@ -108,7 +109,7 @@ struct GaussNewton {
 
   static Parameters as_given(const Parameters& t) { return t; }
 
-  /// Steps as the square roots of those given ([Lee 1989]).
+  /// Parameters whose steps are the square roots of the given ones ([Lee 1989]).
   static Parameters centripetal(const Parameters& t) {
     Parameters result{0};
     for (std::size_t i = 1; i < t.size(); ++i) result.push_back(result.back() + std::sqrt(t[i] - t[i - 1]));
@@ -145,7 +146,8 @@ struct GaussNewton {
     return {adjustment.cubic(now.handles), std::move(now.t), steps};
   }
 
-  /// Two handles in three dimensions. All dimensions have the same types, so that Eigen's solver is compiled once.
+  /// The unknowns of two handles in three dimensions. All dimensions use the same type, so that Eigen's solver is
+  /// compiled once.
   static constexpr int most_unknowns = 6;
   using Handles = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
   using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
@@ -165,7 +167,8 @@ struct GaussNewton {
           of_start_(section.start.bound ? 1 : Dimension),
           unknowns_(of_start_ + (section.end.bound ? 1 : Dimension)) {}
 
-    /// The best handles for these parameters; a third of the polyline's length where these are not positive.
+    /// The best handles for these parameters. Handles that are not positive are replaced by a third of the polyline's
+    /// length.
     [[nodiscard]] State<Dimension> begin(Parameters t) const {
       const double third = section_.length / 3;
       Handles handles(unknowns_);
@@ -188,7 +191,8 @@ struct GaussNewton {
       return {first, first + handle(section_.start, handles, 0), last + handle(section_.end, handles, of_start_), last};
     }
 
-    /// One damped step; its cost is infinite where the length of a handle at a smooth joint would not be positive.
+    /// The state after one damped step. Its cost is infinite where the length of a handle at a smooth joint would not
+    /// be positive.
     [[nodiscard]] State<Dimension> step(const State<Dimension>& now, double damping) const {
       const auto curve = cubic(now.handles);
       const Handles moves = change(now, damping, projection);
@@ -209,7 +213,7 @@ struct GaussNewton {
                                    2 * Dimension>;
     using Square = Eigen::Matrix<double, Dimension, Dimension>;
 
-    /// The solution of the damped normal equations; `measured` gives the matrix that weighs the residuals.
+    /// The solution of the damped normal equations; `measured` returns the matrix that weights the residuals.
     template <class Measured>
     [[nodiscard]] Handles change(const State<Dimension>& now, double damping, Measured measured) const {
       const auto curve = cubic(now.handles);
@@ -252,7 +256,7 @@ struct GaussNewton {
       return jacobian;
     }
 
-    /// Q = I - c c^T / |c|^2. It is I where C' = 0, and on one axis, where Q would be 0; parameters do not move there.
+    /// Q = I - c c^T / |c|^2. Q is I where C' = 0, and in one dimension, where it would be 0; the parameter then stays.
     static Square projection(const Point<double, Dimension>& c) {
       Square across = Square::Identity();
       const double square = squared<Dimension>(c);
@@ -261,7 +265,7 @@ struct GaussNewton {
     }
 
     [[nodiscard]] bool allowed(const Handles& handles) const {
-      constexpr double least = 0x1p-10;  // share of the length
+      constexpr double least = 0x1p-10;  // of the polyline's length
       constexpr double most = 0x1p+10;
       for (int k = 0; k < unknowns_; ++k)
         if (!(std::abs(handles[k]) <= most * section_.length)) return false;
@@ -269,7 +273,7 @@ struct GaussNewton {
              (!section_.end.bound || handles[of_start_] >= least * section_.length);
     }
 
-    /// Moves the parameters of a state to foot points nearby, and sums the squared distances there.
+    /// Moves the parameters of a state to foot points nearby and sums up the squared distances there.
     void settle(State<Dimension>& state) const {
       constexpr int most_steps = 3;
       const auto curve = cubic(state.handles);
@@ -281,7 +285,7 @@ struct GaussNewton {
     }
 
     const Section<Dimension>& section_;
-    int of_start_;  ///< number of unknowns of the first handle, which come first
+    int of_start_;  ///< number of unknowns of the first handle
     int unknowns_;
   };
 };

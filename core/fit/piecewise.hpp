@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From one segment to a piecewise curve, the same for every method. The data are cut at corners. A section whose
-// segment is farther than the tolerance from any of its points is split at that point, where both parts get the same
-// tangent. This ends at two points at the latest, which a segment passes without error.
+// Makes a piecewise curve of single segments, in the same way for every method. The data are cut at corners. If the
+// segment of a section is farther than the tolerance from any of its points, the section is split at the farthest
+// point, where both parts get the same tangent. Splitting ends at sections of two points, which a segment passes
+// without error.
 #pragma once
 
 #include <limits>
@@ -17,7 +18,7 @@ class Piecewise {
  public:
   using Vector = Point<double, Dimension>;
 
-  /// Fits as `fit` in kernel.hpp promises.
+  /// Prepares the fit that `fit` in kernel.hpp describes.
   Piecewise(std::span<const double> coordinates, double tolerance)
       : data_(coordinates), tolerance_(std::ldexp(tolerance, -data_.exponent)), shape_(data_, tolerance_) {}
 
@@ -46,11 +47,11 @@ class Piecewise {
     double t = 0;
   };
 
-  /// A range of points, and the tangents at its ends where these are smooth joints.
+  /// A range of points, with tangents at the ends that are smooth joints.
   struct Range {
     int first;
     int last;
-    std::optional<Vector> start;  ///< unit tangents into the range
+    std::optional<Vector> start;  ///< unit tangent into the range; empty at a corner
     std::optional<Vector> end;
   };
 
@@ -75,14 +76,14 @@ class Piecewise {
     return v;
   }
 
-  /// The method's tangent from the chords to the points before and after; none where these have no direction.
+  /// The method's tangent, from the chords to the points before and after; empty where these have no direction.
   static std::optional<Vector> tangent_between(const Vector& to_before, const Vector& to_after) {
     const Vector tangent = direction_of<Dimension>(M::template tangent<Dimension>(-to_before, to_after));
     if (!(squared<Dimension>(tangent) > 0.5)) return std::nullopt;
     return tangent;
   }
 
-  /// Appends the segment of a range, or says how to split it.
+  /// Appends the segment of a range, or returns the two ranges to split it into.
   std::optional<std::pair<Range, Range>> try_section(const Range& range) {
     if (range.last - range.first == 1) {
       append(between_two(range), range, 0);
@@ -116,7 +117,7 @@ class Piecewise {
       section.length += length<Dimension>(section.points.col(i) - section.points.col(i - 1));
       section.t.push_back(section.length);
     }
-    if (section.length > 0)  // else scaling has made all points equal
+    if (section.length > 0)  // scaling may have made all points equal
       for (double& t : section.t) t /= section.length;
     return section;
   }
@@ -125,7 +126,8 @@ class Piecewise {
     return {joint ? *joint : direction_of<Dimension>(shape_.chord(from, to)), joint.has_value()};
   }
 
-  /// The largest distance, and the inner point that has it. Parameters are moved to foot points first.
+  /// A bound of the largest distance, and the number of the inner point that has it. Moves the parameters to foot
+  /// points first.
   std::pair<double, int> farthest(const Section<Dimension>& section, Piece<Dimension>& piece) const {
     constexpr int most_steps = 8;
     std::pair<double, int> result{0, static_cast<int>(piece.t.size() / 2)};
@@ -140,7 +142,8 @@ class Piecewise {
     return result;
   }
 
-  /// A segment whose handles are a third of the chord; it is straight unless a joint is smooth.
+  /// The segment between two points. Its handles are a third of the chord, so that it is straight unless a joint is
+  /// smooth.
   [[nodiscard]] Cubic<Dimension> between_two(const Range& range) const {
     const Vector first = data_.points.col(range.first);
     const Vector last = data_.points.col(range.last);
@@ -157,7 +160,7 @@ class Piecewise {
     return true;
   }
 
-  /// Makes the ends of a segment data points, bit for bit.
+  /// Appends a segment with the data points at its ends, bit for bit.
   void append(const Cubic<Dimension>& cubic, const Range& range, double error) {
     fit_.max_error = std::max(fit_.max_error, error);
     fit_.converged = fit_.converged && stays_finite(cubic);
@@ -171,7 +174,7 @@ class Piecewise {
   FitData<Dimension> data_;
   double tolerance_;
   Shape<Dimension> shape_;
-  std::vector<Place> places_;  ///< the place on the curve for each point of data_
+  std::vector<Place> places_;  ///< for each point of data_, its place on the curve
   Fit fit_;
 };
 

@@ -11,9 +11,9 @@ struct Fit {
   std::vector<double> control_points;  ///< segment by segment, four points each, point by point
   std::vector<int> segment;            ///< for each data point, the segment with which it was compared
   std::vector<double> t;               ///< for each data point, its parameter in that segment
-  double max_error = 0;   ///< bounds the distance of every data point, in coordinate units, rounding included
-  int iterations = 0;     ///< over all sections that were tried
-  bool converged = true;  ///< max_error is at most the tolerance; false only where control points overflow
+  double max_error = 0;   ///< bound of the distance of every data point, in coordinate units, roundings included
+  int iterations = 0;     ///< sum over all sections that were tried
+  bool converged = true;  ///< whether max_error is at most the tolerance; false only where control points overflow
 
   [[nodiscard]] int segments(int dimension) const { return static_cast<int>(control_points.size()) / (4 * dimension); }
 };

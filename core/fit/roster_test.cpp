@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Properties of every fitting method, then what is known of each.
+// Properties of every fitting method, then known results of each.
 #include "core/fit/roster.hpp"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,8 @@ Data samples(const Data& control, int d, int count) {
   return data;
 }
 
-/// Data of several kinds: samples of curves, of closed ones, with noise, and steps forth and back with repetitions.
+/// Data of several kinds: samples of curves, some closed, some with noise, and some with repeated points and steps
+/// backwards.
 Data any_data(Inputs& inputs, int kind, int d) {
   const int degree = 2 + kind % 5;
   auto control = inputs.coefficients(degree, d);
@@ -55,7 +56,7 @@ double coordinate(const Fit& fit, int d, int segment, int j, int axis) {
   return fit.control_points[static_cast<std::size_t>((4 * segment + j) * d + axis)];
 }
 
-/// The distance of data point i to where it was compared with the curve.
+/// The distance of data point i from the point of the curve with which it was compared.
 double distance_of(const Fit& fit, const Data& data, int d, std::size_t i) {
   const long double t = fit.t[i];
   const long double s = 1 - t;
@@ -70,7 +71,7 @@ double distance_of(const Fit& fit, const Data& data, int d, std::size_t i) {
   return static_cast<double>(std::sqrt(square));
 }
 
-/// Between the directions in which segment a ends and segment b begins.
+/// The cosine of the angle between the end of segment a and the beginning of segment b.
 double cosine_at_joint(const Fit& fit, int d, int a, int b) {
   long double in = 0, out = 0, product = 0;
   for (int axis = 0; axis < d; ++axis) {
@@ -107,7 +108,7 @@ TEST(Fitting, KeepsTheToleranceAndPassesTheEnds) {
     }
 }
 
-/// A power of two scales every operation exactly, also where squares would leave the range.
+/// A power of two scales every operation exactly, also where squares would overflow or underflow.
 TEST(Fitting, ScalesWithTheData) {
   Inputs inputs(2);
   for (int trial = 0; trial < 48; ++trial)
@@ -128,13 +129,13 @@ TEST(Fitting, ScalesWithTheData) {
     }
 }
 
-/// Data on a lattice that a shift keeps exact: only the rounding of handles tells.
+/// The data are on a lattice on which a shift is exact: only the roundings of handles differ.
 TEST(Fitting, MovesWithTheData) {
   Inputs inputs(3);
   for (int trial = 0; trial < 48; ++trial) {
     const int d = 1 + trial % 3;
     auto data = any_data(inputs, trial, d);
-    if (trial % 20 == 5) continue;  // a closed quadratic is a line forth and back, on which handles may slide
+    if (trial % 20 == 5) continue;  // a closed quadratic runs forth and back on a line, where handles are not unique
     for (double& x : data) x = std::floor(x * 0x1p+20) * 0x1p-20;
     auto moved = data;
     constexpr double shift = 0x1p+10;
@@ -172,7 +173,7 @@ TEST(Fitting, RunsBackwards) {
   }
 }
 
-/// The sides of a square, twelve points each: its corners and nothing else are joints, at the start of closed data too.
+/// The sides of a square, twelve points each: only its corners are joints, also where closed data begin.
 TEST(Fitting, KeepsCorners) {
   Data square{0, 0};
   const std::vector<std::array<double, 2>> ways{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -203,7 +204,7 @@ TEST(Fitting, SeesNoCornersInNoise) {
   }
 }
 
-/// Smooth data have no other corners; where the data are closed, their joint is none either.
+/// Smooth data have no inner corners; in closed data the joint of the ends is no corner either.
 TEST(Fitting, JoinsSmoothly) {
   Data circle;  // by the rational parametrisation, counted all the way round
   for (int k = 0; k <= 64; ++k) {
@@ -245,7 +246,7 @@ TEST(Fitting, ALineIsOneStraightSegment) {
   }
 }
 
-/// Forth and back on a line: a corner where the data turn.
+/// The data run forth and back on a line: there is a corner where they turn.
 TEST(Fitting, TurnsBackInACorner) {
   Data data;
   for (const double x : {0, 1, 2, 3, 4, 3, 2, 1}) data.insert(data.end(), {x, 2 * x});
@@ -256,7 +257,7 @@ TEST(Fitting, TurnsBackInACorner) {
   }
 }
 
-/// Points that differ, until they are scaled.
+/// Different points that scaling makes equal.
 TEST(Fitting, PointsThatScalingMakesOne) {
   const Data data{1e308, 0, 1e308, 5e-324, 1e308, 1e-323, 1e308, 0};
   for (const auto& kernel : fitting_kernels(2))
@@ -268,8 +269,8 @@ TEST(Fitting, PointsThatScalingMakesOne) {
     }
 }
 
-/// From 0 to 1/4 of the way, back beyond the start and to it again: three straight parts, whatever the steps and the
-/// arms that decide corners.
+/// The curve runs from 0 to a quarter of the way, back beyond the start and to it again: three straight parts, whatever
+/// the steps of the data and the arms for corners.
 TEST(Fitting, TurnsBackAtTheTips) {
   auto data = samples({0, 0, 1, 2, -1, -2, 0, 0}, 2, 40);
   for (const auto& kernel : fitting_kernels(2))
@@ -277,7 +278,7 @@ TEST(Fitting, TurnsBackAtTheTips) {
       EXPECT_EQ(kernel.fit(data, tolerance).segments(2), 3) << kernel.info->id << " " << tolerance;
 }
 
-/// Handles that would leave the range are said to.
+/// A fit whose handles overflow does not report convergence.
 TEST(Fitting, OverflowIsNotConvergence) {
   const double most = std::numeric_limits<double>::max();
   const Data data{-most, 0, most, 0.5 * most, -most, most, most, -most};
@@ -289,7 +290,7 @@ TEST(Fitting, OverflowIsNotConvergence) {
 
 const Data gentle{0, 0, 1, 2, 3, 3, 4, 0};
 
-/// What users miss most: samples of a cubic give that cubic back.
+/// Samples of a cubic give that cubic: what users expect first of a fit.
 TEST(GaussNewton, ReproducesItsOwnSource) {
   for (const double factor : {1e-9, 1.0, 1e10}) {
     Data control = gentle;
@@ -305,7 +306,7 @@ TEST(GaussNewton, ReproducesItsOwnSource) {
   }
 }
 
-/// Of many points only some are looked at first, but none is left out.
+/// A fit of many points begins with a sample of them, but keeps the tolerance at every point.
 TEST(GaussNewton, SeesEveryOneOfManyPoints) {
   for (const std::size_t count : {513U, 514U, 5000U}) {
     auto data = samples(gentle, 2, static_cast<int>(count));

@@ -67,7 +67,7 @@ struct C2Natural {
     return left_over;
   }
 
-  /// A sum as accurate as in twice the precision, rounded once ([Ogita et al. 2005], Algorithm 4.4).
+  /// A sum as accurate as in twice the precision, then rounded once ([Ogita et al. 2005], Algorithm 4.4).
   static double sum(std::initializer_list<double> terms) {
     double value = 0;
     double error = 0;

@@ -39,7 +39,7 @@ struct C2NaturalHandles {
   }
 
  private:
-  /// The last equation is halved.
+  /// The right-hand sides. The last equation is divided by 2.
   static std::vector<double> right_hand_sides(std::span<const double> k) {
     const std::size_t n = k.size() - 1;
     std::vector<double> right(n);

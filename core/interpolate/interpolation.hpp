@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The concept of a method for interpolation: `info`, and one function from points to the cubic Bezier segments that
-// join them with continuous first and second derivatives. Axes are independent, so a method is handed one at a time.
+// join them with continuous first and second derivatives. The axes are independent, so a method works on one axis at a
+// time.
 #pragma once
 
 #include <concepts>
@@ -17,10 +18,10 @@ struct InnerPoints {
   std::vector<double> second;
 };
 
-/// The spline is C2 at uniform parameters and natural: its second derivative is 0 at both ends. A method takes the
-/// n + 1 >= 2 coordinates K_0 ... K_n of one axis, scaled so that the largest has a size in [1/2, 1) or is 0
-/// (InterpolationKernel scales). `residual_bound` times u times that size bounds every residual of C1, C2 and natural
-/// ends; it is 0 where nothing is proved.
+/// A method takes the n + 1 >= 2 coordinates K_0 ... K_n of one axis, scaled by InterpolationKernel such that the
+/// largest has a magnitude in [1/2, 1) or is 0. Its spline is C2 at uniform parameters and natural: the second
+/// derivative is 0 at both ends. Every residual of C1, C2 and natural ends is at most `residual_bound` times u times
+/// the largest magnitude; `residual_bound` is 0 where no bound is proved.
 template <class M>
 concept InterpolationMethod = requires(std::span<const double> coordinates) {
   requires M::info.problem == Problem::interpolation;

@@ -13,7 +13,7 @@ namespace {
 /// The coordinates of one axis, scaled.
 struct Axis {
   std::vector<double> coordinates;
-  int exponent = 0;  ///< of the power of two that was taken out
+  int exponent = 0;  ///< the coordinates were divided by 2^exponent
 };
 
 Axis scaled_axis(std::span<const double> points, std::size_t dimension, std::size_t axis) {

@@ -10,21 +10,21 @@
 
 namespace bezierbench {
 
-/// One method, for points with any number of axes.
+/// One method, for points of any dimension.
 struct InterpolationKernel {
   const MethodInfo* info;
   double residual_bound;  ///< in u times the largest coordinate of an axis; 0 where nothing is proved
-  /// The n cubic Bezier segments through n + 1 >= 2 points of `dimension` finite coordinates each, point by point:
-  /// 4 n control points, segment by segment. The first and last of a segment are the given points, bit for bit. Each
-  /// axis is scaled by a power of two first, so that the results scale with the coordinates; an inner control point
-  /// that exceeds the largest double is infinite.
+  /// The n cubic Bezier segments through n + 1 >= 2 points of `dimension` finite coordinates each, point by point: 4 n
+  /// control points, segment by segment. The first and last control point of a segment are the given points, bit for
+  /// bit. Each axis is scaled by a power of two first, so that the results scale with the coordinates. An inner control
+  /// point beyond the largest double is infinite.
   std::vector<double> (*interpolate)(std::span<const double> points, int dimension);
 };
 
 /// All methods, in roster order.
 std::span<const InterpolationKernel> interpolation_kernels();
 
-/// The data of all methods, in roster order.
+/// The infos of all methods, in roster order.
 std::span<const MethodInfo* const> interpolation_infos();
 
 }  // namespace bezierbench

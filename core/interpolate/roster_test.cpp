@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splines that are known, what every method owes, and the residuals that the first one promises.
+// Known splines, properties of every method, and the residuals that the first method promises.
 #include "core/interpolate/roster.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ double size_of(std::span<const double> k) {
   return largest;
 }
 
-/// The largest residual over u max|K|; 0 over 0 is 0.
+/// The largest residual over u max|K|; 0 / 0 is 0.
 double residual_u(std::span<const double> k, std::span<const double> segments) {
   const auto all = reference::spline_residuals(k, segments);
   double largest = 0;
@@ -36,7 +36,8 @@ double inner_point_error_u(std::span<const double> k, std::span<const double> se
   return error.numerator == 0 ? 0 : reference::round_to(reference::binary64, error) / size_of(k) / u;
 }
 
-/// Kinds of points that have hurt splines: random, signs only, whole numbers that coincide, far from 0, of all sizes.
+/// Points on which splines lose accuracy: random, signs only, whole numbers that coincide, far from 0, of all
+/// magnitudes.
 std::vector<double> points_of(int kind, std::size_t count, Inputs& inputs) {
   std::vector<double> k;
   const double range = 0.5 + 0.5 * inputs.unit();
@@ -53,7 +54,7 @@ std::vector<double> points_of(int kind, std::size_t count, Inputs& inputs) {
   return k;
 }
 
-/// 5/9, 8/9, -1/9 and 10/9, 1/9, 4/9: by hand from the corrected system of [Document 003].
+/// 5/9, 8/9, -1/9 and 10/9, 1/9, 4/9, computed by hand from the corrected system of [Document 003].
 TEST(Interpolation, OfZeroOneZeroOne) {
   const std::vector<double> k{0, 1, 0, 1};
   const std::vector<double> ninths{0, 5, 10, 9, 9, 8, 1, 0, 0, -1, 4, 9};
@@ -65,7 +66,7 @@ TEST(Interpolation, OfZeroOneZeroOne) {
   }
 }
 
-/// The goal, 8 units, and the bound that is proved, on nasty points of every size.
+/// The bound aimed at, 8 units, and the proved one, on difficult points of every magnitude.
 TEST(Interpolation, KeepsTheResidualsThatItPromises) {
   Inputs inputs(1);
   double worst = 0;
@@ -86,20 +87,20 @@ TEST(Interpolation, KeepsTheResidualsThatItPromises) {
           EXPECT_LE(inner_point_error_u(k, segments), std::sqrt(3) * (1 + 0x1p-40)) << kernel.info->id;
         }
       }
-  EXPECT_GT(worst, 8);  // what handles without refinement lose: these points tell the methods apart
+  EXPECT_GT(worst, 8);  // handles without refinement lose this much: these points distinguish the methods
 }
 
-/// The sums of the weights of the points, on which the bound rests: in |P|, and in each residual where every control
-/// point is off by u |P|. Unit points give the weights; the sums are largest inside long splines.
+/// The bound rests on the sums of the weights of the points: in |P|, and in each residual if every control point has an
+/// error of u |P|. Unit points give the weights; the sums are largest inside long splines.
 TEST(Interpolation, WeightsAreThoseOfTheBound) {
   for (const std::size_t n : {1U, 2U, 3U, 6U, 40U}) {
-    std::vector<std::vector<double>> weights;  // of each K_m in all control points
+    std::vector<std::vector<double>> weights;  // weights of each K_m in all control points
     for (std::size_t m = 0; m <= n; ++m) {
       std::vector<double> k(n + 1, 0);
       k[m] = 1;
       weights.push_back(interpolation_kernels().front().interpolate(k, 1));
     }
-    /// max over |K| <= 1 of the sum of factor |P_at|.
+    /// One term, factor |P_at|, of a sum. `most` returns the largest value of the sum over all |K| <= 1.
     struct Term {
       double factor;
       std::size_t at;
@@ -180,7 +181,7 @@ TEST(Interpolation, TakesTheLargestAndTheSmallestNumbers) {
   }
 }
 
-/// A million points take a moment, and the middle of so long a spline is as right as its ends.
+/// A million points take a moment only, and the spline is as accurate in the middle as at its ends.
 TEST(Interpolation, OfAMillionPoints) {
   Inputs inputs(3);
   const auto k = points_of(0, 1'000'000, inputs);
@@ -188,7 +189,7 @@ TEST(Interpolation, OfAMillionPoints) {
     const auto segments = kernel.interpolate(k, 1);
     ASSERT_EQ(segments.size(), 4 * (k.size() - 1));
     for (const auto& [from, at] : {std::pair{0UL, 0UL}, {k.size() / 2, 40UL}, {k.size() - 81, 79UL}}) {
-      // what lies 40 points or more away moves a point by less than (2 - sqrt(3))^40 = 1e-22
+      // points 40 or more away change a control point by less than (2 - sqrt(3))^40 = 1e-22
       const auto local = reference::exact_spline(std::span(k).subspan(from, 81));
       EXPECT_NEAR(segments[4 * (from + at) + 1], reference::round_to(reference::binary64, local.first[at]), 4 * u)
           << kernel.info->id << " " << from;

@@ -23,7 +23,7 @@ static_assert(multipliers[multipliers.size() - 1] == multipliers[multipliers.siz
 
 constexpr double multiplier(std::size_t i) { return multipliers[std::min(i, multipliers.size() - 1)]; }
 
-/// Replaces the m >= 2 right-hand sides by the solution.
+/// Replaces the m >= 2 right-hand sides by the solution; `last` is the last diagonal element.
 inline void solve(std::span<double> x, double last) {
   const std::size_t end = x.size() - 1;
   x[0] *= multiplier(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The accuracy goals of isolation, on curves that have broken projectors, against the exact foot points.
+// The accuracy goals of quintic_isolate against the exact foot points, on curves for which projectors have failed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Problem {
   }
 };
 
-/// The point of the curve at t, rounded here and there.
+/// The point of the curve at t, with rounding errors.
 std::vector<double> on_curve(const Problem& problem, double t) {
   auto b = problem;
   for (int last = b.degree; last > 0; --last)
@@ -40,7 +40,7 @@ std::vector<double> on_curve(const Problem& problem, double t) {
   return b.points;
 }
 
-/// Makes C'(1/2) = 0, exactly: a cusp.
+/// Makes C'(1/2) = 0 exactly: the curve has a cusp there.
 void make_cusp(Problem& problem) {
   const int n = problem.degree;
   for (double& x : problem.points) x = std::floor(x * 1024);
@@ -131,7 +131,7 @@ TEST(QuinticIsolate, NeverMissesTheFootPointOnNastyCurves) {
   RecordProperty("worst_units", std::to_string(worst));
 }
 
-/// C - P cancels to the last digits of both, or beyond: the distance at t is still right to its own rounding.
+/// C - P cancels to the last digits of both, or beyond. The distance at t is still right up to its own rounding.
 TEST(OffsetCurve, IsRightToItsOwnRoundingNextToTheCurve) {
   Inputs inputs(12);
   reference::ExactCurve exact;

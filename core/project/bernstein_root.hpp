@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A first estimate of the one root of a polynomial in Bernstein form: the zero of its control polygon, then Newton
-// steps until the distance to the root is so small that few steps on the curve itself remain.
+// A first estimate of the only root of a polynomial in Bernstein form: the zero of its control polygon, then Newton
+// steps until the estimate is so near that few steps on the curve itself remain.
 //
 // Source: [Moerken and Reimers 2007], zeros of the control polygon as estimates.
 // Cost: 3 flops for each of the n(n+1)/2 points of de Casteljau's triangle per step; most often three or four steps.
@@ -11,13 +11,14 @@
 
 namespace bezierbench {
 
-/// The value of f, and its derivative over n, the degree.
+/// The value of f, and its derivative divided by the degree n.
 struct BernsteinSlope {
   double value;
   double derivative;
 };
 
-/// Evaluates by de Casteljau's algorithm; the last level but one gives the derivative. Degree 1 or more.
+/// Evaluates f at t by de Casteljau's algorithm, whose last level but one gives the derivative. The degree is at least
+/// 1.
 template <int Points>
 BernsteinSlope bernstein_slope(Polygon<1, Points> f, double t) {
   const double s = 1 - t;
@@ -25,7 +26,8 @@ BernsteinSlope bernstein_slope(Polygon<1, Points> f, double t) {
   return {s * f[0] + t * f[1], f[1] - f[0]};
 }
 
-/// Where the control polygon of f first crosses zero; its first and last coefficient have different signs.
+/// The parameter at which the control polygon of f first crosses zero. Its first and last coefficient have different
+/// signs.
 template <int Points>
 double zero_of_control_polygon(const Polygon<1, Points>& f) {
   int k = 0;
@@ -33,8 +35,8 @@ double zero_of_control_polygon(const Polygon<1, Points>& f) {
   return (k + f[k] / (f[k] - f[k + 1])) / degree_of<1>(f);
 }
 
-/// The root of f in (0, 1), whose first and last coefficient have different signs. Without a guarantee: next to the
-/// root the values of f may be rounding errors only.
+/// An estimate of the root of f in (0, 1). The first and last coefficient of f have different signs. The estimate has
+/// no guaranteed accuracy: next to the root, values of f may consist of rounding errors only.
 template <int Points>
 RootEstimate estimate_root(const Polygon<1, Points>& f) {
   constexpr int most_steps = 16;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Projection by the roots of one polynomial as eigenvalues of a companion matrix. The methods differ in the polynomial
-// only: `coefficients` gives it for an OffsetCurve, ascending.
+// Projection by the roots of one polynomial as eigenvalues of a companion matrix. The methods differ only in the
+// polynomial: their `coefficients` returns its power coefficients for an OffsetCurve, ascending.
 #pragma once
 
 #include "core/project/companion_roots.hpp"

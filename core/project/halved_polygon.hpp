@@ -10,7 +10,7 @@ template <int Dimension, int Points = dynamic>
 struct HalvedPolygon {
   Polygon<Dimension, Points> b;
   double largest;  ///< the largest magnitude of a coordinate
-  double error;    ///< bounds the error of every coordinate
+  double error;    ///< bound of the error of every coordinate
 
   /// Takes points that were rounded once.
   explicit HalvedPolygon(const Polygon<Dimension, Points>& rounded)

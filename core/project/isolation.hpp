@@ -16,7 +16,7 @@
 
 namespace bezierbench {
 
-/// One search for one curve and one point; the degree is known when compiled, or dynamic.
+/// One search for one curve and one point. The degree is known at compile time, or dynamic.
 template <int Dimension, int Degree = dynamic>
 class Isolation {
  public:
@@ -72,8 +72,8 @@ class Isolation {
     isolate({right, right_difference, piece.middle(), piece.width / 2});
   }
 
-  /// The one root in a piece that has at most one. Where the signs at both ends agree, the root, if there is any, lies
-  /// at an end, up to rounding.
+  /// The root in a piece that has at most one. Where f has the same sign at both ends, the root, if there is one, lies
+  /// at an end up to rounding.
   double root_of(const Piece& piece, const UncertainPolynomial<count_of(Degree, Degree)>& f) const {
     const double a = piece.from;
     const double b = a + piece.width;
@@ -91,7 +91,7 @@ class Isolation {
 
   OffsetCurve<Dimension, Degree> offset_;
   PolygonProduct<Degree> product_;
-  std::array<std::byte, 64 * sizeof(double)> room_;  // so that a curve of low degree needs no allocation
+  std::array<std::byte, 64 * sizeof(double)> room_;  // avoids an allocation for curves of low degree
   std::pmr::monotonic_buffer_resource memory_{room_.data(), room_.size()};
   std::pmr::vector<double> candidates_{&memory_};
   int judged_ = 0;

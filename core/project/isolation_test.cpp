@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The parts of isolation: signs that are certain, roots from estimates good and bad, and code for one degree against
-// code for any.
+// The parts of isolation: certain signs, roots from good and bad estimates, and code for one degree against code for
+// any degree.
 #include "core/project/isolation.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ void compare_with_any_degree(Inputs& inputs, double grid) {
 TEST(Isolation, CodeForOneDegreeGivesTheBitsOfCodeForAny) {
   Inputs inputs(21);
   for (int trial = 0; trial < 300; ++trial) {
-    const double grid = trial % 2 == 0 ? 0 : 0.25;  // the latter: coinciding points, roots at the ends, ties
+    const double grid = trial % 2 == 0 ? 0 : 0.25;  // 0.25 gives coinciding points, roots at the ends, ties
     compare_with_any_degree<1, 3>(inputs, grid);
     compare_with_any_degree<2, 2>(inputs, grid);
     compare_with_any_degree<2, 3>(inputs, grid);
@@ -60,7 +60,7 @@ TEST(Isolation, CodeForOneDegreeGivesTheBitsOfCodeForAny) {
   }
 }
 
-/// One axis of C - P, or of its differences, exactly.
+/// The exact differences of the coordinates on one axis from the point.
 std::vector<Rational> offsets(const Curve<Form::bernstein, double, 2>& curve, const Point<double, 2>& point, int axis) {
   std::vector<Rational> result;
   for (int i = 0; i <= curve.degree(); ++i) result.push_back(Rational(curve(axis, i)) - Rational(point[axis]));
@@ -94,7 +94,7 @@ void add_product(const std::vector<Rational>& a, const std::vector<Rational>& b,
     for (std::size_t j = 0; j <= n; ++j) f[i + j] += choose(m, i) * choose(n, j) / choose(m + n, i + j) * a[i] * b[j];
 }
 
-/// What a piece of a curve is, in doubles and exactly.
+/// A piece of a curve in doubles, and the same piece in rationals.
 struct TwinPiece {
   HalvedPolygon<2> offset;
   HalvedPolygon<2> difference;
@@ -125,7 +125,7 @@ struct TwinPiece {
   }
 };
 
-/// Halved towards a point of the curve, C - P shrinks until it is the errors of the halvings before.
+/// Halving towards a point on the curve makes C - P shrink until only the errors of earlier halvings are left.
 TEST(PolygonProduct, IsNeverOffByMoreThanItsErrorHoweverOftenHalved) {
   Inputs inputs(22);
   double worst = 0;
@@ -133,7 +133,7 @@ TEST(PolygonProduct, IsNeverOffByMoreThanItsErrorHoweverOftenHalved) {
     const int n = 1 + trial % 5;
     const auto curve = random_curve<2>(n, inputs, 0);
     double t = inputs.unit();
-    const Point<double, 2> point = OffsetCurve<2>(curve, Point<double, 2>::Zero()).at(t);  // m is 1, most often
+    const Point<double, 2> point = OffsetCurve<2>(curve, Point<double, 2>::Zero()).at(t);  // m is mostly 1
     TwinPiece piece(curve, point, OffsetCurve<2>(curve, point));
     for (int depth = 0; depth < 40; ++depth) {
       const auto f = PolygonProduct(n)(piece.offset, piece.difference);
@@ -147,10 +147,10 @@ TEST(PolygonProduct, IsNeverOffByMoreThanItsErrorHoweverOftenHalved) {
       t = t < 0.5 ? 2 * t : 2 * t - 1;
     }
   }
-  EXPECT_GT(worst, 0x1p-7);  // an error that is far too large would leave every sign open
+  EXPECT_GT(worst, 0x1p-7);  // a far larger error bound would leave every sign open
 }
 
-/// All choices for the uncertain signs, one by one.
+/// The largest number of sign variations, by trying every choice for the uncertain signs.
 int most_variations_by_trial(std::vector<int> signs, std::size_t from = 0) {
   for (std::size_t k = from; k < signs.size(); ++k)
     if (signs[k] == 0) {
@@ -179,7 +179,7 @@ TEST(UncertainPolynomial, CountsTheMostVariationsOfAnyChoice) {
   }
 }
 
-/// t^n - 2^-n, whose coefficients are -2^-n and at the end 1 - 2^-n.
+/// t^n - 2^-n has the coefficients -2^-n, except for the last, 1 - 2^-n.
 TEST(EstimateRoot, OfPolynomialsWithTheRootOneHalf) {
   for (int n = 1; n <= 9; ++n) {
     Polygon<1> f = Polygon<1>::Constant(1, n + 1, -std::ldexp(1.0, -n));
@@ -192,7 +192,7 @@ TEST(EstimateRoot, OfPolynomialsWithTheRootOneHalf) {
   }
 }
 
-/// The root does not depend on the estimate by more than f's rounding, wherever that lies and whatever it claims.
+/// The root depends on the estimate and on its claimed step by no more than the rounding errors of f.
 TEST(RootInBracket, FromGoodAndBadEstimates) {
   Inputs inputs(24);
   int brackets = 0;

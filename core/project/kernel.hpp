@@ -10,18 +10,19 @@
 
 namespace bezierbench {
 
-/// One method, for curves with this many axes.
+/// One method, for curves of one dimension.
 struct ProjectionKernel {
   const MethodInfo* info;
   int dimension;
-  /// `curve` in Bernstein form, of a degree that the method supports; `point` has as many coordinates as the curve.
+  /// Projects `point`, which has as many coordinates as the curve. `curve` is in Bernstein form, of a degree that the
+  /// method supports.
   FootPoint (*project)(const CurveView<double>& curve, std::span<const double> point);
 };
 
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const ProjectionKernel> projection_kernels(int dimension);
 
-/// The data of all methods, in roster order.
+/// The infos of all methods, in roster order.
 std::span<const MethodInfo* const> projection_infos();
 
 }  // namespace bezierbench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest of some parameters: the last step of every projector that finds candidates first.
+// The nearest of several parameters: the last step of every projector that finds candidates first.
 #pragma once
 
 #include <limits>
@@ -16,8 +16,8 @@ struct NearestCandidate {
   int candidates;          ///< number of distinct candidates
 };
 
-/// Compares the distances at these parameters in [0, 1] and at both ends of the curve. Of equally near ones the
-/// smallest parameter is returned; a parameter that occurs twice counts once.
+/// The nearest of these parameters in [0, 1] and both ends of the curve. Of equally near ones it is the smallest
+/// parameter. A parameter that occurs twice counts once.
 template <int Dimension, int Degree, class Candidates>
 NearestCandidate nearest_candidate(const OffsetCurve<Dimension, Degree>& curve, Candidates candidates) {
   candidates.insert(candidates.end(), {0.0, 1.0});
@@ -32,8 +32,8 @@ NearestCandidate nearest_candidate(const OffsetCurve<Dimension, Degree>& curve, 
   return best;
 }
 
-/// t in [0, 1] and its distance, or those of the neighbouring double that is nearer by more than rounding. Newton's
-/// last step may end one double off, and next to the curve an ulp of t is several ulps of the distance.
+/// The candidate or, if one is nearer by more than rounding, the nearer of its neighbouring doubles. Newton's last step
+/// may be off by one double, and next to the curve an ulp of t is several ulps of the distance.
 template <int Dimension, int Degree>
 NearestCandidate nearest_neighbour(const OffsetCurve<Dimension, Degree>& curve, const NearestCandidate& candidate) {
   auto best = candidate;
@@ -45,7 +45,7 @@ NearestCandidate nearest_neighbour(const OffsetCurve<Dimension, Degree>& curve, 
   return best;
 }
 
-/// The nearest parameter as the result of a method.
+/// The nearest of the candidates and both ends, as the result of a method.
 template <int Dimension>
 FootPoint nearest(const OffsetCurve<Dimension>& curve, std::vector<double> candidates) {
   const auto best = nearest_candidate(curve, std::move(candidates));

@@ -12,7 +12,7 @@
 
 namespace bezierbench {
 
-/// The degree is known when compiled, or dynamic.
+/// The degree is known at compile time, or dynamic.
 template <int Dimension, int Degree = dynamic>
 class OffsetCurve {
  public:
@@ -55,7 +55,7 @@ class OffsetCurve {
   /// (b_(i+1) - b_i) / m, each rounded once.
   [[nodiscard]] const Differences& differences_of_points() const { return first_; }
 
-  /// (C(t) - P) / m. Flattened, because GCC would otherwise call each step of the triangle with its operands in memory.
+  /// (C(t) - P) / m. gnu::flatten: otherwise GCC calls each step of the triangle with its operands in memory.
   [[nodiscard, gnu::flatten]] Vector at(double t) const {
     if (t == 0) return high_.col(0);  // same bits as the code below
     if (t == 1) return high_.col(degree());
@@ -75,10 +75,10 @@ class OffsetCurve {
     return sum;
   }
 
-  /// |C(t) - P| / m, and in coordinate units.
+  /// |C(t) - P|, over m and in coordinate units.
   [[nodiscard]] double scaled_distance(double t) const { return length<Dimension>(at(t)); }
   [[nodiscard]] double distance(double t) const { return unscaled(scaled_distance(t)); }
-  /// A length over m, in coordinate units.
+  /// A length given over m, in coordinate units.
   [[nodiscard]] double unscaled(double length) const { return std::ldexp(length, exponent_); }
 
   /// f = (C - P).C' and its derivative |C'|^2 + (C - P).C'', and |C'|^2, all over n m^2.
@@ -99,7 +99,7 @@ class OffsetCurve {
   [[nodiscard]] double largest_bend() const { return largest_bend_; }
 
  private:
-  static constexpr int least_exponent = -1000;  // so that 1/m is a double
+  static constexpr int least_exponent = -1000;  // makes 1/m a double
 
   Points high_;
   Points low_;

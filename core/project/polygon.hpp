@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control polygons in the form in which the projectors cut and evaluate them: one column a point.
+// Control polygons in the form in which the projectors halve and evaluate them: one column per point.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +12,8 @@
 
 namespace bezierbench {
 
-/// `Points` columns, or a dynamic number. Unlike a Curve it has no room for the largest degree, because the projectors
-/// keep many polygons of low degree.
+/// `Points` columns, or a dynamic number. Unlike a Curve, a polygon has no room for the largest degree, since the
+/// projectors keep many polygons of low degree.
 template <int Dimension, int Points = dynamic>
 using Polygon = Eigen::Matrix<double, Dimension, Points, Dimension == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
 
@@ -25,7 +25,7 @@ int degree_of(const Polygon<Dimension, Points>& b) {
   return static_cast<int>(b.cols()) - 1;
 }
 
-/// a.b, summed from the first axis on.
+/// a.b, summed up from the first axis on.
 template <int Dimension>
 double dot(const Point<double, Dimension>& a, const Point<double, Dimension>& b) {
   double sum = a[0] * b[0];
@@ -33,7 +33,7 @@ double dot(const Point<double, Dimension>& a, const Point<double, Dimension>& b)
   return sum;
 }
 
-/// |v|, scaled by a power of two before it is squared, where squares would leave the range.
+/// |v|. Where squares would overflow or underflow, v is scaled by a power of two first.
 template <int Dimension>
 double length(const Point<double, Dimension>& v) {
   double largest = 0;
@@ -78,8 +78,8 @@ Polygon<Dimension, count_of(Points, -1)> differences(const Polygon<Dimension, Po
   return result;
 }
 
-/// The polygons over [0, 1/2] and [1/2, 1]. Each coordinate has passed at most `degree` roundings of at most
-/// u largest_coordinate(b).
+/// The polygons over [0, 1/2] and [1/2, 1]. Each coordinate has at most `degree` roundings, of at most u
+/// largest_coordinate(b) each.
 template <int Dimension, int Points>
 std::pair<Polygon<Dimension, Points>, Polygon<Dimension, Points>> halves(Polygon<Dimension, Points> b) {
   const int n = degree_of<Dimension>(b);
@@ -91,7 +91,7 @@ std::pair<Polygon<Dimension, Points>, Polygon<Dimension, Points>> halves(Polygon
     for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = (b(axis, i) + b(axis, i + 1)) / 2;
     if (i == 0) left.col(++level) = b.col(0);
   });
-  return {std::move(left), std::move(b)};  // in b, column n - k was last written on level k, with its last point
+  return {std::move(left), std::move(b)};  // column n - k of b keeps the last point of level k
 }
 
 }  // namespace bezierbench

@@ -10,14 +10,14 @@
 
 namespace bezierbench {
 
-/// A polynomial in Bernstein form whose coefficients are known up to an error.
+/// A polynomial in Bernstein form with a bound of the errors of its coefficients.
 template <int Count = dynamic>
 struct UncertainPolynomial {
   Polygon<1, Count> coefficients;
-  double error;  ///< bounds the error of every coefficient
+  double error;  ///< bound of the error of every coefficient
 
   [[nodiscard]] int degree() const { return degree_of<1>(coefficients); }
-  /// The sign of coefficient k; 0 where its error leaves the sign open.
+  /// The sign of coefficient k; 0 where the error makes it uncertain.
   [[nodiscard]] int sign(int k) const { return coefficients[k] > error ? 1 : coefficients[k] < -error ? -1 : 0; }
   /// True if no sign is certain.
   [[nodiscard]] bool is_unknown() const { return largest_coordinate<1>(coefficients) <= error; }
@@ -25,7 +25,7 @@ struct UncertainPolynomial {
   /// The largest number of sign variations over all choices for the uncertain signs.
   [[nodiscard]] int most_variations() const {
     const int none = -degree() - 2;
-    int after_plus = -1;  // so that the first sign is no variation
+    int after_plus = -1;  // two values for which the first sign is no variation
     int after_minus = -1;
     for (int k = 0; k <= degree(); ++k) {
       const int plus = sign(k) < 0 ? none : std::max(after_plus, after_minus + 1);
@@ -37,7 +37,7 @@ struct UncertainPolynomial {
   }
 };
 
-/// Multiplies polygons of degrees n and n - 1; one object serves one n.
+/// Multiplies polygons of degrees n and n - 1, for one n.
 template <int Degree = dynamic>
 class PolygonProduct {
  public:
@@ -66,7 +66,7 @@ class PolygonProduct {
 
  private:
   /// A bound of the errors of the coefficients: the errors of the polygons, carried through the products, at most d + 1
-  /// roundings in a product of vectors, 2n + 4 in weighing and summing, and 3n in binomials that are not exact.
+  /// roundings in a product of vectors, 2n + 4 in weighting and summing, and 3n in binomials that are not exact.
   template <int Dimension>
   static double error_of(const HalvedPolygon<Dimension, count_of(Degree, 1)>& offset,
                          const HalvedPolygon<Dimension, Degree>& difference) {

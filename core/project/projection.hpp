@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The concept of a method for point projection: `info`, and one function from a curve and a point to the parameter in
-// [0, 1] at which the curve is nearest.
+// [0, 1] where the curve is nearest to the point.
 #pragma once
 
 #include <concepts>

@@ -28,7 +28,7 @@ struct QuinticCompanion : CompanionProjection<QuinticCompanion> {
                                    .cost_exponent = 3,
                                    .citation = "[Document 002], corrected; [Edelman and Murakami 1995]"};
 
-  /// f_0 .. f_(2n-1), over the square of the power of two that OffsetCurve divides by.
+  /// f_0 .. f_(2n-1), divided by the square of m (OffsetCurve).
   template <int Dimension>
   static std::vector<double> coefficients(const OffsetCurve<Dimension>& offset) {
     const int n = offset.degree();

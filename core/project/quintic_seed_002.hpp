@@ -26,7 +26,7 @@ struct QuinticSeed002 : CompanionProjection<QuinticSeed002> {
                                    .cost_exponent = 0,
                                    .citation = "[Document 002]"};
 
-  /// k0 .. k5 as printed, over the square of the power of two that OffsetCurve divides by.
+  /// k0 .. k5 as printed, divided by the square of m (OffsetCurve).
   template <int Dimension>
   static std::vector<double> coefficients(const OffsetCurve<Dimension>& offset) {
     const auto& first = offset.differences_of_points();

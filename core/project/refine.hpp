@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: MIT
-// From a rough estimate of a root of (C - P).C' to one that is right to the last bits. Each step starts from the
-// control points: the coefficients of (C - P).C' were rounded, and at a cusp this moves their roots by the cube root of
-// u.
+// Refines a rough estimate of a root of (C - P).C' to the last bits. Each step starts from the control points: the
+// coefficients of (C - P).C' are rounded, and at a cusp this moves their roots by the cube root of u.
 #pragma once
 
 #include "core/project/offset_curve.hpp"
 
 namespace bezierbench {
 
-/// An estimate of a root. From Newton's method, `step` is its last step.
+/// An estimate of a root. In an estimate from Newton's method `step` is its last step.
 struct RootEstimate {
   double t;
   double step;  ///< the next step should be half as long or less
 };
 
-/// A root of (C - P).C' between a < b, where its signs differ, from an estimate between them: Newton steps, bisection
-/// where a step leaves the bracket or the steps do not halve. Ends where a and b are neighbours, or after a step s that
-/// leaves an error of no more than u t: one of 2 s^2 |f''| / |f'| (Kantorovich's theorem; [Ortega and Rheinboldt
-/// 1970], 12.6.2).
+/// A root of (C - P).C' between a < b, where its signs differ, from an estimate in [a, b]: Newton steps, and bisection
+/// where a step leaves the bracket or is more than half of the step before. Ends where a and b are neighbours, or after
+/// a step s whose error bound 2 s^2 |f''| / |f'| is at most u t (Kantorovich's theorem; [Ortega and Rheinboldt 1970],
+/// 12.6.2).
 template <int Dimension, int Degree>
 double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, double b, bool rising,
                        const RootEstimate& estimate) {
-  constexpr int most_steps = 200;  // every second step halves the bracket, which has at most 2^53 doubles a binade
+  constexpr int most_steps = 200;  // every second step halves the bracket, of at most 2^53 doubles per binade
   auto [t, last_step] = estimate;
   for (int k = 0; k < most_steps; ++k) {
     const auto f = curve.slope(t);
@@ -42,8 +41,8 @@ double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, do
   return t;
 }
 
-/// A parameter in [0, 1] at least as near as t. Takes Newton steps where the distance is convex, else Gauss-Newton
-/// steps, each halved until it brings the curve nearer. Ends when none does.
+/// A parameter in [0, 1] at which the curve is at least as near as at t. Takes Newton steps where the distance is
+/// convex, else Gauss-Newton steps. A step is halved until the curve comes nearer; the search ends when it does not.
 template <int Dimension, int Degree>
 double descend(const OffsetCurve<Dimension, Degree>& curve, double t) {
   constexpr int most_steps = 100;

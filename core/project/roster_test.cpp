@@ -26,7 +26,7 @@ FootPoint project(std::string_view id, const std::vector<double>& points, const 
   return find(id, d).project(curve, point);
 }
 
-/// Those that promise the global minimum.
+/// The methods that promise the global minimum.
 const std::vector<std::string> global{"quintic_isolate", "quintic_companion", "subdivide_hull"};
 
 struct Known {
@@ -36,9 +36,9 @@ struct Known {
   double distance;
 };
 
-/// Worked out with exact integers, to the digits given, for the errors of [Document 002] and [Document 004].
+/// Computed with exact integers to the digits given; these cases show the errors of [Document 002] and [Document 004].
 const std::vector<Known> known{
-    {{0, 0, 0, 1, 1, 1, 1, 0}, {0.5, 0}, 0, 0.5},  // both ends, for the middle is 3/4 away
+    {{0, 0, 0, 1, 1, 1, 1, 0}, {0.5, 0}, 0, 0.5},  // both ends; the middle is 3/4 away
     {{6, 3, 5, 6, -7, -2, 7, 4}, {5, 3}, 0.945677, 0.15324},
     {{8, 5, -4, 0, 6, 3, 9, 7}, {6, 4}, 0.064530, 0.141664},
 };
@@ -96,7 +96,7 @@ TEST(QuinticSeed002, MissesFootPoints) {
   EXPECT_GT(missed, 50);
 }
 
-/// f has five roots, and so has every method that looks for all of them; the ends make seven candidates.
+/// f has five roots. With both ends, a method that finds all of them has seven candidates.
 TEST(Projection, FindsFiveInteriorCriticalPoints) {
   const std::vector<double> points{-3, 1, 4, -7, -4, 7, 3, -1};
   EXPECT_EQ(project("quintic_isolate", points, {0, 0}).candidates, 7);
@@ -106,7 +106,7 @@ TEST(Projection, FindsFiveInteriorCriticalPoints) {
   EXPECT_NEAR(project("quintic_companion", points, {0, 0}).distance, 0, 1e-11);
 }
 
-/// Straight lines at constant speed, written with any degree: the leading coefficients of f vanish.
+/// Straight lines at constant speed in any degree: the leading coefficients of f vanish.
 TEST(Projection, OntoALineOfAnyDegree) {
   for (const int n : {1, 2, 3, 5, 8})
     for (const auto& kernel : projection_kernels(2)) {
@@ -114,7 +114,7 @@ TEST(Projection, OntoALineOfAnyDegree) {
       std::vector<double> points;
       for (int i = 0; i <= n; ++i) points.insert(points.end(), {4.0 * i, 8.0 * i});
       const CurveView<double> curve{Form::bernstein, 2, n, points};
-      const std::vector<double> above{n - 2.0, 2.0 * n + 1};  // the foot of a quarter, and (-2, 1) away from it
+      const std::vector<double> above{n - 2.0, 2.0 * n + 1};  // (-2, 1) away from the point at t = 1/4
       const auto foot = kernel.project(curve, above);
       EXPECT_NEAR(foot.t, 0.25, 1e-7) << kernel.info->id << " " << n;
       EXPECT_NEAR(foot.distance, std::sqrt(5.0), 1e-13 * n) << kernel.info->id << " " << n;
@@ -133,7 +133,7 @@ TEST(Projection, OntoACurveThatIsAPoint) {
   }
 }
 
-/// The two arms of a cubic with a cusp at t = 1/2, and the point in it: a triple root of f.
+/// A cubic with a cusp at t = 1/2, and the point at the cusp: f has a triple root.
 TEST(Projection, AtACusp) {
   const std::vector<double> points{0, 0, 1, 1, 0, 1, 1, 0};  // C'(1/2) = 0: 3/4 (1,1) + ... = (0,0)
   const auto foot = project("quintic_isolate", points, {0.5, 0.75});
@@ -142,7 +142,7 @@ TEST(Projection, AtACusp) {
   EXPECT_NEAR(project("quintic_companion", points, {0.5, 0.75}).distance, 0, 1e-9);
 }
 
-/// A power of two scales every operation of all methods exactly, also where squares would leave the range.
+/// A power of two scales every operation of all methods exactly, also where squares would overflow or underflow.
 TEST(Projection, ScalesWithTheCurve) {
   Inputs inputs(3);
   for (const int d : {1, 2, 3})
@@ -165,7 +165,7 @@ TEST(Projection, ScalesWithTheCurve) {
     }
 }
 
-/// Down to subnormal coordinates, here of few enough digits to be scaled exactly.
+/// The same down to subnormal coordinates, which have few enough digits to be scaled exactly.
 TEST(Projection, OfTheTiniestCurves) {
   Inputs inputs(5);
   for (int trial = 0; trial < 50; ++trial) {
@@ -186,7 +186,7 @@ TEST(Projection, OfTheTiniestCurves) {
   }
 }
 
-/// What one method finds no other may beat by more than rounding.
+/// No method may find a point that is nearer than isolation's by more than rounding errors.
 TEST(Projection, NoMethodFindsANearerPointThanIsolation) {
   Inputs inputs(4);
   for (int trial = 0; trial < 3000; ++trial) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Equally spaced samples of a curve, and the nearest of them: how every search by scanning begins.
+// Equally spaced samples of a curve, and the nearest of them: the first step of every search by scanning.
 #pragma once
 
 #include <limits>
@@ -8,14 +8,15 @@
 
 namespace bezierbench {
 
-/// |C(t) - P|^2 / m^2 in plain floating point, the number that the searches compare.
+/// |C(t) - P|^2 / m^2 in plain floating point, which the searches compare.
 template <int Dimension>
 double squared_distance(const OffsetCurve<Dimension>& curve, double t) {
   const auto offset = point_at<Dimension>(curve.offsets(), t);
   return dot<Dimension>(offset, offset);
 }
 
-/// The nearest of from + i (to - from) / slices, i = 0, ..., slices; of equally near samples the first.
+/// The parameter of the nearest of the samples from + i (to - from) / slices, i = 0, ..., slices; of equally near ones
+/// the first.
 template <int Dimension>
 double nearest_sample(const OffsetCurve<Dimension>& curve, double from, double to, int slices) {
   double best = from;

@@ -79,7 +79,7 @@ struct SubdivideHull {
   struct Piece {
     Polygon<Dimension> offset;  ///< control points of C - P, over m as in OffsetCurve
     double from;
-    double error;  ///< bounds the error of a coordinate from halving
+    double error;  ///< bound of the error that halving causes in a coordinate
   };
 
   struct Binomials {
@@ -89,13 +89,14 @@ struct SubdivideHull {
     Row of_square;
   };
 
-  /// False where every point of the piece is at least as far as `best`, up to rounding.
+  /// Whether a point of the piece may be nearer than `best`; false where every point is at least as far away, up to
+  /// rounding.
   template <int Dimension>
   static bool may_be_nearer(const Piece<Dimension>& piece, const Binomials& binomials, double best) {
     const int n = degree_of<Dimension>(piece.offset);
     const double largest = largest_coordinate<Dimension>(piece.offset);
     const double roundings =
-        0x1p-53 * Dimension * (5.0 * n + Dimension + 5);  // error of a g_k over the largest product
+        0x1p-53 * Dimension * (5.0 * n + Dimension + 5);  // error bound of a g_k over the largest product
     const double nearer = std::max(0.0, best * (1 - 2 * roundings) - Dimension * piece.error);
     for (int k = 0; k <= 2 * n; ++k) {
       double sum = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Loops of a length that is known at compile time, written out step by step: GCC unrolls nested loops too late to keep
-// small polygons in registers.
+// Loops of a length known at compile time, unrolled step by step: GCC unrolls nested loops too late to keep small
+// polygons in registers.
 #pragma once
 
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace bezierbench {
 
-/// step(i) for i = 0, ..., count - 1. Count is that number or `dynamic`.
+/// Calls step(i) for i = 0, ..., count - 1. Count is that number at compile time, or `dynamic`.
 template <int Count, class Step>
 void each(int count, const Step& step) {
   if constexpr (Count == dynamic)
@@ -19,8 +19,8 @@ void each(int count, const Step& step) {
   (std::make_integer_sequence<int, Count>());
 }
 
-/// The levels of de Casteljau's triangle that have at least `least` points: step(i) for i = 0, ..., count - 1, where
-/// count goes down from the degree to `Least`. Degree is that number or `dynamic`.
+/// For every level of de Casteljau's triangle with at least `Least` points calls step(i) for i = 0, ..., count - 1,
+/// where count falls from the degree to `Least`. Degree is that number at compile time, or `dynamic`.
 template <int Degree, int Least = 1, class Step>
 void each_of_triangle(int degree, const Step& step) {
   if constexpr (Degree == dynamic)

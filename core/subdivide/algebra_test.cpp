@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The formulas themselves: run over exact rationals, where nothing rounds, every method gives the halves exactly.
+// The formulas alone: in exact rational arithmetic every method gives the exact halves.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -15,7 +15,7 @@ namespace mp = boost::multiprecision;
 using Rational = mp::number<mp::cpp_rational_backend, mp::et_off>;
 constexpr int degree = 6;
 
-/// sum c_j C(n,j) s^j (1-s)^(n-j), term by term.
+/// sum c_j C(n,j) s^j (1-s)^(n-j), summed term by term.
 Rational bernstein(const std::vector<Rational>& c, const Rational& s) {
   Rational sum = 0;
   Rational binomial = 1;
@@ -29,7 +29,7 @@ Rational bernstein(const std::vector<Rational>& c, const Rational& s) {
   return sum;
 }
 
-/// Numerator or denominator of a curve, axis 0, as polynomials.
+/// The numerator and the denominator of a curve of dimension 1, as polynomials in Bernstein form.
 std::vector<Rational> numerator(const Curve<Form::bernstein, Rational, 1, degree>& curve) {
   std::vector<Rational> c;
   for (int i = 0; i <= degree; ++i) c.push_back(curve(0, i));
@@ -58,7 +58,8 @@ void set(Curve<Form::rational, Rational, 1, degree>& curve, int number) {
   for (int i = 0; i <= degree; ++i) curve.weights[i] = Rational(1 + (5 * i + number) % 7, 2 + i % 3);
 }
 
-/// Polynomials of degree n that agree at n + 1 places are one: left(s) = whole(s t), right(s) = whole(t + s (1-t)).
+/// Expects left(s) = whole(s t) and right(s) = whole(t + s (1-t)) at n + 1 places, which determine polynomials of
+/// degree n.
 void expect_halves(const std::vector<Rational>& whole, const std::vector<Rational>& left,
                    const std::vector<Rational>& right, const Rational& t, std::string_view id) {
   for (int k = 0; k <= degree; ++k) {
@@ -70,7 +71,7 @@ void expect_halves(const std::vector<Rational>& whole, const std::vector<Rationa
 
 template <SplitMethod M>
 void expect_exact() {
-  // outside [0,1] such that no weight of a half vanishes
+  // two of these are outside [0,1], chosen such that no weight of a half is 0
   for (int number = 1; number <= 4; ++number)
     for (const Rational& t : {Rational(0), Rational(1, 3), Rational(1, 2), Rational(5, 7), Rational(1),
                               Rational(-10, 97), Rational(108, 97)}) {

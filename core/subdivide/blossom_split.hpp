@@ -7,7 +7,7 @@
 // Cost: d n(n+1)(n+2) + 1 flops.
 // Bound: as for de_casteljau_split, whose operations are done again for each point: gamma_3k sum |b_j| B_j,k(t) on
 //   [0,1] and 2k eta.
-// Fails: cubic cost, for the bits of de_casteljau_split.
+// Fails: its cost is cubic, although its bits are those of de_casteljau_split.
 #pragma once
 
 #include "core/subdivide/de_casteljau_split.hpp"
@@ -42,8 +42,8 @@ struct BlossomSplit {
   }
 
  private:
-  /// The blossom value with `levels` arguments t, `first` arguments 1 and the rest 0: the triangle over the control
-  /// points first .. first + levels.
+  /// The value of the blossom with `levels` arguments t, `first` arguments 1 and all others 0: the triangle over the
+  /// control points first .. first + levels.
   template <class Scalar, int Dimension, int Degree>
   static Scalar blossom(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, int axis, int first, int levels,
                         const Scalar& s, const Scalar& t) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every stated bound against the exact halves, over drawn and nasty curves of degrees up to 40.
+// Every stated bound against the exact halves, for random and difficult curves of degrees up to 40.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace bezierbench {
 namespace {
 
-/// Curves on which splitting has lost digits or range.
+/// Kinds of curves, most of which have made splitting lose digits or range.
 enum class Kind { drawn, sizes_far_apart, close_together, doubling_back, integers, subnormal, tiny, huge };
 constexpr int kinds = 8;
 
@@ -44,8 +44,7 @@ std::vector<double> weights(int degree, int binades, Inputs& inputs) {
   return w;
 }
 
-/// How near to its bound a method came, as the largest error / bound where that is no matter of underflow, and how
-/// often it was asked.
+/// The largest error / bound of a method, underflow left aside, and the number of judged values.
 struct Record {
   double closest = 0;
   int judged = 0;
@@ -77,7 +76,7 @@ void judge_all(const CurveView<double>& curve, double t, Records& records) {
     if (kernel.info->form == curve.form && kernel.bound != nullptr) judge(kernel, curve, t, truth, records);
 }
 
-/// No bound is so wide that it could not be broken: at low degrees each method comes near to its own.
+/// No bound is much too wide: at low degrees the errors of each method come near to its bound.
 void expect_sharp(const Records& records, std::size_t methods, int judged, double closest) {
   EXPECT_EQ(records.size(), methods);
   for (const auto& [info, record] : records) {
@@ -116,7 +115,7 @@ TEST(SplitBound, HoldsForRationalCurves) {
   expect_sharp(records, 5, 40000, 0.2);
 }
 
-/// Products w_i b_i and sums of weights next to the smallest numbers, and weights of 0 between others.
+/// Products w_i b_i and sums of weights near the smallest numbers, and weights of 0 between others.
 TEST(SplitBound, HoldsForTinyAndVanishingWeights) {
   Inputs inputs(3);
   Records records;
@@ -134,7 +133,7 @@ TEST(SplitBound, HoldsForTinyAndVanishingWeights) {
   expect_sharp(records, 5, 2000, 0.1);
 }
 
-/// The same functions in float, whose unit roundoff and range are others.
+/// The same functions in float, which has another unit roundoff and range.
 template <SplitMethod M>
 void judge_in_float(Inputs& inputs, int& judged) {
   constexpr int dimension = 2;
@@ -190,7 +189,7 @@ void judge_all_in_float(TypeList<Ms...> /*roster*/) {
 
 TEST(SplitBound, HoldsInFloat) { judge_all_in_float(SplitMethods{}); }
 
-/// The control points of a half as a curve of their own.
+/// The control points of a half as a curve.
 struct Half {
   Half(Form its_form, const std::vector<double>& numbers) : form(its_form) {
     const std::size_t columns = form == Form::rational ? 2 : 1;
@@ -206,8 +205,8 @@ struct Half {
   std::vector<double> w;
 };
 
-/// The bound of the junction with the amplifications at `t` of the whole, whose coordinates are at most 1 and whose
-/// weights at most 2.
+/// The bound of the junction, with the amplifications of `whole` at t. Coordinates of `whole` are at most 1 and weights
+/// at most 2.
 double bound_at(const SplitBound& bound, const CurveView<double>& whole, double t) {
   reference::ExactCurve exact;
   const auto value = [&](const reference::ExactPoint& point) {
@@ -219,10 +218,10 @@ double bound_at(const SplitBound& bound, const CurveView<double>& whole, double 
   return split_quotient_bound(bound, {whole.degree, p_tilde, 2}, {whole.degree, weight, 2}, split_double);
 }
 
-/// A point of a computed half lies where the whole has it, to the bound of the junction: for s in [0,1] the errors of
-/// the control points, each at most factor u p~, sum to factor u sum p~_i B_i(s), which is p~ of the whole at that t.
-/// Of a rational curve that is so for numerator and denominator, and the rounding of each control point is one in the
-/// numerator instead of the quotient.
+/// The error of a point of a computed half is within the bound of the junction. For s in [0,1] the errors of the
+/// control points, each at most factor u p~_i, sum to at most factor u sum p~_i B_i(s), where the sum is p~ of the
+/// whole curve at that parameter. For a rational curve the same holds for numerator and denominator; the rounding of
+/// each control point is then one of the numerator, not of the quotient.
 TEST(SplitBound, CarriesOverToThePointsOfAHalf) {
   Inputs inputs(5);
   reference::ExactCurve exact;

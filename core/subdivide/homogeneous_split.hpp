@@ -15,7 +15,7 @@
 
 namespace bezierbench {
 
-/// `Method` on homogeneous coordinates; keeps its id, in the rational form.
+/// `Method` on homogeneous coordinates. It keeps its id and has the rational form.
 template <SplitMethod Method>
 requires(Method::info.form == Form::bernstein) struct HomogeneousSplit {
   static constexpr SplitBound bound = Method::bound;

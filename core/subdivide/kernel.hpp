@@ -10,7 +10,7 @@
 
 namespace bezierbench {
 
-/// One method, for curves with this many axes.
+/// One method, for curves of one dimension.
 struct SplitKernel {
   const MethodInfo* info;
   const SplitPromises* promises;
@@ -21,14 +21,14 @@ struct SplitKernel {
   void (*split)(const CurveView<double>& curve, double t, double* left, double* right);
 };
 
-/// How many numbers a control point of a half is: its coordinates, not premultiplied, and of a rational curve its
+/// The number of columns of a control point of a half: its coordinates, not premultiplied, and for a rational curve its
 /// weight.
 constexpr int split_columns(Form form, int dimension) { return form == Form::rational ? dimension + 1 : dimension; }
 
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const SplitKernel> split_kernels(int dimension);
 
-/// The info of every method, in roster order.
+/// The infos of all methods, in roster order.
 std::span<const MethodInfo* const> split_infos();
 
 }  // namespace bezierbench

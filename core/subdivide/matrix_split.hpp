@@ -72,7 +72,7 @@ struct MatrixSplit {
     return power;
   }
 
-  /// sum_(j=0..k) row_j b_(first+j), from j = 0 on.
+  /// sum_(j=0..k) row_j b_(first+j), summed from j = 0 on.
   template <class Row, class Scalar, int Dimension, int Degree>
   static Scalar product(const Row& row, int k, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, int axis,
                         int first) {

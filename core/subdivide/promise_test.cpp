@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each promise of a method for subdivision: kept where it is made, broken by some curve where it is not.
+// Every promise of a method for subdivision is kept on many curves. Every promise that it does not make is broken by
+// some curve.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,8 +11,7 @@
 namespace bezierbench {
 namespace {
 
-/// One curve split at one t, and whether that shows what is promised. Equal numbers are equal, also 0 and -0, except
-/// where bits are compared.
+/// One curve split at one t, with a check for each promise. 0 and -0 count as equal, except where bits are compared.
 struct Trial {
   const SplitKernel& kernel;
   const Drawn& drawn;
@@ -53,7 +53,7 @@ struct Trial {
   }
 };
 
-/// How many of many trials break a promise.
+/// The number of trials that break a promise.
 int broken(const SplitKernel& kernel, bool (Trial::*promise)() const) {
   Inputs inputs(8);
   int count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every method for subdivision must do, and known answers.
+// Properties of every method for subdivision, and known results.
 #include "core/subdivide/roster.hpp"
 
 #include <gmock/gmock.h>
@@ -30,10 +30,10 @@ TEST_P(Split, StatesWhatItIs) {
   EXPECT_THAT(std::string(info.promise), testing::EndsWith(kernel().bound->text));
 }
 
-/// The matrices that give the halves of a cubic at t = 1/2 (Joy, "A Matrix Formulation of the Cubic Bezier Curve", CAGD
-/// notes of UC Davis), whose rows are midpoints of midpoints: of a unit vector, a column. Nothing rounds.
+/// The matrices of the halves of a cubic at t = 1/2 (Joy, "A Matrix Formulation of the Cubic Bezier Curve", CAGD notes
+/// of UC Davis). Splitting a curve with one control point 1 and all others 0 gives a column. Nothing is rounded.
 TEST_P(Split, GivesTheHalvingMatricesOfACubic) {
-  if (form() != Form::bernstein) return;  // weights would enter
+  if (form() != Form::bernstein) return;  // the matrices apply to curves without weights
   const std::vector<std::vector<double>> left{
       {1, 0, 0, 0}, {0.5, 0.5, 0, 0}, {0.25, 0.5, 0.25, 0}, {0.125, 0.375, 0.375, 0.125}};
   const std::vector<std::vector<double>> right{
@@ -49,7 +49,8 @@ TEST_P(Split, GivesTheHalvingMatricesOfACubic) {
   }
 }
 
-/// The blossom of t^n is the product of its arguments ([Ramshaw 1987]): left is 0, .., 0, t^n, right t^n, .., t, 1.
+/// The blossom of t^n is the product of its arguments ([Ramshaw 1987]): left is 0, .., 0, t^n, and right is t^n, .., t,
+/// 1.
 TEST_P(Split, GivesTheHalvesOfAPower) {
   if (form() != Form::bernstein) return;
   for (const double t : {0.25, 0.5, 0.75}) {  // all powers are exact
@@ -60,9 +61,10 @@ TEST_P(Split, GivesTheHalvesOfAPower) {
   }
 }
 
-/// The quarter circle with weights 1, 1, 2 (Farin, Curves and Surfaces for CAGD, 5th ed., conics) in two arcs that meet
-/// in (3/5, 4/5), where the tangent 3x + 4y = 5 meets those at the ends in (1, 1/2) and (1/3, 1). By hand, (1,0)
-/// (1,1/2) (3/4,1) and (3/4,1) (1/2,3/2) (0,2) are the homogeneous points, the weights 1, 1, 5/4 and 5/4, 3/2, 2.
+/// The quarter circle with weights 1, 1, 2 (Farin, Curves and Surfaces for CAGD, 5th ed., conics) becomes two arcs that
+/// meet in (3/5, 4/5). The tangent 3x + 4y = 5 there meets those at the ends in (1, 1/2) and (1/3, 1). Computed by
+/// hand, the homogeneous points are (1,0) (1,1/2) (3/4,1) and (3/4,1) (1/2,3/2) (0,2), the weights 1, 1, 5/4 and 5/4,
+/// 3/2, 2.
 TEST_P(Split, GivesTheArcsOfAQuarterCircle) {
   if (form() != Form::rational) return;
   const std::vector<double> c{1, 0, 1, 1, 0, 1};
@@ -110,7 +112,7 @@ TEST_P(Split, TreatsAxesAlike) {
     }
 }
 
-/// What rounding may change in a relation between two splits of curves in [-4, 4].
+/// The tolerance for relations between two splits of curves in [-4, 4], which hold up to rounding.
 double tolerance(int degree) { return 64 * (degree + 1) * 0x1p-53 * 4; }
 
 TEST_P(Split, IsAffinelyInvariant) {
@@ -148,7 +150,7 @@ TEST_P(Split, ReversesWithItsControlPoints) {
   }
 }
 
-/// The definition and the algorithm round alike: the blossom is the triangle, again for each control point.
+/// The blossom repeats the triangle for each control point, with the same roundings.
 TEST(BlossomSplit, GivesTheBitsOfDeCasteljau) {
   Inputs inputs(9);
   const auto find = [](Form form, std::string_view id) {
@@ -167,7 +169,8 @@ TEST(BlossomSplit, GivesTheBitsOfDeCasteljau) {
       }
 }
 
-/// 1 + (2^-60 - 1) is 0 and the truth at t = 1 is 2^-60, as p~ is there: the error is 2^53 u p~, but below u max |b_j|.
+/// At t = 1 the method computes 1 + (2^-60 - 1) = 0, where the truth and p~ are 2^-60: the error is 2^53 u p~, but
+/// below u max |b_j|.
 TEST(LerpSplit, MayMissThePointByFarMoreThanUTimesPTilde) {
   const std::vector<double> c{1, 0x1p-60};
   const CurveView<double> curve{Form::bernstein, 1, 1, c};

@@ -15,17 +15,17 @@
 
 namespace bezierbench {
 
-/// The amplification that the bound of a control point multiplies.
+/// The amplification in the bound of a control point.
 enum class SplitAmplification {
   p_tilde,  ///< sum |c_j| B_j(t)
   largest   ///< max |c_j|
 };
 
-/// On each axis, for 0 <= t <= 1 and a control point of k levels with the amplification A,
+/// The bound of a control point of k levels with the amplification A. On each axis, for 0 <= t <= 1,
 ///   |computed - true| <= factor(k, u) u A + underflow(k) eta S,
-/// where eta is the smallest subnormal and S = 1 or, where powers of t are rounded apart from the coefficients,
-/// S = 1 + max |c_j|. Holds while nothing overflows; infinite where no bound is proved. Of a rational curve it is the
-/// bound of the homogeneous coordinates (w_i b_i, w_i).
+/// where eta is the smallest subnormal. S is 1 or, where powers of t are rounded apart from the coefficients,
+/// 1 + max |c_j|. The bound holds while nothing overflows and is infinite where none is proved. For a rational curve
+/// it applies to the homogeneous coordinates (w_i b_i, w_i).
 struct SplitBound {
   std::string_view text;  ///< for people
   SplitAmplification amplification;
@@ -34,8 +34,8 @@ struct SplitBound {
   bool underflow_scales_with_coefficients;
 };
 
-/// What one control point of a half is made of, on one axis or, with Euclidean norms for magnitudes, on all: that
-/// multiplies nothing but the terms with eta, which are per axis.
+/// The sizes in the bound of one control point of a half: on one axis or, with Euclidean norms as magnitudes, on all
+/// axes at once. For all axes only eta has to be multiplied by their number, since the terms with eta are per axis.
 struct SplitScale {
   int levels;      ///< i in the left half, n - i in the right one
   double p_tilde;  ///< sum |c_j| B_j(t)
@@ -61,20 +61,21 @@ inline double amplification(const SplitBound& bound, const SplitScale& scale) {
 
 }  // namespace detail
 
-/// The bound of a coordinate of a polynomial curve, or of a weight of a rational one, in its own unit.
+/// The bound of the absolute error of a coordinate of a polynomial curve, or of a weight of a rational one.
 inline double split_bound(const SplitBound& bound, const SplitScale& scale, const SplitArithmetic& arithmetic) {
   return arithmetic.u * bound.factor(scale.levels, arithmetic.u) * detail::amplification(bound, scale) +
          detail::split_underflow(bound, scale, arithmetic);
 }
 
-/// The bound of a coordinate of a rational curve with weights >= 0: of N / W, computed by the method from w_j b_j,
-/// rounded, and w_j. `point` has p~ = sum w_j |b_j| B_j(t) / W and max |w_j b_j|, `weight` has W > 0 and max w_j.
+/// The bound of the absolute error of a coordinate of a rational curve with weights >= 0. The coordinate is N / W,
+/// which the method computes from w_j and the rounded w_j b_j. `point` has p~ = sum w_j |b_j| B_j(t) / W and
+/// max |w_j b_j|; `weight` has W > 0 and max w_j.
 ///
 /// With phi = factor u, A_N and A_W the amplifications of both, e_N and e_W what they lose to underflow, and less than
 /// eta lost in each product w_j b_j, the denominator and the numerator are off by at most w W and v W with
 ///   w = (phi A_W + e_W) / W      v = ((phi (1 + u) + u) A_N + (1 + phi) eta + e_N) / W
-/// and the quotient, which rounds once, by at most (1 + u) (v + p~ w) / (1 - w) + u p~ + eta / 2. Computed here, that
-/// itself rounds five times where it may underflow, so 3 eta are added.
+/// and the quotient, which rounds once, by at most (1 + u) (v + p~ w) / (1 - w) + u p~ + eta / 2. Up to five roundings
+/// of the computed bound itself may underflow, so 3 eta are added.
 inline double split_quotient_bound(const SplitBound& bound, const SplitScale& point, const SplitScale& weight,
                                    const SplitArithmetic& arithmetic) {
   const auto [u, eta] = arithmetic;

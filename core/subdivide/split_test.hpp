@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of methods for subdivision share: their results, the true control points and the bounds of both.
+// What the tests of methods for subdivision share: results of methods, the true control points, and their bounds.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace bezierbench {
 inline constexpr SplitArithmetic split_double{0x1p-53, 0x1p-1074};
 inline constexpr SplitArithmetic split_float{0x1p-24, 0x1p-149};
 
-/// Control points of both halves, point by point.
+/// The control points of both halves, point by point.
 struct SplitNumbers {
   std::vector<double> left;
   std::vector<double> right;
@@ -32,7 +32,7 @@ inline SplitNumbers split(const SplitKernel& kernel, const CurveView<double>& cu
   return halves;
 }
 
-/// The given control points as the halves show theirs.
+/// The control points of a curve in the layout of the halves.
 inline std::vector<double> numbers(const CurveView<double>& curve) {
   std::vector<double> all;
   for (int i = 0; i <= curve.degree; ++i) {
@@ -42,13 +42,13 @@ inline std::vector<double> numbers(const CurveView<double>& curve) {
   return all;
 }
 
-/// Control point i of those.
+/// Control point `i` of such numbers.
 inline std::vector<double> point(const std::vector<double>& numbers, int columns, int i) {
   const auto from = numbers.begin() + i * columns;
   return {from, from + columns};
 }
 
-/// The same control points in the opposite order.
+/// Such control points in the opposite order.
 inline std::vector<double> backwards(const std::vector<double>& numbers, int columns) {
   std::vector<double> result;
   for (auto from = static_cast<int>(numbers.size()) - columns; from >= 0; from -= columns)
@@ -56,7 +56,7 @@ inline std::vector<double> backwards(const std::vector<double>& numbers, int col
   return result;
 }
 
-/// A curve with weights of its own: those of `view` have no mirror image.
+/// A curve that owns its weights and can be reversed; the weights of `view` cannot.
 struct Drawn {
   Drawn(Form its_form, int degree, Inputs& inputs) : Drawn(its_form, inputs.coefficients(degree, 1), {}) {
     if (form == Form::rational)
@@ -72,24 +72,24 @@ struct Drawn {
   std::vector<double> w;
 };
 
-/// The halves as the curve run backwards has them.
+/// The halves of a curve as those of the reversed curve.
 inline SplitNumbers reversed(const SplitNumbers& halves, int columns) {
   return {backwards(halves.right, columns), backwards(halves.left, columns)};
 }
 
-/// Equal, and 0 is not -0.
+/// Whether the numbers have the same bits; 0 and -0 differ.
 inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return std::ranges::equal(
       a, b, [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); });
 }
 
-/// The truth about the halves of one curve, and what the errors of methods may be.
+/// The true halves of one curve, and the bounds of the errors of methods.
 class SplitTruth {
  public:
   SplitTruth(const CurveView<double>& curve, double t)
       : curve_(curve), exact_(reference::exact_split(curve, t)), p_tilde_(reference::split_p_tilde(curve, t)) {}
 
-  /// Number `column` of control point i of a half: its error and its bound.
+  /// The error and the bound of number `column` of a control point.
   struct Judged {
     double error;
     double bound;
@@ -117,7 +117,8 @@ class SplitTruth {
   }
 
  private:
-  /// max |b_j| or max |w_j b_j| over the control points that point i of a half is made of; for column -1 max |w_j|.
+  /// max |b_j| or, if weighted, max |w_j b_j| over the control points that determine point i of a half; for column -1
+  /// max |w_j|.
   [[nodiscard]] double largest_of(bool left, int i, int column, bool weighted) const {
     double largest = 0;
     for (int j = left ? 0 : i; j <= (left ? i : curve_.degree); ++j) {
@@ -132,7 +133,7 @@ class SplitTruth {
   reference::ExactHalves p_tilde_;
 };
 
-/// Where methods are tried: both ends, next to them and to the middle, where two_sided_split turns around.
+/// Parameters to test methods at: both ends, next to them, and near 1/2, where two_sided_split changes sides.
 inline const std::vector<double> split_parameters{0,   1,   0x1p-53, 1 - 0x1p-53, 0.5, 0.5 - 0x1p-54, 0.5 + 0x1p-53,
                                                   0.3, 0.9, 0x1p-30, 0x1p-1074};
 

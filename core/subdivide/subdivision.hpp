@@ -11,26 +11,26 @@
 
 namespace bezierbench {
 
-/// Both parts of a curve, of its form and degree, each run through from 0 to 1 in the direction of the whole.
+/// Both parts of a curve, in its form, degree and direction, each over parameters from 0 to 1.
 template <class C>
 struct Halves {
   C left;   ///< over [0, t]; its last control point is the junction
   C right;  ///< over [t, 1]; its first control point is the junction
 };
 
-/// Properties of the bits of the halves that hold for every curve and every t in [0, 1] while nothing overflows. For
-/// every property that a method does not promise, the tests have a curve without it.
+/// Properties of the bits of the halves. A promised property holds for every curve and every t in [0, 1] while nothing
+/// overflows. For a property that a method does not promise, the tests have a curve without it.
 struct SplitPromises {
   bool keeps_ends;            ///< the first control point of left is b_0 and the last of right b_n
   bool shares_junction;       ///< the last control point of left is the first of right
   bool exact_at_zero;         ///< at t = 0 right is the curve, and each control point of left b_0
   bool exact_at_one;          ///< at t = 1 left is the curve, and each control point of right b_n
-  bool reproduces_constants;  ///< where all b_i are one point, so are all control points of the halves
-  bool mirrors;  ///< of the curve run backwards, at 1 - t where that is exact, the halves are these run backwards
+  bool reproduces_constants;  ///< where all b_i are equal, so are all control points of the halves
+  bool mirrors;               ///< the reversed curve, split at 1 - t where that is exact, has the reversed halves
 };
 
-/// `split(curve, t)` gives the halves, for finite t; it is pure and neither allocates, prints nor throws. A method
-/// whose errors are bounded has a `SplitBound bound`.
+/// `split(curve, t)` returns the halves, for finite t. It is pure, and neither allocates, prints nor throws. A method
+/// with proved bounds has a `SplitBound bound`.
 template <class M>
 concept SplitMethod = requires(const Curve<M::info.form, double, 2>& curve, double t) {
   requires M::info.problem == Problem::subdivision;

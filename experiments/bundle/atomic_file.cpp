@@ -49,7 +49,8 @@ std::string_view write_advice(int error) {
                                                 path.string(), reason(error)));
 }
 
-// Owns a file descriptor. close() reports; the destructor is for the way out of a failure.
+// Owns a file descriptor. close() reports an error; the destructor closes on the way out of a failure and ignores
+// errors.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -59,8 +60,8 @@ class Descriptor {
 
   [[nodiscard]] int number() const { return number_; }
 
-  // 0 or the error. Linux releases the number even where a signal interrupts: a second close could hit another thread's
-  // file, and what matters was already fsynced.
+  // Returns 0 or the error. Linux frees the number even where a signal interrupts close(): a second close could hit
+  // another thread's file, and the data was already synced.
   int close() {
     if (number_ == -1) return 0;
     const int result = ::close(number_);
@@ -89,19 +90,20 @@ class TemporaryName {
   fs::path path_;
 };
 
-// 0 or the error.
+// Writes all of `bytes`. Returns 0 or the error.
 int write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = uninterrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
     if (written == -1) return errno;
-    if (written == 0) return EIO;  // no progress and no reason: do not spin
+    if (written == 0) return EIO;  // no progress without an error: do not try for ever
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return 0;
 }
 
-// Opens a new file with a name that no other thread or process has. O_EXCL settles it also between machines that share
-// the folder and so may share a process id. Mode 0666: the user's umask decides, as for any other file.
+// Opens a new file under a name that no other thread or process uses. O_EXCL ensures this also between machines that
+// share the folder and may use the same process id. Mode 0666 leaves the permissions to the user's umask, as for any
+// other file.
 int open_temporary(const fs::path& folder, fs::path& name) {
   static std::atomic<unsigned long> count{0};
   for (;;) {
@@ -112,7 +114,7 @@ int open_temporary(const fs::path& folder, fs::path& name) {
   }
 }
 
-// Makes a rename in `folder` durable; 0 or the error.
+// Makes a rename in `folder` durable. Returns 0 or the error.
 int sync_folder(const fs::path& folder) {
   Descriptor descriptor(uninterrupted([&] { return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
   if (descriptor.number() == -1) return errno == EACCES ? 0 : errno;  // a folder may be writable but not readable
@@ -129,7 +131,7 @@ void write_device(const fs::path& path, std::string_view bytes) {
   if (const int error = descriptor.close()) fail_write(path, error);
 }
 
-// Puts `bytes` under the name `target`; errors speak of `path`, the name that the user gave.
+// Replaces the file `target` by `bytes`. Error messages name `path`, which the user gave.
 void replace(const fs::path& path, const fs::path& target, std::string_view bytes) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   fs::path name;
@@ -160,7 +162,7 @@ void replace(const fs::path& path, const fs::path& target, std::string_view byte
                                                 path.string(), kind));
 }
 
-// All that comes, which is at most `most` bytes or a failure.
+// Reads to the end of the file. Throws Failure where it is larger than `most` bytes.
 std::string read_all(const fs::path& path, int descriptor, std::uintmax_t most) {
   struct stat facts {};
   if (::fstat(descriptor, &facts) == -1) fail_read(path, errno);
@@ -203,7 +205,7 @@ std::string read_file(const fs::path& path) {
 }
 
 std::string read_bundle_file(const fs::path& path) {
-  // Opening alone can do something, with some devices: what is no regular file is not opened at all.
+  // Opening a device can have effects of its own: anything but a regular file is not opened at all.
   struct stat facts {};
   if (::lstat(path.c_str(), &facts) == -1) fail_read(path, errno);
   if (!S_ISREG(facts.st_mode)) fail_kind(path, facts.st_mode);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole files, read and written so that a reader sees the old bytes or the new ones and nothing between.
+// Whole files, read and written such that a reader sees either the old bytes or the new ones.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,11 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 inline constexpr std::uintmax_t largest_bundle_file = std::uintmax_t{1} << 30;
 
 /// All bytes of a file of a bundle. Bundles come from strangers: opens nothing but a regular file, follows no link,
-/// waits for nobody, and takes no file beyond largest_bundle_file. Throws Failure(Exit::input_output) with one line.
+/// never blocks, and takes no file beyond largest_bundle_file. Throws Failure(Exit::input_output) with one line.
 [[nodiscard]] std::string read_bundle_file(const std::filesystem::path& path);
 
-/// As write_file, for a file of a bundle: whatever is there under this name, a link or a pipe too, is replaced and
-/// never written through. Throws also for more than largest_bundle_file bytes, which nobody would read again.
+/// Writes a file of a bundle as write_file does, but replaces whatever has this name, a link or a pipe too, and never
+/// writes through it. Throws also for more than largest_bundle_file bytes, since no program would read them again.
 void write_bundle_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// Makes a write beyond the file size limit (`ulimit -f`) fail with EFBIG, which write_file reports, instead of killing
@@ -34,7 +34,7 @@ void write_bundle_file(const std::filesystem::path& path, std::string_view bytes
 /// started by exec inherit it.
 void ignore_file_size_signal();
 
-/// Whether `name` is that of write_file's temporary files, which stay behind only where the program was killed.
+/// Whether `name` is that of a temporary file of write_file. Such files remain only where the program was killed.
 [[nodiscard]] bool is_temporary_name(std::string_view name);
 
 }  // namespace bezierbench::bundle

@@ -28,7 +28,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-// The one line of the failure that `call` must end in.
+// The message of the Failure that `call` throws.
 template <typename Call>
 std::string line_of(Call call) {
   try {
@@ -102,7 +102,8 @@ TEST(AtomicFile, UnwritableFolderIsReported) {
   EXPECT_EQ(folder.names(), std::set<std::string>{"file"});
 }
 
-// In a child, because the limit and the signal's disposition belong to the process. 0: all as promised.
+// Runs in a child process, since the limit and the signal's disposition belong to the process. Returns 0 if all is as
+// promised.
 int write_beyond_the_limit(const fs::path& path) {
   ignore_file_size_signal();
   const rlimit limit{1000, 1000};

@@ -36,7 +36,7 @@ std::optional<BlockFile> parse_block_file(std::string_view bytes) {
     return file;
   } catch (const number::MalformedBytes&) {
     return std::nullopt;
-  } catch (const Failure&) {  // of the manifest
+  } catch (const Failure&) {  // a damaged manifest
     return std::nullopt;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finished blocks of an unfinished run, as they lie in blocks/: files written whole or not at all, each with a checksum
-// and with what it is of, so that nothing foreign or damaged is ever taken for a result.
+// Files of finished blocks of an unfinished run, in blocks/. Each is written whole or not at all, with a checksum and
+// with what it belongs to, so that no foreign or damaged file is taken for a result.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace bezierbench::bundle {
 
 /// The merged result of some blocks of one part of one job.
 struct BlockRecord {
-  std::uint64_t job = 0;                                        ///< its place in the resolved suites
-  std::uint64_t part = 0;                                       ///< of the job
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> blocks;  ///< first and end of runs of blocks, ascending
-  std::string result;                                           ///< the job's own bytes
+  std::uint64_t job = 0;                                        ///< its index in the resolved suites
+  std::uint64_t part = 0;                                       ///< index of the part in the job
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> blocks;  ///< half-open ranges [first, end), ascending
+  std::string result;                                           ///< bytes that only the job can read
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
@@ -28,16 +28,16 @@ struct BlockRecord {
 };
 
 struct BlockFile {
-  Manifest manifest;      ///< of the run: suites, seed and build
+  Manifest manifest;      ///< suites, seed and build of the run
   std::string reference;  ///< how the truth was computed
-  std::string machine;    ///< where it was made: see machine_fingerprint()
+  std::string machine;    ///< machine_fingerprint() of the machine that computed it
   std::vector<BlockRecord> records;
 };
 
-/// The bytes of a file of blocks.
+/// The file of blocks as bytes.
 [[nodiscard]] std::string block_file_bytes(const BlockFile& file);
 
-/// Nothing where the bytes are damaged: cut, changed, or no file of blocks at all.
+/// The file of blocks that `bytes` hold; empty where they are damaged (cut or changed) or not a file of blocks.
 [[nodiscard]] std::optional<BlockFile> parse_block_file(std::string_view bytes);
 
 }  // namespace bezierbench::bundle

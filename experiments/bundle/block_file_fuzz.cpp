@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of blocks. Their checksum would keep every changed one out, so the input is what stands before it: the checksum
-// is made to fit.
+// Files of blocks. Their checksum would reject every changed file, so the input is the part before the checksum, and
+// the checksum is computed for it.
 #include "experiments/bundle/block_file.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/fuzzing/property.hpp"

@@ -30,7 +30,8 @@ void make_folder(const fs::path& path) {
   if (error) fail(path, fmt::format("cannot be created: {}; choose another --out", error.message()));
 }
 
-// Others may put something into a folder while it is removed, or remove it as well: shards that begin, their locks.
+// Removes a file or folder. Other processes may write into the folder meanwhile or remove it as well: shards that begin
+// create their locks in it.
 void remove_entry(const fs::path& path) {
   constexpr int most_tries = 1000;
   std::error_code error;
@@ -41,7 +42,7 @@ void remove_entry(const fs::path& path) {
   if (error) fail(path, fmt::format("cannot be removed: {}; remove it and run again", error.message()));
 }
 
-// blocks/ first: finish() of another process writes bundle.json before it removes blocks/.
+// blocks/ is looked for first: finish() of another process writes bundle.json before it removes blocks/.
 bool is_bundle(const fs::path& path) { return is_inner_folder(path / blocks_name) || is_there(path / manifest_name); }
 
 }  // namespace
@@ -51,7 +52,7 @@ BundleDirectory BundleDirectory::create(const fs::path& path) {
   const Folder folder = list_folder(path);
   const bool empty = folder.files.empty() && folder.others.empty();
   if (!empty && !is_bundle(path)) fail(path, "is not empty and not a bundle; choose another --out");
-  // From here on the folder is known as a bundle, also to a run that follows on a killed one.
+  // From here on the folder is recognisable as a bundle, also by a run that continues one that was killed.
   if (!is_there(path / manifest_name)) make_folder(path / blocks_name);
   return BundleDirectory(path);
 }
@@ -114,7 +115,7 @@ void BundleDirectory::write_if_different(std::string_view name, std::string_view
 void BundleDirectory::finish(Manifest manifest) const {
   if (manifest.schema_version == 1) {
     manifest.accuracy_digest = accuracy_digest(path_, 1);
-  } else {  // tables of a partial bundle may be anything: they are written anew
+  } else {  // tables of a partial bundle are not digested: a later run writes them anew
     const auto digests =
         manifest.state == partial ? std::vector<MethodDigest>() : digests_of(path_, manifest.schema_version);
     const std::string text = digests_csv(digests);
@@ -122,14 +123,14 @@ void BundleDirectory::finish(Manifest manifest) const {
     if (manifest.state != partial) write_if_different(digests_name, text);
   }
   const std::string manifest_text = manifest_json(manifest);
-  (void)parse_manifest(manifest_text, (path_ / manifest_name).string());  // what cannot be read is not written
+  (void)parse_manifest(manifest_text, (path_ / manifest_name).string());  // never write what could not be read again
 
   Folder folder = list_folder(path_);
-  const auto no_own_line = [](const std::string& name) {  // hidden files are the desktop's or the file server's
+  const auto no_own_line = [](const std::string& name) {  // hidden files belong to the desktop or the file server
     return name == manifest_name || name == sums_name || name.starts_with('.');
   };
   std::erase_if(folder.files, no_own_line);
-  // bundle.json goes last, for it alone says `complete`; its line is made from the bytes that it will have.
+  // bundle.json is written last, since it alone says `complete`. Its line is made from the bytes that it will have.
   const auto place = std::ranges::lower_bound(folder.files, manifest_name);
   const auto before = std::span(folder.files.begin(), place);
   const auto after = std::span(place, folder.files.end());

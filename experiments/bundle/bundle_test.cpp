@@ -172,7 +172,8 @@ TEST(Bundle, ClearingAwayChangesNoResult) {
   EXPECT_EQ(bundle.manifest().state, "complete");
 }
 
-// A shard that begins puts its locks into blocks/ while another, which has just completed the bundle, removes it.
+// A shard that begins puts its locks into blocks/ while another shard, which has just completed the bundle, removes the
+// folder.
 TEST(Bundle, LocksMayComeWhileBlocksAreRemoved) {
   const ScratchFolder folder;
   const BundleDirectory bundle = filled(folder.path() / "b");
@@ -204,7 +205,7 @@ TEST(Bundle, LocksAreRegularFiles) {
   EXPECT_FALSE(fs::exists(folder.path() / "away"));
 }
 
-// SHA256SUMS cannot be written: the old `complete` must not stand, nor a new one appear.
+// Where SHA256SUMS cannot be written, the old `complete` must not remain, nor a new one appear.
 TEST(Bundle, FailingFinishNeverLeavesComplete) {
   const ScratchFolder folder;
   const BundleDirectory bundle = filled(folder.path() / "b");
@@ -237,7 +238,7 @@ TEST(Bundle, KilledFinishNeverLeavesAFalseComplete) {
     waitpid(child, nullptr, 0);
     if (!bundle.has("bundle.json") || bundle.manifest().state != "complete") continue;
     for (const std::string& finding : verify(bundle.path(), expected)) {
-      EXPECT_TRUE(finding.find("remove it") != std::string::npos) << finding;  // litter, no wrong or missing data
+      EXPECT_TRUE(finding.find("remove it") != std::string::npos) << finding;  // superfluous files
     }
   }
 }

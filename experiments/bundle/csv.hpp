@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CSV after RFC 4180: what every table of a bundle is written and read with.
+// CSV as in RFC 4180, the format of every table of a bundle.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace bezierbench::bundle {
 
-/// One line of a CSV file, quoted only where needed, its end included.
+/// One line of a CSV file with its line end; fields are quoted only where needed.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& fields);
 
 /// A table to write. Fields are text already: see number::decimal() and number::hexadecimal() for numbers.
@@ -38,7 +38,8 @@ class CsvDocument {
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
   [[nodiscard]] bool has_column(std::string_view name) const;
 
-  /// Index of the column. Throws Failure(Exit::input_output) that names the file and the column if there is none.
+  /// Index of the column `name`. Throws Failure(Exit::input_output), naming the file and the column, where there is
+  /// none.
   [[nodiscard]] std::size_t column(std::string_view name) const;
 
   /// One field; `row` from 0, the header not counted. Throws as column(), and std::out_of_range for `row`.
@@ -61,7 +62,7 @@ class CsvDocument {
   std::vector<std::size_t> lines_;
 };
 
-/// Reads a whole file's text; a byte order mark and CRLF are accepted, blanks belong to their field. Throws
+/// Parses a whole file. A byte order mark and CRLF are accepted; blanks belong to their field. Throws
 /// Failure(Exit::input_output) with "FILE_NAME:LINE: ..." for an empty file, an empty or repeated column name, a row
 /// with more or fewer fields than the header, a blank line, a misplaced or unterminated quote, a bare CR, a NUL byte.
 [[nodiscard]] CsvDocument parse_csv(std::string_view text, std::string_view file_name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables: what reads is written, and reads again as the same.
+// Tables: a text that can be read is written, and the written text reads as an equal table.
 #include "experiments/bundle/csv.hpp"
 #include "experiments/fuzzing/property.hpp"
 

@@ -14,7 +14,7 @@ namespace bezierbench::bundle {
 
 bool is_inner_folder(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
-  std::error_code ignored;  // a place that cannot be looked at cannot be written to either, which says why
+  std::error_code ignored;  // an error here also makes the write fail, and that error is reported
   const auto type = fs::symlink_status(path, ignored).type();
   if (type == fs::file_type::directory) return true;
   if (type == fs::file_type::not_found || type == fs::file_type::none || type == fs::file_type::unknown) return false;
@@ -33,7 +33,7 @@ Folder list_folder(const std::filesystem::path& path) {
   auto error = uninterrupted_error([&](std::error_code& why) { entry = fs::directory_iterator(path, why); });
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    std::error_code ignored;  // an entry that went away meanwhile, such as another writer's temporary file
+    std::error_code ignored;  // fails if the entry was removed meanwhile, such as another writer's temporary file
     const fs::file_status status = entry->symlink_status(ignored);
     if (is_temporary_name(name)) {
       folder.temporaries.push_back(name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies in a bundle's folder, and the names that have a meaning of their own there.
+// The contents of a bundle's folder, and the file names that have a meaning there.
 #pragma once
 
 #include <filesystem>
@@ -15,19 +15,20 @@ inline constexpr std::string_view blocks_name = "blocks";
 
 /// Names in a folder, each list sorted by name as bytes.
 struct Folder {
-  std::vector<std::string> files;        ///< regular ones
-  std::vector<std::string> temporaries;  ///< write_file's, of a writer at work or killed
-  std::vector<std::string> others;       ///< folders, links, devices; blocks/ among them
+  std::vector<std::string> files;        ///< regular files
+  std::vector<std::string> temporaries;  ///< temporary files of write_file, whose writer is at work or was killed
+  std::vector<std::string> others;       ///< folders, links and devices, blocks/ among them
 };
 
-/// Whether `path`, inside a bundle, is a folder; false where there is nothing. Throws Failure(Exit::input_output) for
-/// anything else, a link to a folder too: what a stranger's bundle says must not lead out of it.
+/// Whether `path`, inside a bundle, is a folder; false where nothing has this name. Throws Failure(Exit::input_output)
+/// for anything else, also for a link to a folder: a stranger's bundle must not lead out of its folder.
 [[nodiscard]] bool is_inner_folder(const std::filesystem::path& path);
 
-/// Whether anything has this name, a link that leads nowhere included.
+/// Whether anything has this name, also a link to nothing.
 [[nodiscard]] bool is_there(const std::filesystem::path& path);
 
-/// Lists `path`, not what is below. Throws Failure(Exit::input_output) where that cannot be done.
+/// The contents of the folder `path`, without those of its subfolders. Throws Failure(Exit::input_output) where it
+/// cannot be listed.
 [[nodiscard]] Folder list_folder(const std::filesystem::path& path);
 
 }  // namespace bezierbench::bundle

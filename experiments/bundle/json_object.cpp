@@ -12,7 +12,7 @@ namespace bezierbench::bundle {
 nlohmann::ordered_json parse_json_object(std::string_view text, std::string_view file_name) {
   using Json = nlohmann::ordered_json;
   constexpr std::string_view advice = "restore the file or run again with another --out";
-  // What reads and writes objects goes down them by recursion, so that there must be an end.
+  // JSON is parsed and written by recursion, so that its depth must have a limit.
   constexpr int deepest = 100;
   const auto not_too_deep = [&](int depth, Json::parse_event_t, const Json&) {
     if (depth <= deepest) return true;

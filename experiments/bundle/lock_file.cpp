@@ -34,7 +34,7 @@ int locked(int descriptor, int operation) {
 }  // namespace
 
 LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
-  // Opening alone can do something, with some devices, and bundles come from strangers.
+  // Opening a device can have effects of its own, and bundles come from strangers.
   struct stat before {};
   if (::lstat(path_.c_str(), &before) == 0 && !S_ISREG(before.st_mode)) refuse(path_);
   constexpr int most_tries = 1000;
@@ -43,7 +43,7 @@ LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
     descriptor_ = uninterrupted(
         [&] { return ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY, 0666); });
     if (descriptor_ != -1 || errno != ENOENT) break;
-    if (::mkdir(path_.parent_path().c_str(), 0777) == -1 && errno != EEXIST) break;  // somebody removed it just now
+    if (::mkdir(path_.parent_path().c_str(), 0777) == -1 && errno != EEXIST) break;  // the folder was removed just now
   }
   if (descriptor_ == -1) fail(path_, errno);
   struct stat facts {};

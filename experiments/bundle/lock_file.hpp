@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who works here: locks that end with their process, however it ends.
+// Locks that end with the process that holds them, however it ends.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@ namespace bezierbench::bundle {
 enum class Sharing { shared, exclusive };
 
 /// A file to be locked. The lock is the kernel's (flock), so that a killed process leaves none behind; on a network
-/// file system the server lets go of it when the client is gone.
+/// file system the server releases it when the client is gone.
 class LockFile {
  public:
-  /// Opens the file, and makes it where it is absent, its folder too: others may remove that at any moment. Throws
-  /// Failure(Exit::input_output).
+  /// Opens the file. Makes the file and its folder where they are absent: other processes may remove the folder at any
+  /// time. Throws Failure(Exit::input_output).
   explicit LockFile(std::filesystem::path path);
   ~LockFile();
   LockFile(const LockFile&) = delete;
@@ -21,10 +21,11 @@ class LockFile {
   LockFile(LockFile&&) = delete;
   LockFile& operator=(LockFile&&) = delete;
 
-  /// At once: is it ours now? True as well where the file system has no locks. Throws Failure(Exit::input_output).
+  /// Tries to get the lock without waiting and returns whether this process has it. True also where the file system has
+  /// no locks. Throws Failure(Exit::input_output).
   [[nodiscard]] bool try_lock(Sharing sharing);
   void unlock();
-  /// Whether the file system turned out to have no locks.
+  /// Whether try_lock() found that the file system has no locks.
   [[nodiscard]] bool unsupported() const { return unsupported_; }
 
  private:

@@ -37,7 +37,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-// The content of a file of the kernel without blanks around it; nothing where it is absent, unreadable or empty.
+// The content of one of the kernel's files without blanks around it; empty where it is absent, unreadable or empty.
 Text content(const fs::path& path) {
   try {
     const std::string bytes = read_file(path);
@@ -83,7 +83,7 @@ std::optional<std::uint64_t> bytes(const Text& text) {
   return *count << shift->second;
 }
 
-// The processors of a kernel list such as "0-3,8": the first and how many.
+// The processors of a kernel list such as "0-3,8": the first one and their number.
 struct Processors {
   std::uint64_t first;
   std::uint64_t count;
@@ -141,14 +141,14 @@ Json cpu(const Text& information, const fs::path& folder, const Text& allowed, c
   json["architecture"] = known(uname(&names) == 0 ? std::string(names.machine) : std::string());
   json["logical_cores_available"] = available ? Json(available->count) : Json("unknown");
   json["smt"] = known(smt);
-  // Only x86 tells: elsewhere there is no line of flags and the answer is "unknown".
+  // Only x86 has a line of flags; on other processors the answer is "unknown".
   json["virtualised"] = known(contains_word(field(information, "flags"), "hypervisor"));
   return json;
 }
 
 Json caches(const fs::path& folder) {
   Json json{{"l1d_bytes", "unknown"}, {"l1i_bytes", "unknown"}, {"l2_bytes", "unknown"}, {"l3_bytes", "unknown"}};
-  constexpr int most_indices = 16;  // more than any processor has; absent ones are passed over
+  constexpr int most_indices = 16;  // more than any processor has; absent ones are skipped
   for (int index = 0; index < most_indices; ++index) {
     const fs::path cache = folder / fmt::format("cache/index{}", index);
     const Text level = content(cache / "level");
@@ -203,13 +203,13 @@ Json load_average(const MachineRoots& roots) {
   return json;
 }
 
-// The smallest step seen between two readings, in nanoseconds: resolution and cost of a reading together, which is what
-// limits a measurement. Nothing for a clock that never goes forward.
+// The smallest difference seen between two readings of the clock, in nanoseconds. It combines the resolution and the
+// cost of a reading, and so limits a measurement. Empty for a clock that never advances.
 std::optional<std::int64_t> measured_step_ns() {
   using Clock = std::chrono::steady_clock;
   constexpr int enough_steps = 10'000;
   constexpr auto patience = std::chrono::milliseconds(20);
-  // A clock that stands still never reaches its own deadline; a count of readings always ends.
+  // A clock that stands still never reaches a deadline, so the number of readings is limited as well.
   constexpr int most_readings = 1'000'000;
   std::optional<std::int64_t> smallest;
   const auto start = Clock::now();

@@ -124,7 +124,7 @@ TEST_F(Machine, OddContentIsUnknown) {
   EXPECT_EQ(json["load_average"], "unknown");
   EXPECT_EQ(json["cpu"]["smt"], "unknown");
   EXPECT_EQ(json["system"]["aslr"], "unknown");
-  EXPECT_EQ(json["frequency"]["governor"], "wrong");  // processor 0, for want of a list
+  EXPECT_EQ(json["frequency"]["governor"], "wrong");  // processor 0 is used where there is no list
 }
 
 TEST_F(Machine, WithoutProcAndSysTheKeysStayAndSayUnknown) {

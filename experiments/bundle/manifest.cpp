@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Reads typed values out of one object and says which file and key is wrong.
+// Reads typed values out of one object. Errors name the file and the key.
 class Keys {
  public:
   Keys(const Json& object, std::string_view file_name) : object_(object), file_name_(file_name) {}
@@ -45,7 +45,7 @@ class Keys {
 
   [[nodiscard]] std::uint64_t unsigned_integer(const char* key) const {
     const Json& found = value(key);
-    // Integers beyond 64 bits arrive as floating point, negative ones as signed: both are refused here.
+    // JSON integers beyond 64 bits are parsed as floating point and negative ones as signed: both are refused here.
     if (!found.is_number_unsigned()) fail(fmt::format("'{}' must be an unsigned 64-bit integer", key));
     return found.get<std::uint64_t>();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bundle.json: what a bundle is of, whether it is whole, and which build made it.
+// bundle.json: what a bundle contains, whether it is complete, and which build made it.
 #pragma once
 
 #include <cstdint>
@@ -13,27 +13,27 @@ inline constexpr std::string_view complete = "complete";
 inline constexpr std::string_view partial = "partial";
 
 struct Manifest {
-  int schema_version = 1;           ///< of the bundle's layout; written_version() for one that is begun
-  std::vector<std::string> suites;  ///< ids, in the order in which they were given
-  std::string suite_digest;         ///< of the resolved suites
+  int schema_version = 1;           ///< of the bundle's layout; written_version() for a new bundle
+  std::vector<std::string> suites;  ///< ids, in the order on the command line
+  std::string suite_digest;         ///< digest of the resolved suites
   std::uint64_t seed = 0;
   std::string state;            ///< `complete` or `partial`
   std::string accuracy_digest;  ///< see accuracy_digest(); filled in by BundleDirectory::finish
   std::string program_version;
   std::string git_commit;  ///< `unknown` outside a checkout
   bool git_clean = false;
-  std::string fp_flags;  ///< the floating-point contract's compiler flags
+  std::string fp_flags;  ///< the compiler flags for floating point
 
   friend bool operator==(const Manifest&, const Manifest&) = default;
 };
 
-/// The text of bundle.json: indented, keys in a fixed order, a line end at the end; suites as
-/// `"suites": {"ids": [...], "digest": "..."}`. schema/bundle.schema.json holds for it.
+/// The text of bundle.json: indented, keys in a fixed order, a line end at the end; suites as `"suites": {"ids": [...],
+/// "digest": "..."}`. The text follows schema/bundle.schema.json.
 [[nodiscard]] std::string manifest_json(const Manifest& manifest);
 
-/// Reads bundle.json; keys it does not know are passed over. Throws Failure(Exit::input_output) with
-/// "FILE_NAME:LINE:COLUMN: ..." for malformed JSON and "FILE_NAME: ..." for a key that is missing or has the wrong
-/// type, an unknown state or schema version, or a seed that is no unsigned 64-bit integer.
+/// Parses bundle.json; unknown keys are ignored. Throws Failure(Exit::input_output) with "FILE_NAME:LINE:COLUMN: ..."
+/// for malformed JSON and "FILE_NAME: ..." for a key that is missing or has the wrong type, an unknown state or schema
+/// version, or a seed that is not an unsigned 64-bit integer.
 [[nodiscard]] Manifest parse_manifest(std::string_view text, std::string_view file_name);
 
 }  // namespace bezierbench::bundle

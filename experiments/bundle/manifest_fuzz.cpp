@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bundle says of itself: bundle.json, the facts in it and in machine.json, and the fingerprint, which any text
-// has.
+// Parsers of bundle.json and of the facts in it and in machine.json, and the fingerprint, which any text has.
 #include "experiments/bundle/facts.hpp"
 #include "experiments/bundle/machine.hpp"
 #include "experiments/bundle/manifest.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For this folder's tests only: a folder that is gone at the end of the test.
+// A folder that is removed at the end of the test, for this folder's tests only.
 #pragma once
 
 #include <cstdlib>
@@ -34,7 +34,7 @@ class ScratchFolder {
     return result;
   }
 
-  /// Writes plainly, without the code under test, making the folders on the way.
+  /// Writes the file without the code under test and makes missing folders.
   void put(const std::filesystem::path& name, std::string_view bytes) const {
     std::filesystem::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << bytes;

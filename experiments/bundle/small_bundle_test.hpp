@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For this folder's tests only: a bundle with two tables of a committed one.
+// A bundle with two tables of a committed one, for this folder's tests only.
 #pragma once
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ inline BundleDirectory filled(const std::filesystem::path& path, int version = 1
   return bundle;
 }
 
-/// What a reader of suite.toml would say of it.
+/// A reader of suite.toml that always returns this answer.
 inline Expected expected(const std::string& /*text*/, const std::string& /*file_name*/) {
   return {.suites = {"fixture"},
           .seed = 1,

@@ -14,14 +14,14 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-/// Clocks that are read without a call into the kernel.
+/// Clocks that are read without a system call.
 constexpr std::array<std::string_view, 4> quick_clocks{"tsc", "arch_sys_counter", "kvm-clock",
                                                        "hyperv_clocksource_tsc_page"};
 
-/// A turn of one method in a race takes 50 microseconds or more; 100 ns are 0.2 % of it.
+/// One turn of a method in a race takes 50 microseconds or more; 100 ns are 0.2 % of it.
 constexpr double coarse_step_ns = 100;
 
-/// This process is the only load that there should be; a run under way has raised the average by up to 1 itself.
+/// This process should be the only load. A run under way raises the average by up to 1 itself.
 constexpr double quiet_load = 1;
 
 std::string clock_trouble(const SortedJson& machine) {
@@ -74,7 +74,7 @@ std::string counters_trouble(const SortedJson& machine) {
 
 struct Aspect {
   std::string_view name;
-  std::string (*trouble)(const SortedJson& machine);  ///< empty where all is well
+  std::string (*trouble)(const SortedJson& machine);  ///< what is wrong; empty where nothing is
   std::string (*fine)(const SortedJson& machine);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a machine.json says against timing on that machine.
+// Reasons in a machine.json why times taken on that machine may not be reliable.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace bezierbench::bundle {
 /// The aspect of a Concern about the clock.
 inline constexpr std::string_view clock_aspect = "clock";
 
-/// One thing to know before times are believed.
+/// One aspect of a machine to know before times are believed.
 struct Concern {
   std::string aspect;  ///< clock, governor, boost, load, virtualised, counters
-  std::string text;    ///< what is the matter and what to do
-  bool warning;        ///< false: all is well, and `text` says with what
+  std::string text;    ///< what is wrong and what to do about it
+  bool warning;        ///< false: nothing is wrong, and `text` is the value found
 };
 
-/// Every aspect once, in a fixed order. What could not be read is a warning: unknown is not fine. Throws
+/// One concern for each aspect, in a fixed order. A value that could not be read gives a warning. Throws
 /// Failure(Exit::input_output) where the text is not that of a machine.json.
 [[nodiscard]] std::vector<Concern> timing_fitness(std::string_view machine_json);
 

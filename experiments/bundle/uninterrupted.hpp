@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// System calls that a signal interrupts are made again: on network file systems that happens to more of them than one
-// would think.
+// Calls of system functions, repeated where a signal interrupts them. On network file systems this happens to many
+// functions.
 #pragma once
 
 #include <cerrno>
@@ -8,7 +8,7 @@
 
 namespace bezierbench::bundle {
 
-/// The result of `call()`, which says -1 and sets errno where it fails.
+/// The result of `call()`, which returns -1 and sets errno where it fails.
 template <class Call>
 auto uninterrupted(Call call) {
   auto result = call();
@@ -16,7 +16,7 @@ auto uninterrupted(Call call) {
   return result;
 }
 
-/// What `call(error)` leaves in `error`, as the functions of std::filesystem do.
+/// The error that `call(error)` sets, as functions of std::filesystem do.
 template <class Call>
 std::error_code uninterrupted_error(Call call) {
   std::error_code error;

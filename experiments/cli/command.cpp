@@ -20,7 +20,7 @@ const CLI::App& chosen_command(const CLI::App& app) {
   return *command;
 }
 
-/// The options that `command` takes, those of its groups and parents included.
+/// The options that `command` takes, with those of its groups and parents.
 std::vector<std::string> options_of(const CLI::App& command) {
   std::vector<std::string> known;
   const auto add = [&known](const CLI::App& app) {
@@ -33,8 +33,8 @@ std::vector<std::string> options_of(const CLI::App& command) {
   return known;
 }
 
-/// The error of the first word that the parser did not recognise. Empty where it recognised all, or where the word is
-/// one argument too many. The parser itself only says what is missing, and not that a word is mistyped.
+/// The message about the first word that the parser did not recognise. Empty where it recognised all words, or where
+/// the word is one argument too many. The parser itself reports only what is missing, not that a word is mistyped.
 std::string misplaced_word(const CLI::App& app) {
   const auto words = app.remaining(true);
   const auto& command = chosen_command(app);
@@ -112,7 +112,7 @@ Program::~Program() = default;
 void Program::run(int argc, const char* const* argv) {
   try {
     app_->parse(argc, argv);
-  } catch (const CLI::Success& asked) {  // help or version
+  } catch (const CLI::Success& asked) {  // the user asked for help or version
     if (const auto what = misplaced_word(*app_); !what.empty()) refuse(what);
     app_->exit(asked, std::cout, std::cerr);
   } catch (const CLI::ParseError& error) {

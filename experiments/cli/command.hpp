@@ -23,7 +23,7 @@ class Option {
   explicit Option(CLI::Option& option) : option_(&option) {}
 
   Option required();
-  Option once();  ///< at most once, where several values are allowed
+  Option once();  ///< one value only, of an option that could take several
   Option one_of(const std::vector<std::string>& words);
   Option within(int least, int most = std::numeric_limits<int>::max());
 
@@ -38,8 +38,8 @@ class Command {
 
   Command command(const std::string& name, const std::string& help);
 
-  /// Adds an option. Its value is written to `value` before the action; the value before that is the default. A name
-  /// without -- is that of a positional argument. All numbers except small integers are read as text, for
+  /// Adds an option. Its value is written to `value` before the action runs; the value before that is the default. A
+  /// name without -- is that of a positional argument. All numbers except small integers are read as text, for
   /// experiments/number to parse, because the parser would accept nan, and 1e-999 as 0.
   template <class Value>
   Option option(const std::string& name, Value& value, const std::string& help);

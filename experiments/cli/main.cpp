@@ -27,8 +27,8 @@ int fail(Exit exit, const std::string& line) {
   return static_cast<int>(exit);
 }
 
-/// The next file that is opened, perhaps a result, would get the number of a closed standard stream. Such numbers are
-/// therefore given to descriptors on which reading and writing fail, too.
+/// Opens descriptors in place of standard streams that are closed. Otherwise the next file that is opened, perhaps a
+/// result, would get the number of a standard stream. Reading and writing fail on these descriptors, too.
 void occupy_closed_streams() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(number, F_GETFD) == -1) open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
     bezierbench::cli::end_without_memory();
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) return standard_output_failed();
-    // Failures, and errors of files and formats, have types of their own; this one is a library's.
+    // Failures, and errors of files and formats, have their own types; a plain runtime_error comes from a library.
     if (typeid(error) == typeid(std::runtime_error)) bezierbench::cli::end_without_resource(error.what());
     return fail(Exit::input_output, error.what());
   }

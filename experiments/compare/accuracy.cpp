@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* worst_file = "worst.csv";
 
-/// What a row without a difference is shown by.
+/// The column that is printed for a pair of identical rows: the largest error or, without one, the first result.
 std::string shown(const std::vector<std::string>& results) {
   constexpr std::string_view largest = "max_error";
   const bool there = std::ranges::find(results, largest) != results.end();
@@ -32,7 +32,7 @@ AccuracyRow compare_pair(const std::string& file, const RowPair& pair, const std
           a.line(pair.a), b.line(pair.b)};
 }
 
-/// What is digested and what both have.
+/// The columns that are digested and that both tables have.
 std::vector<std::string> common_digested(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a,
                                          const bundle::CsvDocument& b) {
   std::vector<std::string> columns;
@@ -41,7 +41,7 @@ std::vector<std::string> common_digested(const bundle::DeclaredTable& declared, 
   return columns;
 }
 
-/// Nothing for a table that does not say of which studies and methods its rows are.
+/// The digest of the rows of each method in each study; empty for a table without columns of study and method.
 std::map<bundle::Rows, std::string> digests_of(const bundle::DeclaredTable& declared, const bundle::CsvDocument* table,
                                                const std::vector<std::string>& columns) {
   std::map<bundle::Rows, std::string> digests;
@@ -50,7 +50,7 @@ std::map<bundle::Rows, std::string> digests_of(const bundle::DeclaredTable& decl
   return digests;
 }
 
-/// `differing`: the rows of which a common one differs.
+/// Sorts the methods of both tables into `methods`. `differing` has those with a pair of rows whose results differ.
 void compare_methods(const bundle::DeclaredTable& declared, const bundle::CsvDocument* a, const bundle::CsvDocument* b,
                      const std::set<bundle::Rows>& differing, MethodComparison& methods) {
   const bool both = a != nullptr && b != nullptr;
@@ -112,7 +112,7 @@ AccuracyComparison compare_accuracy(const Side& a, const Side& b) {
       comparison.only_b += theirs == nullptr ? 0 : theirs->row_count();
     } else if (!same_suite && ours != nullptr && theirs != nullptr && !ours->has_column("trials")) {
       comparison.left_out.push_back(declared.file);
-      compare_methods(declared, ours, theirs, {}, comparison.methods);  // the same digest is of the same rows
+      compare_methods(declared, ours, theirs, {}, comparison.methods);  // equal digests mean equal rows
     } else {
       compare_table(declared, ours, theirs, comparison);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Do two bundles agree bit for bit in everything that suite and seed determine?
+// Whether two bundles agree bit for bit in everything that suite and seed determine.
 #pragma once
 
 #include <cstddef>
@@ -13,41 +13,42 @@
 
 namespace bezierbench::compare {
 
-/// A row that both have.
+/// Two rows, one of each bundle, with the same inputs.
 struct AccuracyRow {
   std::string file;
   Inputs inputs;
   bool identical;
-  std::string column;  ///< the first that differs; of identical rows the largest error or, failing that, the first
-  std::string a;       ///< as the file says it
+  std::string column;  ///< the first that differs; for identical rows the largest error or, without one, the first
+  std::string a;       ///< the text in the file
   std::string b;
   std::size_t line_a;
   std::size_t line_b;
 };
 
-/// Which rows of one method in one study both have, by the digest of the columns that are digested in both.
+/// How the rows of each method in each study compare, by the digest of the columns that are digested in both bundles.
 struct MethodComparison {
   std::size_t agreeing = 0;
-  std::vector<bundle::Rows> differing;   ///< of the same inputs, with other results
-  std::vector<bundle::Rows> other_rows;  ///< of other cells or numbers of trials: what they have in common agrees
+  std::vector<bundle::Rows> differing;   ///< the same inputs, but other results
+  std::vector<bundle::Rows> other_rows;  ///< other cells or other numbers of trials; rows that were paired agree
   std::vector<bundle::Rows> only_a;
   std::vector<bundle::Rows> only_b;
 };
 
 struct AccuracyComparison {
-  std::vector<AccuracyRow> rows;  ///< file by file, each in a's order
+  std::vector<AccuracyRow> rows;  ///< by file, and in a file in a's order
   std::size_t differing = 0;
   std::size_t only_a = 0;  ///< rows without a partner
   std::size_t only_b = 0;
-  std::vector<std::string> left_out;  ///< files that both have and whose rows say too little of their inputs
-  MethodComparison methods;           ///< of these files, too; of none where the seeds differ
+  std::vector<std::string> left_out;  ///< files of both bundles whose rows do not say enough about their inputs
+  MethodComparison methods;           ///< of all deterministic files, also those left out; empty where the seeds differ
 
-  /// The first differing one.
+  /// The first pair of rows that differs; null where all are identical.
   [[nodiscard]] const AccuracyRow* first_difference() const;
 };
 
-/// Compares the deterministic tables. With different seeds the inputs were others and no row has a partner; of
-/// different suites only tables with a column `trials` are compared, since no other row says of how many it is.
+/// Compares the deterministic tables. Bundles with different seeds have different inputs, so that no row has a partner.
+/// For different suites only tables with a column `trials` are compared: the rows of any other table do not say how
+/// many trials they are about.
 [[nodiscard]] AccuracyComparison compare_accuracy(const Side& a, const Side& b);
 
 /// A recorded input that can be replayed.
@@ -58,7 +59,7 @@ struct RecordedInput {
   std::string coefficients;
 };
 
-/// The worst input that a side recorded for the cell and method of such a row.
+/// The worst input that `side` recorded for the cell and method of `inputs`; empty where it recorded none.
 [[nodiscard]] std::optional<RecordedInput> recorded_input(const Side& side, const Inputs& inputs);
 
 }  // namespace bezierbench::compare

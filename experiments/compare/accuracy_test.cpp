@@ -86,14 +86,14 @@ TEST(Accuracy, SaysOfWhichMethodsItHolds) {
   EXPECT_THAT(methods.only_b, testing::ElementsAre(Rows{"accuracy.csv", "s", "new"}));
 }
 
-/// As of a bundle of schema version 1.
+/// A bundle of schema version 1 lacks columns of later versions.
 TEST(Accuracy, AColumnThatOneSideLacksIsNotCompared) {
   const auto a = side_of("a", {{"accuracy.csv", "study,method,max_error\ns,direct,1\n"}});
   const auto b = side_of("b", {{"accuracy.csv", "study,method,max_error,unbounded_trials\ns,direct,1,0\n"}});
   EXPECT_EQ(compare_accuracy(a, b).methods.agreeing, 1U);
 }
 
-// The worst of 20 trials is not the worst of 10, and only the suite says how many they were.
+// The worst of 20 trials is not the worst of 10, and worst.csv does not say how many trials there were.
 TEST(Accuracy, OfDifferentSuitesRowsWithoutTrialsAreLeftOut) {
   const auto a = side_of("a", {{"accuracy.csv", accuracy}, {"worst.csv", worst}});
   auto b = a;

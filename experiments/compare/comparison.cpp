@@ -8,7 +8,7 @@
 namespace bezierbench::compare {
 namespace {
 
-/// Fields of an input in comparison.csv: those that the contract names stand first, in its order.
+/// The names of inputs as columns of comparison.csv; the first array has those that the contract lists, in its order.
 constexpr std::array<std::string_view, 6> leading_inputs{"study", "method", "scalar", "dimension", "degree", "mode"};
 constexpr std::array<std::string_view, 8> further_inputs{"table", "curve",     "coordinate_range", "t_min",
                                                          "t_max", "generator", "trials",           "baseline"};

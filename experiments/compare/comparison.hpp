@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bundles held against a first one: machines and builds, accuracy, times, and how all of them rank.
+// Bundles compared with a first one: machines and builds, accuracy, times, and the rank of each bundle.
 #pragma once
 
 #include <limits>
@@ -14,7 +14,7 @@
 
 namespace bezierbench::compare {
 
-/// One bundle against the first.
+/// One bundle compared with the first.
 struct Pair {
   std::string against;  ///< name of a
   std::string bundle;   ///< name of b
@@ -28,32 +28,33 @@ struct Pair {
 
 [[nodiscard]] Pair compare_pair(const Side& a, const Side& b);
 
-/// Ranks the methods of each race among those that every bundle has which has any in common with the first: ranks of
-/// several pairs are then ranks among the same methods.
+/// Ranks the methods of each race among the timings that all bundles have in common, so that the ranks of all pairs are
+/// ranks among the same methods. A bundle that has no timing in common with the first is not counted.
 void rank_in_all(std::vector<Pair>& pairs);
 
-/// One bundle among all of them, over the timings that all have which have any in common with the first.
+/// The place of one bundle among all of them, over the timings that all bundles have in common. A bundle that has no
+/// timing in common with the first is not counted.
 struct Standing {
-  std::optional<int> rank;  ///< by mean_ratio; none without it
+  std::optional<int> rank;  ///< by mean_ratio; empty without a mean
   std::string bundle;
   std::string cpu;
   std::string compiler;
-  bool same_machine = true;                                      ///< as the first bundle's
-  std::size_t differing = 0;                                     ///< accuracy rows that are not the first bundle's
-  std::size_t timings = 0;                                       ///< that count; without any there is no mean
+  bool same_machine = true;                                      ///< whether its machine is that of the first bundle
+  std::size_t differing = 0;                                     ///< accuracy rows that differ from the first bundle's
+  std::size_t timings = 0;                                       ///< the number of common timings; 0 means no mean
   double mean_ratio = std::numeric_limits<double>::quiet_NaN();  ///< geometric mean of times over the first bundle's
-  double mean_normalised = std::numeric_limits<double>::quiet_NaN();  ///< in units of the sentinel; NaN without one
+  double mean_normalised = std::numeric_limits<double>::quiet_NaN();  ///< the same in sentinel units; NaN without one
 };
 
-/// The fastest first, those without times last. `pairs` are of `base` and every other side, in order. Geometric means,
-/// for ratios rank the same whichever bundle they are taken against only so (Fleming and Wallace 1986, Communications
-/// of the ACM 29:218).
+/// The standing of every bundle, the fastest first and those without times last. `pairs` holds the comparison of `base`
+/// with each of `others`, in their order. The means are geometric: only then does the order not depend on the bundle
+/// that the times are divided by (Fleming and Wallace 1986, Communications of the ACM 29:218).
 [[nodiscard]] std::vector<Standing> standings(const Side& base, const std::vector<Side>& others,
                                               const std::vector<Pair>& pairs);
 
 /// Every row of every pair: kind,study,method,scalar,dimension,degree,mode,a,b,ratio,ratio_low,ratio_high,verdict, then
-/// what tells rows apart and how the verdict came about. `verdict` is `identical` or `different` where kind is
-/// `accuracy`; a and b are then the values in `column` of `file`.
+/// the further inputs of the row and the columns that explain the verdict. Where `kind` is `accuracy`, `verdict` is
+/// `identical` or `different`, and `a` and `b` are the values in `column` of `file`.
 [[nodiscard]] bundle::CsvTable comparison_table(const std::vector<Pair>& pairs);
 
 /// against,bundle,fact,a,b: every fact in which a bundle differs from the first.

@@ -7,7 +7,8 @@
 namespace bezierbench::compare {
 namespace {
 
-/// A product and quotient of independent estimates, with the squares of the distances to its limits on the log scale.
+/// A product and quotient of independent estimates: its median, and the squared distances to its limits on the log
+/// scale.
 class Product {
  public:
   void multiply(const metric::Interval& x) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much longer one run took than another, where each is known by a median and its interval alone.
+// The ratio of two times with its interval, where each time is known by its median and an interval only.
 //
 // Recovery of variance estimates (MOVER), on logarithms. A run's interval [l, u] around its median m says how far the
 // median may be off in each direction: log(m/l) below and log(u/m) above, whatever the distribution. For a difference
@@ -9,19 +9,19 @@
 //
 //     [x - y - sqrt(log(b/b_low)^2 + log(a_high/a)^2),  x - y + sqrt(log(b_high/b)^2 + log(a/a_low)^2)]
 //
-// at the confidence of the two intervals. It covers what varied within the runs, which is why each time is taken in
-// several repetitions (experiments/race/repetition.hpp): what two races of one run do not share, two runs do not
-// share either.
+// at the confidence of the two intervals. The intervals cover what varied within each run. Each time is therefore taken
+// in several repetitions (experiments/race/repetition.hpp): what changes from one repetition to the next also changes
+// from one run to the next.
 #pragma once
 
 #include "experiments/metric/order_statistics.hpp"
 
 namespace bezierbench::compare {
 
-/// b over a. Medians and limits are positive times; NaN where they are not.
+/// The ratio b / a with its interval. Medians and limits must be positive; the result is NaN where they are not.
 metric::Interval ratio(const metric::Interval& b, const metric::Interval& a);
 
-/// The same with each time measured in units of another of its own run: (b / b_unit) over (a / a_unit).
+/// The same ratio with each time in units of another time of its own run: (b / b_unit) over (a / a_unit).
 metric::Interval ratio_in_units(const metric::Interval& b, const metric::Interval& b_unit, const metric::Interval& a,
                                 const metric::Interval& a_unit);
 

@@ -26,13 +26,14 @@ void expect_close(const Interval& ours, const Interval& theirs) {
 
 Interval inverse(const Interval& x) { return {1 / x.median, 1 / x.high, 1 / x.low}; }
 
-// Where one of the two is known exactly, the other's interval is divided by it.
+// With one time known exactly, the ratio's interval is the other's interval divided by it.
 TEST(Ratio, OfAKnownTimeIsTheOthersInterval) {
   expect_close(ratio({6, 5, 8}, {2, 2, 2}), {3, 2.5, 4});
   expect_close(ratio({2, 2, 2}, {6, 5, 8}), {1.0 / 3, 0.25, 0.4});
 }
 
-// Limits a factor of e^3 and e^4 away are e^5 away together; the lower one of b goes with the upper one of a.
+// Limits that are factors of e^3 and e^4 away combine to a factor of e^5. The lower limit of b goes with the upper one
+// of a.
 TEST(Ratio, DistancesAddInSquares) {
   const double e = std::exp(1.0);
   const Interval b{7, 7 / std::pow(e, 3), 7 * std::pow(e, 5)};
@@ -70,7 +71,7 @@ TEST(Ratio, NoTimeIsUnresolved) {
   EXPECT_EQ(metric::verdict(ratio({1, 2, 1}, {1, 1, 1})), metric::Verdict::unresolved);
 }
 
-/// Times of a run: skewed, as times are.
+/// Simulated times of a run; their distribution is skewed, as that of measured times.
 std::vector<double> run(std::mt19937_64& words, double scale) {
   std::vector<double> times(101);
   const auto time = [&] { return scale * (1 + std::pow(static_cast<double>(words() >> 11U) * 0x1p-53, 4)); };
@@ -78,8 +79,8 @@ std::vector<double> run(std::mt19937_64& words, double scale) {
   return times;
 }
 
-// The medians' intervals cover 99 %, and so must the ratio's: among 4000 runs less than 1 % may miss the truth; the
-// limit leaves three standard deviations of that count.
+// The medians' intervals cover 99 %, and so must the ratio's: less than 1 % of 4000 runs may miss the truth. The limit
+// in the test leaves three standard deviations of that count.
 TEST(Ratio, CoversTheTruth) {
   std::mt19937_64 words{1};
   constexpr int runs = 4000;

@@ -14,10 +14,10 @@
 namespace bezierbench::compare {
 namespace {
 
-/// What the column of the method is called here, whatever it is called in the table.
+/// The name of the method's column in Inputs, whatever the table calls it.
 constexpr std::string_view method_name = "method";
 
-/// What a key column is called.
+/// The name of a key column in Inputs.
 std::string_view input_name(const bundle::DeclaredTable& declared, const bundle::Column& column) {
   return column.name == declared.method ? method_name : std::string_view(column.name);
 }
@@ -29,7 +29,7 @@ std::string canonical(const std::string& text) {
   return whole ? std::to_string(*whole) : number::decimal(*value);
 }
 
-/// Whether some table has such a key.
+/// Whether some table has a key column of this name.
 bool is_input(std::string_view name) {
   return std::ranges::any_of(bundle::declared_tables(), [&](const bundle::DeclaredTable& table) {
     return std::ranges::any_of(table.columns, [&](const bundle::Column& column) {
@@ -74,7 +74,7 @@ std::string Inputs::words() const {
 RowMatch match_rows(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a, const bundle::CsvDocument& b) {
   std::map<Inputs, std::vector<std::size_t>> rows_of_b;
   for (std::size_t row = b.row_count(); row-- > 0;)
-    rows_of_b[Inputs(declared, b, row, a)].push_back(row);  // the first is last
+    rows_of_b[Inputs(declared, b, row, a)].push_back(row);  // in reverse order: the first row is taken from the back
   RowMatch match;
   for (std::size_t row = 0; row < a.row_count(); ++row) {
     Inputs inputs(declared, a, row, b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which rows of two tables are about the same thing: those whose inputs agree, wherever they stand.
+// Pairs of rows of two tables that have the same inputs, whatever their positions.
 #pragma once
 
 #include <compare>
@@ -14,34 +14,35 @@
 
 namespace bezierbench::compare {
 
-/// What a row was measured or computed for: study, curve, method, degree, mode, trials, ...: the key columns of its
-/// table. The column of the method is called `method`, whatever it is called in the table.
+/// What a row was measured or computed for (study, curve, method, degree, mode, trials, ...): the key columns of its
+/// table. The column of the method is called `method` here, whatever the table calls it.
 class Inputs {
  public:
   Inputs() = default;
 
-  /// Of one row, as far as both tables have the column: one of an older program may lack it. Numbers are taken as
-  /// values, so that 1000000 and 1e+06 agree.
+  /// The inputs of row `row` of `table`. A key column that `other` lacks is empty, since tables of older programs may
+  /// lack one. Numbers are compared as values: 1000000 and 1e+06 agree.
   Inputs(const bundle::DeclaredTable& declared, const bundle::CsvDocument& table, std::size_t row,
          const bundle::CsvDocument& other);
 
-  /// Empty where the row has none. Throws std::invalid_argument for what is a key of no table.
+  /// The value of the input `name`; empty where the row has none. Throws std::invalid_argument for a name that is not a
+  /// key of any table.
   [[nodiscard]] const std::string& field(std::string_view name) const;
 
-  /// The same inputs whatever the method.
+  /// The same inputs without the method.
   [[nodiscard]] Inputs without_method() const;
 
-  /// `study truth, method horner, degree 4, ...`: the fields that are there.
+  /// The inputs that are not empty, as text: `study truth, method horner, degree 4, ...`.
   [[nodiscard]] std::string words() const;
 
   friend auto operator<=>(const Inputs&, const Inputs&) = default;
 
  private:
-  using Field = std::pair<std::string, std::string>;  ///< name, and text or canonical number
+  using Field = std::pair<std::string, std::string>;  ///< name, and text or number in canonical spelling
   std::vector<Field> fields_;
 };
 
-/// Two rows with the same inputs.
+/// Two rows with the same inputs, by their numbers in a and b.
 struct RowPair {
   Inputs inputs;
   std::size_t a;
@@ -54,15 +55,16 @@ struct RowMatch {
   std::size_t only_b = 0;
 };
 
-/// Of rows that repeat the same inputs the first goes with the first, and so on.
+/// Pairs the rows with the same inputs. Where inputs repeat, the first row goes with the first, the second with the
+/// second, and so on.
 [[nodiscard]] RowMatch match_rows(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a,
                                   const bundle::CsvDocument& b);
 
-/// Columns that both have and that hold results: those that are digested and are no keys. In the order of the schema.
+/// The columns with results that both tables have, in the order of the schema: digested, and not keys.
 [[nodiscard]] std::vector<std::string> result_columns(const bundle::DeclaredTable& declared,
                                                       const bundle::CsvDocument& a, const bundle::CsvDocument& b);
 
-/// The same double to the last bit where both are numbers, else the same text.
+/// Whether both texts are numbers with the same bits, or the same text.
 [[nodiscard]] bool same_value(std::string_view a, std::string_view b);
 
 }  // namespace bezierbench::compare

@@ -13,7 +13,7 @@ using testing::ElementsAre;
 
 bundle::CsvDocument table(std::string_view text) { return bundle::parse_csv(text, "table.csv"); }
 
-/// Has most of the keys.
+/// The table that has most of the keys.
 const bundle::DeclaredTable& timing() { return *bundle::declared_table("timing.csv"); }
 
 std::vector<std::pair<std::size_t, std::size_t>> pairs(const RowMatch& match) {
@@ -44,7 +44,8 @@ TEST(RowMatch, NumbersAgreeAsValuesAndNamesAsText) {
   EXPECT_EQ(match_rows(timing(), table("study,degree\n2.2,1\n"), table("study,degree\n2.20,1\n")).pairs.size(), 0U);
 }
 
-// An older program's table may lack a column: what is left decides, and repeated rows go in order.
+// A table of an older program may lack a column. The columns that are left decide, and repeated rows are paired in
+// order.
 TEST(RowMatch, AColumnThatOneSideLacksDoesNotPartThem) {
   const auto a = table("study,scalar,degree,error\ns,double,3,1\ns,float,3,2\n");
   const auto match = match_rows(timing(), a, table("study,degree,error\ns,3,1\ns,3,2\n"));

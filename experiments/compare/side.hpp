@@ -14,15 +14,15 @@
 
 namespace bezierbench::compare {
 
-/// What is compared of a bundle, read at once.
+/// What is compared of a bundle, all read at once.
 struct Side {
   std::string name;  ///< as the user gave it
   bundle::Manifest manifest;
-  std::vector<bundle::Fact> facts;                    ///< of machine.json, then of bundle.json
-  std::map<std::string, bundle::CsvDocument> tables;  ///< timing.csv and the deterministic ones, by file name
-  std::vector<std::string> damaged = {};              ///< files that are not as SHA256SUMS lists them
+  std::vector<bundle::Fact> facts;                    ///< those of machine.json, then those of bundle.json
+  std::map<std::string, bundle::CsvDocument> tables;  ///< timing.csv and the deterministic tables, by file name
+  std::vector<std::string> damaged = {};              ///< files that differ from their line in SHA256SUMS
 
-  /// The value of a fact; `unknown` where there is none.
+  /// The value of the fact `fact_name`; `unknown` where the bundle does not have it.
   [[nodiscard]] std::string fact(std::string_view fact_name) const;
   /// The table of this name; null where the bundle has none.
   [[nodiscard]] const bundle::CsvDocument* table(const std::string& file) const;
@@ -30,21 +30,22 @@ struct Side {
 
 inline constexpr const char* timing_file = "timing.csv";
 
-/// Throws Failure(Exit::input_output) where `path` is no bundle or a file of it is damaged; one that reads nevertheless
-/// only if damage is to be refused.
+/// Reads the bundle in `path`. Throws Failure(Exit::input_output) where `path` is not a bundle, where a file cannot be
+/// parsed, and, if damage is to be refused, where a file differs from its checksum.
 [[nodiscard]] Side read_side(const std::filesystem::path& path, bundle::Damage damage = bundle::Damage::refused);
 
-/// A fact whose values are not the same on both sides; `unknown` where a side does not have it.
+/// A fact with different values on the two sides; the value is `unknown` where a side does not have the fact.
 struct FactDifference {
   std::string name;
   std::string a;
   std::string b;
 };
 
-/// How the machines and the builds differ, in the order of a's facts.
+/// The facts in which the machines and builds differ: a's facts in their order, then those that b alone has.
 [[nodiscard]] std::vector<FactDifference> fact_differences(const Side& a, const Side& b);
 
-/// Whether both were made on the same kind of machine, as far as cpu, caches and memory say; unknown is not the same.
+/// Whether both bundles come from the same kind of machine, judged by cpu, caches and memory. False where a's processor
+/// is unknown.
 [[nodiscard]] bool same_machine(const Side& a, const Side& b);
 
 }  // namespace bezierbench::compare

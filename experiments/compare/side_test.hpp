@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For this folder's tests only: sides made of text.
+// Sides made of text, for this folder's tests only.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace bezierbench::compare {
 
-/// A bundle of one suite, with these tables (file, text).
+/// A side with these tables, as pairs of file name and text.
 inline Side side_of(const std::string& name, const std::vector<std::pair<std::string, std::string>>& tables) {
   Side side{.name = name, .manifest = {}, .facts = {}, .tables = {}};
   side.manifest.seed = 1;

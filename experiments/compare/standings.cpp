@@ -10,7 +10,7 @@
 namespace bezierbench::compare {
 namespace {
 
-/// The timings that every bundle has which has any in common with the first.
+/// The timings that all bundles have in common; a bundle that has none in common with the first is not counted.
 std::set<Inputs> common_timings(const std::vector<Pair>& pairs) {
   std::optional<std::set<Inputs>> common;
   for (const auto& pair : pairs) {
@@ -43,7 +43,7 @@ Standing standing(const Side& side) {
   return standing;
 }
 
-/// Times over its own are 1.
+/// The standing of the first bundle. Its mean is 1, since its times are divided by themselves.
 Standing first_standing(const Side& side, const std::set<Inputs>& common) {
   Standing one = standing(side);
   one.timings = common.size();
@@ -70,7 +70,7 @@ Standing standing(const Side& side, const Pair& pair, const std::set<Inputs>& co
   return one;
 }
 
-/// Bundles without a mean come last.
+/// The mean ratio, or infinity without one, so that bundles without a mean come last.
 double mean_ratio_or_last(const Standing& one) {
   return one.timings > 0 ? one.mean_ratio : std::numeric_limits<double>::infinity();
 }

@@ -32,7 +32,8 @@ metric::Interval interval(const bundle::CsvDocument& table, std::size_t row) {
   return {time(table, row, "median_ns"), time(table, row, "low_ns"), time(table, row, "high_ns")};
 }
 
-/// In units of the sentinel of the same races; none in the sentinel's own row and in bundles of earlier versions.
+/// The time in units of the sentinel of the same races. Empty in the sentinel's own row and in bundles of earlier
+/// versions.
 std::optional<metric::Interval> units(const bundle::CsvDocument& table, std::size_t row) {
   if (!table.has_column("sentinel_units") || table.at(row, "sentinel_units").empty()) return std::nullopt;
   return metric::Interval{time(table, row, "sentinel_units"), time(table, row, "sentinel_units_low"),
@@ -44,13 +45,14 @@ std::string_view quality(const bundle::CsvDocument& table, std::size_t row) {
   return table.has_column("quality") ? std::string_view(table.at(row, "quality")) : quality_ok;
 }
 
-/// The worse one; a word of another program version is worse than any that is known.
+/// The worse of two qualities. One that this program does not know is worse than every known one.
 std::string worse(std::string_view a, std::string_view b) {
   return std::string(std::ranges::find(qualities, a) > std::ranges::find(qualities, b) ? a : b);
 }
 
-/// Whether the same build on the same machine took another time for fixed work beside these rows: then the machine was
-/// not as quiet, or not as fast, and a difference says nothing of the methods.
+/// Whether the times of fixed work (sentinel or sweep) beside these two rows differ by more than the tolerated drift.
+/// On the same machine with the same build this means that the machine was disturbed or ran at another speed, so that a
+/// difference between the rows says nothing about the methods.
 bool machine_changed(const bundle::CsvDocument& ours, const bundle::CsvDocument& theirs, const RowPair& pair) {
   const auto differs = [&](std::string_view column) {
     const auto has = [column](const bundle::CsvDocument& table, std::size_t row) {
@@ -64,7 +66,8 @@ bool machine_changed(const bundle::CsvDocument& ours, const bundle::CsvDocument&
   return differs("sentinel_ns") || differs("sweep_ns");
 }
 
-/// A sentinel is code as well: other compilers and flags may make it faster or slower.
+/// Whether the sentinels of both sides are the same machine code on the same machine: another compiler or other flags
+/// may make a sentinel faster or slower.
 bool same_sentinels(const Side& a, const Side& b) {
   return same_machine(a, b) && a.fact("build.compiler") == b.fact("build.compiler") &&
          a.fact("build.flags") == b.fact("build.flags");
@@ -74,7 +77,7 @@ TimeRatio judged(const metric::Interval& ratio, std::string_view quality) {
   return {ratio, quality == few_rounds ? metric::Verdict::unresolved : metric::verdict(ratio)};
 }
 
-/// What a sentinel's row is found by: its race has no degree.
+/// The key by which the sentinel's row of a race is found. It has no degree, since a sentinel's row has none.
 struct Race {
   std::string study;
   std::string curve;
@@ -84,8 +87,8 @@ struct Race {
 
 Race race_of(const Inputs& inputs) { return {inputs.field("study"), inputs.field("curve"), inputs.field("mode")}; }
 
-/// For bundles that do not say themselves how long a method took in units of the sentinel: by the sentinel over all
-/// races of the study in the same mode.
+/// Fills in the times in units of the sentinel for bundles that do not record them: the unit is the sentinel's time
+/// over all races of the study in the same mode.
 void normalise(std::vector<TimingRow>& rows) {
   std::map<Race, const TimingRow*> sentinels;
   for (const auto& row : rows)

@@ -14,13 +14,13 @@
 
 namespace bezierbench::compare {
 
-/// What timing.csv calls the fixed work that ran beside every race.
+/// The method's name in timing.csv for the fixed work that runs beside every race.
 inline constexpr std::string_view sentinel = "sentinel";
 
-/// Whether the intervals of a row may be believed: the worse of the two sides.
+/// The quality of a row whose intervals can be believed.
 inline constexpr std::string_view quality_ok = "ok";
 
-/// A time over another and what that says.
+/// A ratio of two times and the verdict on it.
 struct TimeRatio {
   metric::Interval ratio;  ///< b over a
   metric::Verdict verdict;
@@ -31,17 +31,17 @@ struct TimingRow {
   metric::Interval a;  ///< nanoseconds per point
   metric::Interval b;
   TimeRatio raw;
-  std::optional<TimeRatio> normalised;  ///< in units of the sentinel, where both have it
-  /// `ok`, or what the file says of the doubtful side; `unchecked` where timed output was wrong; `noisy` also where one
-  /// build on one machine took other times for the work of a sentinel.
+  std::optional<TimeRatio> normalised;  ///< in units of the sentinel, where both sides have it
+  /// The worse quality of the two sides: `ok`, or the word in the file; `unchecked` where timed output was wrong.
+  /// `noisy` also where the same build on the same machine took different times for the fixed work beside the row.
   std::string quality;
-  int rank_a = 0;  ///< 1 + how many methods of the same race are certainly faster; 0 for what is not ranked
+  int rank_a = 0;  ///< 1 + number of methods in the same race that are certainly faster; 0 if not ranked
   int rank_b = 0;
 
   [[nodiscard]] bool is_sentinel() const { return inputs.field("method") == sentinel; }
   [[nodiscard]] bool is_ok() const { return quality == quality_ok; }
-  /// Whether b may be called slower in all that was measured: every repetition of b took longer than every one of a, as
-  /// far as their intervals say, in units of the sentinel too, and the quality is `ok`.
+  /// Whether b is slower by every measure: the interval of b lies above that of a, the verdict on the ratio is
+  /// `slower`, in units of the sentinel too, and the quality is `ok`.
   [[nodiscard]] bool is_certainly_slower() const;
 };
 
@@ -51,15 +51,16 @@ struct TimingComparison {
   std::size_t only_b = 0;
 };
 
-/// Verdicts are those of metric::verdict, but `unresolved` where a race had too few rounds for an interval. Ranks are
-/// among the methods that both have. Throws Failure(Exit::input_output) for a time that is no number.
+/// Compares the rows that both sides have. Verdicts are those of metric::verdict, but `unresolved` where a race had too
+/// few rounds for an interval. Ranks are among the methods that both sides have. Throws Failure(Exit::input_output) for
+/// a time that is not a number.
 [[nodiscard]] TimingComparison compare_timing(const Side& a, const Side& b);
 
-/// The rows of methods, without those of sentinels.
+/// The inputs of the rows of methods, without those of sentinels.
 [[nodiscard]] std::set<Inputs> timed_methods(const TimingComparison& timing);
 
-/// Ranks the rows of `counted` among each other, and no others; sentinels have no rank. One method is certainly faster
-/// where its interval ends before the other's begins.
+/// Ranks the rows whose inputs are in `counted` among each other; all other rows and sentinels get rank 0. A method is
+/// certainly faster than another where its interval ends before the other's begins.
 void rank(TimingComparison& timing, const std::set<Inputs>& counted);
 
 }  // namespace bezierbench::compare

@@ -15,7 +15,7 @@ namespace {
 
 using metric::Verdict;
 
-/// One row whose interval reaches `spread` to both sides of the median.
+/// One row whose interval extends by `spread` to either side of the median.
 std::string row(const std::string& method, double ns, double spread = 0.001, const std::string& quality = "ok",
                 const std::string& checked = "yes") {
   return fmt::format("s,bezier,{},double,2,{},point,{},{},{},{},{}\n", method, method == sentinel ? "" : "4", ns,
@@ -42,7 +42,8 @@ TEST(Timing, VerdictsFollowTheInterval) {
   EXPECT_DOUBLE_EQ(only_row(row("horner", 10), row("horner", 11)).raw.ratio.median, 1.1);
 }
 
-// A machine whose every time is 1.5 times as long has slower methods, but none that is slower in its own steps.
+// On a machine that takes 1.5 times as long for everything, methods are slower in nanoseconds and the same in sentinel
+// units.
 TEST(Timing, InSentinelsASlowMachineIsTheSame) {
   const auto both = [](double scale) { return row("horner", 10 * scale) + row("sentinel", 1.5 * scale); };
   const auto slower = only_row(both(1), both(1.5));
@@ -52,7 +53,7 @@ TEST(Timing, InSentinelsASlowMachineIsTheSame) {
   EXPECT_DOUBLE_EQ(slower.normalised->ratio.median, 1);
 }
 
-// The sentinel of the races of another degree says less than that of the method's own race.
+// Where the bundle has sentinel_units, they are used: the sentinel of another degree's races is a worse unit.
 TEST(Timing, TheSentinelOfTheSameRaceIsTheUnitWhereTheBundleSaysIt) {
   const auto side = [](const std::string& name, double ns, double units) {
     return side_of(name, {{timing_file, fmt::format("study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,"
@@ -84,7 +85,7 @@ TEST(Timing, TheWorseQualityOfBothIsKept) {
   EXPECT_EQ(only_row(row("horner", 10), row("horner", 11, 0.001, "ok", "no")).quality, "unchecked");
 }
 
-/// A time with what the two sentinels took beside it, on one machine with one build.
+/// A side with one time and the times of the two sentinels beside it, on one machine with one build.
 Side beside(const std::string& name, double chain_ns, double sweep_ns, const std::string& flags = "-O3") {
   auto side = side_of(
       name, {{timing_file, fmt::format("study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,"
@@ -124,7 +125,7 @@ TEST(Timing, TooFewRoundsDecideNothing) {
   EXPECT_EQ(only_row(row("horner", 10, 0.001, "few_rounds"), row("horner", 20)).raw.verdict, Verdict::unresolved);
 }
 
-// Older programs wrote neither.
+// Files of older programs have neither column.
 TEST(Timing, ReadsFilesWithoutQualityAndCheck) {
   const auto old = side_of(
       "a", {{timing_file, "study,method,degree,mode,median_ns,low_ns,high_ns\ns,horner,4,point,10,9.99,10.01\n"}});
@@ -134,7 +135,7 @@ TEST(Timing, ReadsFilesWithoutQualityAndCheck) {
   EXPECT_EQ(comparison.rows.front().raw.verdict, Verdict::slower);
 }
 
-// Ranks count who is certainly faster, so that neighbours within their intervals share one.
+// A rank counts the methods that are certainly faster: neighbours with overlapping intervals share a rank.
 TEST(Timing, RanksAreOfTheCertainlyFaster) {
   const auto comparison = compare_timing(timed("a", row("x", 10) + row("y", 20) + row("z", 20.01) + row("sentinel", 1)),
                                          timed("b", row("x", 30) + row("y", 20) + row("z", 25) + row("sentinel", 1)));
@@ -146,7 +147,7 @@ TEST(Timing, RanksAreOfTheCertainlyFaster) {
   EXPECT_EQ(ranks, (std::vector<int>{1, 3, 2, 1, 2, 2, 0, 0}));
 }
 
-// c has no y: neither pair ranks it, so that x has the same rank in a, whichever bundle a is compared with.
+// c has no y, so neither pair ranks y, and x has the same rank in a whichever bundle a is compared with.
 TEST(Timing, RanksOfSeveralBundlesAreAmongWhatAllHave) {
   const auto a = timed("a", row("x", 20) + row("y", 10) + row("z", 15));
   std::vector<Pair> pairs{compare_pair(a, timed("b", row("x", 20) + row("y", 10) + row("z", 15))),
@@ -169,7 +170,7 @@ TEST(Timing, ATimeThatIsNoNumberNamesItsLine) {
   }
 }
 
-// b doubles one of two common timings and halves none: its geometric mean is sqrt(2); c is as a.
+// b doubles one of two common timings and leaves the other: its geometric mean is sqrt(2). c has the times of a.
 TEST(Standings, AreByGeometricMeanOverWhatAllHave) {
   const auto a = timed("a", row("x", 10) + row("y", 10) + row("z", 10));
   const std::vector<Side> others{timed("b", row("x", 20) + row("y", 10) + row("z", 90)),
@@ -188,7 +189,7 @@ TEST(Standings, AreByGeometricMeanOverWhatAllHave) {
   EXPECT_TRUE(std::isnan(all[2].mean_normalised));
 }
 
-// A bundle of a run without timing neither ranks nor empties what the others have in common.
+// A bundle without timing gets no rank, and the others keep the timings that they have in common.
 TEST(Standings, AreOfBundlesWithTimes) {
   const auto a = timed("a", row("x", 10) + row("sentinel", 1));
   const std::vector<Side> others{side_of("b", {}), timed("c", row("x", 5) + row("sentinel", 1))};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // With K = 2U + 1 and M = 2^129 the image is (a (M - K) + b K) / M. Both products have at most 53 + 129 = 182 bits and
-// are formed exactly. 256 bits hold their sum exactly unless the exponents of a and b are far apart; see add().
+// are computed exactly. 256 bits hold their sum exactly unless the exponents of a and b are far apart; see add().
 #include "experiments/sample/affine.hpp"
 
 #include <algorithm>
@@ -19,9 +19,9 @@ using Bits256 = std::array<std::uint64_t, 4>;
 
 constexpr int bits = 256;
 constexpr std::uint64_t top_bit = std::uint64_t{1} << 63U;
-constexpr int smallest_exponent = -1074;  // of the last bit of a double
+constexpr int smallest_exponent = -1074;  // exponent of the last bit of the smallest double
 
-/// +-magnitude 2^exponent; `magnitude` below 2^53.
+/// +-magnitude 2^exponent; `magnitude` is below 2^53.
 struct Unpacked {
   bool negative;
   std::uint64_t magnitude;
@@ -75,7 +75,8 @@ Bits256 shift_left(const Bits256& x, int count) {
   return shifted;
 }
 
-/// floor(x / 2^count); the last bit is set as well where bits were lost, so that later roundings see them.
+/// floor(x / 2^count). The last bit is also set where bits were lost (sticky), so that later roundings take them into
+/// account.
 Bits256 shift_right_sticky(const Bits256& x, int count) {
   if (count >= bits) return {bit_length(x) != 0 ? 1U : 0U, 0, 0, 0};
   const auto words = static_cast<std::size_t>(count / 64);
@@ -103,7 +104,7 @@ Bits256 plus(const Bits256& x, const Bits256& y) {
   return sum;
 }
 
-/// x - y modulo 2^256, and whether x < y.
+/// Sets `difference` to x - y modulo 2^256. Returns whether x < y.
 bool subtract(const Bits256& x, const Bits256& y, Bits256& difference) {
   std::uint64_t borrow = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -121,9 +122,9 @@ struct Term {
   int exponent;
 };
 
-/// x + y. The term with the larger exponent is shifted left, which is exact, as far as 254 bits allow. Where that is
-/// not far enough, it has all of 254 bits while the other, shifted right, has 181 at most: nothing cancels but one
-/// bit, and one sticky bit is all that rounding needs of what is lost.
+/// x + y, exact up to a sticky bit. The term with the larger exponent is shifted left, as far as 254 bits allow. Where
+/// that is not far enough, this term has all of 254 bits and the other one, shifted right, has at most 181. Then at
+/// most one bit cancels, and a sticky bit holds all that rounding needs of the bits lost.
 Term add(Term x, Term y) {
   if (x.exponent < y.exponent) std::swap(x, y);
   if (const int apart = x.exponent - y.exponent; apart > 0) {
@@ -154,7 +155,8 @@ bool any_below(const Bits256& x, int count) {
   return found != 0;
 }
 
-/// `kept` 2^last. The leading bit of a normal `kept` adds one to the exponent field, as does a carry out of rounding.
+/// `kept` 2^last as a double. Adding the leading bit of a normal `kept`, or a carry out of rounding, raises the
+/// exponent field by one.
 double pack(bool negative, std::uint64_t kept, int last) {
   const std::uint64_t word = (static_cast<std::uint64_t>(last - smallest_exponent) << 52U) + kept;
   return std::bit_cast<double>(word | static_cast<std::uint64_t>(negative) << 63U);
@@ -163,7 +165,7 @@ double pack(bool negative, std::uint64_t kept, int last) {
 double rounded_in_general(const Term& x) {
   const int length = bit_length(x.magnitude);
   if (length == 0) return 0;
-  const int last = std::max(x.exponent + length - 53, smallest_exponent);  // exponent of the last bit that is kept
+  const int last = std::max(x.exponent + length - 53, smallest_exponent);  // exponent of the last bit kept
   const int drop = last - x.exponent;
   if (drop <= 0) return pack(x.negative, x.magnitude[0] << static_cast<unsigned>(-drop), last);
   std::uint64_t kept = word_at(x.magnitude, drop) & ((std::uint64_t{1} << 53U) - 1U);
@@ -172,7 +174,8 @@ double rounded_in_general(const Term& x) {
   return pack(x.negative, kept, last);
 }
 
-/// The same; quick where three words hold the value, the third is not empty and the result is normal.
+/// The same as rounded_in_general(), but faster where three words hold the value, the third is not 0 and the result is
+/// normal.
 double rounded(const Term& x) {
   const auto& [w0, w1, w2, w3] = x.magnitude;
   const int zeros = std::countl_zero(w2);
@@ -180,7 +183,7 @@ double rounded(const Term& x) {
   if (w3 != 0 || zeros == 0 || zeros == 64 || last < smallest_exponent) return rounded_in_general(x);
   const std::uint64_t top = w2 << zeros | w1 >> (64 - zeros);
   const bool sticky = (w1 << zeros | w0) != 0;
-  const std::uint64_t below = (top & 0x7ffU) | (sticky ? 1U : 0U);  // of 2048; a half is 1024
+  const std::uint64_t below = (top & 0x7ffU) | (sticky ? 1U : 0U);  // out of 2048; a half is 1024
   const std::uint64_t kept = top >> 11U;
   return pack(x.negative, kept + (below + (kept & 1U) > 1024U ? 1U : 0U), last);
 }
@@ -192,7 +195,7 @@ double affine(double a, double b, Uniform128 u) {
   const Unpacked to = unpack(b);
   // M - K = 2 (2^128 - 1 - U) + 1, and 2^128 - 1 - U is the complement of U.
   const Uniform128 complement{~u.high, ~u.low};
-  // [-R, R] and [0, b] are what is drawn nearly always; there one product is the image.
+  // The intervals [-R, R] and [0, b] are by far the most frequent; for them the image is a single product.
   if (from.magnitude == to.magnitude && from.exponent == to.exponent && from.negative != to.negative) {
     // b (2K - M) / M, where 2K - M is twice the odd number 2 (U - 2^127) + 1.
     const bool negative = u.high < top_bit;

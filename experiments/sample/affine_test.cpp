@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Against arbitrary-precision integers in units of 2^-1204, of which every double and every image is a whole number.
+// affine() against arbitrary-precision integers in units of 2^-1204, of which every double and every image is a
+// multiple.
 #include "experiments/sample/affine.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ Exact exact_image(double a, double b, Uniform128 u) {
   return exact(a) * (Exact(1) << 129) + (exact(b) - exact(a)) * k;  // in units of 2^-1333
 }
 
-/// `got` is nearest to the image, and even where its neighbour is as near.
+/// Expects the double nearest to the image, and the even one where two are equally near.
 void expect_rounded(double a, double b, Uniform128 u) {
   SCOPED_TRACE(::testing::Message() << std::hexfloat << a << " " << b << " " << std::hex << u.high << " " << u.low);
   const double got = affine(a, b, u);
@@ -92,14 +93,14 @@ TEST(Affine, RoundsOnceForRandomBits) {
     if (i % 2 == 0) b = std::ldexp(1 + 0x1p-53 * static_cast<double>(random() >> 11U), std::ilogb(a) + i % 300 - 150);
     if (!std::isfinite(b)) continue;
     if (b < a) std::swap(a, b);
-    // Few bits set, too: sums then cancel and tie.
+    // Numbers with few bits set make sums cancel and tie.
     const Uniform128 u{random() >> (random() % 64), i % 3 == 0 ? 0 : random()};
     expect_rounded(a, b, u);
     if (HasFailure()) return;
   }
 }
 
-/// U that makes the terms cancel as far as they can, for exponents far apart and near.
+/// U for which the terms cancel as far as they can, with exponents far apart and close together.
 TEST(Affine, SurvivesCancellation) {
   std::mt19937_64 random(3);
   for (int apart = 0; apart < 200; ++apart) {
@@ -112,7 +113,7 @@ TEST(Affine, SurvivesCancellation) {
         if (u < 0 || u >= (Exact(1) << 128)) continue;
         const Uniform128 near{static_cast<std::uint64_t>(u >> 64), static_cast<std::uint64_t>(u & ones)};
         expect_rounded(a, b, near);
-        // By symmetry, the large term on the other side.
+        // By symmetry, the same with the large term on the other side.
         expect_rounded(-b, -a, {~near.high, ~near.low});
       }
       if (HasFailure()) return;
@@ -130,7 +131,7 @@ TEST(Affine, TiesGoToEven) {
   EXPECT_TRUE(std::signbit(affine(-0x1p-946, 0, {ones, ones})));
 }
 
-/// What is far below a tie decides it.
+/// A term that is far smaller than half an ulp breaks a tie.
 TEST(Affine, ATieIsBrokenByTheFarTerm) {
   const double b = 0x1p129;
   for (int exponent = 20; exponent >= -1074; --exponent) {

@@ -29,7 +29,7 @@
 
 namespace bezierbench::sample {
 
-/// Takes two words for t, then two for each root but that at 1/2.
+/// Takes two words for t, then two for each root except the one at 1/2.
 struct ClusteredRoots {
   static constexpr int largest_degree = 8;
 
@@ -53,7 +53,7 @@ struct ClusteredRoots {
     const bool power = curve == Form::power;
     const std::int64_t one = std::int64_t{1} << m;
     const auto offsets = draw_offsets(words, n);
-    std::array<std::int64_t, largest_degree + 1> product{1};  // of the factors so far, ascending in x
+    std::array<std::int64_t, largest_degree + 1> product{1};  // the factors multiplied so far, ascending in x
     for (int k = 0; k < n; ++k) {
       const std::int64_t a = one / 2 + offsets[index(k)];
       const std::int64_t slope = power ? 1 : one - a;
@@ -69,7 +69,7 @@ struct ClusteredRoots {
     }
   }
 
-  /// The m of degree n: the largest, to 53, with L (2^(m-1) + n)^n <= 2^53.
+  /// The m for degree n: the largest up to 53 with L (2^(m-1) + n)^n <= 2^53.
   static constexpr int lattice_bits(int n) {
     int m = 53;
     while (m > 1 && !fits(n, m)) --m;
@@ -102,7 +102,7 @@ struct ClusteredRoots {
     return true;
   }
 
-  /// 0, then n - 1 distinct of -n, ..., -1, 1, ..., n: the first of a Fisher-Yates shuffle.
+  /// 0, then n - 1 distinct numbers of -n, ..., -1, 1, ..., n: the first ones of a Fisher-Yates shuffle.
   static std::array<std::int64_t, largest_degree> draw_offsets(Words& words, int n) {
     std::array<std::int64_t, std::size_t{2} * largest_degree> sites{};
     for (int k = 0; k < n; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generator `continuous`: every double of the range can be drawn, each as often as the reals that round to it.
+// Generator `continuous`: every double in the range can be drawn, with the probability of the reals that round to it.
 #pragma once
 
 #include "experiments/sample/affine.hpp"

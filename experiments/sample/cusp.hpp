@@ -20,8 +20,8 @@
 
 namespace bezierbench::sample {
 
-/// Takes two words each for t, a, whether the cusp is a near one, and s; then two for each coordinate but the first
-/// point's.
+/// Takes two words each for t, a, whether the cusp is a near one, and s; then two for each coordinate of every point
+/// but the first.
 struct Cusp {
   static constexpr int largest_degree = 6;
 
@@ -74,7 +74,7 @@ struct Cusp {
     return value;
   }
 
-  /// M of degree n.
+  /// The M for degree n.
   static constexpr std::int64_t largest_multiple(int n) {
     constexpr std::int64_t limit = (std::int64_t{1} << unit_bits) / 16 * 15;
     return n == 0 ? 0 : limit / (power(4, n - 1) * (2 * power(3, n - 1) - 1));

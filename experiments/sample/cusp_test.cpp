@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The curves of generator `cusp` stop where they are meant to: shown in rationals.
+// The curves of generator `cusp` have their cusp exactly where they should: computed with rationals.
 #include "experiments/sample/cusp.hpp"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@ using Data = std::vector<double>;
 std::size_t dimension_of(const DataSource& source) { return static_cast<std::size_t>(source.dimension); }
 std::size_t count_of(const DataSource& source) { return source.displacements.size() / dimension_of(source); }
 
-/// Appends the point of the curve at t.
+/// Appends the point of the curve at `t`.
 void append_point(const DataSource& source, double t, Data& data) {
   const auto d = dimension_of(source);
   auto b = source.control_points;
@@ -30,8 +30,8 @@ Data samples(DataSource source) {
   return data;
 }
 
-/// The k-th parameter of m lies in the k-th of m equal parts, at the place that the first coordinate of its
-/// displacement gives; the first and the last are the ends of the interval.
+/// The k-th of m parameters lies in the k-th of m equal parts of the interval, at the place given by the first
+/// coordinate of its displacement. The first and the last parameter are the ends of the interval.
 Data uneven(DataSource source) {
   const auto count = count_of(source);
   double range = 0;
@@ -46,14 +46,15 @@ Data uneven(DataSource source) {
   return data;
 }
 
-/// A thousandth of the range of coordinates.
+/// Samples moved by a 1024th of their displacements.
 Data noisy(DataSource source) {
   auto data = samples(source);
   for (std::size_t k = 0; k < data.size(); ++k) data[k] += 0x1p-10 * source.displacements[k];
   return data;
 }
 
-/// Equal steps along each side of the control polygon, with its vertices; the last side gets the remaining points.
+/// Points at equal steps along each side of the control polygon, its vertices among them. The last side gets the
+/// remaining points.
 Data polyline(DataSource source) {
   const auto d = dimension_of(source);
   const auto sides = static_cast<std::size_t>(source.degree);
@@ -72,8 +73,8 @@ Data polyline(DataSource source) {
   return data;
 }
 
-/// A curve that ends where it begins, from degree 4 on with the same derivative: a cubic that did would run forth and
-/// back on a line, for b_2 - b_0 = -(b_1 - b_0).
+/// Samples of a closed curve. From degree 4 on both ends have the same derivative. For a cubic this would give
+/// b_2 - b_0 = -(b_1 - b_0), a curve that runs forth and back on a line.
 Data closed(DataSource source) {
   const auto d = dimension_of(source);
   auto& b = source.control_points;
@@ -85,7 +86,7 @@ Data closed(DataSource source) {
   return data;
 }
 
-/// Like the data of a bad pen: noise, repeated points, and some steps backwards.
+/// Points as from a poor pointing device: with noise, repeated points and some steps backwards.
 Data drawn(DataSource source) {
   const auto d = source.dimension;
   const auto clean = noisy(std::move(source));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data that curves are fitted to. Each kind computes the data points from a drawn Bezier curve and one drawn
-// displacement per data point, by arithmetic without libm, so that no bit depends on the machine.
+// Kinds of data for fits. Each kind computes the data points from a drawn Bezier curve and one drawn displacement per
+// data point, by arithmetic without libm, so that no bit depends on the machine.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace bezierbench::sample {
 
-/// The drawn numbers, point by point.
+/// The drawn numbers that data are made of, point by point.
 struct DataSource {
   int dimension = 0;
   int degree = 1;  ///< at least 1
@@ -29,7 +29,7 @@ struct DataKind {
 /// All kinds.
 std::span<const DataKind> data_kinds();
 
-/// The data of trial number `trial`, point by point; `sampler` draws the cell of with_displacements.
+/// The data of trial `trial`, point by point. `sampler` draws the cell that with_displacements() returns.
 std::vector<double> data_points(const DataKind& kind, const Sampler& sampler, const Cell& cell, std::uint64_t trial);
 
 /// The cell whose curves have `points` more control points, which become the displacements.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Generator `distant`: small curves far from the origin, such as a road in a country's coordinates. Every difference of
-// control points has lost twenty bits.
+// Generator `distant`: small curves far from the origin, such as a road in a country's coordinates. Differences of
+// control points lose twenty bits.
 #pragma once
 
 #include "experiments/sample/continuous.hpp"

@@ -34,7 +34,7 @@ void fill(Words& words, const Cell& cell, Trial& out) {
   const auto d = static_cast<std::size_t>(cell.dimension);
   const auto count = static_cast<std::size_t>(cell.degree) + 1;
   G::polynomial(words, cell.curve, std::span(out.coefficients).first(count));
-  for (std::size_t i = count; i-- > 0;) {  // backwards: point i lies at or behind coefficient i
+  for (std::size_t i = count; i-- > 0;) {  // backwards, so that no coefficient is overwritten before it is copied
     const double coordinate = cell.coordinate_range * out.coefficients[i];
     for (std::size_t axis = 0; axis < d; ++axis) out.coefficients[i * d + axis] = coordinate;
   }

@@ -18,17 +18,18 @@ struct Trial {
   std::vector<double> weights{};  ///< degree + 1 positive values for a rational curve, else none
 };
 
-/// Draws the trials of one cell. A trial is a pure function of (seed, study id, cell, trial number): t first, then the
-/// coefficients point by point, then the weights, each from the next words (words.hpp), so t does not depend on the
-/// number of coefficients, nor these on the weights. Values are doubles; for float, the caller rounds them.
+/// Draws the trials of one cell. A trial is a pure function of (seed, study id, cell, trial number). t is drawn first,
+/// then the coefficients point by point, then the weights, each from the next words (words.hpp). So t does not depend
+/// on the number of coefficients, nor do these depend on the weights. Values are doubles; for float, the caller rounds
+/// them.
 class Sampler {
  public:
   /// Throws Failure(Exit::usage) for a generator that is not in the roster; suites are checked when they are read.
   Sampler(std::uint64_t seed, std::string_view study_id, const Cell& cell);
   Sampler(std::uint64_t seed, std::uint64_t study_key, const Cell& cell);
 
-  /// Draws trial number `trial` (from 0, counted on through the replicates) into `out`, whose memory is reused.
-  /// Safe to call from several threads.
+  /// Draws trial `trial` into `out`, whose memory is reused. Trials count from 0 on through all replicates. Safe to
+  /// call from several threads.
   void draw(std::uint64_t trial, Trial& out) const;
 
  private:
@@ -41,7 +42,7 @@ class Sampler {
   Fill fill_;
 };
 
-/// Draws one trial. For many trials of a cell, keep a Sampler.
+/// Draws one trial. For many trials of one cell a Sampler is faster.
 void draw(std::uint64_t seed, std::uint64_t study_key, const Cell& cell, std::uint64_t trial, Trial& out);
 
 /// The info of every generator, in the order of the roster.

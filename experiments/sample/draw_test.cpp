@@ -22,7 +22,7 @@
 namespace bezierbench::sample {
 namespace {
 
-/// An empty line has no part; elsewhere parts may be empty.
+/// The parts between separators. An empty line has none; other lines may have empty parts.
 std::vector<std::string> split(const std::string& line, char separator) {
   std::vector<std::string> parts;
   std::istringstream stream(line);
@@ -50,7 +50,7 @@ Cell cell_of(std::string_view generator, double range = 1e6, suite::Interval t =
   return {Form::bernstein, 2, 4, range, t, std::string(generator)};
 }
 
-// The file is made by scripts/oracle/inputs.py, which shares no code with this program.
+// scripts/oracle/inputs.py, which shares no code with this program, makes this file.
 TEST(Draw, AgreesWithTheIndependentImplementation) {
   std::ifstream file(BEZIERBENCH_SOURCE_DIR "/experiments/sample/first_draws.csv");
   std::string line;
@@ -164,11 +164,12 @@ TYPED_TEST(CoordinateGeneratorTest, StaysInRangeAndFillsIt) {
   Trial trial;
   const bool distant = TypeParam::info.id == std::string_view("distant");
   const double lowest = distant ? range * (1 - 0x1p-20) : -range;
-  // E x^2 and E x^4 of uniform x are 1/3 and 1/5; of graded ones the means of 4^-e and 16^-e, e = 0 ... 60, of that
+  // For uniform x the means of x^2 and x^4 are 1/3 and 1/5. For `graded`, these are multiplied by the means of 4^-e and
+  // 16^-e, e = 0 ... 60.
   const bool graded = TypeParam::info.id == std::string_view("graded");
   const double square = (graded ? 4.0 / 3 / 61 : 1) / 3;
   const double fourth = (graded ? 16.0 / 15 / 61 : 1) / 5;
-  double sum = 0;  // of coordinates with [lowest, range] taken to [-1, 1]
+  double sum = 0;  // of coordinates, mapped from [lowest, range] to [-1, 1]
   double squares = 0;
   double t_sum = 0;
   double low = 1;
@@ -187,8 +188,8 @@ TYPED_TEST(CoordinateGeneratorTest, StaysInRangeAndFillsIt) {
       high = std::max(high, x);
     }
   }
-  // Means of uniforms, within five standard deviations. The source report's r % 20001 of 15 bits draws
-  // 0 to 12766 twice, which makes the mean of its coordinates -0.140925 R.
+  // Means of uniform numbers, within five standard deviations. The source report's r % 20001 with r of 15 bits takes 0
+  // to 12766 for two values of r each, which makes the mean of its coordinates -0.140925 R.
   const bool lattice = TypeParam::info.id == std::string_view("report");
   const double n = 10.0 * trials;
   EXPECT_NEAR(sum / n, lattice ? -0.140925 : 0, 5 / std::sqrt(3.0 * n));

@@ -18,7 +18,7 @@ struct Dyadic {
 
   static double parameter(Words& words, suite::Interval interval) {
     const double t = Continuous::parameter(words, interval);
-    if (std::abs(t) >= 0.5) return t;  // a multiple already; also keeps the product below from overflowing
+    if (std::abs(t) >= 0.5) return t;                   // already a multiple; the product below could overflow
     return std::nearbyint(t * 0x1p53) * 0x1p-53 + 0.0;  // ties to even; + 0.0 makes -0 a 0
   }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The concept of a generator: a rule that makes doubles from random words.
+// The concept of a generator: a rule that turns random words into doubles.
 #pragma once
 
 #include <concepts>
@@ -21,8 +21,8 @@ struct GeneratorInfo {
   suite::GeneratorLimits limits = {};
 };
 
-/// Draws a parameter in [t.min, t.max] from the first words of a trial. The number of words of a draw may depend on the
-/// generator and the degree only, so that all later draws begin at known words.
+/// Draws a parameter in [t.min, t.max] from the first words of a trial. The number of words that a draw takes may
+/// depend only on the generator and the degree, so that the place of every later draw is known.
 template <class G>
 concept ParameterGenerator = requires(Words& words, suite::Interval t) {
   { G::info } -> std::convertible_to<GeneratorInfo>;
@@ -41,16 +41,17 @@ concept WeightGenerator = CoordinateGenerator<G> && requires(Words& words) {
   { G::weight(words) } -> std::same_as<double>;
 };
 
-/// Draws the coefficients of a whole polynomial, in the form of the curve, ascending, whose number is the degree + 1.
-/// They are exact, and so is R times them for the R that the limits allow; every axis of a curve gets the same ones.
+/// Draws the coefficients of a whole polynomial of degree coefficients.size() - 1 for R = 1, ascending, in the form of
+/// the curve. The coefficients are exact, also after multiplication by an R that the limits allow. Every axis of a
+/// curve has the same ones.
 template <class G>
 concept PolynomialGenerator = ParameterGenerator<G> &&
     requires(Words& words, Form curve, std::span<double> coefficients) {
   { G::polynomial(words, curve, coefficients) } -> std::same_as<void>;
 };
 
-/// Draws the coordinates of a whole curve in Bernstein form, point by point, for R = 1. They are exact, and so is R
-/// times them for the R that the limits allow.
+/// Draws the coordinates of a whole curve in Bernstein form, point by point, for R = 1. The coordinates are exact, also
+/// after multiplication by an R that the limits allow.
 template <class G>
 concept CurveGenerator = ParameterGenerator<G> && requires(Words& words, int dimension, std::span<double> coordinates) {
   { G::curve(words, dimension, coordinates) } -> std::same_as<void>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generator `graded`: coordinates from sixty binades in one curve, so that small ones are lost in sums with large ones.
+// Generator `graded`: coordinates from sixty binades in one curve, so that sums with large ones lose the small ones.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ struct Graded {
   static double coordinate(Words& words, double range) {
     constexpr std::uint64_t exponents = 61;
     const auto exponent = static_cast<int>(words.next_below(exponents));
-    return std::ldexp(Continuous::coordinate(words, range), -exponent);  // rounded once more where it is subnormal
+    return std::ldexp(Continuous::coordinate(words, range), -exponent);  // a subnormal result is rounded once more
   }
   static double parameter(Words& words, suite::Interval t) { return Continuous::parameter(words, t); }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generator `integer`: coordinates on which sums and small products are exact.
+// Generator `integer`: integer coordinates, whose sums and small products are exact.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace bezierbench::sample {
 
-/// Two words per coordinate, below 2m + 1, less m, for m = floor(R).
+/// Takes two words per coordinate: a number below 2m + 1, minus m, with m = floor(R).
 struct Integer {
   static constexpr GeneratorInfo info{.id = "integer",
                                       .coordinates = "integers, uniform in [-R, R]; 1 <= R <= 2^53",

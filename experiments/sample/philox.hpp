@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counter-based random words: a pure function of the counter, so that the order of execution cannot change an input.
+// Random words as a pure function of a counter, so that the order of execution cannot change an input.
 #pragma once
 
 #include <Random123/philox.h>

@@ -14,7 +14,7 @@ double& at(ProjectionCase& problem, int i, int axis) {
   return problem.points[static_cast<std::size_t>(i * problem.dimension + axis)];
 }
 
-/// The point of the k-th hodograph at t, without the factors of the degree; rounding does not matter.
+/// The point of the k-th hodograph at t, without the factors (n)_k. Its rounding errors do not matter.
 Vector difference_at(const ProjectionCase& problem, int k, double t) {
   auto b = problem;
   for (int last = b.degree; last > 0; --last)
@@ -37,15 +37,15 @@ void uniform(ProjectionCase& /*problem*/, double /*t*/) {}
 
 void on_curve(ProjectionCase& problem, double t) { problem.point = difference_at(problem, 0, t); }
 
-/// A millionth of the way from the curve to the point that was drawn.
+/// 2^-20, about a millionth, of the way from the curve to the drawn point.
 void beside(ProjectionCase& problem, double t) {
   const auto foot = difference_at(problem, 0, t);
   for (std::size_t axis = 0; axis < foot.size(); ++axis)
     problem.point[axis] = foot[axis] + 0x1p-20 * (problem.point[axis] - foot[axis]);
 }
 
-/// C + N / kappa: with v = C' and a the part of C'' normal to v, that is C + a |v|^2 / |a|^2. Where the curve is
-/// straight, the drawn point stays.
+/// The centre of curvature C + N / kappa. With v = C' and a the part of C'' normal to v it is C + a |v|^2 / |a|^2.
+/// Where the curve is straight, or nearly, the drawn point is kept.
 void centre(ProjectionCase& problem, double t) {
   if (problem.degree < 2 || problem.dimension < 2) return;
   const double n = problem.degree;
@@ -59,8 +59,9 @@ void centre(ProjectionCase& problem, double t) {
   for (std::size_t axis = 0; axis < a.size(); ++axis) problem.point[axis] = foot[axis] + radius * a[axis];
 }
 
-/// C'(1/2) = 0, exactly, as long as (2^20) 2^n is: on a lattice of about 2^20 steps the first control point is moved to
-/// where sum C(n-1,j) (b_(j+1) - b_j) = 0. The point is placed at this cusp.
+/// A curve with a cusp at t = 1/2, with the point at the cusp. The control points are rounded to a lattice of about
+/// 2^20 steps, then the first one is moved such that sum C(n-1,j) (b_(j+1) - b_j) = 0. C'(1/2) = 0 is exact while
+/// doubles hold the integers of this sum, about 2^20 2^n.
 void cusp(ProjectionCase& problem, double /*t*/) {
   double largest = 0;
   for (const double x : problem.points) largest = std::fmax(largest, std::abs(x));
@@ -79,7 +80,8 @@ void cusp(ProjectionCase& problem, double /*t*/) {
   on_curve(problem, 0.5);
 }
 
-/// The second half mirrors the first at the plane x = 0, on which the point lies: nearest points come in pairs.
+/// A curve whose second half mirrors the first at the plane x = 0, with the point in this plane: nearest points come in
+/// pairs.
 void mirrored(ProjectionCase& problem, double /*t*/) {
   const int n = problem.degree;
   for (int i = 0; 2 * i <= n; ++i)
@@ -89,8 +91,8 @@ void mirrored(ProjectionCase& problem, double /*t*/) {
   problem.point[0] = 0;
 }
 
-/// Control points at equal steps on a line: C'' = 0, and all leading coefficients of (C - P).C' vanish, except for the
-/// rounding of the steps.
+/// Control points at equal steps on a line: C'' = 0 and all leading coefficients of (C - P).C' vanish, except for
+/// rounding errors of the steps.
 void line(ProjectionCase& problem, double /*t*/) {
   for (int i = 1; i < problem.degree; ++i)
     for (int axis = 0; axis < problem.dimension; ++axis) {

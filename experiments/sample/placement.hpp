@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Placements of the point that is projected onto a curve. Each takes a drawn curve and a point that was drawn like its
+// Placements of the point that is projected onto a curve. Each takes a drawn curve and a point that is drawn like its
 // control points, and moves one or both, by arithmetic without libm, so that no bit depends on the machine.
 #pragma once
 
@@ -20,7 +20,7 @@ struct ProjectionCase {
   std::vector<double> point;
 };
 
-/// The largest |coordinate| of control points and point.
+/// The largest |coordinate| of the control points and the point.
 double largest_coordinate(const ProjectionCase& problem);
 
 struct Placement {
@@ -32,11 +32,11 @@ struct Placement {
 /// All placements.
 std::span<const Placement> placements();
 
-/// Trial number `trial` of the cell; the point is placed with respect to the parameter that is drawn with the curve.
-/// `sampler` draws the cell with one degree more (see with_point): its last control point is the drawn point.
+/// Trial `trial` of the cell. The point is placed relative to the parameter that is drawn with the curve. `sampler`
+/// draws the cell that with_point() returns, of one degree more: its last control point is the drawn point.
 ProjectionCase place(const Placement& placement, const Sampler& sampler, const Cell& cell, std::uint64_t trial);
 
-/// The cell whose curves have one more control point, which becomes the point.
+/// The cell whose curves have one more control point, which serves as the point.
 Cell with_point(Cell cell);
 
 }  // namespace bezierbench::sample

@@ -36,7 +36,7 @@ TEST(Placement, DrawsTheSameCurveWhereItMovesOnlyThePoint) {
   }
 }
 
-/// The third hodograph of a cubic's cusp is the sum below: 0 to the last bit.
+/// The first equation says that C'(1/2) = 0 for a cubic, exactly.
 TEST(Placement, ACuspStandsStill) {
   for (std::uint64_t trial = 0; trial < 50; ++trial) {
     const auto problem = placed("cusp", 3, 2, trial);
@@ -59,7 +59,7 @@ TEST(Placement, MirrorsTheCurve) {
   }
 }
 
-/// At the centre of curvature (C - P).C' has a double root: with q = C - P, q.C' = 0 and |C'|^2 + q.C'' = 0.
+/// At the centre of curvature (C - P).C' has a double root: q.C' = 0 and |C'|^2 + q.C'' = 0 with q = C - P.
 TEST(Placement, FindsTheCentreOfCurvature) {
   ProjectionCase parabola{2, 2, {0, 0, 1, 0, 2, 2}, {9, 9}};  // (u, u^2 / 2), u = 2t: radius 1 at its vertex
   find("centre").place(parabola, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The coefficients of the root generators are exactly those of the polynomial that is meant: shown in rationals.
+// The generators of roots have exactly the coefficients of the intended polynomial: computed with rationals.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ Exact binomial(int n, int i) {
   return value;
 }
 
-/// From the definition of the basis functions.
+/// The value of the curve at t, from the definition of the basis functions.
 Exact value_at(const Exact& t, Form curve, const std::vector<double>& coefficients) {
   const int n = static_cast<int>(coefficients.size()) - 1;
   Exact value = 0;
@@ -55,7 +55,7 @@ int largest_degree(const GeneratorInfo& info, Form curve) {
   return curve == Form::power ? info.limits.polynomial_degree : info.limits.bezier_degree;
 }
 
-// n + 1 values decide a polynomial of degree n.
+// n + 1 values determine a polynomial of degree n.
 TEST(MultipleRoot, IsThatPolynomialAtEveryDegree) {
   for (const Form curve : curves) {
     for (int n = 0; n <= largest_degree(MultipleRoot::info, curve); ++n) {
@@ -70,7 +70,7 @@ TEST(MultipleRoot, IsThatPolynomialAtEveryDegree) {
   }
 }
 
-/// An integer without its factors 2: what the mantissa of a double must hold.
+/// The integer without its factors 2, which the mantissa of a double must hold.
 Exact odd_part(const Exact& value) {
   const auto integer = numerator(value);
   return {integer >> lsb(integer)};
@@ -91,14 +91,14 @@ std::int64_t common_multiple(int n) {
   return multiple / (n + 1);
 }
 
-/// Over the next power of two, so that R stays the scale.
+/// The common multiple over the next power of two, so that R remains the scale.
 Exact lambda(int n) {
   Exact value = common_multiple(n);
   while (value > 1) value /= 2;
   return value;
 }
 
-// n roots and the value at 2 decide a polynomial of degree n.
+// n roots and the value at 2 determine a polynomial of degree n.
 TEST(ClusteredRoots, HasItsRootsOnTheLatticeAtEveryDegree) {
   for (const Form curve : curves) {
     for (int n = 0; n <= ClusteredRoots::largest_degree; ++n) {

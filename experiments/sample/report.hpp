@@ -6,8 +6,8 @@
 
 namespace bezierbench::sample {
 
-/// Takes one word per value. Its leading 15 bits are r, like a result of the C library's rand() in the source report.
-/// The expressions are those of the source report, in its order of operations, each rounded to double.
+/// Takes one word per value. Its leading 15 bits are r, a result of the C library's rand() in the source report. The
+/// expressions are those of the source report, in its order of operations, each operation rounded to double.
 struct Report {
   static constexpr GeneratorInfo info{.id = "report",
                                       .coordinates = "R * ((r % 20001 - 10000) / 10000.0), r of 15 bits",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Generator `thin`: small whole numbers along one axis and far smaller numbers along the others. The curves turn back,
-// or nearly, within a short part of their parameter, which may lie between the abscissae of a quadrature rule and then
+// or nearly so, within a short part of their parameter. A turn that lies between the abscissae of a quadrature rule
 // does not change its result.
 //
 // In units of R/32 the first coordinate is a whole number of [-32, 32], and every other one such a number over 2^s, s
@@ -16,7 +16,7 @@
 
 namespace bezierbench::sample {
 
-/// Takes two words each for t, s and whether it zigzags, then two for each coordinate.
+/// Takes two words each for t, s and whether the curve zigzags, then two for each coordinate.
 struct Thin {
   static constexpr GeneratorInfo info{
       .id = "thin",

@@ -30,7 +30,7 @@ TEST(Thin, IsWholeOnTheFirstAxisAndNextToNothingOnOthers) {
     }
     zigzags += zigzag ? 1 : 0;
   }
-  EXPECT_NEAR(zigzags, trials / 2 + trials / 128, 55);  // one in 64 of the others is one by chance
+  EXPECT_NEAR(zigzags, trials / 2 + trials / 128, 55);  // one in 64 of the other curves zigzags by chance
 }
 
 TEST(Thin, OnOneAxisIsWhole) {

@@ -15,8 +15,8 @@ struct Uniform128 {
   std::uint64_t low;
 };
 
-/// The stream of 64-bit words that belongs to (seed, study, cell, trial): the blocks philox((study, cell, trial,
-/// block), (seed, 0)) for block = 0, 1, ..., four words each, in order.
+/// The stream of 64-bit words of (seed, study, cell, trial): the blocks philox((study, cell, trial, block), (seed, 0))
+/// for block = 0, 1, ..., of four words each.
 class Words {
  public:
   Words(std::uint64_t seed, std::uint64_t study_key, std::uint64_t cell_key, std::uint64_t trial)
@@ -31,13 +31,13 @@ class Words {
     return block_[used_++];
   }
 
-  /// The next two words, high one first.
+  /// The next two words, the high one first.
   Uniform128 next_uniform() {
     const std::uint64_t high = next();
     return {high, next()};
   }
 
-  /// floor(count U / 2^128) for the U of the next two words: uniform in [0, count). Nothing is rejected, so every draw
+  /// floor(count U / 2^128) for the U of the next two words: uniform in [0, count). No value is rejected, so every draw
   /// takes two words; each probability has a relative error below count / 2^128.
   std::uint64_t next_below(std::uint64_t count) {
     __extension__ using Wide = unsigned __int128;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of studies of lengths share.
+// What the tests of arc length and inverse arc length share.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace bezierbench::studies {
 
-/// Of the kind that has these keys.
+/// A small study of the kind that has these keys.
 template <class Keys>
 suite::Study small_length_study(std::vector<std::string> generators) {
   suite::Study study;
@@ -27,7 +27,7 @@ suite::Study small_length_study(std::vector<std::string> generators) {
   return study;
 }
 
-/// No broken promise, and where all converged the largest error is within the tolerance.
+/// Expects no broken promise and, where every trial converged, a largest error within the tolerance.
 inline void expect_kept(const bundle::CsvDocument& csv, std::size_t row) {
   EXPECT_EQ(csv.at(row, "broken_promises"), "0");
   EXPECT_EQ(csv.at(row, "non_finite"), "0");

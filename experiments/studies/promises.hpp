@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is counted of methods that are asked for a tolerance and keep it, break it or refuse it.
+// Counts for methods that get a tolerance: how often they keep it, break it, or report that they did not converge.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace bezierbench::studies {
 struct Promises {
   std::uint64_t non_finite = 0;
   std::uint64_t non_converged = 0;
-  metric::TrialCount broken;  ///< said to be within the tolerance, and is not
+  metric::TrialCount broken;  ///< reported as within the tolerance, but beyond it
   metric::Total evaluations;
 
   void add(bool converged, std::int64_t evaluated) {
@@ -19,7 +19,7 @@ struct Promises {
     non_converged += converged ? 0 : 1;
   }
 
-  /// `error` and `allowed` are absolute, the error rounded to 24 bits.
+  /// Whether an error is within the tolerance. Both are absolute, and `error` is rounded to 24 bits.
   static bool keeps(double error, double allowed) { return error <= allowed * (1 + 0x1p-20); }
 
   void judge(bool converged, double error, double allowed, std::uint64_t trial) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a study, and where it is written.
+// What is wrong with a study, and which key is at fault.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,19 +19,19 @@ namespace bezierbench::suite {
 
 /// The first thing wrong with a study.
 struct Fault {
-  /// The index of a fault that is not in a value: the key should not be there at all.
+  /// The index of a fault that is not in a value: the study must not have the key.
   static constexpr std::size_t key_itself = std::numeric_limits<std::size_t>::max();
 
   std::string_view key;        ///< the key at fault
-  std::size_t index = 0;       ///< of the element of its value
-  std::string_view other_key;  ///< the key that its value or default does not fit, if the two are at odds
+  std::size_t index = 0;       ///< index of the element at fault in the key's value
+  std::string_view other_key;  ///< the key that `key` or its default contradicts; empty if there is none
   std::string what;            ///< what is wrong and what to do
 };
 
 using Finding = std::optional<Fault>;
 
-/// Applies `check(value) -> std::string` to every element, and looks for equal ones.
-/// The time grows as the number of elements, but for a logarithm: an axis may have any number of them.
+/// Returns the first fault among `values`: a non-empty text that `check(value)` returns, or a value that occurs twice.
+/// Takes O(n log n) time for n values, since an axis may have any number of them.
 template <class T, class Check>
 Finding each(std::string_view key, const std::vector<T>& values, Check check) {
   std::set<T> before;
@@ -43,12 +43,12 @@ Finding each(std::string_view key, const std::vector<T>& values, Check check) {
   return std::nullopt;
 }
 
-/// Where the fault is: the option that set its key or the other key; else `FILE:LINE:COLUMN` of the element or value at
-/// fault; else that of the other key, if the key is left out; else that of the study's header. Empty for a study that
-/// was not read.
+/// Where to report the fault: the option that set its key or the other key; else `FILE:LINE:COLUMN` of the element or
+/// value at fault; else that of the other key's value, if the study leaves the key out; else that of the study's
+/// header. Empty for a study that was not read from a file.
 std::string place_of(const Study& study, const Fault& fault);
 
-/// Throws Failure(Exit::usage) as `PLACE: study "ID": what; what to do`.
+/// Throws Failure(Exit::usage) with the line `PLACE: study "ID": what; what to do`.
 [[noreturn]] void refuse(const Study& study, const Fault& fault);
 
 }  // namespace bezierbench::suite

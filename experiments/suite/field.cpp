@@ -38,7 +38,7 @@ std::size_t sweep_length(const Field& field, const Study& study) {
 }
 
 std::string to_text(const Field& field, const Study& study) {
-  if (is_empty(field, study)) return {};  // left out means: does not apply, or for methods, all that apply
+  if (is_empty(field, study)) return {};  // a key left out does not apply, or means all methods that apply
   return std::visit([](const auto* value) { return to_text(*value); }, field.value(study));
 }
 

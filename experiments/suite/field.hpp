@@ -15,7 +15,7 @@
 
 namespace bezierbench::suite {
 
-/// Where a study keeps a value; its type says what may be written.
+/// Where a study keeps the value of a key. The type determines what may be written.
 using Slot = std::variant<KindKeys*, std::string*, Form*, std::int64_t*, std::vector<int>*, std::vector<double>*,
                           std::vector<Interval>*, std::vector<std::string>*, std::vector<ScalarKind>*,
                           std::vector<Mode>*, std::vector<Goal>*>;
@@ -24,19 +24,19 @@ using Value =
                  const std::vector<double>*, const std::vector<Interval>*, const std::vector<std::string>*,
                  const std::vector<ScalarKind>*, const std::vector<Mode>*, const std::vector<Goal>*>;
 
-/// Whether the values of a key are swept: they tell the cells of a study apart, or what is asked in each cell.
+/// Whether the values of a key are swept. They then distinguish the cells of a study, or the cases within each cell.
 enum class Axis { none, of_cells, of_cases };
 
 struct Field {
   std::string_view key;
   std::string_view meaning;        ///< for people
   std::string_view example;        ///< a value, as TOML
-  std::string_view left_out = {};  ///< what holds then, where the default has no value to be shown
+  std::string_view left_out = {};  ///< what applies without the key, where the default has no value to show
   bool needed = false;
   Axis axis = Axis::none;
   bool settable = true;         ///< with `--set key=v1,v2`
   bool bare_if_single = false;  ///< a list of one value may be written without brackets
-  /// Of a study whose kind has the key; field() sets both.
+  /// The place and the value of the key in a study whose kind has it. field() sets both.
   Slot (*slot)(Study& study) = nullptr;
   Value (*value)(const Study& study) = nullptr;
 };
@@ -57,7 +57,7 @@ Pointer pointer_to(Any& study) {
 
 }  // namespace field_detail
 
-/// The field of a member of Study or of the keys of a kind.
+/// The field of `Member`, a member of Study or of the keys of a kind.
 template <auto Member>
 constexpr Field field(Field described) {
   described.slot = field_detail::pointer_to<Member, Slot, Study>;
@@ -65,13 +65,13 @@ constexpr Field field(Field described) {
   return described;
 }
 
-/// Whether the study says nothing for this key: no text, an empty list, a count of 0.
+/// Whether the key has no value in the study: an empty text, an empty list, a count of 0.
 bool is_empty(const Field& field, const Study& study);
 
-/// How many values are swept: those of an axis, 1 where there are none or the key is no axis.
+/// The number of values that are swept; 1 for a key that is no axis and for an axis without values.
 std::size_t sweep_length(const Field& field, const Study& study);
 
-/// The value as TOML; empty where is_empty.
+/// The value as TOML; empty where is_empty() holds.
 std::string to_text(const Field& field, const Study& study);
 
 }  // namespace bezierbench::suite

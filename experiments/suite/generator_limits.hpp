@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a generator can draw, as data: studies are held to it when they are read, so that none is run for nothing.
+// What a generator can draw. A study is checked against it when it is read, before any run begins.
 #pragma once
 
 #include <limits>
@@ -9,13 +9,14 @@
 namespace bezierbench::suite {
 
 struct GeneratorLimits {
-  bool weights = false;  ///< draws weights: for rational curves, and for no others
+  bool weights = false;  ///< it draws weights, so it is for rational curves only
   int bezier_degree = max_degree;
   int polynomial_degree = max_degree;
   double smallest_range = 0;
   double largest_range = std::numeric_limits<double>::max();
   bool finite_width = false;  ///< t_max - t_min must not overflow
-  /// The coefficients are those of an intended polynomial, to the last bit: R is a power of two, the scalar double.
+  /// The coefficients are exactly those of an intended polynomial. This needs R to be a power of two and the scalar to
+  /// be double.
   bool exact_coefficients = false;
 };
 

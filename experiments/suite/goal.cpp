@@ -26,7 +26,7 @@ void read_member(const Source& source, const toml::node& node, Goal& out) {
   read(source, node, out.*Member);
 }
 
-/// What is as it would be without the key is not written.
+/// The member as TOML; empty where it has its default.
 template <auto Member>
 std::string write_member(const Goal& goal) {
   return goal.*Member == Goal().*Member ? "" : to_text(goal.*Member);
@@ -66,7 +66,7 @@ std::string goal_problem(const Goal& goal, std::span<const std::string> methods)
   return {};
 }
 
-/// From an inline table.
+/// Reads a goal from an inline table.
 void read(const Source& source, const toml::node& node, Goal& out) {
   const toml::table* table = node.as_table();
   if (table == nullptr) fail_type(source, node, "a table such as { method = \"horner_fma\", share = 0.85 }");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be wrong with a goal of a roofline study.
+// The check of a goal of a roofline study.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace bezierbench::suite {
 
-/// What is wrong, for people, else empty. `methods` are the ids that there are.
+/// What is wrong with `goal`, as a message; empty where nothing is. `methods` are all known ids.
 std::string goal_problem(const Goal& goal, std::span<const std::string> methods);
 
 }  // namespace bezierbench::suite

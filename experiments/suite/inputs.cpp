@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which inputs a kind of study takes, and which its problem takes where it is timed.
+// Which inputs a kind of study takes, and which a companion problem takes where it is timed.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -58,7 +58,7 @@ Finding check_independence(const Study& study, std::span<const KnownGenerator> g
   return std::nullopt;
 }
 
-/// `what` names whose inputs they are.
+/// Checks the inputs of `study` against `inputs`. Messages name the kind or problem by `what`.
 Finding check_inputs_of(const Study& study, const Inputs& inputs, std::string_view what,
                         std::span<const KnownGenerator> generators) {
   if (auto found = check_form(study, inputs)) return found;
@@ -69,13 +69,13 @@ Finding check_inputs_of(const Study& study, const Inputs& inputs, std::string_vi
   return inputs.independent_points ? check_independence(study, generators) : std::nullopt;
 }
 
-/// Whether a study of such a kind has the key of the same name among those that are swept.
+/// Whether `key` is an axis of this kind.
 bool sweeps(const Kind& kind, std::string_view key) {
   const Field* field = find_field(kind, key);
   return field != nullptr && field->axis != Axis::none;
 }
 
-/// A key that says what a timed problem is asked: `degree`, or one of those of the cases.
+/// Checks that a timing study has the axis `field` if and only if the problem that it times has it (`wanted`).
 Finding check_asked(const Study& study, Problem problem, const Field& field, bool wanted) {
   if (is_empty(field, study) != wanted) return std::nullopt;
   return Fault{field.key,

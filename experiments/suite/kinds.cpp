@@ -13,13 +13,14 @@
 namespace bezierbench::suite {
 namespace {
 
-/// A pointer says which variant is meant; there is none to be had before the kinds are known.
+/// The function `kind` of each alternative of KindKeys. The argument, a null pointer, only passes the type of the
+/// variant.
 template <class... Keys>
 constexpr std::array<const Kind& (*)(), sizeof...(Keys)> functions_of(std::variant<Keys...>* /*which*/) {
   return {&Keys::kind...};
 }
 
-/// What `member` gives for the keys of the study's kind; empty where these do not have it.
+/// `member(keys)` for the keys of the study's kind; empty where these keys do not have that member.
 template <class T, class Member>
 const std::vector<T>& axis_of(const Study& study, Member member) {
   static const std::vector<T> none;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the kinds of studies say of themselves: their keys, the curves that they take, their checks.
+// What a kind of study declares: its keys, the curves that it takes, its checks.
 #pragma once
 
 #include <array>
@@ -24,21 +24,21 @@ inline constexpr std::array forms_with_control_points{Form::bernstein, Form::rat
 enum class DegreeUse {
   needed,
   not_a_key,
-  optional  ///< the check of the kind says when it may be left out
+  optional  ///< the check of the kind decides when it may be left out
 };
 
-/// Which t_interval a study may have.
+/// Which values of t_interval a study may have; `whole`: only the default.
 enum class Parameters { any, from_0_to_1, whole };
 
-inline constexpr std::int64_t most_replicates = 1000000;  ///< of a cell, for each is kept
+inline constexpr std::int64_t most_replicates = 1000000;  ///< per cell: the results of every replicate are kept
 
-/// The inputs that a kind of study takes of those that suites can describe.
+/// The inputs that a kind of study takes, of all that suites can describe.
 struct Inputs {
   std::span<const Form> forms = given_forms;
-  std::string_view forms_reason = {};  ///< why not all
+  std::string_view forms_reason = {};  ///< why it does not take all forms
   bool double_only = false;
   DegreeUse degree = DegreeUse::needed;
-  std::string_view degree_reason = {};  ///< what the degree is, where it is not a key
+  std::string_view degree_reason = {};  ///< what the degree is, where it is no key
   int least_degree = 0;
   std::string_view least_degree_reason = {};
   Parameters parameters = Parameters::any;
@@ -52,14 +52,14 @@ struct Kind {
   std::span<const Field> own;
   std::string_view methods_example;
   Inputs inputs = {};
-  /// The companion problem that studies of this kind judge; also timing studies of its methods take these inputs, and
-  /// need those of the own keys that are axes.
+  /// The companion problem that studies of this kind judge. A timing study of methods for this problem takes the same
+  /// inputs and needs the same axes.
   std::optional<Problem> companion = {};
-  bool timed = false;            ///< a clock decides
+  bool timed = false;            ///< the results are times
   bool chains = false;           ///< `methods` are chains of conversions
-  bool has_baseline = false;     ///< measures against other methods as well
-  KindKeys (*keys)() = nullptr;  ///< with their defaults
-  /// What is wrong with the own keys besides what is missing. May be null.
+  bool has_baseline = false;     ///< errors may also be taken against other methods
+  KindKeys (*keys)() = nullptr;  ///< a set of keys with their defaults
+  /// The first fault in the kind's own keys, apart from missing ones. May be null.
   Finding (*check)(const Study& study, const Vocabulary& known) = nullptr;
 };
 
@@ -70,7 +70,7 @@ KindKeys default_keys() {
 
 /// All kinds, in the order of KindKeys.
 std::span<const Kind* const> kinds();
-/// Null where there is none of that id.
+/// The kind of this id; null where there is none.
 const Kind* find_kind(std::string_view id);
 const Kind& kind_of(const Study& study);
 
@@ -78,21 +78,21 @@ const Kind& kind_of(const Study& study);
 std::span<const Field> shared_fields();
 /// All keys of a kind, in the order in which they are written.
 std::vector<const Field*> fields_of(const Kind& kind);
-/// Whether a study of this kind cannot be without the key.
+/// Whether every study of this kind must have the key.
 bool needs(const Kind& kind, const Field& field);
-/// Null where the kind does not have the key.
+/// The kind's field of this key; null where the kind does not have it.
 const Field* find_field(const Kind& kind, std::string_view key);
-/// Why a study of this kind cannot have `key`, and which kinds can; empty where there is no such key at all.
+/// Why a study of this kind cannot have `key`, with the kinds that can; empty where no kind has it.
 std::string foreign_key_problem(const Kind& kind, std::string_view key);
 
-/// What of the inputs of a study its kind does not take.
+/// The first fault in the inputs of a study: what its kind does not take.
 Finding check_inputs(const Study& study, std::span<const KnownGenerator> generators);
-/// What of the inputs and axes of a timing study the problem of its methods does not take or lacks.
+/// The first fault in the inputs and axes of a timing study: what the problem of its methods does not take, or lacks.
 Finding check_timed(const Study& study, Problem problem, std::span<const KnownGenerator> generators);
 
 /// The file of printed values that a study names; empty where it names none.
 std::string_view published_of(const Study& study);
-/// The values that a study names on an axis of cases; empty where its kind has no such key.
+/// The values on an axis of cases; empty where the study's kind does not have the axis.
 const std::vector<int>& orders_of(const Study& study);
 const std::vector<int>& points_of(const Study& study);
 const std::vector<double>& tolerances_of(const Study& study);

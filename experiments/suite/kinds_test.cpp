@@ -24,7 +24,7 @@ std::string example_of(const Kind& kind, const Field& field) {
   return std::string(field.key == "methods" ? kind.methods_example : field.example);
 }
 
-/// A study with what its kind needs, and `more`; a key that is in `more` is left out before.
+/// A study with the keys that its kind needs, followed by `more`. A needed key that is in `more` is written only there.
 std::string study_of(const Kind& kind, const std::string& more = {}) {
   std::string text = head;
   for (const Field* field : fields_of(kind)) {
@@ -41,7 +41,7 @@ std::string refused(const std::string& text) {
   return failure_of([&] { parsed(text); });
 }
 
-/// The place of the last line, at its first column, or further right.
+/// The place of the last line of `text`, at `column`.
 std::string last_line(const std::string& text, int column = 1) {
   return "x.toml:" + std::to_string(std::count(text.begin(), text.end(), '\n') + 1) + ":" + std::to_string(column) +
          ": ";
@@ -84,7 +84,7 @@ TEST(Kinds, TakeTheExamplesOfTheirKeysAndWriteThemBack) {
     }
 }
 
-/// At the place of the key, with the kinds that have it.
+/// The refusal points to the key and names the kinds that have it.
 TEST(Kinds, RefuseKeysOfOtherKinds) {
   int refusals = 0;
   for (const Kind* kind : kinds())
@@ -102,7 +102,7 @@ TEST(Kinds, RefuseKeysOfOtherKinds) {
   EXPECT_GT(refusals, 100);
 }
 
-/// At the header of the study.
+/// The refusal points to the header of the study.
 TEST(Kinds, RefuseStudiesWithoutAKeyThatTheyNeed) {
   for (const Kind* kind : kinds())
     for (const Field* field : fields_of(*kind)) {
@@ -184,7 +184,7 @@ TEST(Kinds, TimedProblemsNeedTheAxesOfTheirKindAndTakeItsInputs) {
               StartsWith("x.toml:9:11: study \"a\": the problem projection is computed in double only"));
 }
 
-/// Of a study that was not read there is no place.
+/// A study that was not read from a file has no place.
 TEST(Faults, SayWhereTheyAre) {
   Study study;
   study.id = "a";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of the contract for the enumerations of a suite; the only list of them.
+// The words for the enumerations of a suite; the only list of them.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct Word {
 template <class Enum>
 inline constexpr std::array<Word<Enum>, 0> words{};
 
-/// Of the forms in which a curve is given; `bezierbench::name` has the word for a form of coefficients.
+/// The forms in which a curve is given; bezierbench::name has the word for a form of coefficients.
 template <>
 inline constexpr std::array<Word<Form>, 3> words<Form>{
     {{Form::bernstein, "bezier"}, {Form::power, "polynomial"}, {Form::rational, "rational"}}};

@@ -37,9 +37,9 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
   std::string found;
   for (const std::string& candidate : candidates) {
     const std::size_t longer = std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size());
-    if (longer > furthest) continue;  // so many insertions at least; a word of megabytes would take minutes
+    if (longer > furthest) continue;  // at least `longer` insertions; saves minutes on a very long word
     const std::size_t d = distance(word, candidate);
-    // A distance as long as the candidate shares no letter with it.
+    // At a distance of its whole length, a candidate shares no letter with the word.
     if (d <= furthest && d < best && d < candidate.size()) {
       best = d;
       found = candidate;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// "Did you mean": the known word that is closest to a mistyped one.
+// The known word that is closest to a mistyped one, for "did you mean" in messages.
 #pragma once
 
 #include <span>
@@ -9,11 +9,12 @@
 namespace bezierbench::suite {
 
 /// The candidate with the fewest insertions, deletions, substitutions and swaps of neighbours from `word` (optimal
-/// string alignment distance); the first of equals. Empty where every candidate is further than a third of the word.
+/// string alignment distance); of several, the first. Empty where this distance is more than a third of the word's
+/// length, rounded up, for every candidate.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
-/// `; did you mean "..."?` for the nearest candidate; where nothing is close, the candidates themselves as
-/// `; known are a, b, c` (at most twelve of them).
+/// `; did you mean "..."?` with the nearest candidate. Where none is near, the candidates as `; known are a, b, c` (at
+/// most twelve of them).
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace bezierbench::suite

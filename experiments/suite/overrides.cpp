@@ -37,7 +37,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// The values as the strings that a file may hold as well, so that one reader reads both.
+/// The values as strings. A file may hold numbers as strings, too, so that the same reader reads both.
 toml::array values_of(std::string_view key, std::string_view text) {
   toml::array values;
   for (const std::string_view value : split(text, ',')) {
@@ -52,7 +52,7 @@ toml::array values_of(std::string_view key, std::string_view text) {
   return values;
 }
 
-/// Of all kinds, each once.
+/// The settable keys of all kinds, each once.
 std::vector<std::string> settable_keys() {
   std::vector<std::string> keys;
   for (const Kind* kind : kinds())
@@ -109,8 +109,8 @@ void keep_chosen(const Overrides& overrides, std::vector<Suite>& suites) {
   if (suites.empty()) throw Failure(Exit::usage, "--no-timing: only timing studies were chosen; choose others");
 }
 
-/// A fault of a study that had none before its settings. It is in a key that no setting has changed where that key and
-/// others together are too much.
+/// Throws for a fault that the settings introduced. A fault may be in a key that no setting changed, if that key and
+/// changed ones do not fit; it is then reported at the first setting.
 [[noreturn]] void refuse_setting(const Study& study, const Setting& first, Fault fault) {
   const auto is_set = [&](std::string_view key) { return study.places.options.contains(std::string(key)); };
   if (!is_set(fault.key) && !is_set(fault.other_key)) fault.other_key = first.key;

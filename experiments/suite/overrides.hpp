@@ -16,14 +16,15 @@ struct Overrides {
   std::optional<std::uint64_t> seed;
   std::optional<std::int64_t> trials;
   std::vector<std::string> set;        ///< "axis=v1,v2", intervals as 0:0.2
-  std::optional<std::string> only;     ///< glob over study ids; left out: all
-  std::string only_option = "--only";  ///< which option that was, for messages
+  std::optional<std::string> only;     ///< a glob over study ids; empty: all studies
+  std::string only_option = "--only";  ///< the name of the option that set `only`, for messages
   bool no_timing = false;
 };
 
-/// Applies `overrides`: drops the studies that `only` and `no_timing` leave out (and suites that are then empty), then
+/// Applies `overrides`: drops the studies that `only` and `no_timing` leave out, and suites that are then empty. Then
 /// sets seed, trials and keys in every study that remains; a key that one of them does not have is refused. The result
-/// passes the same checks as a suite file. Throws Failure(Exit::usage) as `--set degree=x: what; what to do`, suites then unchanged.
+/// passes the same checks as a suite file. Throws Failure(Exit::usage) with `--set degree=x: what; what to do`; the
+/// suites are then unchanged.
 void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabulary& known);
 
 }  // namespace bezierbench::suite

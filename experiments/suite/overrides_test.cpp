@@ -74,7 +74,8 @@ TEST(Overrides, SetsKeysOfAKindInStudiesOfThisKindAlone) {
   EXPECT_THAT(refused(setting({"budget=5"})), HasSubstr("kind search has it"));
 }
 
-/// A fault of a key and another one is that of the option that changed either, wherever the study is written.
+/// A fault that involves two keys is reported at the option that changed either of them, even if the study is in a
+/// file.
 TEST(Overrides, ErrorsNameTheOptionAlsoWhereTheKeyIsInTheFile) {
   auto suites = two_suites();
   Study& first = suites[0].studies[0];
@@ -149,7 +150,7 @@ TEST(Overrides, ErrorsNameTheOption) {
   EXPECT_THAT(refused(overrides), StartsWith("--only a_1: no study matches; did you mean \"a-1\"?"));
   overrides.only_option = "--study";
   EXPECT_THAT(refused(overrides), StartsWith("--study a_1: no study matches; did you mean \"a-1\"?"));
-  overrides.only = "";  // which `--only "$STUDY"` is where the variable is not set
+  overrides.only = "";  // as in `--only "$STUDY"` with an unset variable
   EXPECT_EQ(refused(overrides), "--study: is empty; name a study, or leave the option out");
   overrides = {};
   overrides.only = "t*";

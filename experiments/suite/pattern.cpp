@@ -8,8 +8,8 @@ namespace bezierbench::suite {
 bool matches(std::string_view pattern, std::string_view id) {
   std::size_t p = 0;
   std::size_t i = 0;
-  std::size_t star = std::string_view::npos;  // the last `*` seen; only it ever needs to take more characters
-  std::size_t taken_to = 0;                   // how far that `*` reaches in id
+  std::size_t star = std::string_view::npos;  // the last `*` seen; only this one ever needs to match more characters
+  std::size_t taken_to = 0;                   // the end of what that `*` matches in id
   while (i < id.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
       star = p++;

@@ -55,7 +55,7 @@ class Reader {
     suite::fail(file_, position(node), what);
   }
 
-  /// The root table has no place of its own.
+  /// The place of a node. The parser gives the root table none.
   static toml::source_position position(const toml::node& node) {
     const auto at = node.source().begin;
     return at.line == 0 ? toml::source_position{1, 1} : at;
@@ -77,7 +77,7 @@ class Reader {
     }
   }
 
-  /// The tables of an array of tables that must have one at least.
+  /// The tables of an array of tables, at least one. Throws where there is none.
   std::vector<const toml::table*> tables(const toml::table& parent, std::string_view key,
                                          std::string_view header) const {
     const toml::node* node = parent.get(key);
@@ -102,7 +102,7 @@ class Reader {
     if (const toml::node* node = head.get("seed")) {
       std::int64_t seed = 0;
       read({file_, "seed"}, *node, seed);
-      out.seed = static_cast<std::uint64_t>(seed);  // negative ones become too large, which is refused
+      out.seed = static_cast<std::uint64_t>(seed);  // negative seeds become too large and are refused
       if (std::string what = seed_problem(out.seed); !what.empty()) fail(*node, what);
     }
     for (const toml::table* table : tables(parent, "study", header)) out.studies.push_back(study(*table));
@@ -132,7 +132,7 @@ class Reader {
     return out;
   }
 
-  /// A key of another kind is refused as such, any other as unknown.
+  /// Refuses a key that the kind does not have: as one of other kinds if these have it, else as unknown.
   void check_keys_of(const Kind& kind, const toml::table& table) const {
     std::vector<std::string> allowed;
     for (const Field* field : fields_of(kind)) allowed.emplace_back(field->key);
@@ -170,8 +170,9 @@ Suite only_one(std::vector<Suite> suites, std::string_view file_name) {
   return std::move(suites.front());
 }
 
-/// Every dot in a key nests a table deeper. Past some ten thousand the parser's recursion overflows the stack; no suite
-/// has a key with dots at all. Dots in a row are no key, but may be an ornament in a comment.
+/// Refuses keys with many dots. Every dot in a key nests a table deeper, and beyond some ten thousand the parser's
+/// recursion overflows the stack; no suite has a key with dots. Adjacent dots are not part of a key, but may decorate a
+/// comment.
 void refuse_deep_keys(std::string_view text, std::string_view file_name) {
   constexpr int most_dots = 100;
   int dots = 0;
@@ -187,7 +188,7 @@ void refuse_deep_keys(std::string_view text, std::string_view file_name) {
   }
 }
 
-/// What stands at a place of the document, to its end. Columns count characters.
+/// The text of the document from the place `at` on. Columns count characters.
 std::string_view text_at(std::string_view text, const toml::source_position& at) {
   for (toml::source_index line = 1; line < at.line; ++line) text.remove_prefix(text.find('\n') + 1);
   const auto is_inner = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; };
@@ -198,7 +199,7 @@ std::string_view text_at(std::string_view text, const toml::source_position& at)
   return text;
 }
 
-/// The parser takes 1e-999 for 0, which is another number.
+/// Refuses numbers that the parser silently reads as 0, such as 1e-999.
 void refuse_vanished_numbers(const toml::node& node, std::string_view text, std::string_view file_name) {
   if (const auto* table = node.as_table())
     for (const auto& [key, value] : *table) refuse_vanished_numbers(value, text, file_name);
@@ -225,7 +226,7 @@ std::string contents(const std::filesystem::path& file) {
   while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), stream.get())) {
     text.append(buffer.data(), got);
   }
-  if (std::ferror(stream.get()) != 0) refuse(errno);  // a folder opens, and fails here
+  if (std::ferror(stream.get()) != 0) refuse(errno);  // opening a folder succeeds, reading it fails here
   return text;
 }
 

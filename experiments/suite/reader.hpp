@@ -12,18 +12,19 @@
 namespace bezierbench::suite {
 
 /// Reads every suite of a TOML document: one in a file that people write (`[suite]`, `[[study]]`), several in the
-/// resolved file of a bundle (`[[suites]]`, `[[suites.study]]`; see writer.hpp). What is left out has the default of
-/// suite.hpp; a rational study without `generator` gets the first that draws weights. Numbers may also be strings in
-/// decimal or hexadecimal floating point. A key that the kind of the study does not have is refused at its place. Throws Failure(Exit::usage) with the one line `FILE:LINE:COLUMN: what; what to do`.
+/// resolved file of a bundle (`[[suites]]`, `[[suites.study]]`; see writer.hpp). A key that is left out has the default
+/// of suite.hpp; a rational study without `generator` gets the first one that draws weights. Numbers may also be
+/// strings in decimal or hexadecimal floating point. A key that the kind of the study does not have is refused at its
+/// place. Throws Failure(Exit::usage) with the one line `FILE:LINE:COLUMN: what; what to do`.
 std::vector<Suite> parse_suites(std::string_view text, std::string_view file_name, const Vocabulary& known);
 
-/// As parse_suites, from a file; one that cannot be read is a Failure(Exit::usage) as well.
+/// Reads a file as parse_suites does. Throws Failure(Exit::usage) also where the file cannot be read.
 std::vector<Suite> read_suites(const std::filesystem::path& file, const Vocabulary& known);
 
-/// The only suite of a document; a Failure(Exit::usage) where there are several.
+/// The only suite of a document. Throws Failure(Exit::usage) where there are several.
 Suite parse_suite(std::string_view text, std::string_view file_name, const Vocabulary& known);
 
-/// The only suite of a file; a Failure(Exit::usage) where there are several.
+/// The only suite of a file. Throws Failure(Exit::usage) where there are several.
 Suite read_suite(const std::filesystem::path& file, const Vocabulary& known);
 
 }  // namespace bezierbench::suite

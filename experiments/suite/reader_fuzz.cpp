@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Suite files: what reads is written, and reads again as the same.
+// Suite files: a text that can be read is written, and the written text reads as equal suites.
 #include "experiments/fuzzing/property.hpp"
 #include "experiments/suite/reader.hpp"
 #include "experiments/suite/test_vocabulary.hpp"

@@ -29,7 +29,7 @@ std::string refused(const std::string& text) {
   return line;
 }
 
-// The parser would nest a table for each, and overflow the stack.
+// The parser would nest one table per part and overflow the stack.
 TEST(Reader, RefusesKeysOfManyParts) {
   std::string key = "a";
   for (int part = 0; part < 200000; ++part) key += ".a";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a suite file says, as values: which studies, over which axes.
+// The values in a suite file: which studies, over which axes.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@
 
 namespace bezierbench::suite {
 
-/// The kinds of studies, each by the keys that it has and not every other kind. This is the only list of them; what a
-/// kind says of itself is `Keys::kind()` (kinds.hpp).
+/// The kinds of studies, each by the struct of those keys that not every kind has. This is the only list of kinds;
+/// `Keys::kind()` (kinds.hpp) describes each.
 using KindKeys =
     std::variant<AccuracyKeys, SearchKeys, ConversionKeys, TimingKeys, RooflineKeys, DerivativeKeys, ArcLengthKeys,
                  InverseArcLengthKeys, ProjectionKeys, InterpolationKeys, FittingKeys, SubdivisionKeys>;
@@ -41,7 +41,7 @@ struct Study {
   std::vector<int> degree;
   std::vector<double> coordinate_range{1.0};
   std::vector<Interval> t_interval{Interval{}};
-  std::vector<std::string> generator{"continuous"};  ///< of a rational study: the first that draws weights
+  std::vector<std::string> generator{"continuous"};  ///< default of a rational study: the first that draws weights
   std::vector<int> dimension{2};
   std::vector<ScalarKind> scalar{ScalarKind::float64};
   std::vector<std::string> methods;            ///< ids or globs as written; empty: all that apply

@@ -51,8 +51,8 @@ inline const Vocabulary& test_vocabulary() {
   return known;
 }
 
-/// The line that `action` fails with; empty where it does not fail. Says so where the failure is none of usage, or of
-/// more than one line, so that no expectation about its start holds.
+/// The message of the failure of `action`; empty where it does not fail. For a failure that is not one of usage, and
+/// for one of several lines, a text that says so and that matches no expected message.
 template <class Action>
 std::string failure_of(Action action) {
   try {

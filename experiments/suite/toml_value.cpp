@@ -14,7 +14,7 @@
 namespace bezierbench::suite {
 
 void fail(std::string_view name, const toml::source_position& at, std::string_view what) {
-  // Line 0: the value was made from an option.
+  // Line 0 means that the value comes from an option.
   if (at.line == 0) throw Failure(Exit::usage, fmt::format("{}: {}", name, what));
   throw Failure(Exit::usage, fmt::format("{}:{}:{}: {}", name, at.line, at.column, what));
 }
@@ -49,7 +49,7 @@ void read(const Source& source, const toml::node& node, double& out) {
   if (const auto integer = node.value_exact<std::int64_t>()) value = static_cast<double>(*integer);
   if (const auto text = node.value_exact<std::string>()) value = number::parse_number(*text);
   if (!value) fail_type(source, node, "a number that a double can hold, or such a number as a string");
-  out = *value + 0.0;  // one zero only: inputs are keyed by the text of these values
+  out = *value + 0.0;  // turns -0 into 0: inputs are keyed by the text of these values
 }
 
 void read(const Source& source, const toml::node& node, Interval& out) {
@@ -82,7 +82,7 @@ std::string to_text(std::string_view value) {
     } else if (byte < 0x20 || byte == 0x7f) {
       text += fmt::format("\\u{:04x}", byte);
     } else {
-      text += c;  // UTF-8 passes
+      text += c;  // bytes of UTF-8 are kept
     }
   }
   return text + "\"";
@@ -92,7 +92,7 @@ std::string to_text(std::int64_t value) { return fmt::format("{}", value); }
 
 std::string to_text(double value) {
   std::string text = number::decimal(value);
-  // Without a point or an exponent TOML reads an integer, which ends at 2^63.
+  // TOML reads a number without a point or an exponent as an integer, and its integers end at 2^63.
   const bool digits_only = text.find_first_not_of("-0123456789") == std::string::npos;
   if (digits_only && std::abs(value) >= 0x1p53) text += ".0";
   return text;

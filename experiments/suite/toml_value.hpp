@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One value of a suite, from and to TOML; internal to this folder.
+// Values of a suite read from TOML and written as TOML; internal to this folder.
 #pragma once
 
 #include <toml++/toml.h>
@@ -19,7 +19,7 @@
 
 namespace bezierbench::suite {
 
-/// Where values come from and what they are: the file and the field, for messages.
+/// Where a value comes from, for messages: the file or option, and the key.
 struct Source {
   std::string_view name;  ///< a file, or the option that was given, e.g. `--set degree=4`
   std::string_view key;
@@ -28,20 +28,20 @@ struct Source {
 /// Throws Failure(Exit::usage) with `NAME:LINE:COLUMN: what`, or `NAME: what` for a value that is not from a file.
 [[noreturn]] void fail(std::string_view name, const toml::source_position& at, std::string_view what);
 
-/// Throws for `node`, as above, where it is not `expected`.
+/// Throws as fail() does, at `node`, with a message that it is not `expected`.
 [[noreturn]] void fail_type(const Source& source, const toml::node& node, std::string_view expected);
 
-/// The value of `node`, or a Failure that says what was expected. Numbers may be strings; see number.hpp.
-/// int saturates, so that a check of its range can speak of it.
+/// Reads the value of `node`, or throws a Failure that says what was expected. Numbers may be strings; see number.hpp.
+/// A value beyond the range of int becomes the nearest int, so that the check of the key's range reports it.
 void read(const Source& source, const toml::node& node, std::string& out);
 void read(const Source& source, const toml::node& node, std::int64_t& out);
 void read(const Source& source, const toml::node& node, int& out);
 void read(const Source& source, const toml::node& node, double& out);
 void read(const Source& source, const toml::node& node, Interval& out);
 void read(const Source& source, const toml::node& node, Goal& out);
-/// Of the id of a kind: its keys, all with their defaults.
+/// Reads the id of a kind and sets the keys of that kind to their defaults.
 void read(const Source& source, const toml::node& node, KindKeys& out);
-/// Into the value of a key; `source` is the file or option.
+/// Reads the value of the key `field` into the study; `source` is the file or option.
 void read(std::string_view source, const toml::node& node, const Field& field, Study& out);
 
 template <Worded Enum>
@@ -81,7 +81,7 @@ inline std::string to_text(const std::string& value) { return to_text(std::strin
 
 template <Worded Enum>
 std::string to_text(Enum value) {
-  return to_text(suite::name(value));  // the form of a curve has another name besides
+  return to_text(suite::name(value));  // qualified: bezierbench::name() has other words for forms
 }
 
 template <class T>

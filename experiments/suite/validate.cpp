@@ -83,14 +83,15 @@ std::vector<std::string> generator_ids(const Vocabulary& known) {
   return ids;
 }
 
-/// As a power of two where that is shorter to read.
+/// The number as a power of two where that is shorter to read, else in decimal.
 std::string power_or_decimal(double x) {
   int exponent = 0;
   const bool power = std::frexp(x, &exponent) == 0.5;  // x = 2^(exponent - 1)
   return power && std::abs(exponent - 1) > 10 ? fmt::format("2^{}", exponent - 1) : number::decimal(x);
 }
 
-/// Weights and rational curves belong together.
+/// What is wrong if a generator with weights draws for another form than rational, or one without weights for rational
+/// curves.
 std::string weights_problem(const Study& study, const KnownGenerator& generator, const Vocabulary& known) {
   const bool rational = study.curve == Form::rational;
   if (rational == generator.limits.weights) return {};
@@ -102,7 +103,7 @@ std::string weights_problem(const Study& study, const KnownGenerator& generator,
                      rational ? "rational curves need" : "only rational curves have", fmt::join(others, ", "));
 }
 
-/// What the generator cannot draw of R, else empty.
+/// What is wrong if the generator cannot draw with this R; empty where it can.
 std::string range_problem(const KnownGenerator& generator, double range) {
   const GeneratorLimits& limits = generator.limits;
   int exponent = 0;
@@ -114,7 +115,7 @@ std::string range_problem(const KnownGenerator& generator, double range) {
       power_or_decimal(limits.largest_range), number::decimal(range));
 }
 
-/// What generator i of the study cannot draw.
+/// The first fault in what generator `i` of the study has to draw: the form, a degree, R, an interval or a scalar.
 Finding check_generator(const Study& study, std::size_t i, const Vocabulary& known) {
   const KnownGenerator& generator = *find_generator(known, study.generator[i]);
   const GeneratorLimits& limits = generator.limits;
@@ -152,7 +153,7 @@ Finding check_generator(const Study& study, std::size_t i, const Vocabulary& kno
   return std::nullopt;
 }
 
-/// Values that are fine on their own and wrong together.
+/// The first fault of values that are valid on their own but do not fit each other.
 Finding check_fit(const Study& study, const Vocabulary& known) {
   for (std::size_t i = 0; i < study.generator.size(); ++i) {
     if (auto found = check_generator(study, i, known)) return found;
@@ -169,7 +170,7 @@ Finding check_fit(const Study& study, const Vocabulary& known) {
   return std::nullopt;
 }
 
-/// What a method id or glob is wrong about that means no method of this build.
+/// What is wrong with a method id or glob that matches no method of this build.
 std::string missing_method(std::string_view entry, const Vocabulary& known) {
   const auto absent = std::find_if(known.absent_methods.begin(), known.absent_methods.end(),
                                    [&](const AbsentMethod& method) { return means(entry, method.id); });
@@ -179,7 +180,7 @@ std::string missing_method(std::string_view entry, const Vocabulary& known) {
   return fmt::format("unknown method \"{}\"{}", echo(entry), suggestion(entry, known.methods));
 }
 
-/// What `entry` of `methods` is wrong about, else empty. A conversion is a chain of one or more parts.
+/// What is wrong with `entry` of `methods`; empty where nothing is. A conversion is a chain of one or more parts.
 std::string method_problem(const Study& study, std::string_view entry, const Vocabulary& known) {
   const bool conversion = kind_of(study).chains;
   const std::span<const std::string> ids = conversion ? known.conversions : known.methods;
@@ -218,7 +219,8 @@ Finding check_ids(const Study& study, const Vocabulary& known) {
   return each("methods", study.methods, [&](const std::string& entry) { return method_problem(study, entry, known); });
 }
 
-/// A few lines can ask for more cells than memory has room for, and a suite may be a stranger's.
+/// Refuses studies with more cells than memory has room for. A few lines can ask for them, and a suite may be a
+/// stranger's.
 Finding check_cells(const Study& study) {
   constexpr double most_cells = 1e6;
   double cells = 1;
@@ -231,7 +233,7 @@ Finding check_cells(const Study& study) {
                            cells, most_cells)};
 }
 
-/// What a study cannot be without: what its kind needs, and a value on every axis that has a default.
+/// The first key that is missing: one that the kind needs, or an axis that has a default and is given without values.
 Finding check_present(const Study& study) {
   const Kind& kind = kind_of(study);
   Study defaults;
@@ -279,7 +281,7 @@ std::string seed_problem(std::uint64_t seed) {
 
 std::string id_problem(std::string_view id) {
   constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
-  constexpr std::size_t longest = 100;  // files of reports are named after studies, and a name ends at 255 bytes
+  constexpr std::size_t longest = 100;  // reports name files after studies, and file names end at 255 bytes
   if (id.empty()) return "id is missing or empty; give it a name";
   if (id.size() > longest) return fmt::format("id has {} characters; shorten it to {} at most", id.size(), longest);
   if (id.find_first_not_of(allowed) == std::string_view::npos) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keys of a suite hold besides numbers, texts and forms of curves.
+// Types of the values of a suite's keys, other than numbers, texts and forms of curves.
 #pragma once
 
 #include <compare>
@@ -11,7 +11,8 @@ namespace bezierbench::suite {
 
 enum class ScalarKind { float32, float64 };
 
-/// What one timed call does: prepare and one point; one prepared point; a dependent chain; one curve, many t.
+/// What one timed call does: prepare and one point; one prepared point; a dependent chain of points; one curve at many
+/// t.
 enum class Mode { one_shot, point, latency, batch };
 
 struct Interval {
@@ -20,15 +21,16 @@ struct Interval {
   friend auto operator<=>(const Interval&, const Interval&) = default;
 };
 
-/// Asks of a method's batch kernel a share of the peak or the time of another method, in every row that it is about.
+/// A goal for a method's batch kernel: a share of the peak, or the time of another method, in every row that it applies
+/// to.
 struct Goal {
-  std::string method = {};                  ///< id
-  double share = 0;                         ///< of the target's peak, at least; 0: not asked
-  std::string no_slower_than = {};          ///< id of a method, by its scalar kernel; empty: not asked
-  ScalarKind scalar = ScalarKind::float64;  ///< of the rows, like the degrees
+  std::string method = {};                  ///< id of the method
+  double share = 0;                         ///< least share of the target's peak; 0: no such goal
+  std::string no_slower_than = {};          ///< id of a method, timed by its scalar kernel; empty: no such goal
+  ScalarKind scalar = ScalarKind::float64;  ///< scalar of the rows; degrees likewise
   int from_degree = 0;
   int to_degree = max_degree;
-  bool needs_additions_beside = false;  ///< only where additions beside multiply-adds raise the peak
+  bool needs_additions_beside = false;  ///< only on targets whose peak rises with additions beside multiply-adds
   friend auto operator<=>(const Goal&, const Goal&) = default;
 };
 

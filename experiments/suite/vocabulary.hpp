@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ids that a suite may name. Handed in by the caller, so that suites never see a roster.
+// The ids that a suite may name. The caller passes them in, so that this folder needs no roster.
 #pragma once
 
 #include <string>
@@ -14,14 +14,14 @@ struct KnownGenerator {
   GeneratorLimits limits;
 };
 
-/// A method that some builds have.
+/// A method that only some builds have.
 struct AbsentMethod {
   std::string id;
-  std::string remedy;  ///< what to do to have it
+  std::string remedy;  ///< how to get it
 };
 
 struct Vocabulary {
-  std::vector<std::string> methods;      ///< evaluators, paths and the methods of the other kinds of study
+  std::vector<std::string> methods;      ///< evaluators, paths and the methods of companion problems
   std::vector<std::string> conversions;  ///< parts of conversion chains such as `factorial+positive_sum`
   std::vector<KnownGenerator> generators;
   std::vector<std::string> published_files;  ///< names in reference/published

@@ -9,11 +9,10 @@
 
 namespace bezierbench::suite {
 
-/// TOML that parse_suites reads back to equal values, every field explicit, in a fixed order; what is empty
-/// (methods: all that apply; title, modes, published: none) is left out. One suite is written as people write it,
-/// [suite] and
-/// [[study]], so that `run BUNDLE/suite.toml` repeats it; several as [[suites]], each with its [[suites.study]].
-/// Doubles in shortest decimal.
+/// Suites as TOML that parse_suites reads back to equal values, every key explicit, in a fixed order, doubles in
+/// shortest decimal. Empty values are left out (methods: all that apply; title, modes, published: none). One suite is
+/// written as people write it, with [suite] and [[study]], so that `run BUNDLE/suite.toml` repeats it; several are
+/// written as [[suites]], each with its [[suites.study]].
 std::string to_toml(std::span<const Suite> suites);
 
 }  // namespace bezierbench::suite

@@ -19,7 +19,7 @@
 namespace bezierbench::suite {
 namespace {
 
-/// Equal in every key that their kind has, as it is written.
+/// Whether the studies are of one kind and all its keys have equal text.
 bool equal(const Study& a, const Study& b) {
   if (a.keys.index() != b.keys.index()) return false;
   return std::ranges::all_of(fields_of(kind_of(a)),
@@ -52,7 +52,7 @@ class Random {
 
   double real() {
     while (true) {
-      // Whole numbers around 2^53 to 2^70 as well: TOML integers end in between.
+      // Whole numbers from 2^53 to 2^70 are among them: TOML's integers end at 2^63.
       const double x = below(3) == 0 ? std::floor(std::ldexp(static_cast<double>(bits_()), static_cast<int>(below(7))))
                                      : std::abs(std::bit_cast<double>(bits_()));
       if (std::isfinite(x)) return x;
@@ -92,7 +92,7 @@ class Random {
     return made;
   }
 
-  /// Own keys of any kind, each by its name.
+  /// Fills in the keys of any kind, each by its name.
   template <class Keys>
   void fill(Keys& keys) {
     const auto& known = test_vocabulary();

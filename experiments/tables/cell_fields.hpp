@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a row of a result says which cell it belongs to; one spelling for every file.
+// The columns and fields of a row that identify its cell, with one spelling for every file.
 #pragma once
 
 #include <string>
@@ -14,17 +14,17 @@ namespace bezierbench::tables {
 /// study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator
 const std::vector<std::string>& cell_columns();
 
-/// The fields of those columns.
+/// The fields of cell_columns().
 std::vector<std::string> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
                                      suite::ScalarKind scalar);
 
-/// coordinate_range,t_min,t_max,generator: how the inputs of a cell were drawn; the last of the columns above.
+/// coordinate_range,t_min,t_max,generator: how the inputs of a cell were drawn. These are the last of cell_columns().
 const std::vector<std::string>& drawn_columns();
 
-/// The fields of those columns.
+/// The fields of drawn_columns().
 std::vector<std::string> drawn_fields(const sample::Cell& cell);
 
-/// Those of cell_columns() for a sentence, without the method.
+/// The fields of cell_columns() without the method, as text for a message.
 std::string describe(const suite::Study& study, const sample::Cell& cell, suite::ScalarKind scalar);
 
 }  // namespace bezierbench::tables

@@ -12,7 +12,7 @@
 namespace bezierbench::tables {
 namespace {
 
-/// What kind of curves a row is about.
+/// Form, scalar, dimension and degree of the curves that a row is about.
 using CurveKind = std::vector<std::string>;
 
 CurveKind kind_of(const TableRow& row) {
@@ -27,7 +27,8 @@ struct Judged {
 
 using JudgedKinds = std::map<CurveKind, std::vector<Judged>>;
 
-/// Over all cells of each study: ranges, intervals and generators.
+/// The errors of every method in every study, over all ranges, intervals and generators. `only`, if not empty, is the
+/// only study.
 JudgedKinds judged_kinds(const JudgedTables& tables, const std::string& only) {
   JudgedKinds kinds;
   tables.each_row(only, [&](const TableRow& row) {
@@ -47,7 +48,7 @@ std::vector<std::string> drawn_of(const bundle::CsvDocument& timing, const Table
   return drawn;
 }
 
-/// The study that judged most of the group's methods; none where no method was judged.
+/// The study that judged most of the group's methods; null where none was judged.
 const Judged* best_cover(const ChoiceGroup& group, const JudgedKinds& kinds) {
   const auto studies = kinds.find({group.curve, group.scalar, group.dimension, group.degree});
   if (studies == kinds.end()) return nullptr;
@@ -116,7 +117,7 @@ std::vector<ChoiceGroup> timed_groups(const bundle::CsvDocument& timing) {
   std::vector<ChoiceGroup> groups;
   for (std::size_t at = 0; at < timing.row_count(); ++at) {
     const TableRow row(timing, at);
-    if (row.text("degree").empty()) continue;  // the sentinel
+    if (row.text("degree").empty()) continue;  // the row of a sentinel
     const ChoiceGroup key{row.text("study"),
                           "",
                           row.text("curve"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How wrong and how slow each method of a bundle is, side by side: what a choice between them rests on.
+// The error and the time of each method of a bundle side by side, as the basis of a choice between methods.
 #pragma once
 
 #include <cstddef>
@@ -14,36 +14,36 @@
 
 namespace bezierbench::tables {
 
-/// What was seen, and what is proved, of the largest error of a method, in one unit.
+/// The observed and the proved largest error of a method, in one unit.
 struct LargestError {
   double observed = 0;                ///< over all trials; infinite where a result was not finite
   std::optional<double> bound;        ///< the largest bound of these trials; empty where one of them has none
-  std::optional<double> class_bound;  ///< of every curve and t of the class that is asked for, if one is proved
+  std::optional<double> class_bound;  ///< bound over all curves and t of the requested class; empty without one
 
-  /// What was seen and proved in further trials; `is_first` if there were none before.
+  /// Adds what further trials observed and what is proved of them. `is_first` if these are the first trials.
   void add(double seen, std::optional<double> proved, bool is_first);
 };
 
 struct LargestErrors {
   LargestError in_u;      ///< in units of u p~
   LargestError absolute;  ///< in coordinate units
-  std::size_t rows = 0;   ///< that were added
+  std::size_t rows = 0;   ///< number of rows added
 
-  /// A row of accuracy.csv or unstable.csv.
+  /// Adds a row of accuracy.csv or unstable.csv.
   void add(const JudgedTables& tables, const TableRow& row);
 };
 
 struct Choice {
   std::string method;
   metric::Interval ns;  ///< per point
-  std::string quality;  ///< of the time, as in timing.csv
+  std::string quality;  ///< of the time; a word of timing.csv
   LargestErrors errors;
 };
 
 /// The methods that raced each other in one race cell and were judged in one accuracy study.
 struct ChoiceGroup {
-  std::string study;           ///< that timed them
-  std::string accuracy_study;  ///< that judged them
+  std::string study;           ///< the timing study
+  std::string accuracy_study;  ///< the accuracy study
   std::string curve;
   std::string scalar;
   std::string dimension;
@@ -53,18 +53,18 @@ struct ChoiceGroup {
   std::vector<Choice> choices;
 };
 
-/// All groups, in the order of timing.csv, with the methods that were timed; their errors are not known yet. Throws
-/// Failure(input_output) for a table without the columns.
+/// All groups, in the order of timing.csv, with the methods that were timed and without their errors. Throws
+/// Failure(input_output) for a table that lacks a column.
 std::vector<ChoiceGroup> timed_groups(const bundle::CsvDocument& timing);
 
-/// The same with errors. Of several accuracy studies of such curves the one that judged most of the
-/// timed methods is taken (of equals the first; `accuracy_study`, if given, is the only one considered): errors of
-/// different inputs compare badly. A method that it did not judge is left out. Throws Failure(input_output) for tables
-/// without the columns.
+/// All groups with errors. Of several accuracy studies of the same kind of curves, the one that judged most of the
+/// timed methods is taken (of equals the first), since errors of different inputs cannot be compared; `accuracy_study`,
+/// if given, is the only one considered. Methods that the study did not judge are left out. Throws
+/// Failure(input_output) for tables that lack a column.
 std::vector<ChoiceGroup> choice_groups(const bundle::CsvDocument& timing, const JudgedTables& judged,
                                        const std::string& accuracy_study = "");
 
-/// Writes `pareto.csv` from the other tables, where there are both times and errors.
+/// Writes `pareto.csv` from the other tables, if there are both times and errors.
 void write_pareto(Tables& tables);
 
 }  // namespace bezierbench::tables

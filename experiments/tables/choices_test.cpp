@@ -22,7 +22,7 @@ constexpr auto reference_columns_needed =
     "study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,unbounded_trials\n";
 
 bundle::CsvDocument timing(const std::string& rows) { return bundle::parse_csv(timing_columns + rows, "timing.csv"); }
-/// `counts`: per row of reference.csv, which trials have no bound.
+/// `counts`: rows of reference.csv with the numbers of trials that have no bound.
 JudgedTables judged(const std::string& rows, const std::string& counts = "") {
   std::vector<bundle::CsvDocument> accuracies;
   accuracies.push_back(bundle::parse_csv(accuracy_columns_needed + rows, "accuracy.csv"));
@@ -63,7 +63,7 @@ TEST(ChoiceGroups, HaveNoBoundWhereACellHasNone) {
   EXPECT_FALSE(groups.at(0).choices.at(0).errors.in_u.bound);
 }
 
-/// bound_u is the largest over the trials that have a bound: it says nothing of the others.
+/// bound_u is the largest over the trials that have a bound; it does not apply to the others.
 TEST(ChoiceGroups, HaveNoBoundWhereATrialHasNone) {
   const auto errors = error_of("s", "a", "1,2031,44,9,0") + error_of("s", "a", "1,2,44,9,0", "exact", "5,0,1");
   const auto bound = [&](const std::string& counts) {
@@ -72,10 +72,10 @@ TEST(ChoiceGroups, HaveNoBoundWhereATrialHasNone) {
   EXPECT_EQ(bound(unbounded("s", "a", "0") + unbounded("s", "a", "0", "5,0,1")), 44);
   EXPECT_FALSE(bound(unbounded("s", "a", "3") + unbounded("s", "a", "0", "5,0,1")));
   EXPECT_FALSE(bound(unbounded("s", "a", "0") + unbounded("s", "a", "1", "5,0,1")));
-  EXPECT_FALSE(bound(unbounded("s", "a", "0")));  // nobody counted the other row, as in older bundles
+  EXPECT_FALSE(bound(unbounded("s", "a", "0")));  // the other row has no count, as in older bundles
 }
 
-/// Since schema version 2 the rows say it themselves.
+/// Since schema version 2 the rows have this count themselves.
 TEST(ChoiceGroups, HaveNoBoundWhereTheRowCountsATrialWithout) {
   const auto bound = [&](const std::string& trials) {
     std::vector<bundle::CsvDocument> accuracies;
@@ -109,7 +109,7 @@ TEST(ChoiceGroups, TakeTheStudyThatJudgedMostOfTheTimedMethods) {
   EXPECT_EQ(groups[0].choices.size(), 2U);
   const auto asked = choice_groups(times, errors, "few");
   EXPECT_EQ(asked.at(0).accuracy_study, "few");
-  ASSERT_EQ(asked[0].choices.size(), 1U);  // nobody judged b there
+  ASSERT_EQ(asked[0].choices.size(), 1U);  // b was not judged there
   EXPECT_EQ(asked[0].choices[0].errors.in_u.observed, 9);
 }
 

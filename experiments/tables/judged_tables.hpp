@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of a bundle that say how wrong its methods are.
+// The tables of a bundle with the errors of its methods.
 #pragma once
 
 #include <functional>
@@ -14,21 +14,21 @@ namespace bezierbench::tables {
 
 class JudgedTables {
  public:
-  /// Whoever has no such file leaves it out. Throws Failure(input_output) for a table without the columns.
-  /// `accuracies` are accuracy.csv and unstable.csv; `reference` is reference.csv, which said in bundles of schema
-  /// version 1 how many trials have no bound.
+  /// `accuracies` are accuracy.csv and unstable.csv, as far as the bundle has them. `reference` is reference.csv, which
+  /// in bundles of schema version 1 has the number of trials without a bound. Throws Failure(input_output) for a table
+  /// that lacks a column.
   JudgedTables(std::vector<bundle::CsvDocument> accuracies, const std::optional<bundle::CsvDocument>& reference);
 
-  /// Every row with numbers against the truth; of one study only where `study` is not empty.
+  /// Calls `visit` for every row with errors against the truth; only for those of `study`, if that is not empty.
   void each_row(const std::string& study, const std::function<void(const TableRow&)>& visit) const;
 
-  /// The field of a row, `bound_u` or `max_bound`. Empty where a trial of the row has no bound, for then the field
-  /// speaks of the others only; empty, too, where nobody counted them, as in older bundles.
+  /// The field of a row in `column`, `bound_u` or `max_bound`. Empty where a trial of the row has no bound, since the
+  /// field then covers only the others. Also empty where these trials were not counted, as in older bundles.
   [[nodiscard]] std::optional<double> bound(const TableRow& row, std::string_view column) const;
 
  private:
   std::vector<bundle::CsvDocument> accuracies_;
-  std::set<std::vector<std::string>> all_bounded_;  ///< cells and methods of which reference.csv says so of all trials
+  std::set<std::vector<std::string>> all_bounded_;  ///< cells and methods all of whose trials have a bound
 };
 
 }  // namespace bezierbench::tables

@@ -24,7 +24,7 @@ struct PrintedCell {
   double coordinate_range = 0;
   std::optional<suite::Interval> t_interval;
   double value = 0;
-  std::optional<double> corrected;  ///< what was probably meant, where the cell breaks the pattern of its row
+  std::optional<double> corrected;  ///< the value probably meant, where the printed one breaks its row's pattern
 };
 
 double number(const std::string& text) { return number::parse_number(text).value(); }
@@ -71,7 +71,7 @@ const Series* find(std::span<const Series> series, const suite::Study& study, co
 double median(const Series& series) { return metric::quantile(series.values, 0.5); }
 std::string median_text(const Series* series) { return series == nullptr ? "" : number::decimal(median(*series)); }
 
-/// Of `scorecard.csv` or `scorecard_timing.csv`: what is printed.
+/// A row of `scorecard.csv` or `scorecard_timing.csv` with the fields of the printed cell.
 Row row_of(std::string_view file, const PrintedCell& cell) {
   Row row(file);
   row.set("table", cell.table)
@@ -112,10 +112,10 @@ void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std
   tables.add(row);
 }
 
-/// A time of no more than one step of its clock is met by every machine that is fast enough: it tests nothing.
+/// Whether the printed time is at most one step of its clock. Any machine that is fast enough meets such a time.
 bool is_untestable(const PrintedCell& cell) { return cell.value <= clock_quantum_ms; }
 
-/// Whether the printed time is what that clock may show for a time from `low` to `high`, in milliseconds.
+/// Whether the clock of the source report may show the printed time for a time from `low` to `high`, in milliseconds.
 std::string_view timing_verdict(const PrintedCell& cell, double low, double high) {
   if (is_untestable(cell)) return "untestable";
   // A reading of k ms means k - 1 < time < k + 1.
@@ -128,7 +128,7 @@ std::string timing_note(const PrintedCell& cell) {
                                          : "another machine, compiler and build");
 }
 
-/// Times in milliseconds per 1000 curves, which is microseconds per curve; the series are in nanoseconds.
+/// Printed times are in milliseconds per 1000 curves, that is microseconds per curve; the series are in nanoseconds.
 void write_timing_cell(const suite::Study& study, const PrintedCell& cell, std::span<const Series> series,
                        Tables& tables) {
   constexpr double ns_per_unit = 1000;

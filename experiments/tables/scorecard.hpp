@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every printed cell of a source report next to our own numbers, with a verdict.
+// Every printed cell of a source report beside the same number computed here, with a verdict.
 #pragma once
 
 #include <span>

@@ -19,8 +19,8 @@ bundle::CsvDocument report_cells() {
   throw std::logic_error("report_tables.csv is not in the program");
 }
 
-/// What the source report prints: 3 cells of 2.2, 144 accuracy cells, 30 times; 136 of the 144 are distinct, because
-/// the R = 1e6 column of 2.3.2 repeats degree 20 of 2.3.1, to the digit.
+/// The source report prints 3 cells in 2.2, 144 accuracy cells and 30 times. Of the 144 cells 136 are distinct, because
+/// the R = 1e6 column of 2.3.2 repeats degree 20 of 2.3.1 digit by digit.
 TEST(PublishedCells, AreAllThere) {
   const auto cells = report_cells();
   std::map<std::string, int> count;
@@ -75,7 +75,7 @@ std::map<std::string, std::string> first_row(std::span<const Series> series, con
   return row;
 }
 
-/// The cell is de Casteljau's mean error at degree 4, printed as 6.92e-11.
+/// The printed cell is de Casteljau's mean error at degree 4, 6.92e-11.
 TEST(Scorecard, InsideAndOutsideTheBand) {
   const auto study = study_231();
   const std::vector<Series> around{series_of(6e-11, 8e-11, "report", "direct"),
@@ -92,7 +92,8 @@ TEST(Scorecard, InsideAndOutsideTheBand) {
   EXPECT_EQ(first_row({}, study)["verdict"], "outside");
 }
 
-/// The report prints 3.64e-3 where 3.64e-4 was meant: explained only while the corrected value lies in the band.
+/// The report prints 3.64e-3 where 3.64e-4 was meant. The cell is explained only if the corrected value lies in the
+/// band.
 TEST(Scorecard, ASlipIsExplainedOnlyByItsCorrection) {
   suite::Study study = study_231();
   study.id = "2.3.2-polynomial";
@@ -119,7 +120,7 @@ TEST(Scorecard, ASlipIsExplainedOnlyByItsCorrection) {
   EXPECT_EQ(verdict(3e-3, 5e-3), "inside");
 }
 
-/// What the row of a printed time of de Casteljau's says, ours being `ns` in every repetition.
+/// The verdict on a printed time of de Casteljau's, if every repetition took `ns` nanoseconds.
 std::string timing_verdict(const std::string& degree, double ns) {
   suite::Study study;
   study.id = "2.4-bezier";
@@ -139,7 +140,7 @@ std::string timing_verdict(const std::string& degree, double ns) {
   return "no such row";
 }
 
-/// A reading of 2 ms, at degree 8, says: more than 1 and less than 3.
+/// A reading of 2 ms, at degree 8, means a time between 1 and 3 ms.
 TEST(Scorecard, TimesAreComparedWithTheClockQuantum) {
   EXPECT_EQ(timing_verdict("8", 990), "outside");  // 0.99 us
   EXPECT_EQ(timing_verdict("8", 1010), "inside");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fields of statistics and counts, one spelling for every table.
+// Fields of statistics and counts, with one spelling for every table.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ inline constexpr Statistic median = [](const metric::Tally& tally) { return tall
 inline constexpr Statistic p99 = [](const metric::Tally& tally) { return tally.quantile(0.99); };
 inline constexpr Statistic largest = [](const metric::Tally& tally) { return tally.max(); };
 
-/// A statistic of no trial is an empty field.
+/// The statistic as a field; empty where no trial was tallied.
 inline std::string field(const metric::Tally& tally, Statistic which) {
   return tally.count() > 0 ? number::decimal(which(tally)) : "";
 }

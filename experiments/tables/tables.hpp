@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of a bundle while they grow, and what the scorecard compares with printed cells.
+// The tables of a bundle while they are filled, and the series that the scorecard compares with printed cells.
 #pragma once
 
 #include <concepts>
@@ -19,37 +19,38 @@ namespace bezierbench::tables {
 /// A row to be written, field by field in any order. A field that is not set is empty.
 class Row {
  public:
-  /// Of the table `file`. Throws std::logic_error for what the schema does not declare.
+  /// A row of the table `file`. Throws std::logic_error for a table that the schema does not declare.
   explicit Row(std::string_view file);
 
-  /// Throws std::logic_error for a column that the schema does not declare, or that was set before.
+  /// Sets a field. Throws std::logic_error for a column that the schema does not declare, and for one that was set
+  /// before.
   Row& set(std::string_view column, std::string_view text);
   Row& set(std::string_view column, double number) { return set(column, number::decimal(number)); }
   template <std::integral Integer>
   Row& set(std::string_view column, Integer number) {
     return set(column, std::to_string(number));
   }
-  /// Empty where there is no number.
+  /// Sets a field, to the empty text where there is no number.
   template <class Number>
   Row& set(std::string_view column, const std::optional<Number>& number) {
     return number ? set(column, *number) : set(column, "");
   }
-  /// Each of the columns, one field each.
+  /// Sets each of `columns` to the field at the same place.
   Row& set_each(const std::vector<std::string>& columns, const std::vector<std::string>& fields);
 
   [[nodiscard]] const std::string& file() const { return table_.file; }
-  /// In the order of the schema.
+  /// All fields in the order of the schema's columns.
   [[nodiscard]] std::vector<std::string> fields() const;
 
  private:
   const bundle::DeclaredTable& table_;
-  std::map<std::string, std::string, std::less<>> fields_;  ///< those that were set
+  std::map<std::string, std::string, std::less<>> fields_;  ///< fields that were set, by column
 };
 
-/// The CSV files of a bundle while they grow, by file name.
+/// The CSV files of a bundle while they are filled, by file name.
 class Tables {
  public:
-  /// The table of this name, made when first asked for. Throws std::logic_error for one that the schema does not
+  /// The table of this name, created at the first call. Throws std::logic_error for a table that the schema does not
   /// declare.
   bundle::CsvTable& table(const std::string& file);
   void add(const Row& row) { table(row.file()).add_row(row.fields()); }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a tolerance of an arc length costs: Simpson's rule against Gauss and Legendre's."""
+"""The evaluations that arc lengths need for a tolerance: Simpson's rule against Gauss-Legendre rules."""
 
 from ..bundle import Missing
 from ..document import Finding

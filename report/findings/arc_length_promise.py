@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tolerances of arc lengths, asked for and kept."""
+"""Whether methods for arc lengths keep the tolerances that they report as kept."""
 
 from ..document import Finding
 from ..wording import count, large, percent
@@ -9,7 +9,7 @@ SUITE = "arc_length"
 
 
 def find(bundle):
-    """Holds where no method said that it kept a tolerance that it did not keep."""
+    """Holds where every tolerance that a method reports as kept is kept."""
     rows = bundle["arc_length.csv"].starting("arc_length-").rows
     broken = [r for r in rows if r["broken_promises"]]
     trials = sum(r.number("trials") for r in rows)

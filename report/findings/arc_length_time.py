@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What an arc length costs here and in other libraries."""
+"""The time of arc lengths here and in other libraries."""
 
 from .faster_than_peers import faster_than_peers
 

@@ -7,7 +7,8 @@ from ..wording import count, general, large, listing
 
 
 def in_part(row):
-    """Whether the largest error is that of a trial without a bound: it lies above every bound, and no trial violates its own."""
+    """Whether the bounds cover only a part of the trials: the largest error exceeds all bounds, but no trial violates
+    its own."""
     return bool(row["bound_u"]) and not row["bound_violations"] and (row["max_error_u"] or 0) > row["bound_u"]
 
 

@@ -11,7 +11,8 @@ BAND = 0.95 - 0.05
 
 
 def find(bundle):
-    """Holds where no more cells lie outside than a band of this width lets through: mean plus two deviations."""
+    """Holds where the number of cells outside is at most what a band of this width predicts: mean plus two
+    deviations."""
     printed = bundle["scorecard.csv"].some(table=("2.3.1", "2.3.2", "2.3.3"))
     cells = accuracy_cells(bundle)
     inside, outside, explained = ([r for r in cells if r["verdict"] == v] for v in ("inside", "outside", "explained"))

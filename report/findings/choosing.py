@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which methods are worth choosing where both time and error count."""
+"""Which methods are worth choosing, by time and error."""
 
 from ..bundle import Missing
 from ..document import Finding

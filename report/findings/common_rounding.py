@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The report's yardstick shares an error with the method that it judges: the rounding of 1-t."""
+"""The rounding of 1-t: an error that the report's yardstick shares with the method that it judges."""
 
 from ..document import Finding
 from ..wording import scientific

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Every further working precision of a compensated scheme buys a factor 1/u of condition number."""
+"""Each further working precision of a compensated scheme extends the condition numbers it can handle by a factor
+1/u."""
 
 import re
 
@@ -10,12 +11,12 @@ from ..wording import factor, listing
 SUITE = "conditioning"
 UNIT = 2.0 ** -53
 ACCURATE = 2 * UNIT  # one ulp at most: "accurate to u"
-LOST = 1.0  # a relative error of 1 leaves no digit
+LOST = 1.0  # a relative error of 1: no digit is right
 SLACK = 2  # the rule holds up to a constant, since the condition number is a bound on what rounding can do
 
 
 def precision(method):
-    """K of a method that works as if in K-fold precision; None where the id does not say it."""
+    """K for a method that works as if in K-fold precision; None where the id does not state K."""
     if ":" in method:
         return None
     fold = re.search(r"_k(\d+)$", method)
@@ -23,7 +24,8 @@ def precision(method):
 
 
 def cells(bundle):
-    """{(curve, method): rows by rising condition number}, of the rows with a median condition number and relative error."""
+    """{(curve, method): rows by ascending condition number}, for rows with a median condition number and relative
+    error."""
     found = {}
     for row in bundle.exact("conditioning-").rows:
         if row["p50_condition"] is not None and row["p50_relative"] is not None:

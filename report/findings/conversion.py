@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the findings and figures about conversions look at."""
+"""Selections of rows for the findings and figures about conversions."""
 
 import math
 
@@ -7,7 +7,7 @@ from ..bundle import Missing
 
 SUITE = "conversion"
 UNIT = 2.0 ** -53
-# By the kind of curve that is converted: its name, and the norm of the conversion, largest coefficient to largest coefficient.
+# By kind of curve: the name of the conversion, and its norm (from the largest coefficient to the largest coefficient).
 NORMS = {
     "bezier": ("Bernstein to power form", "max_j C(n,j) 2^j", lambda n: max(math.comb(n, j) * 2 ** j for j in range(n + 1))),
     "polynomial": ("Power to Bernstein form", "(n+1)", lambda n: n + 1),
@@ -17,12 +17,12 @@ SOURCES = (("mean_conversion_error", "conversion"), ("mean_one_minus_t_error", "
 
 
 def scale(row):
-    """The farthest that a control point can lie: R in every coordinate."""
+    """The largest distance of a control point from the origin, with R in every coordinate."""
     return row.number("coordinate_range") * math.sqrt(row["dimension"] or 1)
 
 
 def sources(bundle):
-    """Accuracy rows whose error was taken apart."""
+    """Accuracy rows whose error is split into its sources."""
     rows = [r for r in bundle.exact("conversion-").rows if all(r[c] is not None for c, _ in SOURCES)]
     if not rows:
         raise Missing("`accuracy.csv` has no `conversion-` row with its error taken apart")
@@ -43,5 +43,5 @@ def middle(row):
 
 
 def growth(start, t, degree):
-    """By what (1+2t)^n grows from `start` to `t`."""
+    """The factor by which (1+2t)^n grows from `start` to `t`."""
     return ((1 + 2 * t) / (1 + 2 * start)) ** degree

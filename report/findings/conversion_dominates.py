@@ -9,7 +9,7 @@ NEGLIGIBLE = 0.01
 
 
 def find(bundle):
-    """Holds where, at the highest degree, both evaluators err alike after the report's conversion."""
+    """Holds where, at the highest degree, both evaluators have about the same error after the report's conversion."""
     rows = {m: series(bundle, "degree", table="2.3.1", curve="polynomial", method=f"forward_substitution:{m}",
                       statistic="mean_error") for m in ("de_casteljau", "direct")}
     apart = [abs(a.number("ours_median") / b.number("ours_median") - 1)

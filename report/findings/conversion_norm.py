@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Converted coefficients against the norm of the conversion: what rounding the given coefficients alone can cost."""
+"""Errors of converted coefficients against the norm of the conversion, the effect of rounding the given
+coefficients."""
 
 from ..bundle import Missing
 from ..document import Finding
@@ -7,13 +8,14 @@ from ..wording import count, factor, listing, span
 from .conversion import NORMS, SUITE, UNIT, scale
 from .series import names
 
-WITHIN = 4  # times u R sqrt(d) norm: as good as the problem allows, up to a constant
+WITHIN = 4  # times u R sqrt(d) norm, which the problem allows up to a constant
 
 
 def find(bundle):
-    """Holds where to Bernstein form some conversion keeps to the norm at every degree, and to power form every one does."""
+    """Holds where, at every degree, some conversion to Bernstein form and every one to power form stays within the
+    norm."""
     table = bundle["conversion.csv"].starting("conversion-")
-    ratios = {}  # (curve, conversion): largest of error over u R sqrt(d) norm, with its row
+    ratios = {}  # (curve, conversion): (largest error over u R sqrt(d) norm, its row)
     for row in table.rows:
         if row["curve"] in NORMS and isinstance(row["max_error"], float) and row["max_error"] > 0:
             _, _, norm = NORMS[row["curve"]]

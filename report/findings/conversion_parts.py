@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where a converted path is bad, which part made its error."""
+"""The part of a converted path that causes a large error."""
 
 from ..bundle import Missing
 from ..document import Finding

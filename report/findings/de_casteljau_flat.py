@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""De Casteljau's error against degree and parameter, once it is held against the truth."""
+"""De Casteljau's error by degree and parameter, against the truth."""
 
 from ..bundle import Missing
 from ..document import Finding
@@ -18,8 +18,8 @@ def _against_truth(bundle, printed):
 
 
 def find(bundle):
-    """Holds where the error against the exact value varies clearly with the degree or with t: in coordinates, over the degrees and
-    the range that are printed."""
+    """Holds where the error against the exact value, in coordinate units, clearly varies with the degree or with t,
+    over the degrees and the range that are printed."""
     printed = series(bundle, "degree", table="2.3.1", curve="bezier", method="de_casteljau", statistic="mean_error")
     truth = _against_truth(bundle, printed)
     by_t = bundle.judged().some(scalar="double", dimension=2, study="2.3.3-bezier", method="de_casteljau", baseline="exact",

@@ -7,11 +7,12 @@ from ..wording import factor, scientific, shortest
 
 SUITE = "derivative"
 STUDY, PRINTED, MENDED = "derivative-order", "seed_000", "differences_de_casteljau"
-WRONG = 1e6  # an error this much above that of the mended loop is no rounding error
+WRONG = 1e6  # an error larger than the corrected loop's by this factor is not a rounding error
 
 
 def find(bundle):
-    """Holds where the printed loop is as good as the mended one for the first derivative and wrong for every higher one."""
+    """Holds where the printed loop is as accurate as the corrected one for the first derivative and wrong for every
+    higher one."""
     table = bundle["derivative.csv"]
     pairs = []
     for row in table.select(study=STUDY, method=PRINTED, generator="continuous"):

@@ -12,7 +12,7 @@ INT64_MAX = 2**63 - 1
 
 
 def find(bundle):
-    """Holds where every method built on factorials has a status of ok and finite errors past the printed degrees."""
+    """Holds where every method with factorials has the status ok and finite errors beyond the printed degrees."""
     printed = degrees(bundle)[-1]
     methods = bundle["methods.csv"]
     used = [m for m in bundle.judged().distinct("method", study="truth-bezier")

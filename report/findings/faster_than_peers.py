@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One of our methods against other libraries' in the same races, as the findings about their times say it."""
+"""Compares one of our methods with other libraries in the same races, for the findings about times."""
 
 from collections import Counter
 
@@ -11,14 +11,15 @@ PEER = "peer_"
 
 
 def _race(race, ours):
-    """`To 1e-3: a 500 ns, b 900 ns.`"""
+    """A sentence with the times of one race: `To 1e-3: a 500 ns, b 900 ns.`"""
     tolerance = race[ours]["tolerance"]
     times = ", ".join(f"`{m}` {general(row['median_ns'])} ns" for m, row in race.items() if m == ours or m.startswith(PEER))
     return (f"To {shortest(tolerance)}: " if tolerance is not None else "") + times + "."
 
 
 def _ours(races):
-    """Of our own methods the one that is right, then fastest by its median, in most races; None where there is none."""
+    """Our own method that is right in most races and, of several, has the least median in most; None where there is
+    none."""
     right, fastest = Counter(), Counter()
     for race in races:
         own = {m: row for m, row in race.items() if not m.startswith(PEER)}
@@ -28,8 +29,8 @@ def _ours(races):
 
 
 def faster_than_peers(bundle, finding_id, suite, study, what):
-    """Holds where the best of our methods is right and its interval of times lies below that of every other library's in every
-    race."""
+    """A finding that holds where, in every race, our best method is right and its interval of times is below that of
+    every other library."""
     rows = bundle["timing.csv"].some(study=study)
     races = {}
     for row in rows:

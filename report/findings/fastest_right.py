@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which method of a companion problem is the fastest of those that are right, as the findings about their times say it."""
+"""Finds the fastest correct method of a companion problem, for the findings about times."""
 
 from collections import Counter
 
@@ -13,7 +13,7 @@ ASKED = ("scalar", "dimension", "degree", "mode", "order", "tolerance", "points"
 
 
 def _races(rows):
-    """[{method: row}], with a ratio in each."""
+    """[{method: row}] for the races in which the method that times are relative to took part."""
     races = {}
     for row in rows:
         races.setdefault(tuple(row[c] for c in ASKED), {})[row["method"]] = row
@@ -21,7 +21,7 @@ def _races(rows):
 
 
 def _ratio(row):
-    """To the method that all of a race are compared with: low end, ratio, high end."""
+    """(low end, ratio, high end) of the time relative to the race's reference method."""
     if row["method"] == row["relative_to"]:
         return 1.0, 1.0, 1.0
     return row.number("ratio_low"), row.number("ratio"), row.number("ratio_high")
@@ -32,7 +32,8 @@ def _right(race):
 
 
 def _winner(races, study):
-    """Of the methods that are right in every race the one that in most of them is the fastest of the right ones, by its ratio."""
+    """(method, wins): of the methods that are right in every race, the one that most often has the least ratio of the
+    right ones."""
     always = [m for m in races[0] if all(m in race and race[m]["checked"] == "yes" for race in races)] if races else []
     if not always or not any(len(_right(race)) > 1 for race in races):
         raise Missing(f"`{study}` needs ratios of two methods that are right")
@@ -42,7 +43,7 @@ def _winner(races, study):
 
 
 def _times(races, best):
-    """Ratios of the right methods, as they stand in the bundle; of the wrong ones likewise."""
+    """Two sentences: the ratios of the right methods and those of the wrong ones, as in the bundle."""
     base = next(iter(races[0].values()))["relative_to"]
     right, wrong = {}, {}
     for race in races:
@@ -59,8 +60,8 @@ def _times(races, best):
 
 
 def fastest_right(bundle, finding_id, study, answers, belongs=lambda row: True):
-    """Holds where one method is right in every race that belongs, and every other that is right certainly takes longer there: the
-    intervals of their ratios, taken round by round, are apart."""
+    """A finding that holds where one method is right in every race that `belongs` accepts, and every other right method
+    certainly takes longer there: the intervals of their ratios, taken round by round, do not overlap."""
     races = _races(r for r in bundle["timing.csv"].some(study=study) if r["degree"] is not None and belongs(r))
     best, wins = _winner(races, study)
     duels = [(race[best], row) for race in races for row in _right(race) if row["method"] != best]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tolerances of fits, asked for and kept."""
+"""Whether fits keep their tolerances and claimed errors."""
 
 from ..document import Finding
 from ..wording import count, general, large
@@ -9,7 +9,7 @@ SUITE = "fitting"
 
 
 def find(bundle):
-    """Holds where no data point was farther from a fitted curve than asked for or than claimed."""
+    """Holds where no data point is farther from a fitted curve than the tolerance or the claimed error."""
     rows = bundle["fitting.csv"].starting("fitting-").rows
     broken = [r for r in rows if r["broken_promises"] or r["understated"]]
     trials = sum(r.number("trials") for r in rows)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whether data of a cubic are fitted by that cubic."""
+"""Whether a fit to samples of a cubic is that cubic."""
 
 from ..document import Finding
 from ..wording import general, large, percent, scientific
@@ -10,7 +10,8 @@ METHOD, OTHER = "gauss_newton", "schneider"
 
 
 def find(bundle):
-    """Holds where orthogonal distances fit most sampled cubics by one segment at the smallest tolerance, Schneider's fit few."""
+    """Holds where, at the smallest tolerance, the orthogonal distance fit needs one segment for most sampled cubics and
+    Schneider's fit for few."""
     table = bundle["fitting.csv"]
     rows = table.some(study=STUDY, data="samples", degree=3)
     smallest = min(r.number("tolerance") for r in rows)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What it costs to fit orthogonal distances rather than as Schneider does, and what that buys."""
+"""The time of the orthogonal distance fit against that of Schneider's, and the segments that it saves."""
 
 from ..bundle import Missing
 from ..document import Finding
@@ -11,7 +11,7 @@ METHOD, OTHER = "gauss_newton", "schneider"
 
 
 def find(bundle):
-    """Holds where orthogonal distances take longer in every race, by the interval of the paired ratio."""
+    """Holds where the orthogonal distance fit takes longer in every race, by the interval of the paired ratio."""
     pairs = fits_with_times(bundle)
     races = [(time.number("ratio"), time, fit) for time, fit in pairs
              if time["method"] == METHOD and time["relative_to"] == OTHER and time["ratio"] is not None]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where the exponential error of power form to Bernstein form comes from."""
+"""The cause of the exponential error of conversions from power form to Bernstein form."""
 
 import math
 

@@ -13,7 +13,7 @@ RESIDUALS = ("max_data_u", "max_c0_u", "max_c1_u", "max_c2_u", "max_natural_u")
 
 
 def largest_residual(row):
-    """Of interpolation, C0, C1, C2 and natural ends."""
+    """The largest residual of a row: of interpolation, C0, C1, C2 and natural ends."""
     return max(row.number(c) for c in RESIDUALS)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A length sought inside a bracket: always reached, and every promise kept."""
+"""Whether guarded methods for inverse arc length always converge, and whether promises are kept."""
 
 from ..bundle import Missing
 from ..document import Finding
@@ -8,7 +8,7 @@ from .series import names
 
 SUITE = "inverse_arc_length"
 GUARDED = ("bracketed_newton", "halley")
-STRICTEST = 1e-12  # below, rounding decides
+STRICTEST = 1e-12  # below this, rounding errors decide
 
 
 def find(bundle):

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Equal steps of t are no equal steps of the length."""
+"""Equal steps of t against equal steps of the length."""
 
 from ..bundle import Missing
 from ..document import Finding
 from ..wording import general
 
 SUITE = "inverse_arc_length"
-EVEN = 1e-9  # how far a gap may be from the mean to be called even
+EVEN = 1e-9  # relative difference from the mean up to which gaps are called even
 
 
 def find(bundle):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The source document's iteration for a length, which nothing guards."""
+"""The source document's iteration for inverse arc length, which has no safeguard."""
 
 from ..document import Finding
 from ..wording import general, large, percent, shortest
@@ -9,7 +9,7 @@ PRINTED, GUARDED = "seed_000_newton", "bracketed_newton"
 
 
 def find(bundle):
-    """Holds where the document's iteration fails on curves on which a bracket does not."""
+    """Holds where the document's iteration fails on curves on which the guarded methods converge."""
     table = bundle["inverse_arc_length.csv"].starting("inverse_arc_length-")
     pairs = []
     for row in table.some(method=PRINTED):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which methods stay flat over the degree, which grow no faster than it, and which exceed it."""
+"""How errors grow with the degree: not at all, no faster than the degree, or faster."""
 
 from ..document import Finding
 from ..methods import FORM
@@ -9,11 +9,12 @@ from .series import by_degree, growth, names
 SUITE = "ladder"
 GENERATOR = "continuous"
 FLAT = 2  # the mean error at most doubles over the ladder
-LOST = 2.0 ** 53  # in u p~: an error as large as the terms of the curve
+LOST = 2.0 ** 53  # in units of u p~: an error as large as the terms of the curve
 
 
 def find(bundle):
-    """Holds where every method that evaluates the given form grows at most with the degree, and some converted path faster."""
+    """Holds where the error of every method for the given form grows at most like the degree, and that of some
+    converted path faster."""
     table = bundle.exact("ladder-")
     lines, flat, fast, native_fast, used = [], [], [], [], []
     for curve in table.distinct("curve", generator=GENERATOR):

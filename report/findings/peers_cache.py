@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What Open CASCADE's cached power form loses against its own evaluation from the control points."""
+"""The accuracy of Open CASCADE's cached power form against its own evaluation from the control points."""
 
 from ..bundle import Missing
 from ..document import Finding
@@ -12,7 +12,7 @@ LOSS = 1000  # three digits
 
 
 def find(bundle):
-    """Holds where at the highest degree the cache errs more than a thousand times as much, on average."""
+    """Holds where, at the highest degree, the mean error with the cache is more than a thousand times as large."""
     methods = by_degree(bundle.exact("peers-").select(curve="bezier", scalar="double", dimension=2, method=(CACHED, DIRECT)))
     common = sorted(set(methods.get(CACHED, {})) & set(methods.get(DIRECT, {})))
     if not common:

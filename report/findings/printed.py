@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The printed cells, as the findings look at them."""
+"""Selections of printed cells for the findings."""
 
 from ..bundle import Missing
 
@@ -7,7 +7,7 @@ ACCURACY_TABLES = ("2.3.1", "2.3.2", "2.3.3")
 
 
 def accuracy_cells(bundle):
-    """Every printed accuracy cell once: the last range of 2.3.2 repeats the last degree of 2.3.1."""
+    """The distinct printed accuracy cells: the last range of 2.3.2 repeats the last degree of 2.3.1."""
     cells = {}
     for row in bundle["scorecard.csv"].some(table=ACCURACY_TABLES):
         key = tuple(row[c] for c in ("curve", "method", "statistic", "degree", "coordinate_range", "t_min", "t_max"))
@@ -16,8 +16,8 @@ def accuracy_cells(bundle):
 
 
 def experiments(cells):
-    """The cells by the random curves that they are about: the methods and statistics of an experiment share its trials, so that
-    luck moves them together."""
+    """The cells grouped by their random curves. The methods and statistics of one experiment share its trials, so that
+    their deviations are correlated."""
     found = {}
     for row in cells:
         found.setdefault(tuple(row[c] for c in ("curve", "degree", "coordinate_range", "t_min", "t_max")), []).append(row)
@@ -31,19 +31,19 @@ def degrees(bundle):
 
 
 def series(bundle, axis, **key):
-    """Rows of one printed row, ascending along an axis."""
+    """The cells of one printed row, ascending along an axis."""
     rows = bundle["scorecard.csv"].some(**key)
     return sorted(rows, key=lambda row: row.number(axis))
 
 
 def per_degree(first, last, low, high):
-    """By what an error is multiplied with each degree between two of them."""
+    """The factor per degree by which an error grows from `first` at degree `low` to `last` at degree `high`."""
     if first * last < 0:
         raise Missing("an error is negative")
     return (last / first) ** (1 / (high - low))
 
 
-# An error that is multiplied by at least this with every degree is called exponential.
+# An error that grows by at least this factor per degree is called exponential.
 EXPONENTIAL = 1.5
 # Values that differ by less than this factor are called flat.
 FLAT = 1.25

@@ -6,7 +6,7 @@ from ..document import Finding
 from ..wording import as_printed, count, factor, general, listing, scientific, shortest, span
 from .printed import accuracy_cells
 
-DECADE = 10  # what a misread exponent changes
+DECADE = 10  # the factor of an exponent that is off by one
 
 
 def find(bundle):

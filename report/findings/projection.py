@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What projection studies say of a method, over all their cells."""
+"""The results of a method for projection over all cells of its studies."""
 
 from dataclasses import dataclass
 
@@ -25,12 +25,12 @@ class Method:
 
 
 def rows_of(bundle, prefix=PREFIX):
-    """The rows of all methods that have numbers; Missing where there are none."""
+    """The rows with numbers, of all methods. Raises Missing where there are none."""
     return bundle.judged(FILE).starting(prefix).some(status="ok")
 
 
 def of_rows(rows):
-    """The method whose rows these are; Missing where there are none."""
+    """The Method of these rows. Raises Missing where there are none."""
     if not rows:
         raise Missing(f"`{FILE}` has no cells of the same degree for two methods that are compared")
     return Method(tuple(rows), sum(r.number("trials") for r in rows), sum(r.number("missed") for r in rows),
@@ -38,7 +38,7 @@ def of_rows(rows):
 
 
 def by_method(bundle):
-    """{method: Method}, fewest missed first, then the smallest error."""
+    """{method: Method}, ordered by missed foot points, then by error."""
     methods = {}
     for row in rows_of(bundle):
         methods.setdefault(row["method"], []).append(row)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whether isolated roots, polished from the control points, find every nearest point."""
+"""Whether isolated roots, refined from the control points, give every nearest point."""
 
 from ..bundle import Missing
 from ..document import Finding

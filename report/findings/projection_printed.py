@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whether the quintic that a source prints finds nearest points."""
+"""Whether the quintic that a source document prints finds nearest points."""
 
 from ..bundle import Missing
 from ..document import Finding
@@ -7,7 +7,7 @@ from ..wording import large, percent
 from .projection import by_method, of_rows
 
 SUITE = "projection"
-WRONG = 0.1  # share of missed foot points that no choice of inputs excuses
+WRONG = 0.1  # share of missed foot points that no choice of inputs explains
 
 
 def find(bundle):

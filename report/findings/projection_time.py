@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a foot point costs here and in other libraries."""
+"""The time of a projection here and in other libraries."""
 
 from .faster_than_peers import faster_than_peers
 

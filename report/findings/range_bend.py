@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The bend of the error over the range is made by the report's random grid."""
+"""The cause of the bend of the error over the range: the report's random grid."""
 
 from ..document import Finding
 from ..wording import general, scientific, shortest, span
@@ -47,7 +47,8 @@ def find(bundle):
 
 
 def _conversion(bundle, rows):
-    """How much of the error on the grid the conversion makes at both ends of the range; nothing where no trial was taken apart."""
+    """Yields the conversion's part of the error on the grid at both ends of the range; nothing where no error was split
+    into parts."""
     shares = []
     for row in (rows[0], rows[-1]):
         parts = bundle.judged().select(study="2.3.2-bezier", method=METHOD, baseline="exact", generator="report", scalar="double",

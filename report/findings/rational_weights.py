@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What wild weights cost the methods for rational curves."""
+"""The effect of wild weights on the errors of methods for rational curves."""
 
 from ..bundle import Missing
 from ..document import Finding

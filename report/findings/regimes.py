@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the findings about regimes look at: one study, and by what the mean error of a method varies over its axis."""
+"""For the findings about regimes: one study, and the factor by which a method's mean error varies over its axis."""
 
 import math
 from dataclasses import dataclass
@@ -8,9 +8,9 @@ from ..bundle import Missing, Row
 from ..wording import count
 
 SUITE = "regimes"
-ALIKE = 2  # beyond what the scatter of the trials explains
-CLOSE = 1.25  # two means that read the same
-ERRORS = 4  # standard errors of a mean that its scatter explains
+ALIKE = 2  # factor beyond what the scatter of the trials explains
+CLOSE = 1.25  # means that differ by less are called equal
+ERRORS = 4  # standard errors by which a mean may be off
 
 
 @dataclass(frozen=True)
@@ -26,13 +26,13 @@ class Spread:
 
     @property
     def apart(self):
-        """Whether they differ by more than `ALIKE` times what their scatter explains: errors of converted paths are
-        heavy-tailed, and their means differ by factors from sample to sample."""
+        """Whether the means differ by more than `ALIKE` times what their scatter explains. Errors of converted paths
+        are heavy-tailed: their means differ by factors from sample to sample."""
         return self.ratio > ALIKE * _scatter(self.low) * _scatter(self.high)
 
 
 def _scatter(row):
-    """By what factor a mean may lie off, from mean, root mean square and number of trials."""
+    """The factor by which a mean may be off, from mean, root mean square and number of trials."""
     mean, rms = row["mean_error"], row["rms_error"]
     if not mean or not rms:
         return 1
@@ -45,9 +45,9 @@ def study(bundle, name):
 
 
 def spreads(rows, axis):
-    """{method: its widest Spread along the column `axis`}.
+    """{method: its widest Spread along the column `axis`}
 
-    Cells with trials that are not finite are left out: the finite ones of a cell are its milder ones.
+    Cells with trials that are not finite are left out, since their finite trials are not representative.
     """
     groups = {}
     for row in rows:
@@ -65,6 +65,6 @@ def spreads(rows, axis):
 
 
 def in_words(found):
-    """`33 of 34 methods stay within a factor of 1.25`."""
+    """A clause such as `33 of 34 methods stay within a factor of 1.25`."""
     close = sum(s.ratio <= CLOSE for s in found.values())
     return f"{close} of {count(len(found), 'method')} stay within a factor of {CLOSE}"

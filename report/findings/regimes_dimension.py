@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The number of axes does not matter."""
+"""Errors over u p~ against the number of axes."""
 
 from ..document import Finding
 from ..wording import count, factor, general, shortest

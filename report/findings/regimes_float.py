@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""float errs in its own unit roundoff as double does in its own."""
+"""Errors in float against errors in double, each in its own unit roundoff."""
 
 from ..document import Finding
 from ..wording import count, general

@@ -14,7 +14,7 @@ def _outside(row):
 
 
 def find(bundle):
-    """Holds where every method that evaluates the given form is outside [0, 1] about as good as inside."""
+    """Holds where every method that evaluates the given form is about as accurate outside [0, 1] as inside."""
     rows = [r for r in study(bundle, "parameter") if ":" not in r["method"] and isinstance(r["mean_error_u"], float)]
     worst = {}  # method: (ratio, row outside, row inside), at its worst degree
     for method in dict.fromkeys(r["method"] for r in rows):

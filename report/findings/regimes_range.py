@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Over u p~ an error does not know the size of the coordinates."""
+"""Errors over u p~ against the size of the coordinates."""
 
 from ..document import Finding
 from ..wording import count, factor, general, large, listing, shortest
@@ -8,7 +8,7 @@ from .series import names
 
 
 def find(bundle):
-    """Holds where no method's mean error over u p~ depends on the range; where it overflows is said apart."""
+    """Holds where no method's mean error over u p~ depends on the range. Overflow is reported separately."""
     rows = study(bundle, "range")
     found = spreads(rows, "coordinate_range")
     uneven = [m for m, s in found.items() if s.apart]

@@ -28,7 +28,7 @@ def find(bundle):
 
 
 def _margin(row):
-    """How far above its goal a row is: 1 is just reached."""
+    """The factor by which a row is better than its goal; 1 just reaches it."""
     if row["goal_share"] is not None:
         return row.number("share_of_peak") / row.number("goal_share")
     return row.number("goal_ns") / row.number("median_ns")

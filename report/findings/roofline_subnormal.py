@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What subnormal powers of t cost the methods that form them."""
+"""The time that subnormal powers of t cost the methods that form them."""
 
 from ..bundle import Missing
 from ..document import Finding
@@ -7,7 +7,7 @@ from ..wording import general
 
 SUITE = "roofline"
 METHOD = "horner_bernstein_fma"
-LEAST = 2  # times as long: nothing else that differs between the two intervals of t comes near
+LEAST = 2  # times as long; no other difference between the two intervals of t has an effect of this size
 
 
 def find(bundle):

@@ -26,11 +26,11 @@ def _found(module, bundle):
 
 
 def find_all(bundle):
-    """(findings, [(name, what the bundle lacks)]): a finding that cannot be decided is named, never guessed."""
+    """(findings, [(name, what the bundle lacks)]); the second list has the findings that cannot be decided."""
     found, undecided = [], []
     for module in ROSTER:
         if hasattr(module, "SUITE") and not bundle.has_suite(module.SUITE):
-            continue  # its chapter says that the suite is not there
+            continue  # its chapter reports the missing suite
         name = module.__name__.rsplit(".", 1)[-1]
         try:
             with decided_by(bundle, f"the finding '{name.replace('_', ' ')}'"):
@@ -40,7 +40,7 @@ def find_all(bundle):
     return found, undecided
 
 
-# heading and which findings stand under it; where the data flip a finding, it moves by itself
+# (heading, which findings belong under it). A finding moves to another heading when the data reverse it.
 GROUPS = (
     ("How well the tables are reproduced", lambda f: f.about == "reproduction"),
     ("Conclusions of the report that do not hold, and why",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The largest of a sample is not a worst case."""
+"""The largest error of a sample against the largest of all trials."""
 
 from ..document import Finding
 from ..methods import yardstick

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What the search for worst cases found, as findings and tables look at it."""
+"""Results of the search for worst cases, for findings and tables."""
 
 import math
 
 from ..bundle import Missing
 
-GAIN = 1.5  # what the search is asked to gain over the sample; search.csv says `reached` where it did
+GAIN = 1.5  # the gain over the sample that the search aims at; search.csv says `reached` where it got it
 
 
 def rows_of(bundle, prefix):
@@ -18,7 +18,7 @@ def rows_of(bundle, prefix):
 
 
 def gain(row):
-    """Searched over sampled maximum; infinite where the sample saw no error at all."""
+    """The searched maximum over the sampled one; infinite where the sample has no error."""
     return row["searched_error_u"] / row["sampled_error_u"] if row["sampled_error_u"] else math.inf
 
 

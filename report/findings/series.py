@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Mean errors in u p~ by method and degree, as the findings of the suites look at them."""
+"""Mean errors in u p~ by method and degree, for the findings of the suites."""
 
 from ..bundle import Missing
 from ..wording import listing, shortest
@@ -17,20 +17,20 @@ def by_degree(rows):
 
 
 def best(methods):
-    """{degree: the methods of least mean error}; methods whose results agree share a place."""
+    """{degree: the methods with the least mean error}; several where their errors are equal."""
     degrees = sorted({n for rows in methods.values() for n in rows})
     least = {n: min(rows[n]["mean_error_u"] for rows in methods.values() if n in rows) for n in degrees}
     return {n: tuple(m for m, rows in methods.items() if n in rows and rows[n]["mean_error_u"] == least[n]) for n in degrees}
 
 
 def growth(rows):
-    """By what the mean error of one method exceeds, at its worst, the one at the lowest degree."""
+    """The largest mean error of one method over that at the lowest degree."""
     first = rows[min(rows)]["mean_error_u"]
     return max(r["mean_error_u"] for r in rows.values()) / first
 
 
 def names(methods, most=6):
-    """`a`, `b` and 3 more."""
+    """The names as text: `a`, `b` and 3 more."""
     methods = [f"`{m}`" for m in methods]
     return listing(methods) if len(methods) <= most else f"{', '.join(methods[:most - 1])} and {len(methods) - most + 1} more"
 

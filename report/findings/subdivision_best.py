@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which way of splitting a curve has the least error, by degree."""
+"""Which method for subdivision has the least error, by degree."""
 
 from ..bundle import Missing
 from ..document import Finding

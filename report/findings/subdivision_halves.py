@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Whether the halves of a split curve fit together and keep the ends, to the last bit, and points of halves those of the curve."""
+"""Whether the halves of a split curve share their junction and keep the ends bit for bit, and whether their points are
+on the curve."""
 
 from ..bundle import Missing
 from ..document import Finding

@@ -13,7 +13,7 @@ ORDERS = {
 
 
 def _times(rows, column, order):
-    """degree: {method: time}, for the degrees at which every method of the order has a time."""
+    """{degree: {method: time}} for the degrees at which every method of the order has a time."""
     times = {}
     for row in rows:
         if row["method"] in order and row[column] is not None:

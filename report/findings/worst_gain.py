@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""By how much a search outdoes a sample."""
+"""The gain of a search for worst cases over a sample."""
 
 from ..document import Finding
 from ..wording import count, factor, general, large, shortest
@@ -10,7 +10,7 @@ SUITE = "worst"
 
 
 def find(bundle):
-    """Holds where most cells gained what was asked."""
+    """Holds where most cells reach the gain that the search aims at."""
     rows = rows_of(bundle, "worst-")
     by = {status: [r for r in rows if r["status"] == status] for status in ("reached", "near_bound", "short")}
     most = max(rows, key=gain)

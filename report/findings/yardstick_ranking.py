@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Direct evaluation against de Casteljau once both are held against the truth."""
+"""Direct evaluation against de Casteljau's algorithm, both compared with the truth."""
 
 from ..document import Finding
 from ..wording import count, general, listing, scientific

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Judges `bezierbench curve derivative` by the definition in rational arithmetic, on random and nasty curves.
+"""Judges `bezierbench curve derivative` by the definition in rational arithmetic, on random and difficult curves.
 
 check_derivative.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -30,7 +30,8 @@ def derivative_of_powers(coefficients, order):
 
 
 def derivative(form, coefficients, order):
-    """The coefficients of the derivative in the form of the curve; a Bernstein form goes by way of its powers."""
+    """The coefficients of the derivative in the form of the curve. A curve in Bernstein form is converted to powers and
+    back."""
     if form == "power":
         return derivative_of_powers(coefficients, order)
     return exact.to_bernstein(derivative_of_powers(exact.to_power(coefficients), order))
@@ -55,7 +56,7 @@ def cases(seed):
 
 
 class Judge(check_eval.Judge):
-    """Rows of `curve derivative` have those of `curve eval` and the order."""
+    """Judges rows of `curve derivative`: the columns of `curve eval`, and the order."""
 
     def judge_orders(self, number, case, orders):
         self.file = self.folder / f"curve_{number:03}.csv"

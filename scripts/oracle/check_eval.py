@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Judges `bezierbench curve eval` and `curve convert` by the oracle in exact.py, on random and nasty curves.
+"""Judges `bezierbench curve eval` and `curve convert` by the oracle in exact.py, on random and difficult curves.
 
 check_eval.py PROGRAM [--seed S] [--keep DIR]    exits 1 with the first mismatches
 """
@@ -36,10 +36,10 @@ CONVERSIONS = {
     "power": ["exact", "forward_substitution", "positive_sum", "triangle"],
 }
 
-# t that every curve sees. 2^-53 and its neighbours are where 1 - t starts to round to 1.
+# Values of t for every curve. At 2^-53 and its neighbours 1 - t begins to round to 1.
 ORDINARY_T = [0.0, 1.0, 0.5, 1 / 3, math.nextafter(1, 0), math.nextafter(1, 2), math.nextafter(0.5, 0)]
 ORDINARY_T += [2.0**-53, math.nextafter(2.0**-53, 0), math.nextafter(2.0**-53, 1), 1 - 2.0**-52, -0.0, -2.5, 3.7]
-# t whose powers leave the range of double.
+# Values of t whose powers overflow or underflow.
 EXTREME_T = [TINY, -TINY, 1e-300, -1e-300, 2.0**-1022, 1e300, -1e300, 1.5e154]
 
 
@@ -66,7 +66,7 @@ class Case:
 
 
 def cancelling(draw, n):
-    """Alternating and huge but for a small rest: p~ / |p| is enormous."""
+    """Huge coefficients of alternating sign plus small ones: p~ / |p| is enormous."""
     return [(-1.0) ** i * draw.uniform(0.9, 1.1) * 1e15 + draw.random() for i in range(n + 1)]
 
 
@@ -122,7 +122,7 @@ def has_point(degree, t, weights):
 
 
 def some_parameters(draw, degree):
-    """All extreme t at low degree; at high degree few, since exact values then have 10^5 bits."""
+    """Values of t: all extreme ones at low degree, a few at high degree, where exact values have 10^5 bits."""
     chosen = ORDINARY_T + [draw.random() for _ in range(3)] + [draw.uniform(-1, 2)]
     if degree <= 6:
         return chosen + EXTREME_T
@@ -158,7 +158,7 @@ def cases(seed):
             yield Case(f"{kind} {degree}", form, [KINDS[kind](draw, degree)], some_parameters(draw, degree))
         # the smallest subnormal times t > 1/2 rounds to itself, and so does p~ in double: the true p~ is far smaller
         yield Case("sticking 20", form, [[0.0] * 20 + [TINY]], [0.51, 0.6261567791606476, 0.6877561493712671, 0.9])
-        # each axis on its own scale
+        # axes of different scales
         axes = [KINDS[kind](draw, 5) for kind in ("huge", "subnormal", "zero")]
         yield Case("scales 5", form, axes, some_parameters(draw, 5))
 
@@ -173,14 +173,14 @@ class Judge:
         self.file = None
 
     def compare(self, fine, kind, line):
-        """Counts one comparison; `line` is a function, for it is seldom needed."""
+        """Counts one comparison and, unless `fine`, a mismatch with the text `line()`."""
         self.comparisons += 1
         if not fine:
             self.kinds[kind] += 1
             self.mismatches.append(f"{kind}: {line()} [{self.file.name}]")
 
     def call(self, case, *arguments, may_fail=(0,)):
-        """The program's standard output on the file of `case`, or None where it ends with another exit code than 0."""
+        """The program's standard output for the file of `case`; None where its exit code is not 0."""
         form = "bernstein" if case.weights else case.form
         command = [self.program, "curve", arguments[0], "--curve", self.file, "--form", form, *arguments[1:]]
         result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
@@ -226,7 +226,7 @@ class Judge:
                 self.judge_row(case, row, *truths[key])
 
     def judge_order(self, case, rows, methods):
-        """Rows come in the order of methods, then of t as given, then of axes."""
+        """Checks the order of the rows: by method, then by t as given, then by axis."""
         names = AXES[: len(case.axes)]
         wanted = [(m, t, axis) for m in methods for t in case.parameters for axis in names]
         got = [(row["method"], float_of(row["t"]), row["axis"]) for row in rows]
@@ -298,18 +298,18 @@ class Judge:
 
     @staticmethod
     def may_overflow(method, truths, sums, n):
-        """Whether a coefficient certainly is no double, so that the conversion is refused, and whether one may be none."""
+        """(whether a coefficient certainly overflows, so that the conversion is refused; whether one may overflow)."""
         lost = any(math.isinf(exact.to_double(truth.as_integer_ratio())) for truth in truths)
         if method == "exact":
             return lost, lost
-        return lost, lost or max(sums) * 4**n * math.factorial(n) >= 2**1000  # products on the way may overflow
+        return lost, lost or max(sums) * 4**n * math.factorial(n) >= 2**1000  # intermediate products may overflow
 
     @staticmethod
     def converted(method, computed, truth, sums, i, n):
         rounded = exact.to_double(truth.as_integer_ratio())
         if method == "exact":
             return rounds_to(computed, rounded, truth == 0), rounded
-        # Products on the way may overflow where the result does not; underflow costs 2^-1074 a product.
+        # Intermediate products may overflow where the result does not. Underflow costs 2^-1074 per product.
         if max(sums) * 4**n >= 2**1000 or not math.isfinite(computed):
             return max(sums) * 4**n * math.factorial(n) >= 2**1000, rounded
         amplification = 3**n * max(sums) if method == "forward_substitution" else sums[i]
@@ -319,7 +319,7 @@ class Judge:
 
 
 def truth_of(case, terms, coefficients):
-    """p(t) and p~(t) on one axis."""
+    """(p(t), p~(t)) on one axis."""
     if case.weights:
         return (exact.rational_value(terms, coefficients, case.weights),
                 exact.rational_p_tilde(terms, coefficients, case.weights))
@@ -340,7 +340,7 @@ def float_of(text):
 
 
 def rounds_to(a, rounded, truth_is_zero):
-    """Equal to the last bit. The sign of a zero counts where it came out of an underflow, not where the truth is zero."""
+    """Whether `a` has the bits of `rounded`. The sign of a zero counts only where it is the result of an underflow."""
     return a == rounded and (truth_is_zero or math.copysign(1, a) == math.copysign(1, rounded))
 
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Judges `bezierbench curve fit` in rational arithmetic, on random and nasty points.
+"""Judges `bezierbench curve fit` in rational arithmetic, on random and difficult points.
 
-Shares nothing with the program: for every data point a parameter is searched for in floating point, on a dense grid and
-from there by halving; the distance there is then taken in fractions. It may exceed neither the tolerance nor the maximum
-error that the program claims. Segments must join each other, in data points, from the first to the last.
+It shares no code with the program. For every data point a parameter is searched for in floating point, on a dense grid
+and then by halving steps. The distance at that parameter is computed in fractions; it may exceed neither the tolerance
+nor the maximum error that the program claims. Segments must join in data points, from the first point to the last.
 
 check_fit.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -27,13 +27,14 @@ def basis(t):
 
 
 def squared_length_at(offsets, t):
-    """|C(t) - P|^2, from the control points less P."""
+    """|C(t) - P|^2; `offsets` are the control points minus P."""
     weights = basis(t)
     return sum(sum(w * b[axis] for w, b in zip(weights, offsets)) ** 2 for axis in range(len(offsets[0])))
 
 
 def candidates(offsets):
-    """(segment, t) that may be nearest, in floating point: the best of a grid, from each smaller steps until none helps."""
+    """Candidates (segment, t) for the nearest point, in floating point: the best of a grid, refined by steps that are
+    halved."""
     grid = sorted((squared_length_at(segment, k / GRID), i, k / GRID)
                   for i, segment in enumerate(offsets) for k in range(GRID + 1))
     for distance, i, t in grid[:STARTS]:
@@ -48,7 +49,7 @@ def candidates(offsets):
 
 
 def within(segments, point, limit):
-    """Whether the point is within `limit` of the curve, as far as the search can tell; the answer yes is certain."""
+    """Whether a point of the curve within `limit` of the point was found. True is certain; False may miss one."""
     offsets = [[[c - x for c, x in zip(b, point)] for b in segment] for segment in segments]
     size = max((abs(c) for segment in offsets for b in segment for c in b), default=0) or Fraction(1)
     scaled = [[[float(c / size) for c in b] for b in segment] for segment in offsets]
@@ -56,7 +57,7 @@ def within(segments, point, limit):
 
 
 def judge(points, tolerance, rows, claimed):
-    """What is wrong, line by line."""
+    """Yields what is wrong, one line each."""
     if len(rows) % 4 or [(r["segment"], r["index"]) for r in rows] != [(str(k // 4), str(k % 4)) for k in range(len(rows))]:
         yield "rows are not those of whole segments"
         return
@@ -129,7 +130,7 @@ KINDS = (walk, samples, closed, integers, repeated, straight, same, distant, tim
 
 
 def cases(seed):
-    """(name, points, tolerance)."""
+    """Yields (name, points, tolerance)."""
     draw = random.Random(seed)
     for kind in KINDS:
         for tolerance in TOLERANCES:

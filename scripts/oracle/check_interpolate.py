@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Judges `bezierbench curve interpolate` in rational arithmetic, on random and nasty points.
+"""Judges `bezierbench curve interpolate` in rational arithmetic, on random and difficult points.
 
-Shares nothing with the program: the conditions of a C2 natural spline are written down for all control points at once,
-P0, P1, P2 and P3 of every segment unknown, and solved by Gaussian elimination with fractions.
+It shares no code with the program. The conditions of a C2 natural spline are written as one system for all control
+points, with P0, P1, P2 and P3 of every segment unknown, and solved by Gaussian elimination with fractions.
 
 check_interpolate.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -14,9 +14,9 @@ from fractions import Fraction
 
 import judging
 
-# The largest error of a control point that is let pass, in u max|K|: sqrt(3) is proved, the other promises nothing.
+# The largest accepted error of a control point, in u max|K|: sqrt(3) is proved; the other method has no bound.
 METHODS = {"c2_natural": 1.74, "c2_natural_handles": 12}
-RESIDUALS = 8  # of c2_natural, in u max|K|
+RESIDUALS = 8  # largest accepted residual of c2_natural, in u max|K|
 SMALLEST = Fraction(1, 2**1074)
 
 
@@ -45,7 +45,8 @@ def eliminate(rows):
 
 
 def conditions(n):
-    """The left-hand sides, by kind, over the unknowns 4i + j = P_j of segment i."""
+    """Yields (kind, number of the data point, left-hand side) of every condition; unknown 4i + j is P_j of segment
+    i."""
     one = Fraction(1)
     for i in range(n):
         yield "data", i, {4 * i: one}
@@ -59,7 +60,7 @@ def conditions(n):
 
 
 def judge(points, found, method):
-    """What is wrong with the values of one axis, line by line."""
+    """Yields what is wrong with the values of one axis, one line each."""
     points, found = [Fraction(x) for x in points], [Fraction(x) for x in found]
     size = max(map(abs, points))
     unit = size / 2**53
@@ -117,7 +118,7 @@ KINDS = (uniform, integers, signs, graded, distant, huge, tiny, repeated)
 
 
 def cases(seed):
-    """(name, points)."""
+    """Yields (name, points)."""
     draw = random.Random(seed)
     yield "the example of [Document 003]", [[0.0], [1.0], [0.0], [1.0]]
     for kind in KINDS:

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Judges `bezierbench curve length` and `curve at-length` in decimal arithmetic, on random and nasty curves.
+"""Judges `bezierbench curve length` and `curve at-length` in decimal arithmetic, on random and difficult curves.
 
-Shares nothing with the program: lengths are integrals by the tanh-sinh rule (Takahasi and Mori 1974) in 45 digits, over
-pieces that end where |C'|^2 is extreme, so next to its roots; two step sizes must agree.
-At exact_t +- one ulp the length must lie on both sides of the target. A promised tolerance must be kept.
+It shares no code with the program. Lengths are integrals by the tanh-sinh rule (Takahasi and Mori 1974) in 45 digits,
+over pieces that end at the extrema of |C'|^2 and so next to its roots. Two step sizes must agree. The lengths at
+exact_t +- one ulp must lie on either side of the target. A promised tolerance must be kept.
 
 check_length.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -19,11 +19,11 @@ from drawn_curves import collinear, constant, cusp, integers, straight, uniform
 
 LENGTH = "method,length,error_estimate,evaluations,converged,exact,error".split(",")
 AT_LENGTH = "method,t,iterations,converged,exact_t,error,error_estimate,length_error".split(",")
-SURE = {"bracketed_newton", "halley"}  # of the methods, those that must converge
+SURE = {"bracketed_newton", "halley"}  # methods that must converge
 TOLERANCE = "1e-9"
 
 getcontext().prec = 45
-AGREE = Decimal("1e-25")  # of two step sizes, relative to the curve
+AGREE = Decimal("1e-25")  # largest difference between two step sizes, relative to the length of the curve
 
 
 def tanh_sinh_rule(per_unit):
@@ -86,8 +86,9 @@ def roots_of(coefficients):
 
 
 def cuts(square):
-    """Where pieces end: 0, 1, below complex roots of |C'|^2, and where it is extreme: next to its real axis these are its
-    minima. Those in decimal, for a cusp is a double root of |C'|^2, and a simple one of its derivative."""
+    """The ends of the pieces: 0, 1, the real parts of complex roots of |C'|^2, and its extrema. A root next to the real
+    axis gives a minimum, which is refined in decimal: a cusp is a double root of |C'|^2, but a simple root of its
+    derivative."""
     slope = [decimal(c) for c in derivative(square)]
     bend = derivative(slope)
     found = {Decimal(0), Decimal(1)}
@@ -124,7 +125,7 @@ class Curve:
         return sum((x * x for x in row[0]), Decimal(0)).sqrt()
 
     def length(self, low, high):
-        """Of the part between two parameters of [0, 1]."""
+        """The length of the part between two parameters in [0, 1]."""
         if self.still or high <= low:
             return Decimal(0)
         ends = [low, *(c for c in self.cuts if low < c < high), high]
@@ -167,7 +168,7 @@ def judge_length(rows, curve):
 
 
 def judge_at_length(rows, curve, target):
-    """`target` in units of the curve."""
+    """Yields what is wrong with rows of `curve at-length`; `target` is in units of the curve."""
     if list(rows[0]) != AT_LENGTH or not SURE <= {row["method"] for row in rows}:
         yield f"columns or methods: {rows[:1]}"
         return
@@ -195,7 +196,7 @@ def judge_at_length(rows, curve, target):
 
 
 def mixed(draw, n, d):
-    """Coordinates of unlike sizes, as unlike as this quadrature can follow."""
+    """Coordinates of different sizes, as far as this quadrature allows."""
     return [[draw.uniform(-1, 1) * 2.0 ** draw.randint(-8, 8) for _ in range(d)] for _ in range(n + 1)]
 
 
@@ -203,7 +204,7 @@ KINDS = (uniform, integers, mixed, straight, constant, collinear, cusp)
 
 
 def cases(seed):
-    """(name, control points)."""
+    """Yields (name, control points)."""
     draw = random.Random(seed)
     yield "sharp", [[0.0, 0.0], [1.0, 1.0], [0.1, 1.0], [1.0, 0.0]]
     yield "closed", [[0.0, 0.0], [3.0, 3.0], [-3.0, 3.0], [0.0, 0.0]]
@@ -216,7 +217,7 @@ def cases(seed):
 
 
 def judge(program, points, draw):
-    """Mismatches of the questions about one curve."""
+    """Yields the mismatches for one curve."""
     def rows(command, *options):
         return program.ask(command, "--curve", points, "--tolerance", TOLERANCE, *options)[0]
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Judges `bezierbench curve project` in rational arithmetic, on random and nasty curves.
+"""Judges `bezierbench curve project` in rational arithmetic, on random and difficult curves.
 
-Shares nothing with the program: the distance at the program's exact_t is computed from the definition, (C - P).C' must
-change its sign there (or vanish, or push outwards at an end), and no point of a grid may be nearer.
+It shares no code with the program. The distance at the program's exact_t is computed from the definition. (C - P).C'
+must change its sign there, or vanish, or at an end point out of the interval. No point of a grid may be nearer.
 
 check_project.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -21,7 +21,7 @@ ALWAYS = {"quintic_isolate", "quintic_companion", "subdivide_hull", "scan_bisect
 
 
 def point_at(points, t):
-    """De Casteljau in rationals."""
+    """The point at t by de Casteljau's algorithm in rationals."""
     while len(points) > 1:
         points = [[(1 - t) * a + t * b for a, b in zip(p, q)] for p, q in zip(points, points[1:])]
     return points[0]
@@ -49,7 +49,7 @@ TARGETS = {
 
 
 def cases(seed):
-    """(name, control points, point)."""
+    """Yields (name, control points, point)."""
     draw = random.Random(seed)
     five = [[-3.0, 1.0], [4.0, -7.0], [-4.0, 7.0], [3.0, -1.0]]
     yield "five critical points", five, [0.0, 0.0]
@@ -61,7 +61,7 @@ def cases(seed):
 
 
 def judge(program, points, target):
-    """What is wrong with the program's rows, line by line."""
+    """Yields what is wrong with the program's rows, one line each."""
     rows, _ = program.ask("project", "--curve", points, "--point=" + ",".join(x.hex() for x in target))
     exact_points, exact_target = [list(map(Fraction, p)) for p in points], list(map(Fraction, target))
     size = max(abs(x) for p in [*points, target] for x in p) or 1.0
@@ -86,7 +86,7 @@ def judge(program, points, target):
     for row in rows:
         there = math.sqrt(squared_distance(exact_points, exact_target, Fraction(float(row["t"]))))
         said, place = abs(float(row["distance"]) - distance), there - distance
-        error = place if place > 2 * said + 2.0**-50 * distance else said  # of the distance, or of where it is
+        error = place if place > 2 * said + 2.0**-50 * distance else said  # error of the distance or, if larger, of the place
         if abs(float(row["error"]) - error) > 2.0**-50 * (distance + error):
             yield f"{row['method']}: error {row['error']}, not {error}"
         if abs(there - float(row["distance"])) > 2.0**-50 * there + 2.0**-97 * size:  # u and c_2 u^2, c_2 < 2^9

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Judges `bezierbench curve split` by the definition in rational arithmetic, on random and nasty curves.
+"""Judges `bezierbench curve split` by the definition in rational arithmetic, on random and difficult curves.
 
-Point i of the left half is the Bernstein form of c_0 to c_i at t, point i of the right one that of c_i to c_n. The points of
-a rational curve are those of (w c, w), divided.
+Point i of the left half is the value at t of the Bernstein form with the control points c_0 to c_i; for the right half
+these are c_i to c_n. For a rational curve the points (w c, w) are split and then divided.
 
 check_split.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -24,12 +24,12 @@ HALVES = ("left", "right")
 
 
 def part(coefficients, half, i):
-    """The control points that point i of the half is made of."""
+    """The control points that determine point i of the half."""
     return coefficients[:i + 1] if half == "left" else coefficients[i:]
 
 
 def truths(case, t):
-    """{(half, index, axis): (value, p~)} of every control point, and of its weight as the axis w."""
+    """{(half, index, axis): (value, p~)} for every control point; its weight has the axis w."""
     found = {}
     for half in HALVES:
         for i in range(case.degree + 1):
@@ -44,7 +44,7 @@ def truths(case, t):
 
 
 def can_be_split(case, t):
-    """No control point of a half has the weight zero."""
+    """Whether no control point of a half has the weight zero."""
     parts = [part(case.weights, half, i) for half in HALVES for i in range(case.degree + 1)] if case.weights else []
     return all(exact.value(exact.bernstein_terms(len(w) - 1, t), w)[0] for w in parts)
 
@@ -64,7 +64,7 @@ def cases(seed):
 
 
 class Judge(check_eval.Judge):
-    """Rows of `curve split` have most columns of `curve eval`, and say which control point they are of."""
+    """Judges rows of `curve split`: most columns of `curve eval`, and the number of the control point."""
 
     def judge_split(self, number, case):
         self.file = self.folder / f"curve_{number:03}.csv"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Control points of random and nasty curves, for the oracles: functions of a random.Random, a degree and the axes."""
+"""Control points of random and difficult curves for the oracles: functions of a random.Random, the degree and the
+dimension."""
 
 
 def uniform(draw, n, d):
@@ -30,18 +31,18 @@ def mirrored(draw, n, d):
 
 
 def collinear(draw, n, d):
-    """To and fro on a line."""
+    """Control points in any order on a line."""
     step = [float(draw.randint(1, 3)) for _ in range(d)]
     return [[k * s for s in step] for k in (draw.randint(-8, 8) for _ in range(n + 1))]
 
 
 def cusp(draw, _n, d):
-    """A cubic that stops at t = 1/2: b_0 + b_1 = b_2 + b_3 makes 3 (D_0 + 2 D_1 + D_2) / 4 vanish."""
+    """A cubic with a cusp at t = 1/2: b_0 + b_1 = b_2 + b_3 makes its derivative 3 (D_0 + 2 D_1 + D_2) / 4 vanish."""
     b = [[float(draw.randint(-64, 64)) for _ in range(d)] for _ in range(3)]
     return [[q + r - p for p, q, r in zip(*b)], *b]
 
 
 def write_curve(path, points):
-    """A curve file with every bit of its coordinates."""
+    """Writes a curve file with every bit of the coordinates."""
     head = ",".join("xyz"[: len(points[0])])
     path.write_text("\n".join([head, *(",".join(x.hex() for x in p) for p in points), ""]), encoding="ascii")

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""An oracle of another kind: the definitions in rational arithmetic, in plain Python, sharing nothing with the C++ code.
+"""Independent reference values: the definitions in rational arithmetic, in plain Python, without code of the C++
+program.
 
-Every double is a dyadic rational, so curve values are exact rationals. A rational is a pair (numerator, denominator)
-of integers with denominator > 0, not reduced: greatest common divisors of numbers with 10^5 bits would take all the time.
+Every double is a dyadic rational, so curve values are exact rationals. A rational is a pair (numerator, denominator) of
+integers with denominator > 0, not reduced: greatest common divisors of numbers with 10^5 bits would take most of the
+time.
 """
 import math
 from fractions import Fraction
@@ -27,7 +29,7 @@ def with_common_denominator(values):
 
 
 def bernstein_terms(degree, t):
-    """The integers C(n,i) a^i (d-a)^(n-i) and d^n, where t = a/d: numerators and denominator of B_i(t)."""
+    """Numerators and denominator of B_i(t): the integers C(n,i) a^i (d-a)^(n-i) and d^n, where t = a/d."""
     a, d = ratio(t)
     rising, falling = [1], [1]
     for _ in range(degree):
@@ -37,7 +39,7 @@ def bernstein_terms(degree, t):
 
 
 def power_terms(degree, t):
-    """The integers a^j d^(n-j) and d^n, where t = a/d: numerators and denominator of t^j."""
+    """Numerators and denominator of t^j: the integers a^j d^(n-j) and d^n, where t = a/d."""
     a, d = ratio(t)
     rising, falling = [1], [1]
     for _ in range(degree):
@@ -83,7 +85,8 @@ def rational_value(terms, coefficients, weights):
 
 
 def rational_p_tilde(terms, coefficients, weights):
-    """p~(t) = sum |w_i c_i basis_i(t)| / |sum w_i basis_i(t)|, likewise."""
+    """p~(t) = sum |w_i c_i basis_i(t)| / |sum w_i basis_i(t)|, from basis_terms(); None where the denominator is
+    zero."""
     pair = weighted_ratio(terms, coefficients, weights, abs)
     return pair and (pair[0], abs(pair[1]))
 
@@ -125,7 +128,7 @@ def ulp_exponent(x):
 
 
 def to_double(x):
-    """The double nearest to the rational x, ties to even; infinite from 2^1024 - 2^970 on; keeps the sign of zero."""
+    """The double nearest to the rational x, ties to even; infinite from 2^1024 - 2^970 on. A zero keeps its sign."""
     numerator, denominator = x
     if numerator == 0:
         return 0.0

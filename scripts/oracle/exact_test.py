@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The oracle against cases that were worked out by hand, and against slower ways to the same number."""
+"""exact.py against cases computed by hand, and against slower computations of the same numbers."""
 import math
 import random
 import sys

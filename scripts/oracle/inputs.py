@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The inputs of the experiments, drawn a second time, without the program's code.
+"""Draws the inputs of the experiments independently of the program.
 
 Written from the contract's table of generators and from the definitions of Philox (Salmon, Moraes, Dror, Shaw, SC'11)
-and FNV-1a alone; exact rational arithmetic where the program uses fixed-width integers. Compares the first trials of
-some suites, and of a study that draws weights, with experiments/sample/first_draws.csv, which the C++ tests compare
-with as well. Where a generator means a polynomial, shows that its coefficients, doubles, are exactly that polynomial's.
+and FNV-1a alone, with exact rational arithmetic where the program uses fixed-width integers. Compares the first trials
+of some suites, and of a study that draws weights, with experiments/sample/first_draws.csv, which the C++ tests use as
+well. Where a generator intends a polynomial, checks that the coefficients are exactly those of that polynomial.
 
     python3 scripts/oracle/inputs.py [--write]    exit 1 where they differ; --write makes the file
 """
@@ -50,7 +50,7 @@ def fnv1a(text):
 
 
 def shortest(x):
-    """What std::to_chars(double) writes: shortest digits, fixed notation unless scientific is shorter."""
+    """The text that std::to_chars(double) writes: shortest digits, fixed notation unless scientific is shorter."""
     sign = "-" if str(x).startswith("-") else ""
     if x == 0:
         return sign + "0"
@@ -82,7 +82,7 @@ def canonical(cell):
 
 
 def words(seed, study, cell, trial):
-    """The 64-bit words of one trial, without end."""
+    """Yields the 64-bit words of one trial, endlessly."""
     block = 0
     while True:
         yield from philox4x64((fnv1a(study), fnv1a(canonical(cell)), trial, block), (seed, 0))
@@ -143,7 +143,7 @@ def wild(stream):
 
 
 def multiple_root(n, _stream):
-    """Leading coefficient and roots."""
+    """(leading coefficient, roots)."""
     return Fraction(1), [Fraction(3, 4)] * n
 
 
@@ -160,7 +160,7 @@ def clustered_roots(n, stream):
 
 
 def cusp(n, dimension, stream):
-    """Points, in units of R, of a curve that stops at c = r / (1 + r); b_0 follows from the others."""
+    """Points, in units of R, of a curve with a cusp at c = r / (1 + r); b_0 follows from the others."""
     r, near = Fraction(1 + below(8, stream), 4), below(2, stream)
     offset = Fraction(near, 2 ** (5 + below(46, stream)))
     step = 4 ** (n - 1)
@@ -188,7 +188,7 @@ def thin(n, dimension, stream):
 
 
 def power_coefficients(leading, roots):
-    """Of leading * prod (t - root), ascending."""
+    """The power coefficients of leading * prod (t - root), ascending."""
     coefficients = [leading]
     for root in roots:
         coefficients = [a - root * b for a, b in zip([0] + coefficients, coefficients + [0])]
@@ -215,7 +215,7 @@ COORDINATES = {"continuous": continuous, "dyadic": continuous, "integer": intege
                "graded": graded, "weights_mild": continuous, "weights_wild": continuous}
 CURVES = {"cusp": cusp, "thin": thin}
 POLYNOMIALS = {"multiple_root": multiple_root, "clustered_roots": clustered_roots}
-PARAMETERS = {"dyadic": dyadic_t, "report": report_t}  # the others: as continuous
+PARAMETERS = {"dyadic": dyadic_t, "report": report_t}  # every other generator draws t as continuous
 WEIGHTS = {"weights_mild": mild, "weights_wild": wild}
 # The largest degrees that the program takes.
 DEGREES = {("multiple_root", "bezier"): 33, ("multiple_root", "polynomial"): 27, ("clustered_roots", "bezier"): 8,
@@ -223,7 +223,7 @@ DEGREES = {("multiple_root", "bezier"): 33, ("multiple_root", "polynomial"): 27,
 
 
 def draw(seed, study, cell, trial):
-    """t, the coefficients, point by point, and the weights."""
+    """(t, coefficients point by point, weights)."""
     generator = cell["generator"]
     stream = words(seed, study, cell, trial)
     t = PARAMETERS.get(generator, affine)(cell["t_min"], cell["t_max"], stream)
@@ -244,7 +244,7 @@ def draw(seed, study, cell, trial):
 
 
 def hexadecimal(x):
-    """As C's %a: no trailing zeros."""
+    """The number as C's %a writes it, without trailing zeros."""
     mantissa, exponent = float(x).hex().split("p")
     if "." in mantissa:
         mantissa = mantissa.rstrip("0").rstrip(".")
@@ -292,7 +292,8 @@ def self_test():
 
 
 def check_polynomials():
-    """Every degree that the program takes is exact in doubles, whatever is drawn: polynomial() sees to that."""
+    """Checks that the coefficients are doubles at every degree that the program takes; polynomial() raises where one is
+    not."""
     for (generator, curve), largest in DEGREES.items():
         for n in range(largest + 1):
             cell = {"curve": curve, "dimension": 1, "degree": n, "coordinate_range": 1.0, "t_min": 0.0, "t_max": 1.0,

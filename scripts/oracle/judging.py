@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What oracles of `bezierbench curve` have in common: how the program is asked, and the loop over the questions."""
+"""What the oracles of `bezierbench curve` share: calls of the program, and the loop over all cases."""
 import argparse
 import csv
 import subprocess
@@ -12,13 +12,14 @@ SHOWN = 12  # mismatches printed
 
 
 class Program:
-    """PROGRAM, which is asked about one file of points after the other."""
+    """The program under test, and the file in which it gets points."""
 
     def __init__(self, program, file):
         self.program, self.file = program, file
 
     def ask(self, command, option, points, *options):
-        """(rows, standard error) of `curve COMMAND OPTION file-of-the-points OPTIONS`. ValueError where it fails."""
+        """(rows, standard error) of `curve COMMAND OPTION FILE OPTIONS`, FILE with `points`. Raises ValueError where it
+        fails."""
         write_curve(self.file, points)
         result = subprocess.run([self.program, "curve", command, option, str(self.file), *options], capture_output=True, text=True,
                                 timeout=120, check=False)
@@ -28,8 +29,8 @@ class Program:
 
 
 def main(description, what, least, questions):
-    """Goes through (name, iterator of mismatches) of questions(program, seed): 1, to exit with, where there is a mismatch
-    or fewer than `least` questions were answered; `what` is their word."""
+    """Judges every (name, iterator of mismatches) that questions(program, seed) yields, and prints a summary. Returns
+    the exit code: 1 for any mismatch, and if fewer than `least` were judged. `what` is the plural of what is judged."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--seed", type=int, default=1)

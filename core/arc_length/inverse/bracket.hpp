@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search that every safeguarded method shares: steps inside an interval whose ends lie on both sides of the target.
+// The search of all safeguarded methods: steps in an interval whose ends lie on either side of the target.
 //
 // A step that leaves the interval is replaced by the interval's middle. So is the step after one that did not halve the
 // distance |s(t) - S|. Therefore at least every other step halves the interval or the distance. Of the length up to t
@@ -28,7 +28,7 @@ class BracketedSearch {
     allowed_ = tolerance * (whole.length - whole.error_estimate);
   }
 
-  /// `step(t, distance)` is where a method goes from a t with the signed distance s(t) - S; any double, NaN included.
+  /// `step(t, distance)` returns the method's next t after a t with the signed distance s(t) - S; any double, also NaN.
   template <class Step>
   InverseArcLength run(Step&& step) {
     if (target_ <= 0) return finish(low_);
@@ -38,7 +38,7 @@ class BracketedSearch {
     Place best = target_ < high_.length / 2 ? low_ : high_;
     while (iterations_ < iteration_limit) {
       if (!inside(t)) t = low_.t + (high_.t - low_.t) / 2;
-      if (!inside(t)) break;  // no double is left
+      if (!inside(t)) break;  // no double is left between the ends
       ++iterations_;
       const Place here = place(t);
       const double distance = here.length - target_;
@@ -54,7 +54,7 @@ class BracketedSearch {
  private:
   struct Place {
     double t = 0;
-    double length = 0;  ///< up to t
+    double length = 0;  ///< length up to t
     double uncertainty = 0;
   };
 

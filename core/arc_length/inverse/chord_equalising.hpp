@@ -30,7 +30,7 @@ struct ChordEqualising {
   static constexpr std::size_t fewest_chords = 8;
   static constexpr std::size_t most_chords = 1024;
   static constexpr int rounds = 12;             ///< for each number of chords
-  static constexpr double even = 1 + 1.0 / 64;  ///< the longest chord to the mean one
+  static constexpr double even = 1 + 1.0 / 64;  ///< largest ratio of the longest chord to the mean one
 
   static constexpr MethodInfo info{.id = "chord_equalising",
                                    .label = "Equal chords",
@@ -50,7 +50,7 @@ struct ChordEqualising {
     for (;; polygon.double_chords()) {
       result.iterations += polygon.equalise();
       const auto [t, before, behind] = polygon.place(share);
-      const double latest = whole.length + whole.error_estimate - behind;  // s(t) is between `before` and this
+      const double latest = whole.length + whole.error_estimate - behind;  // s(t) lies between `before` and this
       result.t = t;
       result.error_estimate = std::max(std::abs(target - before), std::abs(latest - target)) + polygon.rounding();
       result.converged = result.error_estimate <= tolerance * (whole.length - whole.error_estimate);
@@ -61,7 +61,7 @@ struct ChordEqualising {
   }
 
  private:
-  /// A parameter, and the lengths of the polygon on both sides of its point.
+  /// A parameter, and the lengths of the polygon on either side of its point.
   struct Place {
     double t;
     double before;
@@ -87,7 +87,7 @@ struct ChordEqualising {
       t_ = finer;
     }
 
-    /// Moves the parameters until the chords are even or the rounds are over; returns how many it took.
+    /// Moves the parameters until the chords are even or the rounds are used up. Returns the number of rounds.
     int equalise() {
       for (int round = 1;; ++round) {
         measure();
@@ -130,7 +130,7 @@ struct ChordEqualising {
       }
     }
 
-    /// The last chord that begins at or before this length of the polygon.
+    /// The index of the last chord that begins at or before this length of the polygon.
     [[nodiscard]] std::size_t chord_at(double length) const {
       const auto behind = std::upper_bound(sum_.begin() + 1, sum_.end() - 1, length);
       return static_cast<std::size_t>(behind - sum_.begin()) - 1;
@@ -146,7 +146,7 @@ struct ChordEqualising {
     double rounding_of_chord_;
     std::vector<double> t_;
     std::vector<Point<double, Dimension>> points_;
-    std::vector<double> sum_;  ///< of the chords before each point
+    std::vector<double> sum_;  ///< for each point, the sum of the chords before it
     double longest_ = 0;
     std::int64_t evaluations_ = 0;
   };

@@ -10,11 +10,10 @@
 
 namespace bezierbench {
 
-/// With s(t) the integral of |h| over [0, t], h the hodograph of a curve: t in [0, 1] with s(t) = `target`, where
-/// |s(t) - target| <= tolerance s(1). A method is handed a hodograph that is not 0 and is scaled as in ArcLengthMethod,
-/// and a finite `target`; one below 0 or above s(1), as a rounded s(1) may be, has its nearest end as the answer. The
-/// tolerance is one of the length, not of t: where the speed is 0, the error of t has no bound in terms of that of the
-/// length.
+/// Let s(t) be the integral of |h| over [0, t], h the hodograph of a curve. A method returns t in [0, 1] such that the
+/// error |s(t) - target| is at most tolerance s(1). Its hodograph is not 0 and is scaled as for ArcLengthMethod.
+/// `target` is finite; for one below 0 or above s(1), as a rounded s(1) may be, the nearest end is the answer. The
+/// tolerance applies to the length, not to t: where the speed is 0, the error of the length does not bound that of t.
 template <class M>
 concept InverseArcLengthMethod = requires(const Curve<Form::bernstein, double, 2>& hodograph, double target,
                                           double tolerance) {

@@ -10,20 +10,20 @@
 
 namespace bezierbench {
 
-/// One method, for Bezier curves with this many axes.
+/// One method, for Bezier curves of one dimension.
 struct InverseArcLengthKernel {
   const MethodInfo* info;
   int dimension;
-  /// The parameter at which the length of `curve` from its beginning is `target`, to `tolerance` > 0 times the length
-  /// of the curve. Sizes are scaled by a power of two first, so that coordinates of any size have the same results. For
-  /// a curve that is one point it is 0, converged where `target` is 0.
+  /// The parameter at which the length of `curve` from its beginning is `target`, up to `tolerance` > 0 times the
+  /// length of the curve. Sizes are scaled by a power of two first, so that results do not depend on the size of the
+  /// coordinates. For a curve that is a point the result is 0, converged if `target` is 0.
   InverseArcLength (*solve)(const CurveView<double>& curve, double target, double tolerance);
 };
 
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const InverseArcLengthKernel> inverse_arc_length_kernels(int dimension);
 
-/// The info of every method, in roster order.
+/// The infos of all methods, in roster order.
 std::span<const MethodInfo* const> inverse_arc_length_infos();
 
 }  // namespace bezierbench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lengths of parts of one curve, each with its error, as precise as a search for a length needs them.
+// Lengths of parts of one curve with their errors, as accurate as a search for a length needs.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 
 namespace bezierbench {
 
-/// Below this relative tolerance roundings dominate the error, and more speeds do not reduce it.
+/// The smallest useful relative tolerance. Below it, roundings dominate the error and more speeds do not reduce it.
 inline constexpr double finest_tolerance = 0x1p-46;
 
-/// Measures by adaptive Gauss-Legendre rules; counts the speeds.
+/// Measures parts by adaptive Gauss-Legendre rules and counts the speeds.
 template <int Dimension>
 class PartLength {
  public:
-  /// `tolerance` is relative to the length of the whole curve; one that rounding does not permit is not pursued.
+  /// `tolerance` is relative to the length of the whole curve; a smaller one than finest_tolerance counts as that.
   PartLength(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance)
       : hodograph_(hodograph),
         whole_(GaussLegendreAdaptive::measure(hodograph, std::max(tolerance, finest_tolerance) / 8)),
@@ -27,9 +27,9 @@ class PartLength {
 
   [[nodiscard]] const ArcLength& whole() const { return whole_; }
 
-  /// Of the part between a and b, negative where b < a, and its error: for the quadrature at most an eighth of the
-  /// tolerance times |b - a|, unless it says so, and what cutting the curve rounds. Only parts that begin at 0 may
-  /// leave [0, 1].
+  /// The length of the part between a and b, negative where b < a, and its error. The quadrature contributes at most an
+  /// eighth of the tolerance times |b - a|, unless it reports more; the roundings of cutting the curve are added. Only
+  /// parts that begin at 0 may leave [0, 1].
   ArcLength operator()(double a, double b) {
     if (b < a && a > 0) {
       auto backwards = (*this)(b, a);

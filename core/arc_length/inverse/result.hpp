@@ -7,13 +7,13 @@
 
 namespace bezierbench {
 
-/// A parameter with its method's estimate of the error.
+/// A parameter, with the method's estimate of its error.
 struct InverseArcLength {
   double t = std::numeric_limits<double>::quiet_NaN();
-  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< of the length up to t, absolute
-  std::int64_t iterations = 0;                                       ///< parameters, or sets of them, that were tried
-  std::int64_t evaluations = 0;  ///< of the speed and its derivative or, for chords, of the curve
-  bool converged = false;        ///< the estimate is at most tolerance times the length of the whole curve: the promise
+  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< absolute error of the length up to t
+  std::int64_t iterations = 0;                                       ///< parameters, or sets of them, tried
+  std::int64_t evaluations = 0;  ///< evaluations of the speed and its derivative or, for chords, of the curve
+  bool converged = false;        ///< error_estimate is at most tolerance times the length of the whole curve
 };
 
 }  // namespace bezierbench

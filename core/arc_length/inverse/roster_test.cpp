@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parameters at lengths that are known, and the promise: a tolerance is kept, or the result says that it is not.
+// Parameters at known lengths, and the promise of every method: the result keeps the tolerance or says that it does
+// not.
 #include "core/arc_length/inverse/roster.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ const InverseArcLengthKernel& kernel_of(const MethodInfo& info, int dimension = 
   throw std::out_of_range("no such method");
 }
 
-/// |s(t) - target| over the length of the curve; of a t beyond an end that of the end.
+/// |s(t) - target| over the length of the curve. A t beyond an end counts as that end.
 double length_error(const LengthAlong& truth, double t, double target) {
   const LongReal error = abs(truth.length_to(LongReal(t)) - target) / truth.whole();
   return error.convert_to<double>();
@@ -86,8 +87,8 @@ TEST(InverseArcLength, KeepsItsToleranceOrSaysSo) {
     }
 }
 
-/// Random curves of degrees 1 to 12, small whole numbers, collinear ones and curves far away; the length is taken from
-/// the other side of the roster. The true lengths of fewer are in the study.
+/// Random curves of degrees 1 to 12, small whole numbers, collinear ones and curves far away. Another method measures
+/// the length found. The study of this kind uses true lengths, for fewer curves.
 TEST(InverseArcLength, BracketsConvergeOnTenThousandCurves) {
   Inputs inputs(11);
   std::int64_t most = 0;
@@ -166,7 +167,8 @@ TEST(InverseArcLength, SizeChangesNothing) {
   }
 }
 
-/// Lengths of 1e-30 along one axis, all points alike at 1e300 on another; s = 2t + t^2 in 1e-30.
+/// Points with distances of about 1e-30 on one axis and the same coordinate, 1e300, on the other: s = 2t + t^2 times
+/// 1e-30.
 TEST(InverseArcLength, IsThatOfTheDifferences) {
   const double target = 1.5e-30;
   for (const double far : {1e300, 1.7e308, 0.0})
@@ -177,7 +179,7 @@ TEST(InverseArcLength, IsThatOfTheDifferences) {
     }
 }
 
-/// The curves on which sums that agree were wrong about the length.
+/// Curves on which two sums agree with each other although both miss part of the length.
 TEST(InverseArcLength, KeepsItsToleranceOnThinCurves) {
   const std::vector<Case> thin{{"turns", 1, {1, 18, 0, 19}},
                                {"thin", 2, {-7, .005, 12, -.001, -8, .005, 13, -.001}},
@@ -197,7 +199,7 @@ TEST(InverseArcLength, KeepsItsToleranceOnThinCurves) {
   }
 }
 
-/// One curve's lengths and derivatives, for the formulas of [Document 000].
+/// The length and the derivatives of one curve, for the formulas of [Document 000].
 struct Formula {
   Points points;
   double target;
@@ -225,11 +227,11 @@ TEST(SourceDocument, PrintedFormulaNeverConverges) {
   }
   EXPECT_GT(nearest, 1e-3);
   const auto code = kernel_of(Seed000Newton::info).solve(view(formula.points), formula.target, 1e-9);
-  EXPECT_TRUE(code.converged);  // the code divides both by 2
+  EXPECT_TRUE(code.converged);  // the code divides both derivatives by 2
 }
 
-/// Newton's method for the minimum of d^2 with the right second derivative 2 |C'|^2 + 2 d (C'.C'')/|C'|: from t = 0.3
-/// of this curve it leaves [0, 1].
+/// Newton's method for the minimum of d^2 with the correct second derivative, 2 |C'|^2 + 2 d (C'.C'')/|C'|, leaves [0,
+/// 1] from t = 0.3 on this curve.
 TEST(SourceDocument, RightSecondDerivativeJumpsAwayToo) {
   const double whole = arc_length_kernels(2)[2].measure(view(sharp), 0, 1, 1e-13).length;
   const Formula formula{sharp, 0.3 * whole};
@@ -244,8 +246,8 @@ TEST(SourceDocument, RightSecondDerivativeJumpsAwayToo) {
   EXPECT_NEAR(std::abs(next - found.t), 3.0, 0.1);
 }
 
-/// A mean value theorem of vectors, |C(b) - C(a)| = |C'(xi)| (b - a), does not exist: of a closed curve that never
-/// stops the left side is 0, the right side nowhere. A polygon of chords is at most the length, never more.
+/// There is no mean value theorem |C(b) - C(a)| = |C'(xi)| (b - a) for vectors. For a closed curve that never stops the
+/// left side is 0 and the right side is not. The length of a polygon of chords is at most that of the curve.
 TEST(SourceDocument, NoMeanValueOfVectors) {
   const Formula closed{{0, 0, 3, 3, -3, 3, 0, 0}, 0};
   double slowest = std::numeric_limits<double>::infinity();
@@ -260,7 +262,8 @@ TEST(SourceDocument, NoMeanValueOfVectors) {
   }
 }
 
-/// Equal chords are not equal arcs: (1/2) a bit of a parabola's length lies elsewhere, by what the header says.
+/// Equal chords are not equal arcs. At half the length of a parabola the error falls by 4 when the number of chords is
+/// doubled.
 TEST(ChordEqualising, IsBiasedBySecondOrder) {
   const Points parabola{0, 0, 0.5, 0, 1, 1};
   const LengthAlong truth(view(parabola));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of a bundle for whoever uses what they say: held to the checksums that the bundle was written with.
+// Files of a bundle, read with a check of their checksums, for programs that use what they say.
 #pragma once
 
 #include <filesystem>
@@ -12,26 +12,26 @@
 
 namespace bezierbench::bundle {
 
-/// What a file that is not as SHA256SUMS lists it leads to.
+/// What happens with a file that differs from its checksum in SHA256SUMS: a Failure, or an entry in told().
 enum class Damage { refused, told };
 
 class CheckedReader {
  public:
-  /// Throws Failure(Exit::input_output) where `path` is no bundle.
+  /// Opens the bundle. Throws Failure(Exit::input_output) where `path` is not a bundle.
   CheckedReader(const std::filesystem::path& path, Damage damage);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Where the file `name` is, for messages.
+  /// The path of the file `name`, for messages.
   [[nodiscard]] std::string place(std::string_view name) const { return (path_ / name).string(); }
 
-  /// Whether there is a file `name`. One that is listed and not there is damage.
+  /// Whether there is a file `name`. A file that is listed but missing counts as damage.
   [[nodiscard]] bool has(std::string_view name);
-  /// All bytes of the file `name`. Damage is a Failure(Exit::input_output), or told().
+  /// All bytes of the file `name`. Damage throws Failure(Exit::input_output) or is noted in told().
   [[nodiscard]] std::string read(std::string_view name);
   /// bundle.json. Throws as read() and parse_manifest.
   [[nodiscard]] Manifest manifest();
 
-  /// The files, as place() gives them, that were used although they are not what SHA256SUMS lists.
+  /// The damaged files that were used nevertheless, as paths that place() gives.
   [[nodiscard]] const std::vector<std::string>& told() const { return told_; }
 
  private:

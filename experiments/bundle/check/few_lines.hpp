@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Findings about one thing: the first few, and how many more there are. A hostile table has as many as it has fields.
+// The first few findings of one kind, and how many more there are: a hostile table can have as many as it has fields.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,14 +13,14 @@ namespace bezierbench::bundle {
 
 class FewLines {
  public:
-  /// `place` goes before the count of those that are left out.
+  /// `place` begins the line that counts the findings left out.
   explicit FewLines(std::string place) : place_(std::move(place)) {}
 
   void add(std::string line) {
     if (++count_ <= most_) lines_.push_back(std::move(line));
   }
 
-  /// All that is to be said; nothing is left.
+  /// Returns all lines and starts anew.
   std::vector<std::string> take() {
     if (count_ > most_) lines_.push_back(fmt::format("{}: {} more of that kind", place_, count_ - most_));
     count_ = 0;

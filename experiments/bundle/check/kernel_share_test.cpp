@@ -12,7 +12,7 @@
 namespace bezierbench::bundle {
 namespace {
 
-/// Of a bundle with this reference.csv.
+/// The kernel share of a bundle with this reference.csv.
 std::optional<KernelShare> share_of(const std::string& table) {
   const ScratchFolder folder;
   BundleDirectory::create(folder.path() / "b").write("reference.csv", table);

@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Sorted by name. An entry that cannot be read counts as present, and fails when it is read.
+/// The deterministic tables in the folder, sorted by name. An entry that cannot be read is included; reading it fails
+/// later.
 std::vector<std::string> deterministic_tables_in(const fs::path& bundle) {
   std::vector<std::string> present;
   for (const auto& table : declared_tables()) {
@@ -35,11 +36,11 @@ std::vector<std::size_t> places_of(const CsvDocument& table, const std::vector<s
   return places;
 }
 
-/// Of the rows of one method in one study.
+/// The rows of one method in one study.
 struct Gathered {
   Rows rows;
   std::size_t count = 0;
-  std::string text;  ///< what the digest is of
+  std::string text;  ///< the text that is digested
 };
 
 }  // namespace

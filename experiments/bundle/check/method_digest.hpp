@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which methods of which studies agree bit for bit in two bundles: a digest for each of them in each deterministic
-// table. Methods and columns that are added later change no digest of those that were there.
+// Digests of the rows of each method in each study of each deterministic table, which tell where two bundles agree bit
+// for bit. A method or column that is added later does not change the digests of the others.
 #pragma once
 
 #include <compare>
@@ -17,38 +17,40 @@ inline constexpr const char* digests_name = "digests.csv";
 
 /// Some rows of a table: those of one method in one study.
 struct Rows {
-  std::string table;   ///< the file
-  std::string study;   ///< of a scorecard the printed table
-  std::string method;  ///< empty for rows that are no method's
+  std::string table;   ///< name of the file
+  std::string study;   ///< for a scorecard the printed table
+  std::string method;  ///< empty for rows that belong to no method
 
-  /// `accuracy.csv, study truth, method horner`.
+  /// The rows as text: `accuracy.csv, study truth, method horner`.
   [[nodiscard]] std::string words() const;
   friend auto operator<=>(const Rows&, const Rows&) = default;
 };
 
 struct MethodDigest {
   Rows rows;
-  std::size_t count = 0;  ///< of the rows
+  std::size_t count = 0;  ///< number of rows
   std::string digest;     ///< SHA-256
   friend bool operator==(const MethodDigest&, const MethodDigest&) = default;
 };
 
-/// For each method in each study, in the order of their first rows. The digest is the SHA-256 of a CSV file with those
-/// rows, in the order of the table, and these columns, in this order, under a header line of their names. Throws
-/// Failure(Exit::input_output) where the table lacks one of them, or that of the study or the method.
+/// The digest of each method in each study, in the order of their first rows. The digest is the SHA-256 of a CSV file
+/// with those rows in the order of the table, these columns in this order, and a header line. Throws
+/// Failure(Exit::input_output) where the table lacks one of the columns, or that of the study or the method.
 [[nodiscard]] std::vector<MethodDigest> method_digests(const DeclaredTable& declared, const CsvDocument& table,
                                                        const std::vector<std::string>& columns);
 
-/// digests.csv, as the deterministic tables that are in the folder of a bundle of this schema version give it: sorted
-/// by table. Throws Failure(Exit::input_output) where a table cannot be read or lacks a column.
+/// The digests of all deterministic tables in the folder `bundle`, sorted by table, as digests.csv lists them.
+/// `version` is the schema version of the bundle. Throws Failure(Exit::input_output) where a table cannot be read or
+/// lacks a column.
 [[nodiscard]] std::vector<MethodDigest> digests_of(const std::filesystem::path& bundle, int version);
 [[nodiscard]] std::string digests_csv(const std::vector<MethodDigest>& digests);
 
-/// The digests that a digests.csv states. Throws Failure(Exit::input_output) for a table without the columns or a wrong count of rows.
+/// The digests that a digests.csv states. Throws Failure(Exit::input_output) for a table without the columns, and for a
+/// number of rows that is not a count.
 [[nodiscard]] std::vector<MethodDigest> parse_digests(const CsvDocument& table);
 
-/// Says whether two bundles agree bit for bit: the SHA-256 of digests.csv. In schema version 1 that of the sha256sum
-/// lines of the deterministic tables, sorted by name. Throws as digests_of().
+/// The digest by which two bundles agree bit for bit or not: the SHA-256 of digests.csv; in schema version 1, of the
+/// sha256sum lines of the deterministic tables, sorted by name. Throws as digests_of() does.
 [[nodiscard]] std::string accuracy_digest(const std::filesystem::path& bundle, int version);
 
 }  // namespace bezierbench::bundle

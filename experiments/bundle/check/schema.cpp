@@ -19,11 +19,11 @@ namespace {
 using Json = Schema::Json;
 using Fault = std::optional<std::string>;
 
-/// One schema at one value.
+/// One keyword of a schema, applied to one value.
 struct Question {
   const Schema& schema;
-  const Json& part;  ///< the schema
-  const Json& rule;  ///< what the keyword says
+  const Json& part;  ///< the schema with the keyword
+  const Json& rule;  ///< the value of the keyword
   const Json& value;
 
   [[nodiscard]] const Json* beside(const char* keyword) const {
@@ -34,7 +34,7 @@ struct Question {
 
 Fault where(bool holds, std::string_view otherwise) { return holds ? Fault() : Fault(otherwise); }
 
-/// For messages: the beginning of a long value.
+/// The beginning of a value as JSON, for messages.
 std::string brief(const Json& value) {
   constexpr std::size_t most = 60;
   std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
@@ -175,7 +175,7 @@ constexpr std::array keywords{
     Keyword{"items", items}, Keyword{"required", required}, Keyword{"properties", properties},
     Keyword{"additionalProperties", additional_properties}, Keyword{"$schema", nothing}, Keyword{"$defs", nothing},
     Keyword{"title", nothing}, Keyword{"description", nothing}, Keyword{"deprecated", nothing},
-    // Ours, of the tables and their columns; columns.hpp says what they mean.
+    // Keywords of our own for tables and their columns; columns.hpp explains them.
     Keyword{"version", nothing}, Keyword{"deterministic", nothing}, Keyword{"study", nothing},
     Keyword{"method", nothing}, Keyword{"unit", nothing}, Keyword{"key", nothing}, Keyword{"digested", nothing},
     Keyword{"since", nothing}};
@@ -186,7 +186,7 @@ const Keyword& keyword_of(std::string_view name) {
   return *found;
 }
 
-/// Every schema within a schema has only keywords that are known.
+/// Throws std::invalid_argument where a schema, or one within it, has an unknown keyword.
 void check(const Json& part) {
   if (!part.is_object()) return;
   for (const auto& [name, rule] : part.items()) {

@@ -10,35 +10,36 @@
 
 namespace bezierbench::bundle {
 
-/// A schema to judge values by: keywords of draft 2020-12, `$ref` within the same document.
+/// A schema to check values with: keywords of draft 2020-12, `$ref` only within the same document.
 class Schema {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// Throws std::invalid_argument for a keyword that is not known here: it would be passed over in silence.
+  /// Parses the schema. Throws std::invalid_argument for a keyword that this class does not know, rather than ignore
+  /// it.
   explicit Schema(std::string_view text);
 
-  /// Why `value` does not follow the schema, and where: "cpu.smt is missing". Nothing where it does.
+  /// Where and how `value` violates the schema ("cpu.smt is missing"); empty where it does not.
   [[nodiscard]] std::optional<std::string> fault(const Json& value) const { return fault(document_, value); }
-  /// The same for a part of the schema.
+  /// The same for `part`, a part of this schema.
   [[nodiscard]] std::optional<std::string> fault(const Json& part, const Json& value) const;
 
   [[nodiscard]] const Json& document() const { return document_; }
-  /// The schema that `part` refers to, or else `part` itself.
+  /// The schema that the `$ref` of `part` leads to, through any number of references; `part` itself without one.
   [[nodiscard]] const Json& resolved(const Json& part) const;
-  /// What the `$ref` of `part` names, which may have one itself.
+  /// The schema that the `$ref` of `part` names. It may have a `$ref` itself.
   [[nodiscard]] const Json& referred(const Json& part) const;
 
  private:
   Json document_;
 };
 
-/// Of bundle.json, of machine.json and of the tables.
+/// The schemas of bundle.json, of machine.json and of the tables.
 [[nodiscard]] const Schema& manifest_schema();
 [[nodiscard]] const Schema& machine_schema();
 [[nodiscard]] const Schema& tables_schema();
 
-/// What is wrong with the text of machine.json: no JSON, or not after its schema. Nothing where all is well.
+/// What is wrong with the text of machine.json: it is not JSON or violates its schema. Empty where nothing is wrong.
 [[nodiscard]] std::optional<std::string> machine_fault(const std::string& machine_json);
 
 }  // namespace bezierbench::bundle

@@ -12,7 +12,7 @@ bool holds(const char* schema, const char* value) {
   return !Schema(schema).fault(Schema::Json::parse(value)).has_value();
 }
 
-/// What JSON Schema, draft 2020-12, says of each keyword.
+/// The meaning of each keyword in JSON Schema, draft 2020-12.
 TEST(Schema, Keywords) {
   struct Case {
     const char* schema;

@@ -7,7 +7,7 @@
 namespace bezierbench::bundle {
 namespace {
 
-// Name and digest of one line of sha256sum, text or binary mode; nothing where it is not one.
+// Name and digest in one line of sha256sum, text or binary mode; empty for any other line.
 std::optional<std::pair<std::string, std::string>> parse_line(std::string_view line) {
   constexpr std::size_t digits = 64;
   if (line.size() < digits + 3) return std::nullopt;
@@ -25,7 +25,7 @@ Sums parse_sums(std::string_view text) {
   for (std::size_t line = 1; !text.empty(); ++line) {
     const std::size_t end = text.find('\n');
     const auto entry = parse_line(text.substr(0, end));
-    // A missing line end means a cut file, even where the rest of the line happens to read.
+    // A missing line end means that the file was cut, even if the rest of the line can be read.
     if (!entry || end == std::string_view::npos || !sums.digests.insert(*entry).second) sums.malformed.push_back(line);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }

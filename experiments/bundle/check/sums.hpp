@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SHA256SUMS: a bundle's own list of its files.
+// SHA256SUMS: the list of a bundle's files with their checksums.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 namespace bezierbench::bundle {
 
 struct Sums {
-  std::map<std::string, std::string> digests;  ///< by name of the file
-  std::vector<std::size_t> malformed;          ///< lines, from 1, that are none of sha256sum, cut, or name a file again
+  std::map<std::string, std::string> digests;  ///< by file name
+  std::vector<std::size_t> malformed;          ///< lines, from 1, that are invalid, cut, or repeat a name
 };
 
-/// Reads the text of SHA256SUMS.
+/// Parses the text of SHA256SUMS.
 [[nodiscard]] Sums parse_sums(std::string_view text);
 
 }  // namespace bezierbench::bundle

@@ -19,12 +19,12 @@ namespace {
 
 using Json = Schema::Json;
 
-/// What the rows of a table must be.
+/// The schema of a row of the table.
 const Json& row_schema(std::string_view name) {
   return tables_schema().resolved(tables_schema().document().at("properties").at(std::string(name))).at("items");
 }
 
-/// What a field may stand for: nothing, a number as the program writes it, text.
+/// The JSON values that a field may stand for: null, a number that the program writes in this way, text.
 std::vector<Json> readings(const std::string& text) {
   std::vector<Json> all;
   if (text.empty()) all.emplace_back(nullptr);
@@ -40,7 +40,7 @@ std::vector<Json> readings(const std::string& text) {
   return all;
 }
 
-/// Why no reading of a field is one that the column admits: the reason for the text.
+/// Why the column admits no reading of a field: the reason for its reading as text. Empty where it admits one.
 std::optional<std::string> field_fault(const Json& column, const std::string& text) {
   std::optional<std::string> why;
   for (const Json& value : readings(text)) {
@@ -67,7 +67,7 @@ void check_header(const Json& rows, const std::vector<std::string>& digested, co
 }
 
 void check_column(const Json& column, std::size_t place, const CsvDocument& table, FewLines& lines) {
-  // Most columns repeat a few texts. Long ones are seldom repeated, and not worth their memory.
+  // Texts that were found valid. Most columns repeat a few texts; long ones rarely repeat and are not worth the memory.
   std::set<std::string> good;
   constexpr std::size_t most_texts = 1000;
   constexpr std::size_t longest = 64;

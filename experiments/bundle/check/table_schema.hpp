@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tables of a bundle against schema/tables.schema.json: which there are, their columns, and what their fields may
-// be.
+// Checks of a bundle's tables against schema/tables.schema.json: which tables there are, their columns, and the values
+// of their fields.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace bezierbench::bundle {
 /// Whether a bundle can have a table of this name.
 [[nodiscard]] bool is_table_name(std::string_view name);
 
-/// What is wrong with the table `name`, one line each with file and line; a few, and how many more there are.
-/// `version` is the schema version of the bundle: in a table of version 1 digested columns may be missing.
+/// What is wrong with the table `name`: a few lines, each with file and line, and the number of further ones. `version`
+/// is the schema version of the bundle: in a table of version 1 digested columns may be missing.
 [[nodiscard]] std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table, int version);
 
 }  // namespace bezierbench::bundle

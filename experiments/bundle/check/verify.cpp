@@ -31,14 +31,14 @@ using Findings = std::vector<std::string>;
 constexpr std::string_view machine_name = "machine.json";
 constexpr std::string_view suite_name = "suite.toml";
 
-// Every bundle has them, whatever its suites.
+// Files that every bundle has, whatever its suites.
 constexpr std::array<std::string_view, 3> required_files{manifest_name, suite_name, machine_name};
 
 bool contains(const auto& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
 void append(Findings& findings, const Findings& more) { findings.insert(findings.end(), more.begin(), more.end()); }
 
-/// What `check` throws as a Failure is a finding.
+/// Calls `check`. A Failure that it throws becomes a finding.
 template <class Check>
 void or_finding(Findings& findings, Check check) {
   try {
@@ -83,7 +83,8 @@ class Verification {
     return contains(required_files, name) || name == sums_name || is_table_name(name);
   }
 
-  /// The first where bundle.json does not say, a finding of its own: of it the least is asked.
+  /// The schema version that bundle.json states. 1, which requires the least, if it states none; that is reported
+  /// elsewhere.
   [[nodiscard]] int version_of_manifest() const {
     try {
       return parse_manifest(read_bundle_file(path_ / manifest_name), place(manifest_name)).schema_version;
@@ -100,7 +101,7 @@ class Verification {
     });
   }
 
-  /// Reads each file once: what its checksum is, and what it says, if it is a table.
+  /// Reads a file once, for its checksum and, if it is a table, for its rows.
   void check_file(const std::string& name) {
     const std::string bytes = read_bundle_file(path_ / name);
     digests_[name] = sha256_hex(bytes);
@@ -113,8 +114,8 @@ class Verification {
       });
   }
 
-  /// A row that broke a proved bound is a finding, in whichever table it stands; likewise one whose time is not of what
-  /// was judged, and one of a study that is not this bundle's.
+  /// Finds rows that broke a proved bound, rows whose timed output differed from the judged one, and rows of a study
+  /// that is not in suite.toml.
   void check_rows(std::string_view name, const CsvDocument& table) {
     each_field(table, "bound_violations", [](const std::string& count) {
       return count.empty() || count == "0" ? "" : count + " bound violations";
@@ -122,13 +123,13 @@ class Verification {
     each_field(table, "checked", [](const std::string& checked) {
       return checked == "no" ? "what was timed did not give what was judged" : "";
     });
-    if (!expected_ || name == digests_name) return;  // whose rows are those of the other tables
+    if (!expected_ || name == digests_name) return;  // its rows repeat the studies of other tables
     each_field(table, "study", [&](const std::string& study) {
       return contains(expected_->studies, study) ? "" : "its study is not one of those of suite.toml";
     });
   }
 
-  /// What the rows of a table give, and what digests.csv says.
+  /// Keeps the digests computed from a table's rows, and those listed in digests.csv.
   void note_method_digests(std::string_view name, const CsvDocument& table) {
     if (name == digests_name) listed_ = parse_digests(table);
     const auto& declared = *declared_table(name);
@@ -138,7 +139,8 @@ class Verification {
       std::ranges::move(method_digests(declared, table, columns), std::back_inserter(computed_));
   }
 
-  /// Method by method. Tables were read in the order of their names, which is that of digests.csv.
+  /// Compares the computed digests with the listed ones. Tables were read in the order of their names, as digests.csv
+  /// has them.
   void check_method_digests(Findings& all) const {
     if (!folder_has(digests_name)) return add(all, digests_name, "is missing");
     FewLines lines(place(digests_name));
@@ -192,7 +194,8 @@ class Verification {
     if (expected_->suites != manifest.suites) add(all, manifest_name, "its suites are not those of suite.toml");
   }
 
-  /// Nothing where there is nothing that it could be of.
+  /// The accuracy digest that the files give; since schema version 2, empty for a partial bundle and without
+  /// digests.csv.
   [[nodiscard]] std::optional<std::string> accuracy_digest_of_files() const {
     if (version_ > 1) {
       const auto found = digests_.find(digests_name);
@@ -218,7 +221,7 @@ class Verification {
       add(all, fmt::format("{}:{}", sums_name, line), "not a line of sha256sum, or its name occurs twice");
     for (const auto& [name, digest] : sums.digests) {
       if (!folder_has(name)) {
-        // Required ones were named already.
+        // Missing required files have been reported already.
         if (!contains(required_files, name)) add(all, name, "is listed in SHA256SUMS and is missing");
       } else if (digests_.at(name) != digest) {
         add(all, name, "checksum differs from SHA256SUMS");
@@ -252,14 +255,15 @@ class Verification {
   std::optional<Expected> expected_;
   std::optional<std::string> suite_digest_;
   int version_ = 1;
-  std::map<std::string, std::string, std::less<>> digests_;  ///< by name of the file
-  std::vector<MethodDigest> computed_;                       ///< of the tables
-  std::vector<MethodDigest> listed_;                         ///< in digests.csv
+  std::map<std::string, std::string, std::less<>> digests_;  ///< by file name
+  std::vector<MethodDigest> computed_;                       ///< from the rows of the tables
+  std::vector<MethodDigest> listed_;                         ///< from digests.csv
   Findings suite_findings_;
   Findings table_findings_;
 };
 
-/// One file alone of those that a bundle has may have been lost, or be in any folder.
+/// Whether the folder seems to be a damaged bundle. A single file does not suffice: any folder may have one of this
+/// name.
 bool looks_like_a_bundle(const Folder& folder) {
   const auto count = std::ranges::count_if(required_files, [&](auto name) { return contains(folder.files, name); });
   return contains(folder.files, manifest_name) || count + contains(folder.files, sums_name) >= 2 ||

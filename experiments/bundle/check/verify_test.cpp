@@ -36,7 +36,7 @@ class Verify : public testing::Test {
 
   void put(const std::string& name, std::string_view bytes) { folder_.put("b/" + name, bytes); }
   void remove(const std::string& name) { fs::remove(bundle_.path() / name); }
-  /// Another content of a file, with the checksum that belongs to it.
+  /// Changes the content of a file and its checksum with it.
   void change(const std::string& name, const std::string& from, const std::string& to) {
     bundle_.write(name, replaced(bundle_.read(name), from, to));
     bundle_.finish(with_state("complete"));
@@ -67,7 +67,7 @@ class VerifyMethods : public testing::Test {
   void replace(const std::string& name, const std::string& from, const std::string& to) {
     folder_.put("b/" + name, replaced(bundle_.read(name), from, to));
   }
-  /// Those that are no checksum's.
+  /// The findings without those about checksums.
   [[nodiscard]] std::vector<std::string> findings() const {
     auto all = verify(bundle_.path(), expected);
     std::erase_if(all, [](const std::string& one) { return one.ends_with("checksum differs from SHA256SUMS"); });
@@ -99,7 +99,7 @@ TEST_F(VerifyMethods, LinesThatAreMissingOrOfNoRows) {
   EXPECT_THAT(findings(), Contains(EndsWith("digests.csv: is missing")));
 }
 
-/// A table of schema version 1 may be without it.
+/// Only a table of schema version 1 may lack the column.
 TEST_F(VerifyMethods, EveryDigestedColumnIsAskedFor) {
   replace("accuracy.csv", ",unbounded_trials\n", ",unbounded\n");
   EXPECT_THAT(findings(), Contains(EndsWith("accuracy.csv:1: column 'unbounded_trials' is missing")));
@@ -244,7 +244,7 @@ TEST_F(Verify, RowsThatAccuse) {
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv:2: its study is not one of those of suite.toml")));
 }
 
-/// Nothing but regular files is opened: this would wait for ever, or fill the memory.
+/// Nothing but regular files is opened: opening these would block for ever or fill the memory.
 TEST_F(Verify, PipesAndLinks) {
   remove("timing.csv");
   ASSERT_EQ(mkfifo((bundle_.path() / "timing.csv").c_str(), 0600), 0);

@@ -11,12 +11,13 @@ namespace {
 
 using Json = Schema::Json;
 
-/// One schema with all to which it refers.
+/// A schema together with the schemas that it refers to.
 class Declaration {
  public:
   explicit Declaration(const Json& part) : part_(part) {}
 
-  /// What the keyword says, or null: beside a reference it goes before that of what is referred to.
+  /// The value of the keyword, or null. A keyword beside a `$ref` takes precedence over the one in the schema referred
+  /// to.
   [[nodiscard]] const Json* find(const char* keyword) const {
     for (const Json* part = &part_;; part = &tables_schema().referred(*part)) {
       if (const auto found = part->find(keyword); found != part->end()) return &*found;
@@ -39,7 +40,7 @@ bool is_number_type(const Json& type) {
   return type == "number" || type == "integer";
 }
 
-/// Numbers that are not finite.
+/// Whether the word stands for a number that is not finite.
 bool is_number_word(const Json& word) { return word == "inf" || word == "-inf" || word == "nan"; }
 
 bool holds_numbers(const Json& part) {
@@ -78,7 +79,7 @@ DeclaredTable table_of(const std::string& file, const Json& part) {
   return table;
 }
 
-/// The names of those columns that `is_meant`.
+/// The names of the columns for which `is_meant` holds.
 template <class Predicate>
 std::vector<std::string> names(const std::vector<Column>& columns, Predicate is_meant) {
   std::vector<std::string> all;

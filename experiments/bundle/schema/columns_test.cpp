@@ -51,7 +51,7 @@ TEST(Columns, OfEarlierProgramsAreNotWritten) {
   EXPECT_THAT(declared_table("reference.csv")->header(), Not(Contains("unbounded_trials")));
 }
 
-/// What a digest needs, and what would make one depend on other methods.
+/// Digests are taken per study and method, so that every row must name both.
 TEST(Columns, OfDeterministicTablesNameStudyAndMethod) {
   for (const auto& table : declared_tables()) {
     if (!table.is_deterministic) continue;
@@ -70,7 +70,7 @@ TEST(Columns, AreOfNoVersionThatIsNotWrittenYet) {
     }
 }
 
-/// Rows are found again by the names of their keys, from one table to another.
+/// Keys of the same name identify the same thing in different tables.
 TEST(Columns, KeysOfOneNameAreOfOneType) {
   std::map<std::string, bool> seen;
   for (const auto& table : declared_tables())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables for people: columns that line up.
+// Tables with aligned columns, for people.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@
 
 namespace bezierbench::cli {
 
-/// One line of text per line of fields; every column is as wide as its widest field. Lines may have fewer fields; one
-/// of a single field is a heading, which widens no column. Fields are shown as experiments/echo.hpp says.
+/// One line of text per line of fields; every column is as wide as its widest field. A line may have fewer fields than
+/// others. A line of one field is a heading and does not widen its column. Fields are escaped as experiments/echo.hpp
+/// describes.
 std::string aligned(std::vector<std::vector<std::string>> lines);
 
-/// A whole CSV text, header and rows, likewise. Throws as bundle::parse_csv().
+/// A whole CSV text, header and rows, with aligned columns. Throws as bundle::parse_csv() does.
 std::string aligned_csv(std::string_view csv);
 
 }  // namespace bezierbench::cli

@@ -43,7 +43,7 @@ struct Wish {
   std::string accuracy_study;
   std::string format = "text";
   bool use_damaged = false;
-  std::vector<std::string> damaged;  ///< files of the bundle that were used in spite of it
+  std::vector<std::string> damaged;  ///< damaged files of the bundle that were used nevertheless
 
   [[nodiscard]] const tables::LargestError& error_of(const tables::Choice& choice) const {
     return unit == "u" ? choice.errors.in_u : choice.errors.absolute;
@@ -82,7 +82,7 @@ Evidence read_evidence(Wish& wish) {
   return evidence;
 }
 
-/// One demand on a group of races, and the values that it could have: those of the groups that meet all other demands.
+/// One demand on a group of races: what it is about, the value that is demanded, and the value of a group.
 struct Demand {
   std::string what;
   std::string value;
@@ -102,7 +102,7 @@ std::vector<Demand> demands_of(const Wish& wish) {
   return demands;
 }
 
-/// The groups that meet all demands. Where there is none, the error names the values that a demand could have.
+/// The groups that meet all demands. Where there is none, throws Failure with the values that a demand could have.
 std::vector<tables::ChoiceGroup> matching(std::vector<tables::ChoiceGroup> groups, const Wish& wish) {
   if (groups.empty())
     throw Failure(Exit::usage,
@@ -150,7 +150,7 @@ std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& gro
   return races;
 }
 
-/// Takes the race cell with most methods; the output names the others.
+/// The race cell with the most methods. The output names the others.
 JudgedRace one_of(const std::vector<JudgedRace>& races) {
   const auto size = [](const JudgedRace& race) { return race.group.choices.size(); };
   const auto best = std::ranges::max_element(races, {}, size);
@@ -165,7 +165,7 @@ JudgedRace one_of(const std::vector<JudgedRace>& races) {
 
 bool is_quick_to_slow(const tables::Choice& a, const tables::Choice& b) { return a.ns.median < b.ns.median; }
 
-/// For people: four digits.
+/// The value to four digits, for people.
 std::string brief(double value) { return fmt::format("{:.4g}", value); }
 
 /// The evidence that a method keeps the tolerance, and the bound that proves it.
@@ -188,7 +188,7 @@ Assurance assurance(const tables::LargestError& error, double tolerance) {
   return given;
 }
 
-/// The methods within the tolerance, best first; `pareto` compares all methods of the group.
+/// The table of the methods within the tolerance, best first. Its column `pareto` compares all methods of the group.
 bundle::CsvTable within(const JudgedRace& race, const Wish& wish) {
   const auto write = wish.format == "csv" ? number::decimal : brief;
   const auto& choices = race.group.choices;
@@ -197,7 +197,7 @@ bundle::CsvTable within(const JudgedRace& race, const Wish& wish) {
   const auto fronts = metric::pareto_front(tradeoffs);
   std::vector<std::string> columns{"method", "mode", "ns",     "ns_low",    "ns_high", "observed_max",
                                    "bound",  "unit", "pareto", "tolerance", "quality", "bound_of"};
-  std::vector<std::string> of;  // the table for people has it in the heading
+  std::vector<std::string> of;  // the same in every row; the heading for people has it
   if (wish.format == "csv") {
     columns.insert(columns.end(), {"coordinate_range", "t_min", "t_max", "least_p_tilde"});
     of = {number::decimal(race.of.range), number::decimal(race.of.t.min), number::decimal(race.of.t.max),
@@ -227,7 +227,7 @@ bundle::CsvTable within(const JudgedRace& race, const Wish& wish) {
   return table;
 }
 
-/// The options and the sources of the numbers, then an explanation of the words of the table.
+/// Prints the options and the sources of the numbers, then an explanation of the words in the table.
 void print_heading(const JudgedRace& race, const Wish& wish) {
   const auto& group = race.group;
   fmt::print("degree {}, {} form, {}, {} axes, {}\n", printable(group.degree), wish.form, printable(group.scalar),

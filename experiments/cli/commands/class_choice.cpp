@@ -45,12 +45,12 @@ std::optional<DrawnClass> widest_judged(const tables::ChoiceGroup& group, const 
 /// The observed errors of one method.
 struct Seen {
   tables::LargestErrors errors;
-  bool of_the_class = false;  ///< at least one row covers the whole class
+  bool of_the_class = false;  ///< whether a row covers the whole class
 };
 
 int whole(const std::string& text) { return static_cast<int>(number::parse_integer(text).value_or(-1)); }
 
-/// The class with its ends rounded to the scalar type, as drawn numbers are.
+/// The class with its ends rounded to the scalar type, as the numbers drawn from it are.
 template <class Scalar>
 metric::CurveClass curve_class(const tables::ChoiceGroup& group, const DrawnClass& of) {
   const auto rounded = [](double end) { return static_cast<double>(static_cast<Scalar>(end)); };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A choice between methods for a class of curves, by the bundle's rows within the class and the bounds that are proved
-// for it.
+// A choice between methods for a class of curves, based on the bundle's rows within the class and on proved bounds.
 #pragma once
 
 #include <optional>
@@ -13,29 +12,29 @@
 
 namespace bezierbench::cli {
 
-/// Curves with coordinates in [-range, range], at parameters of the interval.
+/// The curves with coordinates in [-range, range], at parameters in the interval.
 struct DrawnClass {
   double range = 0;
   suite::Interval t;
 };
 
-/// The class that was timed, or the same with another range. Older bundles do not record how timed curves were drawn;
-/// then it is the widest class that was judged. Empty where there is neither.
+/// The class that was timed, with another range if one is given. Older bundles do not record how timed curves were
+/// drawn; for these, the widest class that was judged. Empty where there is neither.
 std::optional<DrawnClass> class_of(const tables::ChoiceGroup& group, const tables::JudgedTables& judged,
                                    std::optional<double> range);
 
-/// The ranges of the curves on which methods of the group were judged, ascending; only those of `accuracy_study` unless
+/// The ranges of the curves on which methods of the group were judged, ascending. Only `accuracy_study` counts, unless
 /// it is empty.
 std::vector<double> judged_ranges(const tables::ChoiceGroup& group, const tables::JudgedTables& judged,
                                   const std::string& accuracy_study);
 
-/// Computes the errors of the group's methods over all rows whose range and interval lie within the class (only those
-/// of `accuracy_study` unless it is empty), and the bounds of the class. Removes methods without a row of the class
-/// itself. `methods` is methods.csv: no bound is used for a method whose bound there differs from this program's.
+/// Sets the errors of the group's methods over all rows whose range and interval lie within the class, and the bounds
+/// of the class. Only rows of `accuracy_study` count, unless it is empty. Removes methods without a row for the class
+/// itself. `methods` is methods.csv: a bound is used only if the one stated there is that of this program.
 void judge_class(tables::ChoiceGroup& group, const DrawnClass& of, const tables::JudgedTables& judged,
                  const std::optional<bundle::CsvDocument>& methods, const std::string& accuracy_study);
 
-/// The least p~ for which bounds in units of u p~ are proved for the class.
+/// The least p~ to which bounds in units of u p~ apply in the class.
 double least_p_tilde(const tables::ChoiceGroup& group, const DrawnClass& of);
 
 }  // namespace bezierbench::cli

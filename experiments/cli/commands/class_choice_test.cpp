@@ -59,7 +59,7 @@ TEST(ClassChoice, TakesEveryRowWithinTheClass) {
   EXPECT_EQ(group.choices[0].errors.in_u.observed, 7);
   EXPECT_EQ(group.choices[0].errors.absolute.observed, 2);
   EXPECT_EQ(group.choices[0].errors.in_u.bound, 15);
-  EXPECT_FALSE(group.choices[0].errors.in_u.class_bound);  // no methods.csv: who knows which methods these were
+  EXPECT_FALSE(group.choices[0].errors.in_u.class_bound);  // without methods.csv the methods may differ from these
   EXPECT_EQ(group.accuracy_study, "truth, table");
   judge_class(group, {10, {0, 1}}, tables, std::nullopt, "truth");
   EXPECT_EQ(group.choices[0].errors.in_u.observed, 3);
@@ -74,7 +74,8 @@ TEST(ClassChoice, LeavesOutWhatWasJudgedOnAPartOfTheClassOnly) {
   EXPECT_EQ(group.choices[0].method, "de_casteljau");
 }
 
-/// de Casteljau: gamma_3n p~. The detour through rounded power coefficients has no bound in units of u p~ up to t = 1.
+/// The bound of de Casteljau's method is gamma_3n p~. A path through rounded power coefficients has none in u p~ up to
+/// t = 1.
 TEST(ClassChoice, KnowsTheBoundOfTheClass) {
   auto group = timed({"de_casteljau", "exact_dd:horner_dd"});
   const auto tables =
@@ -89,7 +90,7 @@ TEST(ClassChoice, KnowsTheBoundOfTheClass) {
   EXPECT_NEAR(*direct.in_u.class_bound, gamma_over_u(15, 0x1p-53), 1e-12);
   EXPECT_NEAR(*direct.absolute.class_bound / (15 * 0x1p-53 * 10), 1, 1e-12);
   const auto& converted = group.choices[1].errors;
-  EXPECT_EQ(converted.in_u.bound, 0.99);  // of the trials
+  EXPECT_EQ(converted.in_u.bound, 0.99);  // bound of the trials
   EXPECT_FALSE(converted.in_u.class_bound);
   EXPECT_TRUE(converted.absolute.class_bound);
 }

@@ -75,7 +75,8 @@ void write_files(const Compared& all, const std::filesystem::path& out) {
                      compare::standings_table(compare::standings(all.base, all.others, all.pairs)).text());
 }
 
-/// The number of methods that are slower, or only of those for which all modes and races agree.
+/// The number of timings that are slower; if `certainly`, only those that are slower by every measure
+/// (is_certainly_slower()).
 std::size_t count_slower(const compare::TimingComparison& timing, bool certainly) {
   return static_cast<std::size_t>(std::ranges::count_if(timing.rows, [&](const compare::TimingRow& row) {
     return !row.is_sentinel() && row.raw.verdict == metric::Verdict::slower &&

@@ -46,7 +46,7 @@ std::string first_difference_text(const compare::Side& a, const compare::Side& b
                      recorded_text(b, "b", row.inputs));
 }
 
-/// Tables, studies and methods by name, a few of them.
+/// The names of tables, studies and methods, a few of them.
 std::string named_rows(std::string_view what, const std::vector<bundle::Rows>& all) {
   constexpr std::size_t most = 5;
   std::string text;

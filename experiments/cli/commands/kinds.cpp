@@ -24,8 +24,8 @@ using suite::Kind;
 
 constexpr std::size_t columns = 80;
 
-/// `text` in lines of at most `columns` characters, broken at spaces; the first begins with `head`, the others with so
-/// many spaces as `indent` says.
+/// `text` in lines of at most `columns` characters, broken at spaces. The first line begins with `head`, the others
+/// with `indent` spaces.
 std::string wrapped(std::string_view head, std::string_view text, std::size_t indent) {
   std::string all;
   std::string line(head);
@@ -49,7 +49,7 @@ std::string words_of() {
   return fmt::format("{}", fmt::join(suite::all_words<Enum>(), ", "));
 }
 
-/// What may be written for a value of the slot that a field points to.
+/// A description of the values that may be written, by the type of the slot that a field points to.
 struct TypeText {
   std::string operator()(const suite::KindKeys* /*type*/) const { return "the id of a kind"; }
   std::string operator()(const std::string* /*type*/) const { return "a text"; }
@@ -94,7 +94,7 @@ std::string key_text(const Kind& kind, const Field& field) {
          fmt::format("      {}\n", example);
 }
 
-/// What of the keys of every kind a kind does not take in full.
+/// The restrictions of a kind on the keys of every kind.
 std::vector<std::string> restrictions_of(const Kind& kind) {
   std::vector<std::string> all;
   const auto& inputs = kind.inputs;
@@ -116,7 +116,7 @@ std::vector<std::string> restrictions_of(const Kind& kind) {
   return all;
 }
 
-/// The keys that the kind alone has, and what it does not take of the others.
+/// The description of a kind: its own keys, then its restrictions on the others.
 std::string own_text(const Kind& kind) {
   std::string text = wrapped(fmt::format("{}: ", kind.id), kind.about, 4);
   for (const Field& field : kind.own) text += key_text(kind, field);
@@ -133,7 +133,7 @@ std::string shared_text(const Kind& kind) {
 }
 
 Json text_schema() { return {{"type", "string"}}; }
-/// Numbers may also be texts, in decimal or hexadecimal.
+/// Numbers may also be strings, in decimal or hexadecimal.
 Json number_schema() { return {{"type", Json::array({"number", "string"})}}; }
 Json whole_schema() { return {{"type", Json::array({"integer", "string"})}}; }
 

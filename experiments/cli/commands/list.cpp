@@ -50,7 +50,7 @@ void add_topic(Command list, const std::string& topic, const std::string& help, 
   });
 }
 
-/// A topic of its own form: long texts, which fit no table.
+/// A topic with its own layout, since its texts are too long for a table.
 void add_kinds(Command list) {
   struct Options {
     std::optional<std::string> kind;

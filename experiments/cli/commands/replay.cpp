@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `replay`: a recorded worst case, recomputed from its bits and taken apart.
+// `replay`: recomputes a recorded worst case from its bits and splits its error into parts.
 #include <fmt/format.h>
 
 #include <cstdio>

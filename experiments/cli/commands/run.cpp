@@ -39,7 +39,7 @@ struct RunOptions {
   suite::Overrides overrides;
 };
 
-/// CLI11 would read a number beyond the range of the type as the largest value of the type.
+/// The number in an option. CLI11 would turn a number beyond the range of the type into the largest one of the type.
 std::int64_t whole_number(std::string_view option, const std::string& text) {
   const auto number = number::parse_integer(text);
   if (!number || *number < 0)

@@ -17,7 +17,7 @@ using run::Shard;
 
 constexpr std::uint64_t most_shards = 1'000'000;
 
-/// The environment variables in which a launcher gives the rank of this process, from 0, and the number of processes.
+/// The environment variables in which a launcher passes the rank of this process, from 0, and the number of processes.
 struct Launcher {
   const char* rank;
   const char* size;
@@ -34,7 +34,7 @@ std::uint64_t number_in(const Environment& environment, const char* name) {
   return static_cast<std::uint64_t>(*number);
 }
 
-/// `rank` from 0.
+/// The shard of this rank, which counts from 0. Throws Failure(usage) where the numbers do not fit.
 Shard checked(std::uint64_t rank, std::uint64_t size, std::string_view where) {
   if (size > most_shards)
     throw Failure(Exit::usage, fmt::format("--shard auto: {} give {} shards; {} at most can be told apart, start fewer",

@@ -52,7 +52,7 @@ TEST(Shard, AutoPrefersTheInnermostLauncher) {
             Pair(2, 2));
 }
 
-// Every process of every job of the array gets a number of its own.
+// Every process of every job of the array gets its own number.
 TEST(Shard, ArraysAndProcessesMultiply) {
   std::set<Pair> seen;
   for (const char* job : {"10", "11", "12"})
@@ -72,7 +72,7 @@ TEST(Shard, AutoRefusesWhatMakesNoSense) {
   EXPECT_THROW(shard("auto", {{"PMI_RANK", "x"}, {"PMI_SIZE", "4"}}), Failure);
   const Variables gap{{"SLURM_ARRAY_TASK_ID", "9"}, {"SLURM_ARRAY_TASK_MIN", "1"}, {"SLURM_ARRAY_TASK_COUNT", "5"}};
   EXPECT_THROW(shard("auto", gap), Failure);
-  // Numbers whose product does not fit 64 bits.
+  // The product of these numbers does not fit 64 bits.
   const Variables many{{"SLURM_ARRAY_TASK_ID", "1"},
                        {"SLURM_ARRAY_TASK_MIN", "1"},
                        {"SLURM_ARRAY_TASK_COUNT", "4294967296"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `trials`: every trial of one cell of a bundle, drawn again from the seed and judged again, one by one.
+// `trials`: draws every trial of one cell of a bundle again from the seed and judges it again, one by one.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -33,12 +33,12 @@ struct TrialsOptions {
   bool damaged = false;
 };
 
-/// The study of a suite that the options select, with the values of `set`.
+/// Selects the study that the options name, with the values of `set`.
 suite::Overrides narrowing(const TrialsOptions& options, std::vector<std::string> set) {
   return {.seed = {}, .trials = {}, .set = std::move(set), .only = options.study, .only_option = "--study"};
 }
 
-/// Trials are judged against the exact reference, as the run judged them, so --set may choose a cell and nothing else.
+/// Refuses settings that do not choose a cell: trials are judged against the exact reference, as in the run.
 void check_that_cells_are_set(const std::vector<std::string>& settings) {
   std::vector<std::string> axes;
   for (const auto& field : suite::shared_fields())
@@ -84,7 +84,7 @@ struct Chosen {
   suite::Study study;
   std::uint64_t seed;
   ScalarCell cell;
-  std::vector<std::string> damaged;  ///< files of the bundle that were used all the same
+  std::vector<std::string> damaged;  ///< damaged files of the bundle that were used nevertheless
 };
 
 /// The study that --study names, or the only one.

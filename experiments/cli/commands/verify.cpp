@@ -34,7 +34,7 @@ void print_fine(const std::string& path) {
                bundle::parse_csv(bundle.read(bundle::digests_name), bundle::digests_name).row_count());
 }
 
-/// The build of a bundle may have had other libraries than this one.
+/// What a bundle must contain. Its build may have had other libraries than this one, so all known methods are allowed.
 bundle::Expected expected_of(const std::string& suite_text, const std::string& file_name) {
   return run::expected_of(suite::parse_suites(suite_text, file_name, vocabulary_of_all_builds()),
                           {studies::make_job, studies::tables_of});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One row of worst.csv or search.csv, read back.
+// One row of worst.csv or search.csv, read from a bundle.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ namespace bezierbench::cli {
 /// A file of worst cases.
 struct WorstFile {
   std::string_view name;
-  std::string_view id;       ///< column
-  std::string_view error_u;  ///< column
+  std::string_view id;       ///< name of the column
+  std::string_view error_u;  ///< name of the column
 };
 
-/// A row whose fields are checked when they are read: all functions throw Failure(input_output) that names file, line
+/// A row whose fields are checked when they are used: all functions throw Failure(input_output) that names file, line
 /// and column.
 class WorstRecord {
  public:
@@ -28,7 +28,7 @@ class WorstRecord {
   [[nodiscard]] const std::string& text(std::string_view column) const;
   [[nodiscard]] double number(std::string_view column) const;
   [[nodiscard]] suite::ScalarKind scalar() const;
-  /// A cell with curve kind, dimension and degree; a single input does not need the other axes.
+  /// The cell of the input, with curve kind, dimension and degree only: a single input does not need the other axes.
   [[nodiscard]] sample::Cell cell() const;
   [[nodiscard]] sample::Trial input(const sample::Cell& cell) const;
   [[nodiscard]] double error_u() const { return number(file_.error_u); }
@@ -45,7 +45,7 @@ class WorstRecord {
   WorstFile file_;
 };
 
-/// Throws Failure(usage) that lists the ids where no row has this one.
+/// The row with this id. Throws Failure(usage) that lists the ids where there is none.
 WorstRecord find_worst_record(bundle::CheckedReader& bundle, const std::string& id);
 
 }  // namespace bezierbench::cli

@@ -36,7 +36,7 @@ double tolerance_of(const AtLengthOptions& options) {
   return tolerance;
 }
 
-/// The requested length, exactly. A value that is the rounded length of the whole curve stands for the whole curve.
+/// The requested length, exactly. It may exceed the length of the whole curve by a rounding error.
 LongReal target_of(const AtLengthOptions& options, const LongReal& whole) {
   if (!options.fraction.empty()) {
     const double fraction = finite_option("--fraction", options.fraction);
@@ -55,7 +55,7 @@ LongReal target_of(const AtLengthOptions& options, const LongReal& whole) {
 /// The true lengths along a curve; empty where they are not certain to 30 digits.
 class Truth {
  public:
-  /// Writes to standard error where they are not certain; the results of the methods are printed in any case.
+  /// Prints a line on standard error where they are not certain. The results of the methods are printed in any case.
   Truth(const AtLengthOptions& options, const CurveView<double>& curve) {
     try {
       lengths_.emplace(curve);
@@ -74,7 +74,7 @@ class Truth {
     return lengths_->parameter_at(length);
   }
 
-  /// The fields `error` and `length_error` of a method's t. Where the length up to t has no error, t counts as exact.
+  /// The fields `error` and `length_error` for a method's t. Where the length up to t has no error, t counts as exact.
   [[nodiscard]] std::array<std::string, 2> errors(double t, const LongReal& length,
                                                   const std::optional<LongReal>& exact_t) const {
     if (!exact_t) return {};

@@ -21,7 +21,7 @@ struct ConvertOptions {
   std::vector<std::string> methods;
 };
 
-/// A description of the coefficients where `id` is a conversion to a form that no curve file can hold, only paths.
+/// The coefficients of a form that no curve file can hold and that only paths use, in words.
 std::string_view inner_coefficients(Form form) {
   return form == Form::power_centered ? "those of powers of t - 1/2" : "pairs of doubles";
 }
@@ -36,7 +36,8 @@ void refuse_inner_conversion(const std::string& id, int dimension) {
                                 id, inner_coefficients(kernel.evaluated_form), kernel.info->id));
 }
 
-/// A coefficient that overflows is an error, because the reader of curve files refuses numbers that are not finite.
+/// Throws Failure for a coefficient that overflows, since the reader of curve files refuses numbers that are not
+/// finite.
 void require_finite(const CurveFile& converted, const ConvertOptions& options) {
   for (int i = 0; i <= converted.degree(); ++i)
     for (int axis = 0; axis < converted.dimension; ++axis)

@@ -9,10 +9,10 @@
 
 namespace bezierbench::cli {
 
-/// The name of an axis: x, y, z.
+/// The name of an axis: x, y or z.
 std::string axis_name(int axis);
 
-/// The indices of the columns x, y, z, up to the first that is missing; their order does not matter.
+/// The indices of the columns x, y, z, up to the first that is missing. They may stand in any order.
 std::vector<std::size_t> axis_columns(const bundle::CsvDocument& csv);
 
 /// Throws Failure(input_output) that shows the header of `csv` and a correct one.

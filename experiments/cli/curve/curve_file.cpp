@@ -23,7 +23,7 @@ struct Columns {
   std::optional<std::size_t> weight;
 };
 
-/// The header names x | x,y | x,y,z, and w or not, in any order.
+/// The columns of a header x | x,y | x,y,z, with or without w, in any order.
 Columns columns_of(const bundle::CsvDocument& csv) {
   Columns columns{axis_columns(csv), std::nullopt};
   if (csv.has_column(weight_name)) columns.weight = csv.column(weight_name);

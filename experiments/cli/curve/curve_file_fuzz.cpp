@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Property of curve files: one that can be read gives a curve of finite numbers. Without weights it can be written, and
-// reading it again gives the same curve.
+// Curve files: one that can be read holds a curve of finite numbers. Without weights the curve can be written, and the
+// file read again gives an equal curve.
 #include <algorithm>
 #include <cmath>
 

@@ -15,16 +15,16 @@
 
 namespace bezierbench::cli {
 
-/// Whether the method takes the curve: form and degree.
+/// Whether the method takes a curve of this form and degree.
 bool applies(const MethodInfo& info, const CurveFile& curve);
 
-/// The reason for people, where it does not.
+/// Why the method does not take the curve, for messages.
 std::string why_not(const MethodInfo& info, const CurveFile& curve);
 
-/// The ids of `methods`, in their order.
+/// The ids of `infos`, in their order.
 std::vector<std::string> ids_of(std::span<const MethodInfo* const> infos);
 
-/// The ids of a table's entries, in its order. `Table` holds entries with an `info`.
+/// The ids of a table's entries, in its order. Entries have an `info`.
 template <class Table>
 std::vector<std::string> ids_in(const Table& table) {
   std::vector<std::string> ids;
@@ -32,21 +32,21 @@ std::vector<std::string> ids_in(const Table& table) {
   return ids;
 }
 
-/// Throws Failure(usage): there is no method `id`, or this build lacks it. `known` are the valid ids.
+/// Throws Failure(usage) for a method `id` that does not exist, or that this build lacks. `known` are the valid ids.
 [[noreturn]] void unknown_method(const std::string& id, const std::vector<std::string>& known);
 
-/// A finite parameter from the text of an option. Throws Failure(usage) that names the option.
+/// The finite parameter in the text of an option. Throws Failure(usage) that names the option.
 double finite_option(const std::string& option, const std::string& text);
 
-/// The entries that are named, in the order of the names; without names all that apply, in the order of the roster.
-/// `Table` holds entries with an `info`.
+/// The entries named by `ids`, in the order of the names; without names all that apply, in the order of the roster.
+/// Entries have an `info`.
 template <class Table>
 std::vector<const typename Table::element_type*> chosen(Table table, const std::vector<std::string>& ids,
                                                         const CurveFile& curve, const std::vector<std::string>& known) {
   std::vector<const typename Table::element_type*> result;
   for (const auto& id : ids) {
     const typename Table::element_type* candidate = nullptr;
-    for (const auto& entry : table)  // an id may exist for several forms
+    for (const auto& entry : table)  // several forms may have an entry of this id
       if (entry.info->id == id && (candidate == nullptr || applies(*entry.info, curve))) candidate = &entry;
     if (candidate == nullptr) unknown_method(id, known);
     if (!applies(*candidate->info, curve))

@@ -25,12 +25,12 @@ struct DerivativeOptions {
   std::vector<std::string> methods;
 };
 
-/// The true derivative at one t and the scales of its errors.
+/// The true derivative at one t, and the scales of errors there.
 struct DerivativeTarget {
   double t;
   reference::ExactPoint truth;
   reference::ExactPoint p_tilde;
-  std::vector<metric::DerivativeScale> scales;  ///< per axis
+  std::vector<metric::DerivativeScale> scales;  ///< one per axis
 };
 
 DerivativeTarget target_of(const CurveFile& curve, int order, double t) {

@@ -28,7 +28,7 @@ struct EvalOptions {
   std::vector<std::string> methods;
 };
 
-/// The column bound_u of one axis.
+/// The field of the column bound_u for one axis.
 std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis, double t,
                         const reference::Rational& truth, const reference::Rational& p_tilde) {
   if (!info.bound) return "";
@@ -40,8 +40,8 @@ std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis
   return bound_field(scale.bound(*info.bound, metric::double_arithmetic, length), p_tilde);
 }
 
-/// The methods as `chosen` says, those that have a point at every t. Throws Failure(usage) for a named one that has
-/// none.
+/// The methods that chosen() returns, without those that have no point at some t. Throws Failure(usage) for a method
+/// that is named and has none.
 std::vector<const Kernel<double>*> chosen_for(const std::vector<double>& ts, const EvalOptions& options,
                                               const CurveFile& curve) {
   auto methods = chosen(judge::methods<double>(curve.dimension), options.methods, curve, vocabulary().methods);

@@ -17,7 +17,8 @@
 namespace bezierbench::cli {
 namespace {
 
-/// The default: on most data it needs fewer segments than Schneider's fit, and it recovers a cubic from points of it.
+/// The default method: on most data it needs fewer segments than Schneider's, and it recovers a cubic from points on
+/// it.
 constexpr std::string_view default_method = "gauss_newton";
 
 struct FitOptions {
@@ -26,7 +27,7 @@ struct FitOptions {
   std::string method = std::string(default_method);
 };
 
-/// Throws Failure(usage) for an unknown id.
+/// The method `id` for this dimension. Throws Failure(usage) for an unknown id.
 const FittingKernel& chosen_kernel(const std::string& id, int dimension) {
   const auto kernels = fitting_kernels(dimension);
   const auto found = std::ranges::find_if(kernels, [&](const auto& kernel) { return kernel.info->id == id; });

@@ -20,7 +20,7 @@ struct InterpolateOptions {
   std::string method;
 };
 
-/// The named method, or the first. Throws Failure(usage).
+/// The method `id`, or the first one if `id` is empty. Throws Failure(usage) for an unknown id.
 const InterpolationKernel& chosen_kernel(const std::string& id) {
   const auto kernels = interpolation_kernels();
   if (id.empty()) return kernels.front();

@@ -27,7 +27,7 @@ struct LengthOptions {
   std::vector<std::string> methods;
 };
 
-/// The part of the curve to be measured, and the tolerance.
+/// The part of the curve to measure, and the tolerance.
 struct Task {
   double from;
   double to;
@@ -46,7 +46,8 @@ Task task_of(const LengthOptions& options) {
   return task;
 }
 
-/// Empty where it is not certain, after a line on standard error; the results of the methods are printed in any case.
+/// The true length. Where it is not certain: empty, with a line on standard error. The methods' results are printed in
+/// any case.
 std::optional<reference::TrueLength> true_length(const LengthOptions& options, const CurveView<double>& curve,
                                                  const Task& task) {
   try {

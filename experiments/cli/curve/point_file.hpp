@@ -15,8 +15,8 @@ struct PointFile {
   [[nodiscard]] std::size_t count() const { return coordinates.size() / static_cast<std::size_t>(dimension); }
 };
 
-/// Throws Failure(input_output) that names file, row and column for anything but finite numbers under a good header,
-/// for fewer than `least` points, and for a file that cannot be read.
+/// Reads points. Throws Failure(input_output) that names file, row and column for anything but finite numbers under a
+/// valid header, for fewer than `least` points, and for a file that cannot be read.
 PointFile read_points(const std::filesystem::path& file, std::size_t least);
 
 }  // namespace bezierbench::cli

@@ -22,7 +22,7 @@ struct ProjectOptions {
   std::vector<std::string> methods;
 };
 
-/// Parses `X,Y[,Z]`, with as many coordinates as the curve has. Throws Failure(usage).
+/// Parses `X,Y[,Z]`. Throws Failure(usage) unless there are as many coordinates as the curve has axes.
 std::vector<double> point_option(const std::string& text, const CurveFile& curve, const std::string& file) {
   std::vector<double> point;
   for (std::size_t begin = 0; begin <= text.size();) {

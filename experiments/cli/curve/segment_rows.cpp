@@ -13,7 +13,7 @@
 namespace bezierbench::cli {
 
 void print_segments(std::span<const double> segments, int dimension) {
-  constexpr std::size_t enough = 1U << 20U;  // rows are written in portions of at most a million segments
+  constexpr std::size_t enough = 1U << 20U;  // bytes; rows are written in portions of about this size
   std::string text = "segment,index";
   for (int axis = 0; axis < dimension; ++axis) text += "," + axis_name(axis);
   text += "\n";

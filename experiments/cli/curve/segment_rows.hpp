@@ -6,8 +6,8 @@
 
 namespace bezierbench::cli {
 
-/// Writes header and rows to standard output. `segments` are the coordinates of four control points per segment, point
-/// by point; segments and the points of each count from 0.
+/// Writes a header and rows to standard output. `segments` has four control points per segment, point by point.
+/// Segments and their points are numbered from 0.
 void print_segments(std::span<const double> segments, int dimension);
 
 }  // namespace bezierbench::cli

@@ -27,7 +27,7 @@ struct SplitOptions {
   std::vector<std::string> methods;
 };
 
-/// One axis of the curve as a curve, so that its bounds are those of a coordinate.
+/// One axis of the curve, as a curve of dimension 1, so that bounds are those of a single coordinate.
 struct Axis {
   Axis(const CurveFile& curve, int axis, double t)
       : coefficients([&] {
@@ -41,7 +41,7 @@ struct Axis {
   studies::SplitTruth truth;
 };
 
-/// The true halves and the scales of their errors.
+/// The true halves, and the scales of errors.
 struct SplitTarget {
   SplitTarget(const CurveFile& curve, double parameter)
       : t(parameter),
@@ -64,11 +64,11 @@ void require_points(const reference::ExactHalf& half, const SplitOptions& option
                                              options.t, options.curve.file));
 }
 
-/// The fields value,exact,error,error_u,bound_u.
+/// The fields of the columns value,exact,error,error_u,bound_u.
 std::vector<std::string> judged(double value, const reference::Rational& truth, const reference::Rational& p_tilde,
                                 double bound) {
   auto fields = judged_coordinate(value, truth, p_tilde);
-  fields.erase(fields.begin() + 3);  // error_ulp
+  fields.erase(fields.begin() + 3);  // the field error_ulp
   fields.push_back(bound_field(bound, p_tilde));
   return fields;
 }

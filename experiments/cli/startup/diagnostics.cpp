@@ -8,7 +8,7 @@
 namespace bezierbench::cli {
 
 void say(const std::string& text) {
-  constexpr std::size_t longest = 2000;  // of one line; a file may have a field of megabytes
+  constexpr std::size_t longest = 2000;  // in bytes; a file may have a field of megabytes
   const auto end = text.find_last_not_of(" \n") + 1;
   const auto line = "bezierbench: " + shortened(std::string_view(text).substr(0, end), longest) + '\n';
   std::fputs(line.c_str(), stderr);

@@ -6,9 +6,8 @@
 
 namespace bezierbench::cli {
 
-/// Writes one line to standard error. Line ends and other control characters in `text`, which may come from a damaged
-/// file, are escaped; the middle of a very long text is left out. Does not throw where standard error cannot be
-/// written.
+/// Writes one line to standard error. `text` may come from a damaged file: line ends and other control characters are
+/// escaped, and the middle of a very long text is left out. Does not throw where standard error cannot be written.
 void say(const std::string& text);
 
 }  // namespace bezierbench::cli

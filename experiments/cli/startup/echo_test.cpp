@@ -21,20 +21,20 @@ TEST(Echo, WhatActsOnATerminalIsEscaped) {
   EXPECT_EQ(printable("\xc2\x9b"
                       "31m"),
             "\\xc2\\x9b31m");                               // the control sequence introducer in one character
-  EXPECT_EQ(printable("\xe2\x80\xae"), "\\xe2\\x80\\xae");  // right to left from here on
+  EXPECT_EQ(printable("\xe2\x80\xae"), "\\xe2\\x80\\xae");  // right-to-left override
   EXPECT_EQ(printable("\xe2\x80\xa8\xe2\x81\xa6"), "\\xe2\\x80\\xa8\\xe2\\x81\\xa6");
 }
 
-// A lone byte of 0x80 to 0x9f is a control character where the terminal does not read UTF-8.
+// A single byte from 0x80 to 0x9f is a control character on a terminal that does not read UTF-8.
 TEST(Echo, WhatIsNoUtf8IsEscaped) {
   EXPECT_EQ(printable("\x9b"
                       "31m"),
             "\\x9b31m");
   EXPECT_EQ(printable("\xc3"), "\\xc3");           // cut short
-  EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");  // longer than it need be
+  EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf");  // an overlong encoding
   EXPECT_EQ(printable("\xe0\x80\x9b"), "\\xe0\\x80\\x9b");
-  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");                    // half of a pair of UTF-16
-  EXPECT_EQ(printable("\xf4\x90\x80\x80\xff"), "\\xf4\\x90\\x80\\x80\\xff");  // beyond the last character
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");                    // half of a surrogate pair
+  EXPECT_EQ(printable("\xf4\x90\x80\x80\xff"), "\\xf4\\x90\\x80\\x80\\xff");  // beyond the last code point
 }
 
 TEST(Echo, LongTextLosesItsMiddle) {
@@ -47,7 +47,7 @@ TEST(Echo, LongTextLosesItsMiddle) {
   EXPECT_EQ(shortened("1234567890a", 9), "123456 ... 2 bytes ... 90a");
 }
 
-// The bytes of a character stay together: half of one would be escaped.
+// The bytes of a character are not separated: half a character would be escaped.
 TEST(Echo, CharactersAreNotCut) {
   std::string text;
   for (int k = 0; k < 1000; ++k) text += "\xe6\x9b\xb2";

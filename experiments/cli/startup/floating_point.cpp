@@ -6,7 +6,7 @@
 namespace bezierbench::cli {
 namespace {
 
-/// Hides a value from the optimiser, so that the arithmetic below happens in the processor.
+/// Hides a value from the optimiser, so that the processor computes what follows.
 double opaque(double value) {
   volatile double hidden = value;
   return hidden;

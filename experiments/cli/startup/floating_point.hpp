@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Canary tests: whether floating-point arithmetic is what bounds and digests assume.
+// Checks at startup that floating-point arithmetic is what bounds and digests assume.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace bezierbench::cli {
 
-/// One line for each way in which this process does not compute as IEEE 754 double to nearest: contraction, flushed
-/// subnormals, another rounding mode, excess precision. Empty where all is well.
+/// The ways in which this process differs from IEEE 754 double arithmetic to nearest, one line each: contraction,
+/// flushed subnormals, another rounding mode, excess precision. Empty where there is none.
 std::vector<std::string> floating_point_faults();
 
 }  // namespace bezierbench::cli

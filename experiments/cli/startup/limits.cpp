@@ -24,7 +24,7 @@
 namespace bezierbench::cli {
 namespace {
 
-constexpr rlim_t least_stack = 4U << 20U;  // what oneTBB gives to the threads that do the same work
+constexpr rlim_t least_stack = 4U << 20U;  // oneTBB's size for threads that do the same work
 constexpr rlim_t usual_stack = 8U << 20U;
 
 std::terminate_handler terminate_before = nullptr;
@@ -33,7 +33,7 @@ std::uintptr_t top_of_stack = 0;
 /// Writes one line without allocating memory, and ends the program with all its threads.
 [[noreturn]] void end_with(std::string_view reason) {
   static std::atomic_flag told;
-  while (told.test_and_set()) pause();  // another thread says why
+  while (told.test_and_set()) pause();  // another thread prints its reason
   constexpr std::string_view program = "bezierbench: ";
   constexpr std::string_view advice =
       "; raise its limit (ulimit -v, -s, -u), use fewer --jobs, or ask for less at once\n";
@@ -44,7 +44,7 @@ std::uintptr_t top_of_stack = 0;
   _exit(static_cast<int>(Exit::environment));
 }
 
-/// Called where an exception leaves a function that must not throw, as in oneTBB where it cannot start a thread.
+/// Called when an exception leaves a function that must not throw, as in oneTBB when it cannot start a thread.
 [[noreturn]] void terminated() {
   try {
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
@@ -52,22 +52,23 @@ std::uintptr_t top_of_stack = 0;
     end_without_memory();
   } catch (const std::runtime_error& error) {
     end_with(error.what());
-  } catch (...) {  // a defect
+  } catch (...) {  // a bug in this program
   }
   terminate_before();
   std::abort();
 }
 
-/// The stack of the main thread grows when it is used. Where it cannot grow, the processor raises a fault.
+/// Handles a segmentation fault. One near the stack of the main thread means that the stack could not grow when it was
+/// used.
 void faulted(int signal, siginfo_t* info, void* /*context*/) {
   constexpr std::uintptr_t most_stack = 1U << 30U;
   const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr);
   if (at < top_of_stack && top_of_stack - at < most_stack) end_with("memory is exhausted, or the stack");
-  std::signal(signal, SIG_DFL);  // a defect: the instruction faults again
+  std::signal(signal, SIG_DFL);  // a bug: the instruction faults again
 }
 
 void watch_stack() {
-  static std::array<std::byte, 1U << 15U> place;  // for the handler, which has no other stack
+  static std::array<std::byte, 1U << 15U> place;  // the handler's stack
   stack_t stack{};
   stack.ss_sp = place.data();
   stack.ss_size = place.size();
@@ -94,7 +95,7 @@ void report_exhausted_memory() {
   top_of_stack = reinterpret_cast<std::uintptr_t>(&here);
   reference::on_exhausted_memory([] { end_without_memory(); });
   terminate_before = std::set_terminate(terminated);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these say more of a fault
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers report more about a fault
   watch_stack();
 #endif
 }

@@ -3,7 +3,7 @@
 
 namespace bezierbench::cli {
 
-/// True where this processor has what the program was compiled for (x86-64-v3 with the presets).
+/// Whether this processor has the instructions that the program was compiled for (x86-64-v3 with the presets).
 bool processor_suffices();
 
 }  // namespace bezierbench::cli

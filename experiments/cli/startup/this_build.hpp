@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The description of this program that a run records.
+// The facts about this program that a run records.
 #pragma once
 
 #include "experiments/run/run.hpp"

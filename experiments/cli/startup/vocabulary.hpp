@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ids that suites may use, from the rosters; the suite reader takes them.
+// The ids that suites may use, from the rosters, for the suite reader.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace bezierbench::cli {
 /// Ids of all methods, conversions, generators and published files.
 suite::Vocabulary vocabulary();
 
-/// The same with the methods that only other builds have. Shipped suites may name them.
+/// The same ids, and those of methods that only other builds have; suites that come with the program may name these.
 suite::Vocabulary vocabulary_of_all_builds();
 
 /// The table of `list methods --format csv`, which every bundle contains.
 std::string methods_csv();
 
-/// The table of `list generators --format csv`, likewise.
+/// The table of `list generators --format csv`, which every bundle contains.
 std::string generators_csv();
 
 /// Version, commit and compiler in one line.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Studies of kind `arc_length`: lengths of random curves between the ends of each interval of t, tolerance by
-// tolerance, against the true ones. A method that says that it kept its tolerance and did not fails the run. Methods
-// that are not bit-stable have a file of their own, arc_length_unstable.csv.
+// Studies of kind `arc_length`: lengths of random curves over each interval of t, to each tolerance, against the true
+// lengths. A method that reports that it kept its tolerance and did not fails the run. Rows of methods that are not
+// bit-stable go to arc_length_unstable.csv.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace bezierbench::studies {
 
-/// Throws Failure(usage) for inputs that the kind does not take.
+/// The job of the study. Throws Failure(usage) for inputs that the kind does not take.
 std::unique_ptr<run::Job> arc_length_job(const suite::Study& study, const run::JobContext& context);
 
 extern const race::TimedProblem timed_arc_length;

@@ -8,7 +8,7 @@
 namespace bezierbench::studies {
 namespace {
 
-/// Small whole numbers: cusps, turns, points.
+/// Small whole numbers as coordinates give cusps, curves that turn back and curves that are a point.
 suite::Study small_study() { return small_length_study<suite::ArcLengthKeys>({"continuous", "integer"}); }
 
 TEST(ArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
@@ -19,7 +19,8 @@ TEST(ArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
   for (std::size_t row = 0; row < csv.row_count(); ++row) expect_kept(csv, row);
 }
 
-/// (t - 3/4)^9 over one step of doubles from 3/4 is too short a curve for 70 digits: the trial is named.
+/// (t - 3/4)^9, from 3/4 to the next double, is so short a curve that 70 digits do not suffice. The failure names the
+/// trial.
 TEST(ArcLengthStudy, SaysWhichTruthIsNotCertain) {
   auto study = small_study();
   study.dimension = {1};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The length of a random curve between the ends of the interval of t, to a tolerance, against the true one. Right where
+// The length of a random curve over the interval of t, to a tolerance, against the true length. An answer is right if
 // it keeps the tolerance.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace bezierbench::studies {
 
 struct LengthErrors {
   metric::Tally error;     ///< in coordinate units
-  metric::Tally relative;  ///< to the true length
+  metric::Tally relative;  ///< divided by the true length
   Promises promises;
 
   template <class Bytes, class Self>

@@ -41,7 +41,8 @@ struct Chain {
   }
 };
 
-/// Of entry k of the study's methods.
+/// The conversion or chain in entry `k` of the study's methods. Refuses a conversion that does not start from the form
+/// before it.
 Chain chain_of(const suite::Study& study, std::size_t k, int dimension) {
   const std::string& id = study.methods[k];
   Chain chain{id, {}};
@@ -61,7 +62,7 @@ Chain chain_of(const suite::Study& study, std::size_t k, int dimension) {
   return chain;
 }
 
-/// All conversions from this form where the study names none.
+/// The chains of the study's methods; every conversion from the study's form where the study names none.
 std::vector<Chain> chains_of(const suite::Study& study, int dimension) {
   std::vector<Chain> chains;
   for (std::size_t k = 0; k < study.methods.size(); ++k) chains.push_back(chain_of(study, k, dimension));
@@ -91,13 +92,13 @@ double largest_distance(std::span<const double> computed, std::span<const double
   return largest;
 }
 
-/// One cell and one chain.
+/// A row of the table is about one cell and one chain.
 struct Row {
   sample::Cell cell;
   Chain chain;
 };
 
-/// What blocks, each of one replicate, gave for a row.
+/// Tallies of one row. Every block adds trials of one replicate.
 struct RowTally {
   metric::Tally error;
   std::uint64_t non_finite = 0;

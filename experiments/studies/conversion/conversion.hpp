@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Studies of kind `conversion`: random curves through one conversion, judged against the exact one, or through a chain
-// such as `factorial+forward_substitution+factorial`, judged by how far the last curve in the original form is from the
-// original. The error of a trial is the largest distance between corresponding coefficients.
+// Studies of kind `conversion`. Random curves go through one conversion, judged against the exact one, or through a
+// chain such as `factorial+forward_substitution+factorial`, judged by the distance of the last curve in the original
+// form from the original curve. The error of a trial is the largest distance between corresponding coefficients.
 #pragma once
 
 #include <memory>

@@ -46,7 +46,7 @@ TEST(Conversion, OneConversionIsJudgedAgainstTheExactOne) {
   const auto csv = rows_of(study_of({"exact", "factorial"}));
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     const double worst = *number::parse_number(csv.at(row, "max_error"));
-    // A rounded coefficient is off by half an ulp of at most 3^n 1e6, on two axes.
+    // A rounded coefficient is off by half an ulp of at most 3^n 1e6, on each of two axes.
     if (csv.at(row, "conversion") == "exact") {
       EXPECT_LE(worst, 0x1p-53 * 59049 * 1e6 * 1.5);
     }

@@ -14,7 +14,7 @@ double error_of(const DerivativeProblem::Drawn& drawn, const DerivativeProblem::
   return drawn.distance->to(std::span(answer).first(static_cast<std::size_t>(drawn.curve.dimension)));
 }
 
-/// Infinite where nothing is proved.
+/// The proved bound of the error; infinite where there is none.
 double bound_of(const DerivativeKernel& method, const DerivativeProblem::Drawn& drawn) {
   return method.bound == nullptr ? std::numeric_limits<double>::infinity()
                                  : drawn.scale.bound(*method.bound, metric::double_arithmetic);

@@ -52,7 +52,7 @@ TEST(DerivativeStudy, BoundsHoldAndTheSeedDocumentIsRightForOrderOneOnly) {
     if (beyond) {
       EXPECT_EQ(csv.at(row, "max_error"), "0");
     } else if (as_printed && number_at(csv, row, "order") > 1) {
-      EXPECT_GT(number_at(csv, row, "mean_error_u"), 1e12);  // of the size of the derivative
+      EXPECT_GT(number_at(csv, row, "mean_error_u"), 1e12);  // about the size of the derivative
     } else if (!as_printed) {
       EXPECT_LE(number_at(csv, row, "max_error_u"), number_at(csv, row, "bound_u"));
       EXPECT_GT(number_at(csv, row, "max_error_u"), 0);
@@ -60,7 +60,7 @@ TEST(DerivativeStudy, BoundsHoldAndTheSeedDocumentIsRightForOrderOneOnly) {
   }
 }
 
-/// A Bezier curve and its power form draw the same; only methods of the form appear.
+/// The same curves are drawn for the power form as for the Bernstein form; only methods for the study's form have rows.
 TEST(DerivativeStudy, TakesTheMethodsOfTheForm) {
   auto study = small_study();
   study.curve = Form::power;

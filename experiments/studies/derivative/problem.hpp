@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The derivative of one order of a random curve at a random t, against the exact one. Right where it keeps its bound
-// or, where none is proved, half of its digits.
+// The derivative of a random curve, of one order, at a random t, against the exact one. An answer is right if it keeps
+// its bound or, where none is proved, half of its digits are right.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ class DerivativeProblem {
   struct Drawn : judge::DrawnCurve {
     reference::ExactCurve exact;
     metric::DerivativeScale scale;
-    std::optional<reference::Distance> distance;  ///< from the exact derivative
+    std::optional<reference::Distance> distance;  ///< distance from the exact derivative
   };
 
   static constexpr std::array case_columns{judge::case_column::order};

@@ -22,12 +22,12 @@ std::vector<reference::NearPlace> near_places(const Fit& fit) {
   return places;
 }
 
-/// Squared. Where the method says that it is near shortens the search.
+/// The square of the true distance. The parameters that the method returns shorten the search.
 reference::Rational true_distance(int dimension, const std::vector<double>& data, const Fit& fit) {
   return reference::largest_squared_distance(dimension, data, fit.control_points, near_places(fit));
 }
 
-/// Compares without rounding.
+/// Whether the distance whose square is `squared` is larger than `distance`; computed without rounding.
 bool exceeds(const reference::Rational& squared, double distance) {
   const auto other = reference::exactly(distance);
   return sgn((squared - other * other).numerator) > 0;
@@ -66,8 +66,8 @@ bool FittingProblem::is_right(const Kernel& method, const Drawn& data, double to
   return all_finite(fit.control_points) && !exceeds(true_distance(method.dimension, data, fit), tolerance);
 }
 
-/// Trial 0 of the first cell and number of points, in the plane, at the first tolerance: the data, without a method,
-/// then what each method made of them.
+/// Adds trial 0 of the first cell in the plane, with the first number of points, at the first tolerance: for each kind
+/// of data first the data points, without a method, then the control points of each method's fit.
 void FittingProblem::write_example(tables::Tables& tables, const suite::Study& study, std::uint64_t seed) {
   constexpr int plane = 2;
   const auto parts = judge::parts_of(study, axes);

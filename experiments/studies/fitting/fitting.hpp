@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Studies of kind `fitting`: data of every kind that sample::data_kinds() knows, fitted to every tolerance, judged by
-// their exact distance from the fitted curve. Writes fitting.csv, and into fitting_example.csv the first data set of
-// each study, in the plane, with its fits.
+// Studies of kind `fitting`: data of every kind in sample::data_kinds(), fitted to every tolerance and judged by their
+// exact distance from the fitted curve. Writes fitting.csv, and to fitting_example.csv the first data set of each study
+// in the plane with its fits.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace bezierbench::studies {
 
-/// Throws Failure(usage) for inputs that the kind does not take.
+/// The job of the study. Throws Failure(usage) for inputs that the kind does not take.
 std::unique_ptr<run::Job> fitting_job(const suite::Study& study, const run::JobContext& context);
 
 extern const race::TimedProblem timed_fitting;

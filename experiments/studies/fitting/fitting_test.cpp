@@ -16,7 +16,7 @@ suite::Study small_study() {
   study.id = "small";
   study.keys = suite::FittingKeys{.points = {3, 12}, .tolerance = {1e-2, 1e-9}};
   study.degree = {3};
-  study.generator = {"integer"};  // ties, turns, coinciding points
+  study.generator = {"integer"};  // gives equal distances, turns and coinciding points
   study.trials = 60;              // two blocks, the last one short
   return study;
 }
@@ -53,7 +53,7 @@ TEST(FittingStudy, SaysWhatGivesItsSourceBack) {
   EXPECT_GT(field(csv, 1, "one_segment"), 20);
 }
 
-/// Data, then what each method made of them: from the first data point to the last.
+/// The example has the data, then each method's fit, which goes from the first data point to the last.
 TEST(FittingStudy, ShowsAnExample) {
   auto study = small_study();
   suite::keys_of<suite::FittingKeys>(study).points = {12};

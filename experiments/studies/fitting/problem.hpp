@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data of one kind fitted to a tolerance: the largest exact distance of a data point from the fitted curve. Right where
-// it is within the tolerance.
+// Data of one kind fitted to a tolerance: the largest exact distance of a data point from the fitted curve. An answer
+// is right if this distance is within the tolerance.
 #pragma once
 
 #include <array>
@@ -18,16 +18,16 @@
 
 namespace bezierbench::studies {
 
-/// Distances are the largest of a data set.
+/// Errors are the largest distance of a data point from the fitted curve.
 struct FitErrors {
-  metric::Tally error;    ///< true, in coordinate units
-  metric::Tally claimed;  ///< by the method, in coordinate units
+  metric::Tally error;    ///< true distance, in coordinate units
+  metric::Tally claimed;  ///< distance that the method returns, in coordinate units
   std::uint64_t non_finite = 0;
   std::uint64_t non_converged = 0;
-  metric::TrialCount broken;      ///< said to be within the tolerance, and is not
-  std::uint64_t understated = 0;  ///< farther than claimed
+  metric::TrialCount broken;      ///< the method reports convergence, but the distance exceeds the tolerance
+  std::uint64_t understated = 0;  ///< trials with a true distance larger than the claimed one
   metric::Total segments;
-  std::uint64_t one_segment = 0;  ///< trials that need no more
+  std::uint64_t one_segment = 0;  ///< trials with a fit of one segment
   metric::Total iterations;
 
   template <class Bytes, class Self>
@@ -93,7 +93,7 @@ class FittingProblem {
                     Errors& errors);
   static bool is_right(const Kernel& method, const Drawn& data, double tolerance, const Answer& fit);
 
-  /// Of the study: adds to fitting_example.csv.
+  /// Adds the example of the study to fitting_example.csv.
   static void write_example(tables::Tables& tables, const suite::Study& study, std::uint64_t seed);
 
  private:

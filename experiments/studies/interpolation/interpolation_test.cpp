@@ -71,7 +71,7 @@ TEST(InterpolationStudy, LeavesOutTheErrorWhereThereAreTooManyPoints) {
   EXPECT_GT(field(csv, 1, "max_c2_u"), 0);
 }
 
-/// 0, 3, 6 joined by straight segments, one control point of which is moved by 1/4: in u times 6.
+/// 0, 3, 6 are joined by straight segments. Moving one control point by 1/4 gives errors in units of u times 6.
 TEST(SplineJudge, MeasuresWhatIsWrong) {
   const std::vector<double> points{0, 3, 6};
   std::vector<double> segments{0, 1, 2, 3, 3, 4, 5, 6};
@@ -97,7 +97,7 @@ TEST(SplineJudge, MeasuresWhatIsWrong) {
   EXPECT_EQ(errors.c1.count(), 2U);
 }
 
-/// The same, a thousand binades smaller: an error that is subnormal is kept as it is.
+/// The same, smaller by 2^-1060: a subnormal error is kept as it is.
 TEST(SplineJudge, MeasuresSubnormalErrors) {
   constexpr double tiny = 0x1p-1060;
   const std::vector<double> points{0, 3 * tiny, 6 * tiny};

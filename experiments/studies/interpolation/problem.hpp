@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Random points joined by a C2 natural spline: its inner control points against the exact ones, and what it leaves of
-// the conditions that it must meet. Right where every condition is met within the bound or, where none is proved, with
-// half of the digits.
+// Random points joined by a C2 natural spline: its inner control points against the exact ones, and the residuals of
+// the conditions that it must meet. An answer is right if every residual is within the bound or, where none is proved,
+// half of the digits are right.
 #pragma once
 
 #include <algorithm>
@@ -67,7 +67,7 @@ class InterpolationProblem {
   static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::violations>}};
 
   static std::span<const Kernel> kernels(int /*dimension*/) { return interpolation_kernels(); }
-  /// Fewer sets of many points, so that a batch is about as long.
+  /// Sets per batch: fewer where they have many points, so that every batch takes about as long.
   static std::size_t timed_trials(const judge::TrialPart& part) {
     return static_cast<std::size_t>(std::clamp(4096 / *part.values.points, 1, 64));
   }
@@ -99,7 +99,7 @@ class InterpolationProblem {
   }
 
  private:
-  /// Points are drawn as the control points of one curve.
+  /// A cell whose curve has the points as its control points; this is how they are drawn.
   static sample::Cell as_one_curve(const judge::TrialPart& part) {
     sample::Cell cell = part.cell;
     cell.degree = *part.values.points - 1;

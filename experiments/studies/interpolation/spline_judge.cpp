@@ -24,16 +24,17 @@ double in_units(const Rational& value, const Rational& unit) {
   return reference::quotient(reference::error_format, value, unit);
 }
 
-/// Rounded before, and not again: metric::to_24_bits would cut what is subnormal.
+/// Adds a value that is rounded already. Rounding by metric::to_24_bits would change subnormal values.
 void add(double value, metric::Tally& tally) { tally.add(std::span(&value, 1)); }
 
-/// Above bound units and three times the smallest double, which is what subnormal control points are rounded by.
+/// Whether a residual exceeds the bound. The bound has an underflow term of three times the smallest double, by which
+/// subnormal control points are rounded.
 bool exceeds(const Rational& residual, double bound, const Rational& unit) {
   const Rational limit = reference::exactly(bound) * unit + Rational{3, 1, -1074};
   return (residual - limit).numerator > 0;
 }
 
-/// Whether none exceeds the bound.
+/// Whether no residual exceeds the bound.
 bool within(const reference::SplineResiduals& residuals, double bound, const Rational& unit) {
   const auto kept = [&](const Rational& residual) { return !exceeds(residual, bound, unit); };
   return kept(residuals.data) && kept(residuals.c0) && kept(residuals.c1) && kept(residuals.c2) &&

@@ -32,7 +32,7 @@ TEST(InverseArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept)
   }
 }
 
-/// Even gaps at equal lengths, uneven ones at equal steps of t, and shares that go from 0 to 1.
+/// The gaps are even at equal lengths and uneven at equal steps of t; the shares go from 0 to 1.
 TEST(InverseArcLengthStudy, WritesOneCurveWithBothSpacings) {
   auto study = small_study();
   study.trials = 1;

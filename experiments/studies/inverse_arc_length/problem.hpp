@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The parameter at a share of the length of a random curve, to a tolerance, against the true one. The share is the
-// trial's t. Right where the length up to the parameter keeps the tolerance.
+// trial's t. An answer is right if the length up to it keeps the tolerance.
 #pragma once
 
 #include <array>
@@ -21,10 +21,10 @@
 namespace bezierbench::studies {
 
 struct ParameterErrors {
-  metric::Tally error;        ///< of the length up to t, in coordinate units
-  metric::Tally relative;     ///< that over the length of the curve
-  metric::Tally t_error;      ///< of t
-  metric::Tally iterations;   ///< their number
+  metric::Tally error;        ///< |length up to t - target|, in coordinate units
+  metric::Tally relative;     ///< error over the length of the curve
+  metric::Tally t_error;      ///< |t - true parameter|
+  metric::Tally iterations;   ///< iterations of the method
   std::uint64_t outside = 0;  ///< trials with t outside [0, 1]
   Promises promises;
 
@@ -47,8 +47,8 @@ class InverseArcLengthProblem {
   using Row = TrialRow<Kernel, Errors>;
   struct Drawn : judge::DrawnCurve {
     std::optional<reference::LengthAlong> truth;
-    double target = 0;                                   ///< the length that is sought
-    std::optional<reference::LongReal> exact_parameter;  ///< where it is; computed when first judged
+    double target = 0;                                   ///< the length to find the parameter of
+    std::optional<reference::LongReal> exact_parameter;  ///< the true parameter; computed when first judged
   };
 
   static constexpr std::array case_columns{judge::case_column::tolerance};
@@ -94,7 +94,7 @@ class InverseArcLengthProblem {
                     Errors& errors);
   static bool is_right(const Kernel& method, const Drawn& drawn, double tolerance, const Answer& answer);
 
-  /// Of the study: adds to spacing.csv.
+  /// Adds the example of the study to spacing.csv.
   static void write_example(tables::Tables& tables, const suite::Study& study, std::uint64_t seed) {
     add_spacing(tables, study, sample::cells(study).front(), seed);
   }

@@ -17,7 +17,7 @@ struct Spacing {
   std::string_view id;
   int steps;
   bool by_length;
-  bool measured;  ///< has shares and gaps
+  bool measured;  ///< whether its points have shares and gaps
 };
 
 constexpr const char* axes[]{"x", "y", "z"};

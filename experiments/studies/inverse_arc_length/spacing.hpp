@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How unevenly points lie at equal steps of t, and how evenly at equal steps of the length: one curve, for a picture.
+// Points of one curve at equal steps of t and at equal steps of the length, for a picture of their spacing.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace bezierbench::studies {
 
-/// Adds to spacing.csv the curve of the study's trial 0 in `cell`: its outline, and 21 points from end to end, once at
-/// equal steps of t (`parameter`) and once of the true length (`arc_length`). `share` is the length up to a point over
-/// that of the curve, `gap` the length from the point before to it over the mean of these; neither is there for the
-/// outline, nor for a curve that is a point. Coordinates are exact values, rounded once.
+/// Adds the curve of the study's trial 0 in `cell` to spacing.csv: its outline, and 21 points from end to end, once at
+/// equal steps of t (`parameter`) and once at equal steps of the true length (`arc_length`). `share` is the length up
+/// to a point over the length of the curve; `gap` is the length from the point before, over the mean gap. Both are
+/// empty for the outline and for a curve that is a point. Coordinates are exact values, rounded once.
 void add_spacing(tables::Tables& tables, const suite::Study& study, const sample::Cell& cell, std::uint64_t seed);
 
 }  // namespace bezierbench::studies

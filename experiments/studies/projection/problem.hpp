@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A point, placed in one of several ways, projected onto a random curve: the foot point against the exact one. Right
-// where the nearest point is not missed.
+// A point, placed in one of several ways, projected onto a random curve: the foot point against the exact one. An
+// answer is right if it does not miss the nearest point.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@
 namespace bezierbench::studies {
 
 struct ProjectionErrors {
-  metric::Tally error;       ///< of the distance, in coordinate units
-  metric::Tally error_unit;  ///< of the distance, in 2^-52 times the largest coordinate
-  metric::Tally t_error;     ///< from the nearest foot point that is as near as the nearest
+  metric::Tally error;       ///< error of the distance, in coordinate units
+  metric::Tally error_unit;  ///< error of the distance, in 2^-52 times the largest coordinate
+  metric::Tally t_error;     ///< distance from t to the nearest parameter of a nearest point
   std::uint64_t missed = 0;
   metric::Total candidates;
   std::uint64_t non_converged = 0;
@@ -66,7 +66,7 @@ class ProjectionProblem {
       TrialColumn<Row>{"non_converged", column::count<&Errors::non_converged>},
       TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
   };
-  static constexpr std::array<TrialFailure<Row>, 0> failures{};  // no method promises anything
+  static constexpr std::array<TrialFailure<Row>, 0> failures{};  // a projection method promises nothing
 
   static std::span<const Kernel> kernels(int dimension) { return judge::projection_methods(dimension); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 64; }

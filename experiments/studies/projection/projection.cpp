@@ -12,7 +12,7 @@
 namespace bezierbench::studies {
 namespace {
 
-/// |t - t*| for the nearest t* of those whose distance is the least, to a relative 2^-40.
+/// |t - t*| for the t* closest to t among the foot points whose distance is the least, up to a factor of 1 + 2^-40.
 double t_error(double t, const reference::ExactProjection& exact) {
   constexpr double tie = 1 + 0x1p-40;
   const auto distance = [](const reference::CriticalPoint& point) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Studies of kind `projection`: points, placed in every way that sample::placements() knows, projected onto random
-// curves in Bernstein form, judged against the exact foot point. Writes projection.csv, and projection_unstable.csv for
-// methods that are not bit-stable.
+// Studies of kind `projection`: points, placed in every way in sample::placements(), projected onto random curves in
+// Bernstein form, judged against the exact foot point. Writes projection.csv, and projection_unstable.csv for methods
+// that are not bit-stable.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@
 
 namespace bezierbench::studies {
 
-/// A foot point is missed where it is farther than the nearest point by more than this times the largest coordinate of
-/// control points and point: no method is that inaccurate about the minimum that it did find.
+/// A foot point misses the nearest point if it is farther away than that by more than this times the largest coordinate
+/// of the control points and the point. No method is that inaccurate about a minimum that it found.
 inline constexpr double missed_tolerance = 0x1p-20;
 
 std::unique_ptr<run::Job> projection_job(const suite::Study& study, const run::JobContext& context);

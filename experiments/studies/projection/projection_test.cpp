@@ -43,7 +43,7 @@ TEST(ProjectionStudy, IsolationMissesNothingAndKeepsItsGoal) {
     EXPECT_EQ(csv.at(row, "non_converged"), "0") << row;
     EXPECT_EQ(csv.at(row, "trials"), "120") << row;
     EXPECT_LE(field(csv, row, "max_error_eps"), 4) << row;
-    EXPECT_GE(field(csv, row, "candidates"), 240) << row;  // both ends
+    EXPECT_GE(field(csv, row, "candidates"), 240) << row;  // the two ends of each curve
   }
 }
 

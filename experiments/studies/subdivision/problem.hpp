@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A random curve split at a random t, every control point of both halves against the exact one. Right where every
-// control point keeps its bound or, where none is proved, half of its digits.
+// A random curve split at a random t: every control point of both halves against the exact one. An answer is right if
+// every control point keeps its bound or, where none is proved, half of its digits are right.
 #pragma once
 
 #include <array>
@@ -19,18 +19,18 @@
 namespace bezierbench::studies {
 
 struct SubdivisionErrors {
-  metric::Tally error;  ///< of control points
+  metric::Tally error;  ///< errors of control points
   metric::Tally error_u;
   metric::Largest<double> weight_error_u;
   metric::Largest<double> bound_u;     ///< bound / (u p~) of a control point
   std::uint64_t bounded = 0;           ///< control points for which a bound is proved
-  metric::TrialCount violations;       ///< a point or weight is off by more than its bound
-  metric::TrialCount broken_promises;  ///< the method promises ends or a junction that it did not keep
-  metric::TrialCount junctions_apart;  ///< the last control point of left is not the first of right, bit for bit
-  metric::TrialCount ends_moved;       ///< an end of the curve is not that of its half, bit for bit
-  metric::TrialCount points_off;       ///< a point of a half is not that of the curve, within the bounds
-  std::uint64_t middles = 0;           ///< trials in which that was asked
-  std::uint64_t non_finite = 0;        ///< trials with a number that is not finite; nothing else is judged of them
+  metric::TrialCount violations;       ///< trials with a point or weight beyond its bound
+  metric::TrialCount broken_promises;  ///< trials in which ends or a junction differ although the method promises them
+  metric::TrialCount junctions_apart;  ///< trials whose halves do not share their junction bit for bit
+  metric::TrialCount ends_moved;       ///< trials in which a half does not have its end of the curve bit for bit
+  metric::TrialCount points_off;       ///< trials in which the middle of a half is not on the curve, within the bounds
+  std::uint64_t middles = 0;           ///< trials in which the middles were compared
+  std::uint64_t non_finite = 0;        ///< trials with a number that is not finite; nothing else is judged in these
 
   template <class Bytes, class Self>
   static auto each_field(Bytes& bytes, Self& self) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is found of one method on one trial of a study of subdivision.
+// Judges the halves that one method computed in one trial of a study of subdivision.
 
 #include <algorithm>
 #include <bit>
@@ -11,13 +11,13 @@
 namespace bezierbench::studies {
 namespace {
 
-/// Equal, and 0 is not -0.
+/// Whether the numbers have the same bits; 0 and -0 differ.
 bool same_bits(std::span<const double> a, std::span<const double> b) {
   return std::ranges::equal(
       a, b, [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); });
 }
 
-/// Whether control point i of a half is that of the curve.
+/// Whether control point `i` of a half has the bits of control point `i` of the curve.
 bool is_end(const CurveView<double>& curve, const ComputedHalves& computed, Side side, int i) {
   const auto d = static_cast<std::size_t>(curve.dimension);
   const auto k = static_cast<std::size_t>(i);
@@ -26,7 +26,7 @@ bool is_end(const CurveView<double>& curve, const ComputedHalves& computed, Side
          (curve.form != Form::rational || same_bits(control.last(1), curve.weights.subspan(k, 1)));
 }
 
-/// True where it keeps its bound.
+/// Adds the errors of a control point. Returns whether they are within the proved bounds.
 bool judge_control(const SplitKernel& method, const CurveView<double>& curve, const SplitTruth& truth, Side side, int i,
                    std::span<const double> control, SubdivisionErrors& errors) {
   const auto point = truth.of_point(method.bound, side, i, control.first(static_cast<std::size_t>(curve.dimension)));
@@ -43,7 +43,7 @@ bool judge_control(const SplitKernel& method, const CurveView<double>& curve, co
   return kept;
 }
 
-/// What needs no truth: the junction and the ends. Promises are about t in [0,1].
+/// Judges the junction and the ends, which needs no truth. Promises hold for t in [0,1].
 void judge_bits(const SplitKernel& method, const CurveView<double>& curve, double t, const ComputedHalves& computed,
                 std::uint64_t trial, SubdivisionErrors& errors) {
   const int n = curve.degree;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is found of methods that are right, and of methods made wrong on purpose.
+// Verdicts on correct methods and on methods with a deliberate error.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ TEST(SplitJudge, KnowsTheHalvesOfALine) {
   EXPECT_EQ(right.error.max(), 0);
   EXPECT_EQ(right.points_off.count + right.violations.count + right.broken_promises.count, 0U);
   EXPECT_EQ(right.middles, 1U);
-  const auto wrong = judge(method, line, 0.5);  // where they meet in (3,0), sqrt(2) away
+  const auto wrong = judge(method, line, 0.5);  // these halves meet in (3,0), sqrt(2) away
   EXPECT_NEAR(wrong.error.max(), std::sqrt(2), 1e-6);
   EXPECT_EQ(wrong.violations.count, 1U);
   EXPECT_EQ(wrong.violations.first, 7U);
@@ -62,7 +62,7 @@ TEST(SplitJudge, KnowsTheHalvesOfALine) {
   EXPECT_EQ(wrong.broken_promises.count, 0U);
 }
 
-/// The first number of the right half moved to the next double.
+/// Moves the first number of the right half to the next double.
 void apart(const CurveView<double>& curve, double t, double* left, double* right) {
   kernel("de_casteljau_split", curve.form, curve.dimension).split(curve, t, left, right);
   right[0] = std::nextafter(right[0], 10);
@@ -85,7 +85,7 @@ TEST(SplitJudge, CountsJunctionsThatAreNotShared) {
   EXPECT_EQ(not_promised.broken_promises.count, 0U);
 }
 
-/// The weight of the last control point moved to the next double.
+/// Moves the weight of the last control point to the next double.
 void end_moved(const CurveView<double>& curve, double t, double* left, double* right) {
   kernel("de_casteljau_split", curve.form, curve.dimension).split(curve, t, left, right);
   right[7] = std::nextafter(right[7], 10);
@@ -117,7 +117,7 @@ TEST(SplitJudge, FindsABoundThatIsTooSmall) {
   }
 }
 
-/// All weights of the halves doubled: the same points, but not the weights that the exact halves have.
+/// Doubles all weights of the halves: the points are the same, but the weights differ from those of the exact halves.
 void heavier(const CurveView<double>& curve, double t, double* left, double* right) {
   kernel("de_casteljau_split", curve.form, curve.dimension).split(curve, t, left, right);
   for (int i = 0; i <= curve.degree; ++i) {
@@ -156,7 +156,7 @@ TEST(SplitJudge, ProvesNothingWithWeightsOfBothSigns) {
   EXPECT_EQ(judged.error.count(), 8U);
 }
 
-/// 1 - 4t is the weight of the junction.
+/// The weight of the junction is 1 - 4t, which is 0 here.
 TEST(SplitJudge, FindsNoPointWhereItsWeightIsZero) {
   const std::vector<double> points{1, 2};
   const std::vector<double> signs{1, -3};
@@ -167,7 +167,7 @@ TEST(SplitJudge, FindsNoPointWhereItsWeightIsZero) {
   EXPECT_EQ(truth.of_point(nullptr, Side::left, 0, std::vector{1.0}).error, 0);
 }
 
-/// Norms of vectors: each axis has its largest coefficient in another control point.
+/// The bounds use norms of vectors. Each axis has its largest coefficient in another control point.
 TEST(SplitJudge, BoundsOfLargestCoefficientsCoverAllAxes) {
   const std::vector<double> points{1, 0, 0, 1};
   const CurveView<double> curve{Form::bernstein, 2, 1, points};

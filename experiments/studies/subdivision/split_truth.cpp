@@ -17,7 +17,7 @@ using reference::binary64;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double u = metric::double_arithmetic.unit_roundoff;
 
-/// (sum of squares)^(1/2), without overflow or underflow on the way.
+/// The Euclidean norm, without intermediate overflow or underflow.
 double norm(std::span<const double> values) {
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::abs(value));
@@ -127,7 +127,7 @@ double SplitTruth::largest_weight(int first, int last) const {
 double SplitTruth::point_bound(const SplitBound* bound, Side side, int i) const {
   const auto k = static_cast<std::size_t>(i);
   if (bound == nullptr || !proved_ || !half(side).exact.points[k].exists()) return infinite;
-  // What is lost to underflow is lost on each axis.
+  // Every axis has the error of underflow.
   const SplitArithmetic arithmetic{u, curve_.dimension * metric::double_arithmetic.smallest_subnormal};
   const SplitScale& point = half(side).points[k];
   return curve_.form == Form::rational ? split_quotient_bound(*bound, point, half(side).weights[k], arithmetic)
@@ -152,9 +152,10 @@ SplitError SplitTruth::of_weight(const SplitBound* bound, Side side, int i, doub
   return judged(error, half(side).weights[k].p_tilde, weight_bound(bound, side, i));
 }
 
-/// A point of a half is an average of its control points, so it is off by at most the largest of their bounds. Of a
-/// rational curve the shares of this average are off as well: with weights that are off by at most r of themselves,
-/// each share by at most 2 r / (1 - r) of itself, and |b_i| <= p~_i.
+/// The bound of the error of a half's middle. The middle is an average of the control points, so its error is at most
+/// the largest of their bounds. For a rational curve the coefficients of this average have errors as well: if the
+/// relative errors of the weights are at most r, those of the coefficients are at most 2 r / (1 - r),
+/// and |b_i| <= p~_i.
 double SplitTruth::middle_bound(const SplitBound* bound, Side side) const {
   double of_points = 0;
   double of_weights = 0;  // r

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The true halves of one curve at one t, and what the errors of computed control points are compared with: p~ and the
-// proved bound of each, with Euclidean norms for magnitudes.
+// The true halves of one curve at one t, and the units in which errors of computed control points are measured: p~ and
+// the proved bound of each, with Euclidean norms as magnitudes.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace bezierbench::studies {
 enum class Side { left, right };
 inline constexpr std::array sides{Side::left, Side::right};
 
-/// Splits `curve` at t: the numbers of the left half, then those of the right one.
+/// Splits `curve` at t. `numbers` becomes the numbers of the left half, then those of the right one.
 void compute_halves(const SplitKernel& method, const CurveView<double>& curve, double t, std::vector<double>& numbers);
 
 /// The numbers that a method computed, as compute_halves writes them.
@@ -27,7 +27,7 @@ class ComputedHalves {
   /// Control point i of a half: its coordinates and, of a rational curve, its weight.
   [[nodiscard]] std::span<const double> control(Side side, int i) const;
   [[nodiscard]] bool all_finite() const;
-  /// The control points of a half as a curve; valid as long as this object.
+  /// The control points of a half as a curve, which refers to this object.
   [[nodiscard]] CurveView<double> curve(Side side) const;
 
  private:
@@ -39,38 +39,38 @@ class ComputedHalves {
   std::array<std::vector<double>, 2> weights_;
 };
 
-/// One computed number or point against the truth.
+/// The error of one computed number or point.
 struct SplitError {
   double error;    ///< for a point the Euclidean distance, rounded to 24 bits
   double error_u;  ///< over u p~; where p~ is 0: 0 for error 0, else infinite
-  double bound;    ///< infinite where nothing is proved
-  double bound_u;  ///< over u p~
+  double bound;    ///< infinite where none is proved
+  double bound_u;  ///< bound over u p~
 };
 
 class SplitTruth {
  public:
-  /// Of a curve in Bernstein or rational form, at finite t; `curve` must outlive this object.
+  /// The truth for a curve in Bernstein or rational form at finite t; `curve` must outlive this object.
   SplitTruth(const CurveView<double>& curve, double t);
   SplitTruth(const SplitTruth&) = delete;
   SplitTruth& operator=(const SplitTruth&) = delete;
 
-  /// The coordinates `computed` for control point i of a half, by a method with this bound (none: nullptr).
+  /// The error of the coordinates `computed` for control point `i` of a half. `bound` is the method's; nullptr if it
+  /// has none.
   [[nodiscard]] SplitError of_point(const SplitBound* bound, Side side, int i, std::span<const double> computed) const;
-  /// The weight `computed` for control point i of a half of a rational curve, likewise.
+  /// The error of the weight `computed` for control point `i` of a half of a rational curve.
   [[nodiscard]] SplitError of_weight(const SplitBound* bound, Side side, int i, double computed) const;
 
-  /// True where points of both halves keep to those of the whole, as far as the bounds of all control points let them:
-  /// the point of each computed half at 1/2 against the point of the curve at t/2 and at (1 + t)/2, all exact. Also
-  /// true where no bound is proved.
+  /// Whether the point of each computed half at 1/2 equals the point of the curve at t/2 or (1 + t)/2, as far as the
+  /// bounds of the control points allow. All points are exact. True also where no bound is proved.
   [[nodiscard]] bool middles_agree(const SplitBound* bound, const ComputedHalves& computed) const;
 
  private:
-  /// What the bounds of the control points of a half multiply.
+  /// The true control points of a half, and the quantities that their bounds multiply.
   struct Half {
     reference::ExactHalf exact;
-    std::vector<std::optional<reference::Distance>> distances;  ///< from the exact points that exist
+    std::vector<std::optional<reference::Distance>> distances;  ///< distances from the exact points that exist
     std::vector<SplitScale> points;
-    std::vector<SplitScale> weights;  ///< of a rational curve
+    std::vector<SplitScale> weights;  ///< empty unless the curve is rational
   };
 
   void take(Side side, reference::ExactHalf exact, const reference::ExactHalf& p_tilde);
@@ -78,12 +78,13 @@ class SplitTruth {
   [[nodiscard]] double point_bound(const SplitBound* bound, Side side, int i) const;
   [[nodiscard]] double weight_bound(const SplitBound* bound, Side side, int i) const;
   [[nodiscard]] double middle_bound(const SplitBound* bound, Side side) const;
-  /// The Euclidean norm of max |b_ja|, or max |w_j b_ja|, over the axes a.
+  /// The Euclidean norm over the axes a of max |b_ja|, or of max |w_j b_ja| for a rational curve, over j from first to
+  /// last.
   [[nodiscard]] double largest_point(int first, int last) const;
   [[nodiscard]] double largest_weight(int first, int last) const;
 
   CurveView<double> curve_;
-  bool proved_;  ///< t in [0,1] and weights >= 0
+  bool proved_;  ///< whether bounds hold: t is in [0,1] and no weight is negative
   std::array<Half, 2> halves_;
   reference::Middles middles_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Studies of kind `subdivision`: random curves split at random t, every control point of both halves against the exact
-// one.
+// Studies of kind `subdivision`: random curves split at random t; every control point of both halves is judged against
+// the exact one.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,8 @@
 
 namespace bezierbench::studies {
 
-/// Throws Failure(usage) for inputs that the kind does not take and where no method takes curves of this form.
+/// The job of the study. Throws Failure(usage) for inputs that the kind does not take, and where no method takes curves
+/// of this form.
 std::unique_ptr<run::Job> subdivision_job(const suite::Study& study, const run::JobContext& context);
 
 extern const race::TimedProblem timed_subdivision;

@@ -63,7 +63,7 @@ TEST(SubdivisionStudy, BoundsAndPromisesHold) {
   }
 }
 
-/// At t = 1/2 the halves of a line of integers are integers and halves of them.
+/// The halves at t = 1/2 of a line between integer points have coordinates that are multiples of 1/2.
 TEST(SubdivisionStudy, IsExactWhereNothingIsRounded) {
   auto study = small_study();
   study.degree = {1};
@@ -75,7 +75,7 @@ TEST(SubdivisionStudy, IsExactWhereNothingIsRounded) {
   for (std::size_t row = 0; row < csv.row_count(); ++row) EXPECT_EQ(csv.at(row, "max_error"), "0");
 }
 
-/// Nothing is proved outside [0,1].
+/// Bounds are proved for t in [0,1] only.
 TEST(SubdivisionStudy, HasNoBoundOutside) {
   auto study = small_study();
   study.t_interval = {{-2, -1}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The columns that a problem adds to the row of a method.
+// The columns of the errors of a companion problem.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace bezierbench::studies {
 
-/// What a row says: how one method did in all trials of a part, at one tolerance.
+/// The content of a row: the errors of one method in all trials of a part, at one tolerance.
 template <class Kernel, class Errors>
 struct TrialRow {
   const sample::Cell& cell;
@@ -29,15 +29,15 @@ struct TrialColumn {
   std::string (*field)(const Row& row);
 };
 
-/// What a method says that it keeps and did not: trials that fail the run.
+/// Trials in which a method broke a promise or a proved bound; any of them fails the run.
 template <class Row>
 struct TrialFailure {
-  std::string_view what;  ///< for people; empty where nothing else can fail
+  std::string_view what;  ///< for messages; empty if the problem has no other failure
   const metric::TrialCount& (*trials)(const Row& row);
 };
 
-/// Columns of a tally, count or number that is reached from the errors of a row by `members`: pointers to a member of
-/// the errors, to a member of that one, and so on.
+/// Functions that make a field from a value in the errors of a row. `members` lead to the value: a pointer to a member
+/// of the errors, a pointer to a member of that, and so on.
 namespace column {
 
 template <auto... members>
@@ -53,25 +53,25 @@ template <auto... members>
 inline constexpr auto count =
     [](const auto& row) -> std::string { return tables::field(reached<members...>(row.errors)); };
 
-/// A sum over the number of trials.
+/// A sum divided by the number of trials.
 template <auto... members>
 inline constexpr auto per_trial = [](const auto& row) -> std::string {
   return number::decimal(static_cast<double>(reached<members...>(row.errors)) / static_cast<double>(row.trials));
 };
 
-/// Empty where no bound is proved of any trial.
+/// The value; empty where no trial has a proved bound.
 template <auto... members>
 inline constexpr auto where_bounded = [](const auto& row) -> std::string {
   return row.errors.bounded > 0 ? tables::field(reached<members...>(row.errors)) : "";
 };
 
-/// Empty where no error was tallied.
+/// The value; empty where no error was tallied.
 template <auto... members>
 inline constexpr auto where_any = [](const auto& row) -> std::string {
   return row.errors.error.count() > 0 ? tables::field(reached<members...>(row.errors)) : "";
 };
 
-/// The trials that a TrialFailure is about.
+/// The trials that a TrialFailure counts.
 template <auto... members>
 inline constexpr auto trials =
     [](const auto& row) -> const metric::TrialCount& { return reached<members...>(row.errors); };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A study of the errors of a companion problem, the same for each: every trial of every part is drawn, every method is
-// asked at every tolerance, its answer is judged and tallied, and there is a row for each method. The problem states
-// the rest (problem.hpp of each kind).
+// The study of the errors of a companion problem, common to all kinds. Every trial of every part is drawn. Every method
+// solves it at every tolerance, its answer is judged and tallied, and the table has a row for each method. The problem
+// defines everything else (problem.hpp of each kind).
 #pragma once
 
 #include <fmt/format.h>
@@ -28,10 +28,11 @@ namespace bezierbench::studies {
 
 /// A problem whose errors are studied.
 ///
-/// `judge` adds what is found of an answer to the tallies of its row; they merge by metric::merge_fields. A trial is
-/// not const, for what is costly of its truth may be computed when it is first judged. `table` is NAME in NAME.csv, and
-/// NAME_unstable.csv for methods that are not bit-stable. `case_columns` and `columns` say how the fields of a row are
-/// made; tables.schema.json declares them, and their order. `trial_nanoseconds` is what a trial costs with so many methods, see run::Job::cost.
+/// `judge` adds the errors of an answer to the tallies of its row, which metric::merge_fields merges. It takes the
+/// trial as not const, since costly parts of the truth may be computed when a trial is first judged. `table` is NAME in
+/// NAME.csv and, for methods that are not bit-stable, in NAME_unstable.csv. `case_columns` and `columns` make the
+/// fields of a row; tables.schema.json declares the columns and their order. `trial_nanoseconds` estimates the cost of
+/// a trial with `methods` methods; see run::Job::cost.
 template <class P>
 concept StudiedProblem = judge::TrialProblem<P> &&
     requires(const P& trials, const typename P::Kernel& method, typename P::Drawn& drawn,
@@ -120,7 +121,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     return tables::describe(study_, cell, suite::ScalarKind::float64);
   }
 
-  /// One trial, by every method at every tolerance.
+  /// Judges one trial by every method at every tolerance.
   void judge(const P& problem, const Part& part, std::uint64_t number, typename P::Drawn& drawn,
              std::vector<typename P::Errors>& rows) const {
     try {
@@ -140,7 +141,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     }
   }
 
-  /// Part by part, tolerance by tolerance, methods as the study chose them.
+  /// Visits all rows: by part, then by tolerance, then by method in the order of the study.
   template <class Visit>
   void each_row(Visit&& visit) const {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
@@ -183,7 +184,8 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
   std::vector<Part> parts_;
 };
 
-/// Throws Failure(usage) for inputs that the problem does not take, and where no method takes curves of this form.
+/// The job of the study. Throws Failure(usage) for inputs that the problem does not take, and where no method takes
+/// curves of this form.
 template <StudiedProblem P>
 std::unique_ptr<run::Job> trial_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<TrialJob<P>>(study, context.seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The study that all companion problems share, with a problem made for the test: derivatives whose truth, answers and
+// The common study of companion problems, with a problem made for the test: derivatives whose truth, answers and
 // verdicts are plain numbers.
 #include "experiments/studies/trial/trial_study.hpp"
 
@@ -19,10 +19,10 @@
 namespace bezierbench::studies {
 namespace {
 
-constexpr std::uint64_t wrong_trial = 13;  ///< the first whose answers are off
+constexpr std::uint64_t wrong_trial = 13;  ///< the first trial with wrong answers
 constexpr std::uint64_t uncertain_trial = 1000;
 
-/// What the test sees of the calls; from one thread.
+/// Calls that the test observes; they come from one thread.
 struct Calls {
   std::vector<std::uint64_t> drawn;
   std::size_t asked = 0;
@@ -78,7 +78,7 @@ class CountedProblem {
     calls.drawn.push_back(number);
     drawn.number = number;
   }
-  /// 1 for each number, and degree + 1 from the wrong trial on.
+  /// Answers 1, and from the wrong trial on 1 + degree.
   void ask(const Kernel& /*method*/, const Drawn& drawn, double /*tolerance*/, Answer& answer) const {
     ++calls.asked;
     answer = {drawn.number < wrong_trial ? 1.0 : 1.0 + degree_};
@@ -158,7 +158,7 @@ TEST(TrialStudy, SaysWhatFailedAndWhereFirst) {
   study.keys = suite::ArcLengthKeys{{0.5}};
   study.methods = {"gauss_legendre_24"};
   const auto job = trial_job<CountedProblem>(study, {1});
-  for (std::size_t block = job->blocks(); block-- > 0;) job->add(0, job->run_block(block));  // the last block first
+  for (std::size_t block = job->blocks(); block-- > 0;) job->add(0, job->run_block(block));  // in reverse order
   const auto violations = job->violations();
   ASSERT_EQ(violations.size(), 1U);
   EXPECT_EQ(violations[0].count, 20 - wrong_trial);
@@ -167,7 +167,7 @@ TEST(TrialStudy, SaysWhatFailedAndWhereFirst) {
       << violations[0].where;
 }
 
-/// A part of whose degree no method is draws nothing, but has its rows.
+/// A part whose degree no method takes draws nothing, but has rows.
 TEST(TrialStudy, LeavesOutWhatTheMethodsDoNotTake) {
   auto study = small_study();
   study.degree = {bezierbench::max_degree + 1};
@@ -201,7 +201,7 @@ TEST(TrialStudy, SaysWhichTrialHasNoCertainTruth) {
   }
 }
 
-/// In a process of its own, for an interruption is never forgotten.
+/// Runs in a child process, since an interruption cannot be undone.
 TEST(TrialStudy, EndsABlockAtTheTrialInWhichItIsInterrupted) {
   const auto job = trial_job<CountedProblem>(small_study(), {1});
   calls.interrupted_at = 1;
@@ -219,7 +219,7 @@ TEST(TrialStudy, EndsABlockAtTheTrialInWhichItIsInterrupted) {
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
-/// The race draws the same trials, and asks and judges them by the same functions.
+/// The race draws the same trials and uses the same functions to solve and judge them.
 TEST(TrialStudy, ItsProblemIsTimedAsItStands) {
   auto study = small_study();
   suite::TimingKeys keys;

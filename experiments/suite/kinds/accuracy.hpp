@@ -10,7 +10,7 @@ namespace bezierbench::suite {
 struct Kind;
 
 struct AccuracyKeys {
-  std::int64_t decomposed_trials = 0;  ///< so many trials of a cell have their error taken apart
+  std::int64_t decomposed_trials = 0;  ///< trials per cell whose error is split into its parts
   std::string published;               ///< file of printed values in reference/published; may be empty
 
   static const Kind& kind();

@@ -9,7 +9,7 @@ namespace bezierbench::suite {
 struct Kind;
 
 struct DerivativeKeys {
-  std::vector<int> order;  ///< of the derivatives
+  std::vector<int> order;  ///< orders of the derivatives
 
   static const Kind& kind();
 };

@@ -10,7 +10,7 @@ struct Kind;
 
 struct FittingKeys {
   std::vector<int> points;        ///< numbers of data points
-  std::vector<double> tolerance;  ///< a distance
+  std::vector<double> tolerance;  ///< largest distance from the data
 
   static const Kind& kind();
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keys of studies of the parameter at a length.
+// Keys of studies of inverse arc length: the parameter at a given length.
 #pragma once
 
 #include <vector>

@@ -38,7 +38,7 @@ inline constexpr Field published_key{
     .left_out = "none",
     .settable = false};
 
-/// The same key in a kind that does not need it; `left_out` says what holds without it.
+/// A copy of `key` for a kind that does not need it. `left_out` says what applies without it.
 constexpr Field optional(Field key, std::string_view left_out) {
   key.needed = false;
   key.left_out = left_out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Studies of foot points have no keys of their own.
+// Studies of projection have no keys of their own.
 #pragma once
 
 namespace bezierbench::suite {

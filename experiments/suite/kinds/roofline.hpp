@@ -11,7 +11,7 @@ namespace bezierbench::suite {
 struct Kind;
 
 struct RooflineKeys {
-  std::vector<Goal> goals;  ///< what is asked of batch kernels
+  std::vector<Goal> goals;  ///< goals that batch kernels must reach
 
   static const Kind& kind();
 };

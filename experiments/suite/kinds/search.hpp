@@ -9,7 +9,7 @@ namespace bezierbench::suite {
 struct Kind;
 
 struct SearchKeys {
-  std::int64_t budget = 0;  ///< inputs that the climb may try per cell and method
+  std::int64_t budget = 0;  ///< inputs that the search may try per cell and method
 
   static const Kind& kind();
 };

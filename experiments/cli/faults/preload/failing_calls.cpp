@@ -36,7 +36,7 @@ long number_in(const char* variable, long otherwise) {
   return text == nullptr ? otherwise : std::strtol(text, nullptr, 10);
 }
 
-// Only calls of the program are counted: this library calls the kernel directly.
+// Only the program's calls are counted: this library calls the kernel directly.
 void list_call(const char* name, const std::string& path) {
   const char* list = std::getenv("FAILING_CALLS_LIST");
   if (list == nullptr) return;
