@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/batch/flops.hpp"
+#include "core/evaluate/operations.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 #include "experiments/number/number.hpp"
@@ -95,7 +95,7 @@ Fastest fastest_peaks(const std::vector<RooflineRace>& races) {
 }
 
 double flops_of(const RooflineRace& race, const TargetRival& who) {
-  return batch::flops_per_point(*who.evaluator, race.cell.degree, race.cell.dimension);
+  return point_operations(*who.evaluator, race.cell.degree, race.cell.dimension, Layout::points)->flops();
 }
 
 /// What only a kernel of a target has: its share of the peak, and what it is asked to reach.
