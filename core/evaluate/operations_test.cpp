@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/evaluate/counting.hpp"
 #include "core/evaluate/kernel.hpp"
 
 namespace bezierbench {
@@ -97,8 +98,25 @@ TEST(Operations, AreUnknownWhereNoScalarCanCount) {
 TEST(Operations, AreKnownOfEveryMethodAtTheLimitsOfItsDegrees) {
   for (const auto& one : kernels<double>(3))
     for (const int degree : {one.info->min_degree, std::min(one.info->max_degree, 40)})
-      if (one.info->bit_stable)
+      if (one.info->bit_stable) {
         EXPECT_NE(point_operations(*one.evaluator, degree, 3, Layout::points), std::nullopt) << one.info->id;
+      }
+}
+
+// No evaluator takes a square root; a scalar that counts does all the same.
+TEST(Counting, KnowsEveryKind) {
+  using counting::Counting;
+  counting::tape = {{}, {{1, 10, 100, 1000, 10000}}};
+  const auto a = Counting::input(4, 0);
+  const auto b = Counting::input(2);
+  const auto two = Counting(1) + Counting(1);
+  EXPECT_TRUE(are(counting::tape.count, {})) << "of the degree only";
+  const auto result = abs(-(sqrt(a).fused(two, b) / b - a * two + b));
+  EXPECT_TRUE(are(counting::tape.count, {2, 1, 1, 1, 1}));
+  EXPECT_EQ(result.ready(), 10000 + 100 + 1000 + 1 + 1);
+  EXPECT_EQ(static_cast<double>(result), 3);
+  EXPECT_EQ((b * b).ready(), counting::always) << "t has no part in it";
+  EXPECT_TRUE(result > b && b < result && result >= b && b <= result && !(b == result));
 }
 
 /// Latencies that tell every kind apart.

@@ -43,10 +43,10 @@ race::Rival rival_of(const TargetRival& who, const Kernel<Scalar>* kernel, const
   switch (who.work) {
     case Work::scalar_points: return race::kernel_rival(*kernel, suite::Mode::point, inputs, judged.points);
     case Work::batch_points: return race::batch_rival(*who.target, *kernel, inputs, judged.points);
-    case Work::multiply_add: return race::peak_rival(batch::table_of<Scalar>(*who.target).multiply_add);
+    case Work::multiply_add: return race::peak_rival(batch::works_of<Scalar>(*who.target).back().multiply_add());
     case Work::multiply_add_and_add: break;
   }
-  return race::peak_rival(batch::table_of<Scalar>(*who.target).multiply_add_and_add);
+  return race::peak_rival(batch::works_of<Scalar>(*who.target).back().multiply_add_and_add);
 }
 
 template <class Scalar>
