@@ -37,8 +37,8 @@ double least_ns(const ByOperation& count, const OperationTimes& times);
 /// `one_shot` preparation does. Empty where the operations of the method are not counted or nothing was measured.
 std::optional<Limit> limit(const TimedWork& work, suite::Mode mode, const ProcessorTimes& times);
 
-/// limit / (ns - call): more than 1 where the processor did the work beside the call, infinite where the call alone took
-/// as long.
+/// limit / (ns - call): more than 1 where the processor did part of the work beside the call, infinite where the call
+/// alone took as long.
 double share_of_limit(double limit_ns, double ns, double call_ns);
 
 }  // namespace bezierbench::race
