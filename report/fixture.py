@@ -294,14 +294,15 @@ def timing():
                     points_per_round=64, relative_to=relative_to, ratio=ratio, ratio_low=ratio and ratio * 0.9,
                     ratio_high=ratio and ratio * 1.1, cycles="", instructions="", quality=quality, checked="yes",
                     coordinate_range=1, t_min=0, t_max=1, generator="continuous",
-                    **{"order": "", "tolerance": "", "points": "", "data": "", **asked})
+                    **{"order": "", "tolerance": "", "points": "", "data": "", "call_ns": "", "limit_ns": "", "share_of_limit": "",
+                       "chain_ns": "", "max_error_u": "", "allowed_error_u": "", **asked})
     companions = []
     for _, study, methods, all_asked in COMPANIONS:
         first = next(iter(methods))
         companions += [row(m, asked.get("degree", 3), ns * asked.get("points", 1), study=study, mode="one_shot", relative_to=first,
                            ratio=ns / methods[first] * (1.2 if m != first else 1),
                            **{c: v for c, v in asked.items() if c != "degree"}) for asked in all_asked for m, ns in methods.items()]
-    return [row("direct", n, n * 1.5) for n in DEGREES] + [row("sentinel", "", 1.5)] + [
+    return [row("direct", n, n * 1.5, call_ns=1, limit_ns=n, share_of_limit=n / (n * 1.5 - 1), chain_ns=2 * n) for n in DEGREES] + [row("sentinel", "", 1.5)] + [
         row(m, n, n * 8.0, study="peers-speed") for m in ("de_casteljau", *PEERS) for n in DEGREES] + companions
 
 
@@ -331,7 +332,8 @@ def roofline():
                     target=target, median_ns=ns, low_ns=ns * 0.9, high_ns=ns * 1.1, flops=2 * degree, gflops=2 * degree / ns,
                     peak_gflops=10 if share else "", mixed_peak_gflops=12 if share else "", share_of_peak=share, share_low=share,
                     share_high=share, goal_share=goal, goal_ns="", goal_met="yes" if goal else "", quality="ok" if share else "",
-                    rounds=41, checked="yes", t_min=t_min, t_max=1 - t_min)
+                    rounds=41, checked="yes", t_min=t_min, t_max=1 - t_min, mode="batch" if share else "point", call_ns=1,
+                    limit_ns=ns / 4, share_of_limit=0.3, chain_ns="" if share else ns)
     return [r for m, goal in (("horner_bernstein_fma", 0.6), ("de_casteljau", "")) for n in DEGREES
             for r in (row(m, n, "AVX2", 0.65, goal), row(m, n, "scalar", "", ""))] + [
                 row("horner_bernstein_fma", 20, "AVX2", 0.05, "", scalar="float"),

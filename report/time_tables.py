@@ -3,6 +3,7 @@
 
 from .bundle import Missing
 from .document import Cell, Text
+from .limits import nearness
 from .tables import axis_value, by_axis
 from .wording import general, listing, shortest
 
@@ -10,7 +11,7 @@ EVALUATION = "evaluation"
 HALF = "or, where none is proved, has half of its digits"
 # problem: what one time is of, in English and Chinese, the axis that runs across its tables, and when an answer is right
 UNITS = {
-    EVALUATION: ("point", "点", "degree", "it keeps its bound or, where none is proved, a lenient one"),
+    EVALUATION: ("point", "点", "degree", "it keeps its bound"),
     "derivative": ("derivative", "导数", "degree", f"it keeps its bound {HALF}"),
     "arc_length": ("length", "弧长", "tolerance", "it keeps the tolerance, promised or not"),
     "inverse_arc_length": ("parameter", "参数", "tolerance", "the length up to it keeps the tolerance, promised or not"),
@@ -38,8 +39,8 @@ def times(bundle, problem):
 
 
 def time_tables(bundle, problem):
-    """One table per study, scalar type and dimension: medians with their intervals. The axis of the problem runs across, what
-    else varies stands at the lines."""
+    """One table per study, scalar type and dimension: medians with their intervals, and where the bundle knows them how near they
+    are to their limits. The axis of the problem runs across, what else varies stands at the lines."""
     unit, chinese, axis, _ = UNITS[problem]
     studies = {}
     for row in times(bundle, problem):
@@ -53,6 +54,7 @@ def time_tables(bundle, problem):
                 f"{english}seconds per {unit}: {bundle.title(study)} ({scalar or 'double'}, "
                 f"{shortest(dimension) or 'any number of'} axes)", f"每{chinese}用时（{unit_zh}）",
                 _lines(rows, axis, scale), row_head="time")
+            yield from nearness(rows)
 
 
 def _lines(rows, axis, scale):
@@ -70,6 +72,14 @@ def _cell(row, scale):
     return Cell(f"{median} [{low} – {high}]{noisy}{failed}", row.text("median_ns"), "outside" if failed else "")
 
 
+def _without_bound(bundle):
+    """What results without a proved bound were held to."""
+    if "allowed_error_u" not in bundle["timing.csv"].columns:
+        return "or, where none is proved, a lenient one"
+    return ("or, where none is proved, has no error above a multiple of the largest that an accuracy study of this bundle saw in the "
+            "same cell (`allowed_error_u`), or has half of its digits where there is no such study")
+
+
 def reading_times(bundle, problem):
     """What the numbers, brackets and marks of such tables mean, as far as they occur."""
     rows = times(bundle, problem)
@@ -79,7 +89,7 @@ def reading_times(bundle, problem):
          "a method prepares included. ")
         + "The interval in brackets, `low_ns` to `high_ns` of the file, covers how far the median varies from one race to another of "
         "the same methods, spread over the run. Every timed output was checked against one that was judged first: right where "
-        f"{UNITS[problem][3]}" + (f"; **✗ marks times of {listing(f'`{m}`' for m in wrong)} whose output was not right, or another.**" if wrong else ".")
+        f"{UNITS[problem][3]}" + (f" {_without_bound(bundle)}" if problem == EVALUATION else "") + (f"; **✗ marks times of {listing(f'`{m}`' for m in wrong)} whose output was not right, or another.**" if wrong else ".")
         + (" A time marked ~ comes from a race in which fixed work beside it changed its speed by more than 2 %: "
            "ratios within a race stand, times of different races compare badly." if any(r["quality"] == "noisy" for r in rows) else ""))
 

@@ -13,10 +13,13 @@ namespace bezierbench::batch {
 namespace {
 
 #if HWY_ARCH_X86
-constexpr std::array all_targets{Target{"AVX-512", HWY_AVX3, &Tables<float>::avx512, &Tables<double>::avx512},
-                                 Target{"AVX2", HWY_AVX2, &Tables<float>::avx2, &Tables<double>::avx2}};
+constexpr std::array all_targets{Target{"AVX-512", HWY_AVX3, &Tables<float>::avx512, &Tables<double>::avx512,
+                                        &Tables<float>::avx512_works, &Tables<double>::avx512_works},
+                                 Target{"AVX2", HWY_AVX2, &Tables<float>::avx2, &Tables<double>::avx2,
+                                        &Tables<float>::avx2_works, &Tables<double>::avx2_works}};
 #elif HWY_ARCH_ARM_A64
-constexpr std::array all_targets{Target{"NEON", HWY_NEON, &Tables<float>::neon, &Tables<double>::neon}};
+constexpr std::array all_targets{Target{"NEON", HWY_NEON, &Tables<float>::neon, &Tables<double>::neon,
+                                        &Tables<float>::neon_works, &Tables<double>::neon_works}};
 #else
 constexpr std::array<Target, 0> all_targets{};
 #endif
@@ -81,6 +84,17 @@ const TargetTable<Scalar>& table_of(const Target& target) {
 
 template const TargetTable<float>& table_of<float>(const Target&);
 template const TargetTable<double>& table_of<double>(const Target&);
+
+template <class Scalar>
+WorksOfWidths<Scalar> works_of(const Target& target) {
+  if constexpr (std::is_same_v<Scalar, float>)
+    return *target.float_works;
+  else
+    return *target.double_works;
+}
+
+template WorksOfWidths<float> works_of<float>(const Target&);
+template WorksOfWidths<double> works_of<double>(const Target&);
 
 template <class Scalar>
 BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel) {

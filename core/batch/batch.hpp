@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/batch/operation_work.hpp"
 #include "core/batch/target_table.hpp"
 #include "core/evaluate/kernel.hpp"
 
@@ -19,6 +20,8 @@ struct Target {
   std::int64_t highway;  ///< its bit in Highway's mask of the targets of a processor
   const TargetTable<float>* float_table;
   const TargetTable<double>* double_table;
+  const WorksOfWidths<float>* float_works;
+  const WorksOfWidths<double>* double_works;
 };
 
 /// All targets of this program, best first.
@@ -30,9 +33,13 @@ bool is_usable(const Target& target);
 /// The targets that this processor can run, best first.
 std::vector<const Target*> usable_targets();
 
-/// The kernels and peak work of a target; call them only where the target is usable.
+/// The kernels of a target; call them only where the target is usable.
 template <class Scalar>
 const TargetTable<Scalar>& table_of(const Target& target);
+
+/// The work of single kinds of operations of a target, by the width of vectors; run it only where the target is usable.
+template <class Scalar>
+WorksOfWidths<Scalar> works_of(const Target& target);
 
 /// A kernel for a target; `evaluate` is null where there is none.
 template <class Scalar>

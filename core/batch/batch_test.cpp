@@ -127,28 +127,37 @@ TEST(Batch, UsesEveryTargetThatThisProcessorHas) {
   EXPECT_EQ(usable_targets(), usable);
 }
 
-/// x <- x / 2 + 1/2 ends at 1 wherever it starts, and then y <- y + 1/2 is counted: no chain is left out.
+/// The last values are worked out in the type of the chains: no step of any of them is left out.
 template <class Scalar>
-void expect_work(const PeakWork<Scalar>& work, double chain_flops) {
-  std::vector<Scalar> values(work.multiplied + work.added + 1, 0);
-  for (int run = 0; run < 2; ++run) work.run(Scalar(0.5), Scalar(0.5), values.data());
-  const double steps = work.flops / chain_flops;
-  for (std::size_t k = 0; k < work.multiplied; ++k) EXPECT_EQ(values[k], 1);
-  for (std::size_t k = 0; k < work.added; ++k) EXPECT_EQ(values[work.multiplied + k], steps);
+void expect_work(const OperationWork<Scalar>& work) {
+  const auto [chains, beside] = work.chains;
+  std::vector<Scalar> values(chains.values, chains.first);
+  values.resize(chains.values + beside.values, beside.first);
+  values.push_back(0);
+  work.run(work.operand, values.data());
+  for (std::size_t k = 0; k < chains.values; ++k) EXPECT_EQ(values[k], chains.last);
+  for (std::size_t k = 0; k < beside.values; ++k) EXPECT_EQ(values[chains.values + k], beside.last);
   EXPECT_EQ(values.back(), 0) << "wrote past the end";
 }
 
-TEST_P(BatchTarget, DoesItsPeakWork) {
-  const auto expect_both = []<class Scalar>(const TargetTable<Scalar>& table) {
-    const auto& plain = table.multiply_add;
-    const auto& both = table.multiply_add_and_add;
-    EXPECT_EQ(plain.added, 0U);
-    EXPECT_EQ(both.added, both.multiplied);
-    expect_work(plain, 2 * static_cast<double>(plain.multiplied));
-    expect_work(both, 3 * static_cast<double>(both.multiplied));
+TEST_P(BatchTarget, DoesTheWorkOfEveryKindOfOperation) {
+  const auto expect_all = []<class Scalar>(WorksOfWidths<Scalar> widths) {
+    for (const auto& works : widths) {
+      const auto lanes = static_cast<double>(works.lanes);
+      for (std::size_t kind = 0; kind < operation_kinds; ++kind) {
+        expect_work(works.side_by_side[kind]);
+        expect_work(works.one_by_one[kind]);
+        const double each = Operation(kind) == Operation::fused ? 2 : 1;
+        EXPECT_EQ(works.one_by_one[kind].chains[0].values, works.lanes);
+        EXPECT_EQ(works.side_by_side[kind].flops, each * lanes * works.side_by_side[kind].operations);
+      }
+      expect_work(works.multiply_add_and_add);
+      EXPECT_GT(works.multiply_add_and_add.chains[1].values, 0U);
+    }
+    EXPECT_EQ(widths.front().lanes * sizeof(Scalar), 16U);
   };
-  expect_both(table_of<float>(target()));
-  expect_both(table_of<double>(target()));
+  expect_all(works_of<float>(target()));
+  expect_all(works_of<double>(target()));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BatchTarget, testing::Range(std::size_t(0), built_targets().size()), name_of_target);

@@ -34,7 +34,7 @@ def main():
         listing = subprocess.run([nm, "-C", "--defined-only", path], check=True, capture_output=True, text=True).stdout
         names = list(shared_names(listing))
         if not any(TABLE.search(name) for name in names):
-            sys.exit(f"{path}: no table of kernels; this is not the object of a target")
+            sys.exit(f"{path}: no table; this is not the object of a target")
         for name in leaks(names):
             print(f"{path}: {name} may replace that of another translation unit; put it into the target's namespace")
             found += 1

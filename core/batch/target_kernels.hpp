@@ -8,7 +8,6 @@
 
 #include "core/batch/group_kernels.hpp"
 #include "core/batch/lane_triangle.hpp"
-#include "core/batch/peak_work.hpp"
 #include "core/batch/roster.hpp"
 #include "core/batch/target_table.hpp"
 
@@ -117,12 +116,9 @@ template <class S, class... Entries>
 inline constexpr TargetKernels<S> kernels_of[sizeof...(Entries)] = {
     {{evaluate_all<Entries, S, 1>, evaluate_all<Entries, S, 2>, evaluate_all<Entries, S, 3>}}...};
 
-/// Two multiply-adds of four cycles each start in a cycle, so that at least eight chains are needed; sixteen registers
-/// hold twelve of them, or seven of both kinds.
 template <class S, class... Entries>
 constexpr TargetTable<S> table_of(TypeList<Entries...> /*entries*/) {
-  return {kernels_of<S, Entries...>, sizeof...(Entries), Chains<S, 12, 0>::work(), Chains<S, 7, 7>::work(),
-          group_table<S>()};
+  return {kernels_of<S, Entries...>, sizeof...(Entries), group_table<S>()};
 }
 
 template <class S, class... Plain, class... WithFma>

@@ -33,16 +33,6 @@ struct TargetKernels {
   Evaluate<Scalar> of_dimension[max_dimension];
 };
 
-/// Runs as many chains side by side as the target can: x <- factor x + addend and, between them, y <- y + addend or
-/// nothing. Reads the first values of the chains from `values` and writes their last ones there.
-template <class Scalar>
-struct PeakWork {
-  void (*run)(Scalar factor, Scalar addend, Scalar* values);
-  std::size_t multiplied;  ///< the number of values at the beginning that belong to the chains x
-  std::size_t added;       ///< the number of values after them that belong to the chains y
-  double flops;            ///< flops of a run; a fused multiply-add is two
-};
-
 /// Curves that lie side by side. All arrays of a group have the values of its curves next to each other: coordinate
 /// `axis` of coefficient i of curve k is at [(i * dimension + axis) * curves_at_once + k] (of double-double
 /// coefficients all high parts, then all low parts), of its point at [axis * curves_at_once + k], and its t at [k].
@@ -72,8 +62,6 @@ template <class Scalar>
 struct TargetTable {
   const TargetKernels<Scalar>* kernels;  ///< one per evaluator of the roster, the fused ones last, or not at all
   std::size_t count;                     ///< number of these kernels
-  PeakWork<Scalar> multiply_add;
-  PeakWork<Scalar> multiply_add_and_add;
   GroupTable<Scalar> group;
 };
 

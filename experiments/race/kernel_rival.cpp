@@ -2,6 +2,7 @@
 #include "experiments/race/kernel_rival.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -23,6 +24,8 @@ constexpr std::size_t place_of_state = 960;  // in its first third, behind all b
 /// reproduce. State, parameters and points lie in different thirds of a page, at the same offsets for every rival.
 template <class Scalar>
 struct State {
+  static constexpr Scalar spoilt = std::numeric_limits<Scalar>::quiet_NaN();
+
   const Kernel<Scalar>& kernel;
   const Inputs<Scalar>& inputs;
   PageVector<std::byte, 0> prepared;
@@ -61,7 +64,6 @@ struct State {
   }
 
  private:
-  static constexpr Scalar spoilt = std::numeric_limits<Scalar>::quiet_NaN();
   void destroy() {
     if (kernel.destroy != nullptr) kernel.destroy(prepared.data());
   }
@@ -163,7 +165,45 @@ Rival vector_rival(const batch::BatchKernel<Scalar>& vectors, const Kernel<Scala
   return rival_of(state, [state, vectors] { vectors(state->prepared.data(), state->t, state->points.data()); });
 }
 
+constexpr MethodInfo empty_method{.id = "call", .label = "empty kernel", .flops = "0", .citation = ""};
+
+/// Prepares nothing, and evaluates no point but the first.
+template <class Scalar, int Dimension>
+constexpr Kernel<Scalar> empty_kernel{.info = &empty_method,
+                                      .dimension = Dimension,
+                                      .prepared_size = 1,
+                                      .prepared_alignment = 1,
+                                      .prepare = [](const CurveView<Scalar>& /*curve*/, void* /*prepared*/) {},
+                                      .evaluate =
+                                          [](const void* /*prepared*/, std::span<const Scalar> t, Scalar* points) {
+                                            for (int axis = 0; axis < Dimension; ++axis) points[axis] = t[0];
+                                          },
+                                      .evaluator = &empty_method,
+                                      .conversion = nullptr,
+                                      .evaluated_form = Form::bernstein,
+                                      .converted = nullptr};
+
+template <class Scalar>
+const Kernel<Scalar>& empty_kernel_of(int dimension) {
+  static constexpr std::array<const Kernel<Scalar>*, 3> all{&empty_kernel<Scalar, 1>, &empty_kernel<Scalar, 2>,
+                                                            &empty_kernel<Scalar, 3>};
+  return *all.at(static_cast<std::size_t>(dimension) - 1);
+}
+
 }  // namespace
+
+template <class Scalar>
+Rival call_rival(suite::Mode mode, const Inputs<Scalar>& inputs) {
+  const auto dimension = static_cast<std::size_t>(inputs.dimension);
+  std::vector<Scalar> judged(inputs.t.size() * dimension, State<Scalar>::spoilt);
+  const std::size_t written = mode == suite::Mode::batch ? 1 : inputs.t.size();
+  for (std::size_t k = 0; k < written; ++k)
+    std::fill_n(judged.begin() + static_cast<std::ptrdiff_t>(k * dimension), dimension, inputs.t[k]);
+  return kernel_rival(empty_kernel_of<Scalar>(inputs.dimension), mode, inputs, std::move(judged));
+}
+
+template Rival call_rival<float>(suite::Mode, const Inputs<float>&);
+template Rival call_rival<double>(suite::Mode, const Inputs<double>&);
 
 template <class Scalar>
 Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs,

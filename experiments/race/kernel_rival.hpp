@@ -40,6 +40,11 @@ template <class Scalar>
 Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs,
                    std::vector<Scalar> judged);
 
+/// An empty kernel in the same mode: what a call costs. It copies t to every coordinate, in mode `batch` of the first
+/// point only.
+template <class Scalar>
+Rival call_rival(suite::Mode mode, const Inputs<Scalar>& inputs);
+
 /// The rival in mode `batch` for one target that this processor can run, which must have a batch kernel for `kernel`.
 template <class Scalar>
 Rival batch_rival(const batch::Target& target, const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,

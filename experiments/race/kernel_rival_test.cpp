@@ -157,5 +157,18 @@ TYPED_TEST(KernelRival, LiesInItsPagesAsEveryOtherDoes) {
   EXPECT_EQ(distinct.size(), 3U) << "a load must not wait for a store to other data";
 }
 
+TYPED_TEST(KernelRival, ACallCopiesTheParameter) {
+  for (const auto mode : modes)
+    for (const auto form : {Form::bernstein, Form::rational}) {
+      const auto inputs = cubic_inputs<TypeParam>(form);
+      const Rival rival = call_rival(mode, inputs);
+      EXPECT_EQ(rival.points_per_batch, 7U);
+      EXPECT_FALSE(rival.check()) << "nothing ran yet";
+      rival.run();
+      EXPECT_TRUE(rival.check());
+      EXPECT_FALSE(rival.check()) << "a check uses the points up";
+    }
+}
+
 }  // namespace
 }  // namespace bezierbench::race

@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace bezierbench::race {
 
 template <class Scalar>
-Rival peak_rival(const batch::PeakWork<Scalar>& work) {
-  auto values = std::make_shared<std::vector<Scalar>>(work.multiplied + work.added, Scalar(0));
-  // x <- x/2 + 1/2 ends at 1 within a run.
-  const auto run = [values, work] { work.run(Scalar(0.5), Scalar(0.5), values->data()); };
+Rival peak_rival(const batch::OperationWork<Scalar>& work) {
+  auto values = std::make_shared<std::vector<Scalar>>(work.chains[0].values + work.chains[1].values, Scalar(0));
+  const auto run = [values, work] { work.run(work.operand, values->data()); };
+  // x <- x/2 + 1/2 ends at 1 within a run and stays there.
   const auto check = [values, work] {
-    const auto ends = std::span(*values).first(work.multiplied);
+    const auto ends = std::span(*values).first(work.chains[0].values);
     const bool right = std::ranges::all_of(ends, [](Scalar x) { return x == 1; });
     std::ranges::fill(*values, Scalar(0));
     return right;
@@ -20,7 +22,7 @@ Rival peak_rival(const batch::PeakWork<Scalar>& work) {
   return {"peak", static_cast<std::size_t>(work.flops), run, check};
 }
 
-template Rival peak_rival(const batch::PeakWork<float>&);
-template Rival peak_rival(const batch::PeakWork<double>&);
+template Rival peak_rival(const batch::OperationWork<float>&);
+template Rival peak_rival(const batch::OperationWork<double>&);
 
 }  // namespace bezierbench::race

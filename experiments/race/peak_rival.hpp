@@ -7,8 +7,9 @@
 
 namespace bezierbench::race {
 
-/// A point is one floating-point operation. `work` must be of a target that this processor can run.
+/// A point is one floating-point operation. `work` is of fused multiply-adds, with others beside them or not, for a
+/// target that this processor can run.
 template <class Scalar>
-Rival peak_rival(const batch::PeakWork<Scalar>& work);
+Rival peak_rival(const batch::OperationWork<Scalar>& work);
 
 }  // namespace bezierbench::race

@@ -8,8 +8,8 @@ namespace {
 
 TEST(PeakRival, ChecksThatTheWorkWasDone) {
   for (const auto* target : batch::usable_targets())
-    for (const auto& work :
-         {batch::table_of<double>(*target).multiply_add, batch::table_of<double>(*target).multiply_add_and_add}) {
+    for (const auto& work : {batch::works_of<double>(*target).back().multiply_add(),
+                             batch::works_of<double>(*target).back().multiply_add_and_add}) {
       const Rival rival = peak_rival(work);
       EXPECT_EQ(static_cast<double>(rival.points_per_batch), work.flops);
       EXPECT_FALSE(rival.check()) << "nothing ran yet";
@@ -20,7 +20,7 @@ TEST(PeakRival, ChecksThatTheWorkWasDone) {
 }
 
 TEST(PeakRival, CatchesAChainThatIsLeftOut) {
-  const batch::PeakWork<double> lazy{[](double, double, double* values) { values[0] = 1; }, 2, 0, 4};
+  const batch::OperationWork<double> lazy{[](double, double* values) { values[0] = 1; }, 0.5, {{{2, 0, 1}, {}}}, 2, 4};
   const Rival rival = peak_rival(lazy);
   rival.run();
   EXPECT_FALSE(rival.check());

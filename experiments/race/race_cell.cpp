@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 #include "experiments/race/stack_offset.hpp"
@@ -32,12 +33,20 @@ std::array<const RaceCellLap*, 2> sentinels_of(const std::vector<RaceCellLap>& l
 /// Races all rivals and the sentinels against each other. A rival whose results were wrong is not `checked`.
 RaceCellLaps race_of(const RaceCell& race_cell, const suite::Study& study, JudgedRivals judged, std::size_t repetition,
                      const RaceOptions& options) {
+  if (judged.call) judged.rivals.push_back(*judged.call);
   std::ranges::copy(sentinels(), std::back_inserter(judged.rivals));
   const auto name = fmt::format("{}/{}/{}", study.id, race_cell.cell.degree, suite::name(race_cell.mode));
   auto laps = with_stack_moved(repetition, [&] { return race(name, judged.rivals, options); });
-  for (std::size_t m = 0; m < judged.right.size(); ++m) laps[m].checked = laps[m].checked && judged.right[m];
   RaceCellLaps result;
   for (auto& lap : laps) result.each.push_back({{std::move(lap)}});
+  for (std::size_t m = 0; m < judged.judged.size(); ++m) {
+    auto& lap = result.each[m];
+    lap.repetitions.front().checked = lap.repetitions.front().checked && judged.judged[m].right;
+    lap.max_error_u = judged.judged[m].max_error_u;
+  }
+  if (judged.call)
+    result.operations.push_back(judge::with_scalar(
+        race_cell.scalar, [&]<class Scalar>(Scalar /*zero*/) { return measured_operations<Scalar>(options.clock); }));
   return result;
 }
 
@@ -61,7 +70,16 @@ void RaceCellLaps::merge(const RaceCellLaps& other) {
   for (std::size_t m = 0; m < each.size(); ++m) {
     const auto& more = other.each[m].repetitions;
     each[m].repetitions.insert(each[m].repetitions.end(), more.begin(), more.end());
+    if (const auto seen = other.each[m].max_error_u)
+      each[m].max_error_u = std::max(each[m].max_error_u.value_or(0), *seen);
   }
+  operations.insert(operations.end(), other.operations.begin(), other.operations.end());
+}
+
+const RaceCellLap* call_of(const RaceCell& race_cell) {
+  constexpr std::size_t call_and_sentinels = 3;
+  const std::size_t methods = race_cell.methods.size();
+  return race_cell.laps.size() == methods + call_and_sentinels ? &race_cell.laps[methods] : nullptr;
 }
 
 RaceCellLaps run(const TimedProblem& problem, const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,

@@ -14,6 +14,7 @@
 
 #include "core/method.hpp"
 #include "experiments/judge/case_axes.hpp"
+#include "experiments/race/operation_times.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/race/repetition.hpp"
 #include "experiments/race/sentinel.hpp"
@@ -26,10 +27,11 @@ namespace bezierbench::race {
 struct RaceCellLap {
   /// Element k is the same repetition, with the same rounds, for all methods of the race cell.
   std::vector<Lap> repetitions;
+  std::optional<double> max_error_u = std::nullopt;  ///< of the results where no bound is proved, in units of u p~
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.repetitions);
+    bytes(self.repetitions, self.max_error_u);
   }
 
   /// The rounds of all repetitions.
@@ -38,13 +40,15 @@ struct RaceCellLap {
   [[nodiscard]] std::vector<double> repetition_ns() const;
 };
 
-/// The result of repetitions of a race cell: the laps of each method, then those of the sentinels.
+/// The result of repetitions of a race cell: the laps of each method, of an empty kernel where the methods are
+/// evaluators, then those of the sentinels.
 struct RaceCellLaps {
   std::vector<RaceCellLap> each;
+  std::vector<ProcessorTimes> operations = {};  ///< one measurement a repetition, beside evaluators
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.each);
+    bytes(self.each, self.operations);
   }
 
   /// Adds other repetitions of the same race cell; their order does not matter.
@@ -57,10 +61,14 @@ struct RaceCell {
   sample::Cell cell;
   suite::ScalarKind scalar;
   suite::Mode mode;
-  std::vector<const MethodInfo*> methods;  ///< those that support the degree
-  judge::CaseValues case_values = {};      ///< of a companion problem
-  std::vector<RaceCellLap> laps = {};      ///< see RaceCellLaps; empty until a repetition ran
+  std::vector<const MethodInfo*> methods;       ///< those that support the degree
+  judge::CaseValues case_values = {};           ///< of a companion problem
+  std::vector<RaceCellLap> laps = {};           ///< see RaceCellLaps; empty until a repetition ran
+  std::vector<ProcessorTimes> operations = {};  ///< likewise
 };
+
+/// The laps of the empty kernel; null where there was none.
+const RaceCellLap* call_of(const RaceCell& race_cell);
 
 /// One repetition, 0 <= repetition < repetitions_per_race: judges the methods, then races them. A method whose points
 /// are wrong is timed all the same, and not `checked`.

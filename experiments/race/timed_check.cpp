@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/race/timed_check.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "core/basis/amplification.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/metric/trial_scale.hpp"
@@ -11,18 +12,6 @@
 
 namespace bezierbench::race {
 namespace {
-
-/// The accuracy that is required of a method without a proved bound. Of these, interpolation at uniform nodes loses
-/// most: its Lebesgue constant grows like 2^n / (e n ln n) (Trefethen, Approximation Theory and Approximation Practice,
-/// theorem 15.2).
-ErrorBound bound_without_proof(Form form) {
-  return {
-      .text = "",
-      .amplification = form == Form::power ? Amplification::forward_substitution : Amplification::bernstein_to_power,
-      .factor = [](int n, double) { return 64.0 * (n + 1) * integer_power(2.0, n); },
-      .underflow = [](int n) { return integer_power(4.0, n); },
-      .underflow_scales_with_coefficients = true};
-}
 
 /// The given curve in double, exactly.
 std::vector<double> widened(std::span<const float> values) { return {values.begin(), values.end()}; }
@@ -37,8 +26,8 @@ JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const
   metric::TrialScale scale;
   judge::PreparedStorage storage;
   const auto dimension = static_cast<std::size_t>(inputs.dimension);
-  JudgedPoints<Scalar> judged{std::vector<Scalar>(inputs.t.size() * dimension), true};
-  const ErrorBound allowed = kernel.info->bound.value_or(bound_without_proof(inputs.form));
+  JudgedPoints<Scalar> judged{std::vector<Scalar>(inputs.t.size() * dimension), true, std::nullopt};
+  const auto& proved = kernel.info->bound;
   for (std::size_t k = 0; k < inputs.t.size(); ++k) {
     const auto curve = inputs.curve_of(k, mode);
     const auto point = std::span(judged.points).subspan(k * dimension, dimension);
@@ -50,9 +39,12 @@ JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const
     const auto t = static_cast<double>(inputs.t[k]);
     scale.set(given, t);
     const double error = reference::Distance(exact.point(given, t)).to(widened(std::span<const Scalar>(point)));
-    double bound = scale.bound(allowed, arithmetic);
-    if (!std::isfinite(bound)) bound = scale.bound(bound_without_proof(inputs.form), arithmetic);
-    judged.right = judged.right && std::isfinite(error) && !metric::TrialScale::violates(error, bound);
+    judged.right = judged.right && std::isfinite(error);
+    const double bound = proved ? scale.bound(*proved, arithmetic) : std::numeric_limits<double>::infinity();
+    if (std::isfinite(bound))
+      judged.right = judged.right && !metric::TrialScale::violates(error, bound);
+    else
+      judged.max_error_u = std::max(judged.max_error_u.value_or(0), scale.in_bound_units(error, arithmetic));
   }
   return judged;
 }

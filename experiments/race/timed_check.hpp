@@ -2,6 +2,7 @@
 // The check before timing: whether the points of a method are near the exact ones.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "experiments/race/kernel_rival.hpp"
@@ -12,11 +13,12 @@ namespace bezierbench::race {
 template <class Scalar>
 struct JudgedPoints {
   std::vector<Scalar> points;  ///< point by point, as kernel_rival() wants them
-  bool right = true;
+  bool right = true;           ///< all are finite, and within the method's bound of the exact ones where one is proved
+  /// The largest error, in units of u p~, where no bound is proved; metric::allowed_error_u() says what it may be.
+  std::optional<double> max_error_u;
 };
 
-/// Evaluates one curve and one t at a time. The points are right where each is within the method's bound of the exact
-/// one or, where none is proved, within 64 (n+1) 2^n u times the amplification of a conversion to the other form.
+/// Evaluates one curve and one t at a time.
 template <class Scalar>
 JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs);
 

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <type_traits>
+
+#include "experiments/metric/observed_error.hpp"
 
 namespace bezierbench::race {
 namespace {
@@ -17,6 +20,13 @@ Inputs<Scalar> cubic_inputs(Form form) {
     inputs.t.push_back((Scalar(k) + Scalar(0.5)) / 7);
   }
   return inputs;
+}
+
+/// Right as far as the check says, and near enough where no bound is proved and no accuracy study says more.
+template <class Scalar>
+bool is_right(const JudgedPoints<Scalar>& judged) {
+  const double u = std::numeric_limits<Scalar>::epsilon() / 2;
+  return judged.right && judged.max_error_u.value_or(0) <= metric::allowed_error_u(std::nullopt, u);
 }
 
 template <class Scalar>
@@ -36,26 +46,50 @@ TYPED_TEST(TimedCheck, PassesEveryMethodOfTheRosterOnCurvesOfItsForm) {
   for (const auto mode : {suite::Mode::one_shot, suite::Mode::point})
     for (const auto& kernel : kernels<TypeParam>(2)) {
       const Form form = kernel.info->form;
-      EXPECT_TRUE(judge(kernel, mode, cubic_inputs<TypeParam>(form)).right) << kernel.info->id;
+      EXPECT_TRUE(is_right(judge(kernel, mode, cubic_inputs<TypeParam>(form)))) << kernel.info->id;
       if (form == Form::rational) continue;  // reads weights, which the others do not have
       const Form other = form == Form::power ? Form::bernstein : Form::power;
-      EXPECT_FALSE(judge(kernel, mode, cubic_inputs<TypeParam>(other)).right) << kernel.info->id;
+      EXPECT_FALSE(is_right(judge(kernel, mode, cubic_inputs<TypeParam>(other)))) << kernel.info->id;
     }
 }
 
-/// Interpolation at uniform nodes is right, however much it loses by then.
-TYPED_TEST(TimedCheck, PassesTheLeastStableOfAllAtAHighDegree) {
-  constexpr int degree = 30;
-  Inputs<TypeParam> inputs{Form::bernstein, 1, degree, {}, {}, {}};
+/// Curves of that degree on one axis.
+template <class Scalar>
+Inputs<Scalar> inputs_of(int degree) {
+  Inputs<Scalar> inputs{Form::bernstein, 1, degree, {}, {}, {}};
   for (int k = 0; k < 16; ++k) {
-    std::vector<TypeParam> curve;
-    for (int i = 0; i <= degree; ++i) curve.push_back(TypeParam((7 * i + k) % 5) - TypeParam(2));
+    std::vector<Scalar> curve;
+    for (int i = 0; i <= degree; ++i) curve.push_back(Scalar((7 * i + k) % 5) - Scalar(2));
     inputs.curves.push_back(curve);
     inputs.weights.emplace_back();
-    inputs.t.push_back((TypeParam(k) + TypeParam(0.5)) / 16);
+    inputs.t.push_back((Scalar(k) + Scalar(0.5)) / 16);
   }
+  return inputs;
+}
+
+/// Interpolation at uniform nodes loses all digits of float by then, which an accuracy study has to say.
+TYPED_TEST(TimedCheck, SaysHowMuchTheLeastStableOfAllLosesAtAHighDegree) {
   const auto& kernel = *find_kernel<TypeParam>("barycentric_uniform", Form::bernstein, 1);
-  EXPECT_TRUE(judge(kernel, suite::Mode::one_shot, inputs).right);
+  const auto judged = judge(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(30));
+  EXPECT_TRUE(judged.right);
+  EXPECT_GT(judged.max_error_u, 1e3);
+  EXPECT_LT(judged.max_error_u, 1e9);
+  EXPECT_EQ(is_right(judged), (std::is_same_v<TypeParam, double>)) << "half of the digits are left in double only";
+}
+
+/// At these degrees 64 (n+1) 2^n u, which it was held to once, lets any number pass.
+TYPED_TEST(TimedCheck, CatchesAWrongMethodWithoutABoundAtAHighDegree) {
+  static constexpr MethodInfo unproved{.id = "unproved", .label = "", .flops = "", .citation = ""};
+  for (const int degree : {15, 42, 60}) {
+    Kernel<TypeParam> kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 1);
+    kernel.info = &unproved;
+    EXPECT_TRUE(is_right(judge(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(degree))));
+    kernel.evaluate = [](const void* prepared, std::span<const TypeParam> t, TypeParam* points) {
+      find_kernel<TypeParam>("de_casteljau", Form::bernstein, 1)->evaluate(prepared, t, points);
+      points[0] += TypeParam(0.01);
+    };
+    EXPECT_FALSE(is_right(judge(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(degree)))) << degree;
+  }
 }
 
 TYPED_TEST(TimedCheck, CatchesAMethodThatLooksAtNoWeights) {

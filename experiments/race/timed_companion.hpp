@@ -109,7 +109,7 @@ JudgedRivals rivals_of_companion(const RaceCell& race_cell, const suite::Study& 
   for (const auto* info : race_cell.methods) {
     const auto& kernel = *std::ranges::find(P::kernels(race_cell.cell.dimension), info, &P::Kernel::info);
     const auto rival = std::make_shared<CompanionRival<P>>(*trials, kernel);
-    all.right.push_back(rival->is_right());
+    all.judged.push_back({rival->is_right()});
     all.rivals.push_back(
         {std::string(info->id), trials->count(), [rival] { rival->run(); }, [rival] { return rival->check(); }});
   }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/method.hpp"
@@ -15,11 +16,17 @@
 
 namespace bezierbench::race {
 
-/// Rivals, and whether the results that each must reproduce are right.
+/// What was found of the results that a rival must reproduce.
+struct Judgement {
+  bool right = true;
+  std::optional<double> max_error_u = std::nullopt;  ///< as in JudgedPoints
+};
+
 struct JudgedRivals {
   std::vector<Rival> rivals;
-  std::vector<bool> right;
-  std::shared_ptr<const void> inputs;  ///< the inputs that the rivals read
+  std::vector<Judgement> judged;             ///< of each
+  std::shared_ptr<const void> inputs;        ///< the inputs that the rivals read
+  std::optional<Rival> call = std::nullopt;  ///< an empty kernel, beside evaluators
 };
 
 /// The size that the claimed costs of a problem's methods grow with.

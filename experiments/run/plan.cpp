@@ -13,6 +13,7 @@
 #include "experiments/suite/writer.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/tables/scorecard.hpp"
+#include "experiments/tables/timed_checks.hpp"
 
 namespace bezierbench::run {
 namespace {
@@ -128,6 +129,7 @@ tables::Tables written_tables(const RunRequest& request, const Plan& plan) {
     for (auto& one : job->series()) series.push_back(std::move(one));
   }
   tables::write_scorecards(studies_of(request), series, tables);
+  tables::check_timed_errors(tables);
   tables::write_pareto(tables);
   return tables;
 }

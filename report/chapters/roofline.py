@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""How near the batch kernels come to what the processor can do."""
+"""How near kernels come to what the processor can do."""
 
 from ..bundle import Missing
 from ..document import Cell, Text
+from ..limits import nearness, reading_limits, share_of_limit
 from ..methods import form
 from ..tables import by_axis
 from ..wording import general, listing, percent, shortest
 from .suite_parts import figure, of_suite
 
-TITLE = "Batch kernels against the peak of this machine"
+TITLE = "Kernels against the peak and the limit of this machine"
 SIGN = {"yes": " ✓", "no": " ✗"}
 
 
@@ -25,6 +26,8 @@ def blocks(bundle, findings):
                "kernel's" + ("." if all(r["checked"] == "yes" for r in table.rows) else ", **but where a row says `checked` no**.")
                + " ✓ and ✗: a goal is asked of the row, and met or not. ~: the peak itself was more than 2 % below the best of the "
                "study in that race; others were at work.")
+    if reading := reading_limits(table.rows):
+        yield reading
     kinds = {}
     for row in table.rows:
         kinds.setdefault((row["study"], row["scalar"], row["dimension"]), []).append(row)
@@ -36,8 +39,14 @@ def blocks(bundle, findings):
             members, "degree", f"{study}-{scalar}-{shortest(dimension)}",
             f"Nanoseconds per point and share of the peak, {english} ({scalar}, {shortest(dimension)} axes{interval})",
             f"批量求值：每点用时（纳秒）与占峰值的比例，{chinese}",
-            [(target, _cell, lambda r, target=target: r["target"] == target)
-             for target in dict.fromkeys(r["target"] for r in members)], row_head="target")
+            [(_line(target, mode), _cell, lambda r, key=(target, mode): (r["target"], r["mode"]) == key)
+             for target, mode in dict.fromkeys((r["target"], r["mode"]) for r in members)], row_head="target")
+        yield from nearness(members)
+
+
+def _line(target, mode):
+    """Older bundles name no mode: the scalar kernel went point by point."""
+    return target if mode in (None, "batch") else f"{target}, {mode}"
 
 
 def _peaks(rows):
@@ -52,6 +61,8 @@ def _peaks(rows):
 
 def _cell(row):
     share = f", {percent(row['share_of_peak'])}" if row["share_of_peak"] is not None else ""
+    if row["mode"] in ("point", "latency") and row["share_of_limit"] is not None:
+        share = f", {share_of_limit(row['share_of_limit'])} of the limit"
     met = row["goal_met"] or ""
     noisy = " ~" if row["quality"] == "noisy" else ""
     return Cell(f"{general(row['median_ns'])}{share}{noisy}{SIGN.get(met, '')}", row.text("median_ns"),

@@ -15,7 +15,7 @@ def find(bundle):
     rows = bundle["roofline.csv"].select(method=METHOD, scalar="float", study=("roofline-bezier", "roofline-middle"))
     pairs = [(whole, middle) for whole in rows if whole["study"] == "roofline-bezier"
              for middle in rows if middle["study"] == "roofline-middle"
-             and all(whole[column] == middle[column] for column in ("degree", "dimension", "target"))]
+             and all(whole[column] == middle[column] for column in ("degree", "dimension", "target", "mode"))]
     if not pairs:
         raise Missing(f"no row of `{METHOD}` in float is in both `roofline-bezier` and `roofline-middle`")
     slowest = max(pairs, key=lambda pair: pair[0].number("median_ns") / pair[1].number("median_ns"))

@@ -28,6 +28,13 @@ def _kept(rows, column, order):
     return kept, list(times)
 
 
+def _at_limits(bundle, curve, order, mode):
+    """As _kept(), for the least times that the processor could take in the studies that reproduce the table."""
+    rows = bundle["timing.csv"].rows if "timing.csv" in bundle else []
+    return _kept([r for r in rows if (r["study"] or "").startswith("2.4") and r["curve"] == curve and r["mode"] == mode
+                  and r["scalar"] == "double" and r["degree"] is not None], "limit_ns", order)
+
+
 def find(bundle):
     """Holds where, as the report times them, both orders hold at every degree."""
     used, lines, all_kept = [], [], True
@@ -40,12 +47,16 @@ def find(bundle):
         all_kept = all_kept and bool(judged) and kept == judged
         failing = [f"{n:g}" for n in judged if n not in kept]
         fastest = [min(times, key=times.get) for times in _times(rows, "prepared_median", order).values()]
+        limits = [_at_limits(bundle, curve, order, mode) for mode in ("one_shot", "point")]
         lines.append(f"{FORM[curve][0].capitalize()}: {written} in time holds at {len(kept)} of {len(judged)} degrees as "
                      "the report times it"
                      + (f" (not at degree {listing(failing)})" if failing else "")
                      + (f", and at {len(once)} of {len(judged_once)} when prepared once, where {name(order[0])} is fastest at "
                         f"{fastest.count(order[0])} and {name(order[-1])} at {fastest.count(order[-1])}." if judged_once
-                        else "."))
+                        else ".")
+                     + (" At the limits of this processor it would hold at "
+                        + " and ".join(f"{len(k)} of {len(j)}{when}" for (k, j), when in zip(limits, ("", " when prepared once")) if j)
+                        + "." if any(j for _, j in limits) else ""))
     return Finding(
         id="time_order", about="conclusion",
         claim="Direct evaluation is fastest; converting first is slowest.",

@@ -10,9 +10,7 @@
 namespace bezierbench::studies {
 namespace {
 
-using Laps = std::vector<race::Lap>;
-
-class RooflineJob final : public run::JobOf<Laps> {
+class RooflineJob final : public run::JobOf<RooflineLaps> {
  public:
   RooflineJob(const suite::Study& study, std::uint64_t seed)
       : study_(study), seed_(seed), races_(roofline_races_of(study)) {}
@@ -41,7 +39,7 @@ class RooflineJob final : public run::JobOf<Laps> {
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:
-  [[nodiscard]] Laps work(std::size_t block) const override {
+  [[nodiscard]] RooflineLaps work(std::size_t block) const override {
     if (races_[block].rivals.empty()) return {};  // no method supports the degree, or no target is there
     race::RaceOptions options;
     options.stop = run::interrupted;

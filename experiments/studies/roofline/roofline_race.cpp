@@ -7,6 +7,8 @@
 
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/methods.hpp"
+#include "experiments/judge/scalar_facts.hpp"
+#include "experiments/metric/observed_error.hpp"
 #include "experiments/race/peak_rival.hpp"
 #include "experiments/race/timed_check.hpp"
 #include "experiments/race/timed_inputs.hpp"
@@ -20,19 +22,21 @@ std::vector<TargetRival> rivals_of(const suite::Study& study, const sample::Cell
   const auto targets = batch::usable_targets();
   for (const auto* kernel : judge::chosen_kernels<Scalar>(study, cell)) {
     if (!kernel->info->template supports<Scalar>(cell.degree)) continue;
-    const auto add = [&](Work work, const batch::Target* target) {
-      methods.push_back({work, kernel->info, kernel->evaluator, target});
+    const auto add = [&](Work work, suite::Mode mode, const batch::Target* target) {
+      methods.push_back({work, mode, kernel->info, kernel->evaluator, target});
     };
-    const std::size_t before = methods.size();
     for (const auto* target : targets)
-      if (batch::find(*target, *kernel)) add(Work::batch_points, target);
-    if (methods.size() > before) add(Work::scalar_points, nullptr);
+      if (batch::find(*target, *kernel)) add(Work::batch_points, suite::Mode::batch, target);
+    add(Work::scalar_points, suite::Mode::point, nullptr);
+    add(Work::scalar_chain, suite::Mode::latency, nullptr);
   }
   if (methods.empty()) return {};
   std::vector<TargetRival> all;
   for (const auto* target : targets)
     for (const auto work : {Work::multiply_add, Work::multiply_add_and_add})
-      all.push_back({work, nullptr, nullptr, target});
+      all.push_back({work, suite::Mode::batch, nullptr, nullptr, target});
+  for (const auto mode : {suite::Mode::batch, suite::Mode::point, suite::Mode::latency})
+    all.push_back({Work::call, mode, nullptr, nullptr, nullptr});
   all.insert(all.end(), methods.begin(), methods.end());
   return all;
 }
@@ -41,17 +45,26 @@ template <class Scalar>
 race::Rival rival_of(const TargetRival& who, const Kernel<Scalar>* kernel, const race::Inputs<Scalar>& inputs,
                      const race::JudgedPoints<Scalar>& judged) {
   switch (who.work) {
-    case Work::scalar_points: return race::kernel_rival(*kernel, suite::Mode::point, inputs, judged.points);
+    case Work::scalar_points:
+    case Work::scalar_chain: return race::kernel_rival(*kernel, who.mode, inputs, judged.points);
+    case Work::call: return race::call_rival(who.mode, inputs);
     case Work::batch_points: return race::batch_rival(*who.target, *kernel, inputs, judged.points);
-    case Work::multiply_add: return race::peak_rival(batch::table_of<Scalar>(*who.target).multiply_add);
+    case Work::multiply_add: return race::peak_rival(batch::works_of<Scalar>(*who.target).back().multiply_add());
     case Work::multiply_add_and_add: break;
   }
-  return race::peak_rival(batch::table_of<Scalar>(*who.target).multiply_add_and_add);
+  return race::peak_rival(batch::works_of<Scalar>(*who.target).back().multiply_add_and_add);
+}
+
+/// No accuracy study says what errors of a method without a proved bound may be.
+template <class Scalar>
+bool is_right(const race::JudgedPoints<Scalar>& judged) {
+  const double allowed = metric::allowed_error_u(std::nullopt, judge::ScalarFacts<Scalar>::arithmetic.unit_roundoff);
+  return judged.right && judged.max_error_u.value_or(0) <= allowed;
 }
 
 template <class Scalar>
-std::vector<race::Lap> laps_of(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
-                               const race::RaceOptions& options) {
+RooflineLaps laps_of(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
+                     const race::RaceOptions& options) {
   const auto inputs = race::timed_inputs<Scalar>(study, race.cell, seed);
   std::map<const MethodInfo*, race::JudgedPoints<Scalar>> judged;
   std::vector<race::Rival> rivals;
@@ -65,8 +78,8 @@ std::vector<race::Lap> laps_of(const RooflineRace& race, const suite::Study& stu
   }
   auto laps = race::race(fmt::format("{}/{}", study.id, race.cell.degree), rivals, options);
   for (std::size_t k = 0; k < laps.size(); ++k)
-    laps[k].checked = laps[k].checked && judged[race.rivals[k].method].right;
-  return laps;
+    laps[k].checked = laps[k].checked && is_right<Scalar>(judged[race.rivals[k].method]);
+  return {std::move(laps), race::measured_operations<Scalar>(options.clock)};
 }
 
 }  // namespace
@@ -81,10 +94,10 @@ std::vector<RooflineRace> roofline_races_of(const suite::Study& study) {
   return races;
 }
 
-std::vector<race::Lap> run(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
-                           const race::RaceOptions& options) {
-  return race.scalar == suite::ScalarKind::float32 ? laps_of<float>(race, study, seed, options)
-                                                   : laps_of<double>(race, study, seed, options);
+RooflineLaps run(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
+                 const race::RaceOptions& options) {
+  return judge::with_scalar(race.scalar,
+                            [&]<class Scalar>(Scalar /*zero*/) { return laps_of<Scalar>(race, study, seed, options); });
 }
 
 }  // namespace bezierbench::studies

@@ -6,10 +6,12 @@
 #include <optional>
 #include <utility>
 
-#include "core/batch/flops.hpp"
+#include "core/evaluate/operations.hpp"
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/race/limit.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
@@ -37,9 +39,16 @@ class Race {
     for (std::size_t k = 0; k < race_.rivals.size(); ++k) {
       const auto& who = race_.rivals[k];
       if (who.work == work && who.target == target && (who.method == nullptr || who.method->id == id))
-        return &race_.laps[k];
+        return &race_.laps.each[k];
     }
     return nullptr;
+  }
+
+  /// What an empty kernel took.
+  [[nodiscard]] double call_ns(suite::Mode mode) const {
+    const auto is_call = [mode](const TargetRival& who) { return who.work == Work::call && who.mode == mode; };
+    const auto found = std::ranges::find_if(race_.rivals, is_call);
+    return interval(race_.laps.each[static_cast<std::size_t>(found - race_.rivals.begin())].ns_per_point).median;
   }
 
   /// Operations per nanosecond.
@@ -85,27 +94,50 @@ using Fastest = std::map<std::pair<const batch::Target*, suite::ScalarKind>, dou
 Fastest fastest_peaks(const std::vector<RooflineRace>& races) {
   Fastest fastest;
   for (const auto& race : races)
-    for (std::size_t k = 0; k < race.laps.size(); ++k) {
+    for (std::size_t k = 0; k < race.laps.each.size(); ++k) {
       if (race.rivals[k].work != Work::multiply_add) continue;
-      const double ns = interval(race.laps[k].ns_per_point).median;
+      const double ns = interval(race.laps.each[k].ns_per_point).median;
       const auto [place, is_first] = fastest.try_emplace({race.rivals[k].target, race.scalar}, ns);
       if (!is_first) place->second = std::min(place->second, ns);
     }
   return fastest;
 }
 
-double flops_of(const RooflineRace& race, const TargetRival& who) {
-  return batch::flops_per_point(*who.evaluator, race.cell.degree, race.cell.dimension);
+/// Empty where they are not counted.
+std::optional<double> flops_of(const RooflineRace& race, const TargetRival& who) {
+  const auto count = point_operations(*who.evaluator, race.cell.degree, race.cell.dimension, Layout::points);
+  return count ? std::optional(count->flops()) : std::nullopt;
+}
+
+/// Of a target only what its vectors can do; a kernel for one point has all widths of the processor.
+race::ProcessorTimes times_of(const RooflineRace& race, const TargetRival& who) {
+  auto times = race.laps.operations;
+  if (who.target == nullptr) return times;
+  const auto lanes = judge::with_scalar(
+      race.scalar, [&]<class Scalar>(Scalar /*zero*/) { return batch::works_of<Scalar>(*who.target).back().lanes; });
+  std::erase_if(times, [lanes](const race::OperationTimes& width) { return width.lanes > lanes; });
+  return times;
+}
+
+void set_limit(tables::Row& row, const RooflineRace& race, const TargetRival& who, double ns) {
+  const double call = Race(race).call_ns(who.mode);
+  row.set("call_ns", call);
+  const auto limit =
+      race::limit({who.evaluator, nullptr, race.cell.degree, race.cell.dimension}, who.mode, times_of(race, who));
+  if (!limit) return;
+  row.set("limit_ns", limit->ns)
+      .set("share_of_limit", race::share_of_limit(limit->ns, ns, call))
+      .set("chain_ns", limit->chain_ns);
 }
 
 /// What only a kernel of a target has: its share of the peak, and what it is asked to reach.
 void set_share(tables::Row& row, const suite::Study& study, const RooflineRace& race, std::size_t place,
                const Fastest& fastest) {
   const auto& who = race.rivals[place];
-  const auto& lap = race.laps[place];
+  const auto& lap = race.laps.each[place];
   const Race all(race);
   const double peak = all.peak(Work::multiply_add, who.target);
-  const auto used = share(lap, *all.lap(Work::multiply_add, who.target), flops_of(race, who));
+  const auto used = share(lap, *all.lap(Work::multiply_add, who.target), *flops_of(race, who));
   const auto goal = all.goal(who, suite::keys_of<suite::RooflineKeys>(study).goals);
   row.set("peak_gflops", peak)
       .set("mixed_peak_gflops", all.peak(Work::multiply_add_and_add, who.target))
@@ -123,9 +155,9 @@ void set_share(tables::Row& row, const suite::Study& study, const RooflineRace& 
 
 tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::size_t place, const Fastest& fastest) {
   const auto& who = race.rivals[place];
-  const auto& lap = race.laps[place];
+  const auto& lap = race.laps.each[place];
   const auto ns = interval(lap.ns_per_point);
-  const double flops = flops_of(race, who);
+  const auto flops = flops_of(race, who);
   tables::Row row("roofline.csv");
   row.set("study", study.id)
       .set("curve", suite::name(study.curve))
@@ -138,10 +170,12 @@ tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::siz
       .set("low_ns", ns.low)
       .set("high_ns", ns.high)
       .set("flops", flops)
-      .set("gflops", flops / ns.median)
+      .set("gflops", flops ? std::optional(*flops / ns.median) : std::nullopt)
       .set("rounds", lap.ns_per_point.size())
       .set("checked", lap.checked ? "yes" : "no")
+      .set("mode", suite::name(who.mode))
       .set_each(tables::drawn_columns(), tables::drawn_fields(race.cell));
+  set_limit(row, race, who, ns.median);
   if (who.target != nullptr) set_share(row, study, race, place, fastest);
   return row;
 }
@@ -152,7 +186,7 @@ void write_roofline_rows(const suite::Study& study, const std::vector<RooflineRa
   (void)tables.table("roofline.csv");
   const auto fastest = fastest_peaks(races);
   for (const auto& race : races)
-    for (std::size_t k = 0; k < race.laps.size(); ++k)
+    for (std::size_t k = 0; k < race.laps.each.size(); ++k)
       if (race.rivals[k].method != nullptr) tables.add(row_of(study, race, k, fastest));
 }
 

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "experiments/bundle/csv.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/studies/roofline/roofline_race.hpp"
 #include "experiments/studies/roofline/roofline_rows.hpp"
 
@@ -37,7 +41,9 @@ using Times = double (*)(const TargetRival& who);
 double all_alike(const TargetRival& who) {
   switch (who.work) {
     case Work::scalar_points: return 100;
+    case Work::scalar_chain: return 200;
     case Work::batch_points: return 20;
+    case Work::call: return who.mode == suite::Mode::batch ? 0.5 : 4;
     case Work::multiply_add: return 1.0 / 10;
     case Work::multiply_add_and_add: break;
   }
@@ -47,7 +53,7 @@ double all_alike(const TargetRival& who) {
 bundle::CsvDocument written(const suite::Study& study, Times times = all_alike) {
   auto races = roofline_races_of(study);
   for (auto& race : races)
-    for (const auto& who : race.rivals) race.laps.push_back(lap_of(times(who)));
+    for (const auto& who : race.rivals) race.laps.each.push_back(lap_of(times(who)));
   tables::Tables tables;
   write_roofline_rows(study, races, tables);
   return bundle::parse_csv(tables.all().at("roofline.csv").text(), "roofline.csv");
@@ -69,17 +75,52 @@ class Roofline : public testing::Test {
   }
 };
 
-TEST_F(Roofline, EveryTargetRunsEveryMethodThatHasABatchKernel) {
+TEST_F(Roofline, EveryTargetRunsEveryMethodThatHasABatchKernelAndAllGoPointByPoint) {
   auto study = roofline_study();
   study.methods = {"de_casteljau", "direct"};
   const auto races = roofline_races_of(study);
   ASSERT_EQ(races.size(), 1U);
   const std::size_t targets = batch::usable_targets().size();
-  EXPECT_EQ(races[0].rivals.size(), 2 * targets + targets + 1) << "peaks, batch kernels, the scalar kernel";
+  EXPECT_EQ(races[0].rivals.size(), 2 * targets + 3 + targets + 2 + 2)
+      << "peaks, calls, batch kernels, two kernels for a point in two modes";
   for (const auto& who : races[0].rivals) {
-    const bool allowed = who.method == nullptr || who.method->id == "de_casteljau";
+    const bool allowed = who.work != Work::batch_points || who.method->id == "de_casteljau";
     EXPECT_TRUE(allowed) << who.method->id;
   }
+}
+
+/// Every operation takes 1 ns, and 10 ns in a chain, on vectors of two and of all lanes of the widest target.
+race::ProcessorTimes made_up_times() {
+  race::OperationTimes times{.lanes = 2, .apart = {{1, 1, 1, 1, 1}}, .latency = {{10, 10, 10, 10, 10}}, .mixed = 1};
+  auto widest = times;
+  widest.lanes = batch::works_of<double>(*batch::usable_targets().front()).back().lanes;
+  return {times, widest};
+}
+
+// de Casteljau at degree 3: 6 steps of two products and a sum on each axis; 1 - t.
+TEST_F(Roofline, ModesHaveTheirLimits) {
+  auto study = roofline_study();
+  study.degree = {3};
+  study.methods = {"de_casteljau"};
+  auto races = roofline_races_of(study);
+  for (auto& race : races) {
+    for (const auto& who : race.rivals) race.laps.each.push_back(lap_of(all_alike(who)));
+    race.laps.operations = made_up_times();
+  }
+  tables::Tables tables;
+  write_roofline_rows(study, races, tables);
+  const auto table = bundle::parse_csv(tables.all().at("roofline.csv").text(), "roofline.csv");
+  std::map<std::string, std::vector<std::string>> found;
+  for (std::size_t row = table.row_count(); row-- > 0;) {  // of the targets the first, which is the widest
+    for (const auto* column : {"limit_ns", "call_ns", "chain_ns", "share_of_limit"})
+      found[table.at(row, "mode")].push_back(table.at(row, column));
+    auto& last = found[table.at(row, "mode")];
+    last.erase(last.begin(), last.end() - 4);
+  }
+  EXPECT_THAT(found["point"], testing::ElementsAre("19", "4", "70", number::decimal(19.0 / 96)));
+  EXPECT_THAT(found["latency"], testing::ElementsAre("70", "4", "70", number::decimal(70.0 / 196)));
+  const double limit = 37 / static_cast<double>(made_up_times().back().lanes);
+  EXPECT_THAT(found["batch"], testing::ElementsAre(number::decimal(limit), "0.5", "", number::decimal(limit / 19.5)));
 }
 
 TEST_F(Roofline, IsNoRaceWhereNoMethodSupportsTheDegree) {
@@ -146,7 +187,7 @@ TEST_F(Roofline, ARaceWithASlowerPeakIsNoisy) {
   auto races = roofline_races_of(study);
   for (auto& race : races)
     for (const auto& who : race.rivals)
-      race.laps.push_back(lap_of(all_alike(who) * (race.cell.degree == 20 ? 1.03 : 1)));
+      race.laps.each.push_back(lap_of(all_alike(who) * (race.cell.degree == 20 ? 1.03 : 1)));
   tables::Tables tables;
   write_roofline_rows(study, races, tables);
   const auto table = bundle::parse_csv(tables.all().at("roofline.csv").text(), "roofline.csv");
@@ -171,8 +212,9 @@ TEST_F(Roofline, RunsAndChecksWhatItTimes) {
   options.least_rounds = 1;
   options.rival_seconds = 0;
   const auto laps = run(races[0], study, 1, options);
-  ASSERT_EQ(laps.size(), races[0].rivals.size());
-  EXPECT_TRUE(std::ranges::all_of(laps, &race::Lap::checked));
+  ASSERT_EQ(laps.each.size(), races[0].rivals.size());
+  EXPECT_TRUE(std::ranges::all_of(laps.each, &race::Lap::checked));
+  EXPECT_FALSE(laps.operations.empty());
 }
 
 }  // namespace

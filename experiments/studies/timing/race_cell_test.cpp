@@ -135,6 +135,45 @@ TEST(TimingRows, RatiosAreTakenRoundByRound) {
   EXPECT_THAT(column(csv, "degree"), ElementsAre("3", "3", ""));
 }
 
+/// Every operation takes 1 ns, and 10 ns in a chain.
+race::ProcessorTimes made_up_times() {
+  return {{.lanes = 2, .apart = {{1, 1, 1, 1, 1}}, .latency = {{10, 10, 10, 10, 10}}, .mixed = 1}};
+}
+
+// At degree 3: 1 - t and 18 operations on each axis; 1 - t and 3 steps of a power, two products and a sum.
+TEST(TimingRows, SayHowNearTimesAreToTheLimit) {
+  const auto study = timing_study();
+  race::RaceCell race_cell = one_heat(study);
+  race_cell.laps = {lap_of(50), lap_of(12), lap_of(12), lap_of(0.5), lap_of(1)};
+  race_cell.operations.assign(12, made_up_times());
+  const auto csv = timing_csv(study, {race_cell});
+  EXPECT_THAT(column(csv, "method"), ElementsAre("de_casteljau", "horner_bernstein", "sentinel"));
+  EXPECT_THAT(column(csv, "call_ns"), ElementsAre("12", "12", ""));
+  EXPECT_THAT(column(csv, "limit_ns"), ElementsAre("19", "13", ""));
+  EXPECT_THAT(column(csv, "share_of_limit"), ElementsAre("0.5", "inf", ""));
+  EXPECT_THAT(column(csv, "chain_ns"), ElementsAre("70", "70", ""));
+  EXPECT_THAT(column(csv, "sweep_ns"), ElementsAre("0.5", "0.5", "0.5")) << "the call is no sentinel";
+}
+
+TEST(TimingRows, WithoutAnEmptyKernelHaveNoLimit) {
+  const auto study = timing_study();
+  const auto csv = timing_csv(study, {one_heat(study)});
+  EXPECT_THAT(column(csv, "call_ns"), ElementsAre("", "", ""));
+  EXPECT_THAT(column(csv, "limit_ns"), ElementsAre("", "", ""));
+}
+
+TEST(RaceCell, AddsRepetitionsUp) {
+  race::RaceCellLaps all;
+  for (const double error : {2.0, 5.0, 3.0}) {
+    race::RaceCellLaps one{{lap_of(1, 1)}, {made_up_times()}};
+    one.each[0].max_error_u = error;
+    all.merge(one);
+  }
+  EXPECT_EQ(all.each[0].repetitions.size(), 3U);
+  EXPECT_EQ(all.each[0].max_error_u, 5);
+  EXPECT_EQ(all.operations.size(), 3U);
+}
+
 // Many rounds of a repetition say nothing of what the next repetition would give.
 TEST(TimingRows, IntervalsOfRatiosAreOverRepetitions) {
   const auto study = timing_study();

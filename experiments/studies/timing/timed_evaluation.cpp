@@ -28,9 +28,10 @@ race::JudgedRivals rivals(const race::RaceCell& race_cell, const suite::Study& s
   for (const auto* info : race_cell.methods) {
     const auto& kernel = *judge::find_method<Scalar>(info->id, info->form, race_cell.cell.dimension);
     auto judged = race::judge(kernel, race_cell.mode, *inputs);
-    all.right.push_back(judged.right);
+    all.judged.push_back({judged.right, judged.max_error_u});
     all.rivals.push_back(race::kernel_rival(kernel, race_cell.mode, *inputs, std::move(judged.points)));
   }
+  all.call = race::call_rival(race_cell.mode, *inputs);
   return all;
 }
 

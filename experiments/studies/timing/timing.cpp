@@ -61,7 +61,10 @@ class TimingJob final : public run::JobOf<race::RaceCellLaps> {
   /// The race cells with their laps so far.
   [[nodiscard]] std::vector<race::RaceCell> raced() const {
     auto race_cells = race_cells_;
-    for (std::size_t part = 0; part < race_cells.size(); ++part) race_cells[part].laps = state(part).each;
+    for (std::size_t part = 0; part < race_cells.size(); ++part) {
+      race_cells[part].laps = state(part).each;
+      race_cells[part].operations = state(part).operations;
+    }
     return race_cells;
   }
   /// The sentinels' fastest repetitions in all results so far, those of an earlier run included when this one continues

@@ -3,8 +3,11 @@
 
 #include <array>
 
+#include "experiments/judge/methods.hpp"
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
+#include "experiments/race/limit.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
@@ -41,6 +44,27 @@ void set_median(tables::Row& row, std::string_view column, std::span<const doubl
   if (!counts.empty()) row.set(column, metric::median_interval(counts, metric::timing_confidence).median);
 }
 
+race::TimedWork work_of(const race::RaceCell& race_cell, const MethodInfo& method) {
+  return judge::with_scalar(race_cell.scalar, [&]<class Scalar>(Scalar /*zero*/) {
+    const auto& kernel = *judge::find_method<Scalar>(method.id, method.form, race_cell.cell.dimension);
+    return race::TimedWork{kernel.evaluator, kernel.conversion, race_cell.cell.degree, race_cell.cell.dimension};
+  });
+}
+
+/// What an empty kernel took beside a method, and how near to the limit of the processor the rest of its time is.
+void set_limit(tables::Row& row, const race::RaceCell& race_cell, std::size_t m, const race::ProcessorTimes& times) {
+  const auto* const call = race::call_of(race_cell);
+  if (call == nullptr) return;
+  const double call_ns = metric::median(call->repetition_ns());
+  row.set("call_ns", call_ns);
+  const auto limit = race::limit(work_of(race_cell, *race_cell.methods[m]), race_cell.mode, times);
+  if (!limit) return;
+  const double ns = metric::median(race_cell.laps[m].repetition_ns());
+  row.set("limit_ns", limit->ns)
+      .set("share_of_limit", race::share_of_limit(limit->ns, ns, call_ns))
+      .set("chain_ns", limit->chain_ns);
+}
+
 /// The times, rounds, counts and the check of one lap; `pace` is what the sentinels took beside.
 tables::Row row_of(const suite::Study& study, suite::Mode mode, const race::RaceCellLap& lap, const race::Pace& pace) {
   const auto rounds = lap.rounds();
@@ -61,6 +85,7 @@ void add_race_cell(tables::Tables& tables, const suite::Study& study, const race
                    const race::Pace& fastest) {
   const auto base = race::relative_to(race_cell, study);
   const auto beside = race::pace(race_cell.laps);
+  const auto times = race::median_of(race_cell.operations);
   for (std::size_t m = 0; m < race_cell.methods.size(); ++m) {
     const auto& lap = race_cell.laps[m];
     tables::Row row = row_of(study, race_cell.mode, lap, beside);
@@ -74,6 +99,8 @@ void add_race_cell(tables::Tables& tables, const suite::Study& study, const race
     if (base) set_ratio(row, race_cell, lap, *base);
     set_interval(row, {"sentinel_units", "sentinel_units_low", "sentinel_units_high"},
                  quotients(lap.repetition_ns(), race_cell.laps.back().repetition_ns()));
+    row.set("max_error_u", lap.max_error_u);
+    set_limit(row, race_cell, m, times);
     tables.add(row);
   }
 }

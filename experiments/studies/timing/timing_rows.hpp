@@ -11,9 +11,11 @@ namespace bezierbench::studies {
 
 /// RaceCells that did not run have no rows. Times are medians over repetitions, also in units of the sentinel of the
 /// same repetition (`sentinel_units`), with their intervals; so are ratios, each the median over the rounds of a
-/// repetition. `quality` is `noisy` where a sentinel drifted or the repetitions disagree, else `ok`. `sentinel_ns` and
-/// `sweep_ns` are the times of the two sentinels. The sentinel's row is over all race cells of its mode, so it has no
-/// dimension or degree, and is `noisy` where it drifted in any of them.
+/// repetition. Of evaluators `limit_ns` is the least time that this processor could take, and `share_of_limit` the part
+/// that it is of the time without that of an empty kernel, `call_ns`. `quality` is `noisy` where a sentinel drifted or
+/// the repetitions disagree, else `ok`. `sentinel_ns` and `sweep_ns` are the times of the two sentinels. The sentinel's
+/// row is over all race cells of its mode, so it has no dimension or degree, and is `noisy` where it drifted in any of
+/// them.
 void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
                        tables::Tables& tables);
 

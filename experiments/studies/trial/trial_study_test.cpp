@@ -232,7 +232,7 @@ TEST(TrialStudy, ItsProblemIsTimedAsItStands) {
   const auto judged = timed.rivals(race_cells.front(), study, 1);
   EXPECT_EQ(calls.drawn, first_trials(3));
   ASSERT_EQ(judged.rivals.size(), 2U);
-  EXPECT_TRUE(judged.right[0]);
+  EXPECT_TRUE(judged.judged[0].right);
   EXPECT_FALSE(judged.rivals[0].check()) << "nothing ran yet";
   judged.rivals[0].run();
   EXPECT_TRUE(judged.rivals[0].check());

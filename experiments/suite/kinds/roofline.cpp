@@ -23,13 +23,14 @@ Finding check(const Study& study, const Vocabulary& known) {
 }  // namespace
 
 const Kind& RooflineKeys::kind() {
-  static constexpr Kind kind{.id = "roofline",
-                             .about = "batch kernels against the peak of each instruction set",
-                             .own = own,
-                             .methods_example = "[\"horner_bernstein_fma\"]",
-                             .timed = true,
-                             .keys = default_keys<RooflineKeys>,
-                             .check = check};
+  static constexpr Kind kind{
+      .id = "roofline",
+      .about = "batch kernels against the peak of each instruction set, kernels for a point against its limit",
+      .own = own,
+      .methods_example = "[\"horner_bernstein_fma\"]",
+      .timed = true,
+      .keys = default_keys<RooflineKeys>,
+      .check = check};
   return kind;
 }
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Fixed work of single kinds of operations, in vectors of each width that a target has: what a processor takes for it
+// says what the operations of a method must take at least.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "core/evaluate/operations.hpp"
+
+namespace bezierbench::batch {
+
+/// Chains that are alike: `values` numbers that a run takes from `first` to `last`.
+template <class Scalar>
+struct ChainEnds {
+  std::size_t values = 0;
+  Scalar first = 0;
+  Scalar last = 0;
+};
+
+/// Chains of operations, each of which waits for the one before in its chain. They load and store nothing between.
+template <class Scalar>
+struct OperationWork {
+  void (*run)(Scalar operand, Scalar* values);
+  Scalar operand;
+  std::array<ChainEnds<Scalar>, 2> chains;  ///< of one kind, then of another beside it, if there is one
+  double operations;                        ///< of a run, on whole vectors
+  double flops;                             ///< of a run; a fused multiply-add is two
+};
+
+/// The work of each kind in vectors of one width.
+template <class Scalar>
+struct OperationWorks {
+  std::size_t lanes;                                                ///< of a vector
+  std::array<OperationWork<Scalar>, operation_kinds> side_by_side;  ///< enough chains to hide their latency
+  std::array<OperationWork<Scalar>, operation_kinds> one_by_one;    ///< a single chain
+  OperationWork<Scalar> multiply_add_and_add;                       ///< additions beside fused multiply-adds
+
+  [[nodiscard]] const OperationWork<Scalar>& multiply_add() const {
+    return side_by_side[static_cast<std::size_t>(Operation::fused)];
+  }
+};
+
+/// Narrowest first; the last are the target's full vectors.
+template <class Scalar>
+using WorksOfWidths = std::span<const OperationWorks<Scalar>>;
+
+}  // namespace bezierbench::batch

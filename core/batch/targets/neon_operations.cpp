@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/operation_chains.hpp"
+#include "core/batch/targets.hpp"
+
+namespace bezierbench::batch {
+
+static_assert(HWY_TARGET == HWY_NEON, "this file is compiled with the flags of its target");
+
+template <>
+constinit const WorksOfWidths<float> Tables<float>::neon_works = HWY_NAMESPACE::all_works<float>;
+
+template <>
+constinit const WorksOfWidths<double> Tables<double>::neon_works = HWY_NAMESPACE::all_works<double>;
+
+}  // namespace bezierbench::batch

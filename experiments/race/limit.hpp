@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The least time that a processor could take for the floating-point operations of a method, by their kinds and what the
+// processor takes for each. Loads, stores, comparisons and calls count as nothing.
+#pragma once
+
+#include <optional>
+
+#include "core/method.hpp"
+#include "experiments/race/operation_times.hpp"
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::race {
+
+/// What a method does in one race cell.
+struct TimedWork {
+  const MethodInfo* evaluator;
+  const MethodInfo* conversion;  ///< before it; null where there is none
+  int degree;
+  int dimension;
+};
+
+/// Nanoseconds per point.
+struct Limit {
+  double ns;
+  std::optional<double> chain_ns;  ///< of the longest chain of operations from t on; in modes `point` and `latency`
+
+  friend bool operator==(const Limit&, const Limit&) = default;
+};
+
+/// The least time for operations that wait for nothing. Processors have units for additions, units for products and
+/// fused multiply-adds, perhaps the same ones, and one for divisions and square roots: none of them can be done before
+/// all of its operations are, nor the first two together before all of theirs are.
+double least_ns(const ByOperation& count, const OperationTimes& times);
+
+/// In mode `batch` all lanes of vectors of any measured width hold points; in the others a vector holds the axes of one
+/// point, in the narrowest width that has room for them. In mode `latency` the chain counts where it takes longer, in
+/// `one_shot` preparation does. Empty where the operations of the method are not counted or nothing was measured.
+std::optional<Limit> limit(const TimedWork& work, suite::Mode mode, const ProcessorTimes& times);
+
+/// limit / (ns - call): more than 1 where the processor did part of the work beside the call, infinite where the call
+/// alone took as long.
+double share_of_limit(double limit_ns, double ns, double call_ns);
+
+}  // namespace bezierbench::race

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Holds the timed points of methods without a proved bound to what accuracy studies saw of the same cells.
+#pragma once
+
+#include "experiments/tables/tables.hpp"
+
+namespace bezierbench::tables {
+
+/// Completes the rows of `timing.csv` that have `max_error_u`, from all accuracy studies in the other tables:
+/// `allowed_error_u` by metric::allowed_error_u(), and `checked` is `no` where it is exceeded.
+void check_timed_errors(Tables& tables);
+
+}  // namespace bezierbench::tables
