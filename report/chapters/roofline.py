@@ -6,9 +6,10 @@ from ..document import Cell, Text
 from ..methods import form
 from ..tables import by_axis
 from ..wording import general, listing, percent, shortest
-from .suite_parts import figure, of_suite
+from .suite_parts import figure, of_suite, study_figure
 
 TITLE = "Batch kernels against the peak of this machine"
+KIND = SUITE = "roofline"
 SIGN = {"yes": " ✓", "no": " ✗"}
 
 
@@ -25,10 +26,17 @@ def blocks(bundle, findings):
                "kernel's" + ("." if all(r["checked"] == "yes" for r in table.rows) else ", **but where a row says `checked` no**.")
                + " ✓ and ✗: a goal is asked of the row, and met or not. ~: the peak itself was more than 2 % below the best of the "
                "study in that race; others were at work.")
+    for study in table.distinct("study"):
+        yield from study_figure(bundle, study)
+        yield from study_tables(bundle, study)
+
+
+def study_tables(bundle, study):
+    """A table for each scalar type and number of axes."""
     kinds = {}
-    for row in table.rows:
-        kinds.setdefault((row["study"], row["scalar"], row["dimension"]), []).append(row)
-    for (study, scalar, dimension), members in kinds.items():
+    for row in bundle["roofline.csv"].some(study=study):
+        kinds.setdefault((row["scalar"], row["dimension"]), []).append(row)
+    for (scalar, dimension), members in kinds.items():
         english, chinese = form(members[0]["curve"])
         interval = "" if (members[0]["t_min"], members[0]["t_max"]) == (0, 1) else \
             f", t in [{shortest(members[0]['t_min'])}, {shortest(members[0]['t_max'])}]"

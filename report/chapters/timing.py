@@ -3,9 +3,11 @@
 
 from ..bundle import Missing
 from ..document import Text
-from ..time_tables import EVALUATION, reading_times, time_tables, times
+from ..time_tables import EVALUATION, UNITS, reading_times, time_tables, times
+from .suite_parts import study_figure
 
 TITLE = "Time per point on this machine"
+KIND = "timing"
 
 
 def blocks(bundle, _findings):
@@ -16,4 +18,15 @@ def blocks(bundle, _findings):
         raise Missing("`timing.csv` times no evaluation; times of other problems stand in their chapters")
     yield Text("`one_shot`: prepare a curve and evaluate one point. `point`: prepared, one point at a time.")
     yield reading_times(bundle, EVALUATION)
-    yield from time_tables(bundle, EVALUATION)
+    for study in dict.fromkeys(r["study"] for r in times(bundle, EVALUATION)):
+        yield from study_figure(bundle, study)
+        yield from time_tables(bundle.only({study}), EVALUATION)
+
+
+def study_tables(bundle, study):
+    """Medians with their intervals, whatever problem was timed."""
+    part = bundle.only({study})
+    for problem in UNITS:
+        if times(part, problem):
+            yield from time_tables(part, problem)
+            yield reading_times(part, problem)

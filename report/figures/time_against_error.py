@@ -7,7 +7,7 @@ from ..bundle import Missing
 from ..findings.choosing import ON, race_cell
 from ..methods import FORM
 from ..wording import general
-from .canvas import COLOURS, FAINT, finish, log_axis, panels, styled
+from .canvas import COLOURS, FAINT, belongs, finish, log_axis, panels, styled
 from .method_lines import beside
 
 ID = "time-against-error"
@@ -30,7 +30,7 @@ def draw(bundle):
     words = []
     for ax, n in zip(axes[:, 0], shown):
         for row in degrees[n]:
-            _mark(ax, row, methods.index(row["method"]))
+            mark(ax, row, methods.index(row["method"]))
             words.append(f"degree {n:g}, {row['method']}: {general(row['ns'])} ns, {general(row['observed_max_u'])} u p~"
                          + (" (on the front)" if row["pareto"] == ON else ""))
         ax.set_xscale("log")
@@ -46,16 +46,19 @@ def draw(bundle):
                   "filled marks are worth choosing", "每点用时与最大误差", "Doubly logarithmic. " + "; ".join(words) + ".", bottom=0.1)
 
 
-def _mark(ax, row, index):
+def mark(ax, row, index):
+    """A method: its error, the interval of its time, and its bound."""
     time, error = row["ns"], row["observed_max_u"]
     if not (isinstance(error, float) and math.isfinite(error) and error > 0):
         return
     colour = COLOURS[index % len(COLOURS)]
-    ax.plot([row["ns_low"], row["ns_high"]], [error, error], color=colour, linewidth=2.2)
+    extent = ax.plot([row["ns_low"], row["ns_high"]], [error, error], color=colour, linewidth=2.2)
     bound = row["bound_u"]
     if isinstance(bound, float) and math.isfinite(bound) and bound > error:
-        ax.plot([time, time], [error, bound], color=colour, linewidth=0.8)
-        ax.plot([time], [bound], color=colour, marker="_", markersize=6)
-    ax.plot([time], [error], linestyle="none", marker=MARKS[index // len(COLOURS) % len(MARKS)], markersize=7,
+        extent += ax.plot([time, time], [error, bound], color=colour, linewidth=0.8)
+        extent += ax.plot([time], [bound], color=colour, marker="_", markersize=6)
+    belongs(row["method"], *extent)
+    point, = ax.plot([time], [error], linestyle="none", marker=MARKS[index // len(COLOURS) % len(MARKS)], markersize=7,
             markerfacecolor=colour if row["pareto"] == ON else "none", markeredgecolor=colour, markeredgewidth=1.3,
             label=row["method"])
+    point.rows = [row]

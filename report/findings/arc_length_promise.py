@@ -10,7 +10,7 @@ SUITE = "arc_length"
 
 def find(bundle):
     """Holds where no method said that it kept a tolerance that it did not keep."""
-    rows = bundle["arc_length.csv"].starting("arc_length-").rows
+    rows = bundle["arc_length.csv"].of_suite("arc_length").rows
     broken = [r for r in rows if r["broken_promises"]]
     trials = sum(r.number("trials") for r in rows)
     refused = sum(r.number("non_converged") for r in rows)

@@ -12,7 +12,7 @@ WITHIN = 4  # times u R sqrt(d) norm: as good as the problem allows, up to a con
 
 def find(bundle):
     """Holds where to Bernstein form some conversion keeps to the norm at every degree, and to power form every one does."""
-    table = bundle["conversion.csv"].starting("conversion-")
+    table = bundle["conversion.csv"].of_suite("conversion")
     ratios = {}  # (curve, conversion): largest of error over u R sqrt(d) norm, with its row
     for row in table.rows:
         if row["curve"] in NORMS and isinstance(row["max_error"], float) and row["max_error"] > 0:

@@ -14,7 +14,7 @@ LOST = 2.0 ** 53  # in u p~: an error as large as the terms of the curve
 
 def find(bundle):
     """Holds where every method that evaluates the given form grows at most with the degree, and some converted path faster."""
-    table = bundle.exact("ladder-")
+    table = bundle.exact("ladder")
     lines, flat, fast, native_fast, used = [], [], [], [], []
     for curve in table.distinct("curve", generator=GENERATOR):
         methods = by_degree(table.select(curve=curve, generator=GENERATOR, scalar="double", dimension=2))

@@ -13,7 +13,7 @@ LOSS = 1000  # three digits
 
 def find(bundle):
     """Holds where at the highest degree the cache errs more than a thousand times as much, on average."""
-    methods = by_degree(bundle.exact("peers-").select(curve="bezier", scalar="double", dimension=2, method=(CACHED, DIRECT)))
+    methods = by_degree(bundle.exact("peers").select(curve="bezier", scalar="double", dimension=2, method=(CACHED, DIRECT)))
     common = sorted(set(methods.get(CACHED, {})) & set(methods.get(DIRECT, {})))
     if not common:
         raise Missing(f"no degree of a `peers-` study has both `{CACHED}` and `{DIRECT}`")

@@ -28,8 +28,9 @@ def find_all(bundle):
     """(findings, [(name, what the bundle lacks)]): a finding that cannot be decided is named, never guessed."""
     found, undecided = [], []
     for module in ROSTER:
-        if hasattr(module, "SUITE") and not bundle.has_suite(module.SUITE):
-            continue  # its chapter says that the suite is not there
+        suite = getattr(module, "SUITE", "report")
+        if suite and not bundle.has_suite(suite):
+            continue
         name = module.__name__.rsplit(".", 1)[-1]
         try:
             with decided_by(bundle, f"the finding '{name.replace('_', ' ')}'"):
@@ -47,7 +48,7 @@ GROUPS = (
     ("Conclusions of the report that hold",
      lambda f: f.about == "conclusion" and f.holds or f.about == "correction" and not f.holds),
     ("Worth knowing", lambda f: f.about == "note"),
-    ("Beyond the report's tables", lambda f: f.about == "suite"),
+    ("What the suites show", lambda f: f.about == "suite"),
 )
 
 
