@@ -16,7 +16,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 SKIPPED = 77
-METHODS, STUDIES, RANGES = 205, 5, 100
+TABLES, ROWS = 100, 1000
 
 
 def _playwright():
@@ -32,23 +32,16 @@ def _report():
     isolated.load()
 
 
-def _large(place, fixture):
-    """A bundle with as many rows of accuracy as METHODS, STUDIES and RANGES make: more than a hundred thousand."""
-    like = next(row for row in fixture.accuracy() if row["study"] == "ladder-bezier")
-    names = [f"{root}_{number}" for number in range(METHODS // 5) for root in ("de_casteljau", "horner", "direct", "estrin", "volk")]
-
-    def rows():
-        return [{**like, "study": f"mine-{study}", "method": method, "coordinate_range": size + 1,
-                 "mean_error_u": 1 + size / 7} for study in range(STUDIES) for method in names for size in range(RANGES)]
-    others = tuple(file for file in fixture.FILES if file not in ("accuracy.csv", "methods.csv"))
-    kept, fixture.FILES["accuracy.csv"] = fixture.FILES["accuracy.csv"], rows
-    try:
-        path = fixture.write(place, without=others)
-        (path / "suite.toml").write_text('[suite]\nid = "mine"\ntitle = "Many rows"\n' + "".join(
-            f'[[study]]\nid = "mine-{study}"\ntitle = "Study {study}"\nkind = "accuracy"\n' for study in range(STUDIES)))
-        return fixture.seal(path)
-    finally:
-        fixture.FILES["accuracy.csv"] = kept
+def _large(bundle, out):
+    """Writes a page of a hundred thousand rows: tables of methods as a study of many cells has them."""
+    from report import output, render
+    from report.document import Cell, Chapter, Group, Table
+    names = [f"{root}_{number}" for number in range(ROWS // 5) for root in ("de_casteljau", "horner", "direct", "estrin", "volk")]
+    chapters = [Chapter(f"many-{number}", f"Study {number}", (Table(
+        id=f"table-{number}", caption="Mean error over u p~", head=("3",), groups=tuple(
+            Group(f"`{name}`", name, (("", [Cell(f"{at % 97}", f"{at % 97}.0", units=(("ulp", "2"),))]),))
+            for at, name in enumerate(names))),)) for number in range(TABLES)]
+    output.write(out, render.files(bundle, chapters, []))
 
 
 def main():
@@ -59,14 +52,13 @@ def main():
         return SKIPPED
     _report()
     from report import fixture
+    from report.bundle import Bundle
     from report.__main__ import main as render
     with tempfile.TemporaryDirectory() as place:
-        comparison = fixture.write_comparison(f"{place}/c")
-        arguments = [[str(fixture.write(f"{place}/all")), "--comparison", str(comparison), "--out", f"{place}/page"],
-                     [str(_large(f"{place}/many", fixture)), "--out", f"{place}/large"]]
-        for one in arguments:
-            if code := render(one):
-                return code
+        bundle, comparison = fixture.write(f"{place}/bundle"), fixture.write_comparison(f"{place}/comparison")
+        if code := render([str(bundle), "--comparison", str(comparison), "--out", f"{place}/page"]):
+            return code
+        _large(Bundle(bundle), f"{place}/large")
         done = subprocess.run(["node", str(HERE / "page.mjs"), _playwright(), chromium, f"{place}/page", f"{place}/large"], check=False)
         return done.returncode
 

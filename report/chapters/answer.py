@@ -22,7 +22,8 @@ def blocks(bundle, _findings):
     yield Text((("✓ worth choosing: no other method of the same race is at least as right and certainly faster; ? perhaps: one is, by its "
                  "median, but the 99 % intervals of the two times overlap. ") if cell.mode != NO_TIME else "")
                + f"A method whose largest error exceeds {shortest(USELESS)} of p~, the sum of the absolute terms, is left out as useless. "
-               "Largest errors are those seen in the trials; a proved bound holds for the trials' inputs and all like them.")
+               "Largest errors are those seen in the trials, and other inputs may give larger ones; the proved bound is the largest of the bounds of "
+               "the trials.")
 
 
 def where(cell):

@@ -82,4 +82,4 @@ def _digest(bundle):
     digest = _text(bundle.info, "accuracy_digest")
     if not digest:
         return Tile("digest", "unknown", "the bundle states no accuracy digest")
-    return Tile("digest", digest[:12], "of all accuracy data: the same everywhere", full=digest)
+    return Tile("digest", digest[:10], "of all accuracy data: the same everywhere", full=digest)

@@ -3,6 +3,7 @@
 
 import math
 
+from ..answer import useful
 from ..bundle import Missing
 from ..findings.choosing import ON, race_cell
 from ..methods import FORM
@@ -20,9 +21,9 @@ def draw(bundle):
     """A panel for the lowest, a middle and the highest degree of the first form; filled marks are on the front."""
     rows = bundle["pareto.csv"].rows
     curve = rows[0]["curve"] if rows else None
-    degrees = race_cell(rows, curve)
+    degrees = race_cell([r for r in rows if useful(r["observed_max_u"], r["scalar"])], curve)
     if not degrees:
-        raise Missing("`pareto.csv` has no times in double, mode `point`")
+        raise Missing("`pareto.csv` has no times in double, mode `point`, of a method that is useful")
     values = list(degrees)
     shown = sorted({values[0], values[len(values) // 2], values[-1]})[:PANELS]
     methods = list(dict.fromkeys(r["method"] for n in shown for r in degrees[n]))
@@ -43,7 +44,7 @@ def draw(bundle):
         beside(ax)
     axes[-1][0].set_xlabel(f"ns per point, {FORM.get(curve, (curve,))[0]}, one point at a time, double")
     return finish(canvas, ID, "Time per point against the largest error seen; the thin line upwards ends at the proved bound, "
-                  "filled marks are worth choosing", "每点用时与最大误差", "Doubly logarithmic. " + "; ".join(words) + ".", bottom=0.1)
+                  "filled marks are worth choosing, useless methods are left out", "每点用时与最大误差", "Doubly logarithmic. " + "; ".join(words) + ".", bottom=0.1)
 
 
 def mark(ax, row, index):
