@@ -5,8 +5,10 @@ A file that is absent is a fact that a chapter can state; a file that is malform
 is read that is not as it was written, unless a damaged bundle was asked for; then `damage` says what is wrong with it.
 """
 
+import copy
 import tomllib
 from contextlib import contextmanager
+from dataclasses import dataclass, replace
 
 from . import schema, sums
 from .columns import ID
@@ -14,11 +16,30 @@ from .folder import BundleError, Folder
 from .foreign import literal, shown
 from .rows import Missing, Row, Table
 
-__all__ = ["Bundle", "BundleError", "Comparison", "Missing", "Row", "Table", "decided_by", "made_of"]
+__all__ = ["Bundle", "BundleError", "Comparison", "Missing", "Row", "Study", "Table", "decided_by", "made_of"]
 
 # What a calculation raises where rows are lacking that it counts on, and where a field is empty or no number makes sense.
 LACKING = (ArithmeticError, LookupError, ValueError)
 UNUSABLE = (*LACKING, AttributeError, RuntimeError, TypeError)
+
+
+@dataclass(frozen=True)
+class Study:
+    """What a suite says of one of its studies."""
+
+    id: str
+    title: str
+    kind: str
+    suite: str  # the id of the suite; empty where suite.toml does not name the study
+    printed: bool = False  # whether a source prints values of it
+
+
+# The kind of a study that only rows tell of, by the file that they stand in.
+_KIND_OF_FILE = {"accuracy.csv": "accuracy", "unstable.csv": "accuracy", "conversion.csv": "conversion", "search.csv": "search",
+                 "timing.csv": "timing", "roofline.csv": "roofline", "derivative.csv": "derivative", "subdivision.csv": "subdivision",
+                 "arc_length.csv": "arc_length", "arc_length_unstable.csv": "arc_length",
+                 "inverse_arc_length.csv": "inverse_arc_length", "projection.csv": "projection",
+                 "projection_unstable.csv": "projection", "interpolation.csv": "interpolation", "fitting.csv": "fitting"}
 
 
 @contextmanager
@@ -72,8 +93,9 @@ class Bundle(Folder):
         self._check_info()
         self.machine = self._json("machine.json")
         self.suite = self._text("suite.toml")
-        self.titles = self._titles()
+        self.suites, self.studies = self._suites()  # {id: title} and {id: Study}
         self.tables = {name: self._csv(name) for name in self._tables()}
+        self._add_unnamed()
         self.comparison = Comparison(comparison) if comparison else None
 
     def advice(self):
@@ -149,37 +171,65 @@ class Bundle(Folder):
         tables = [self.tables[f] for f in (file, unstable) if f in self.tables]
         if not tables:
             raise Missing(f"the bundle has no `{file}`")
-        return Table(file, tables[0].columns, [row for t in tables for row in t.rows])
+        return tables[0].with_rows([row for t in tables for row in t.rows])
 
-    def exact(self, prefix):
-        """Rows of every method against the exact value, of the studies whose id starts with `prefix`."""
-        table = self.judged().starting(prefix)
-        return Table(table.file, table.columns, table.some(baseline="exact"))
+    def exact(self, *suites):
+        """Rows of every method against the exact value, of the studies of these suites."""
+        table = self.judged().of_suite(*suites)
+        return table.with_rows(table.some(baseline="exact"))
 
     def has_suite(self, suite):
-        """Whether any file holds a study of that suite: studies are named after the suite that they stand in."""
-        return any((row["study"] or "").startswith(f"{suite}-") for table in self.tables.values() if "study" in table.columns
-                   for row in table.rows)
+        """Whether any file holds a row of that suite."""
+        return any(self.studies[study].suite == suite for study in self.studied())
+
+    def studied(self):
+        """The ids of the studies that some file holds a row of, in the order of suite.toml."""
+        there = {row["study"] for table in self.tables.values() if "study" in table.columns for row in table.rows}
+        return [study for study in self.studies if study in there]
+
+    def only(self, studies):
+        """The bundle as if it had no other studies than these."""
+        part = copy.copy(self)
+        part.tables = {name: table.with_rows([row for row in table.rows if row["study"] in studies])
+                       if "study" in table.columns else table for name, table in self.tables.items()}
+        return part
 
     def title(self, study):
         """What the suite calls that study; its id where the bundle does not say."""
-        return self.titles.get(study, study)
+        return self.studies[study].title if study in self.studies else study
 
     def accuracy(self, **key):
         """The accuracy row, in double and in the plane, that fits."""
         return self.judged().one(scalar="double", dimension=2, **key)
 
-    def _titles(self):
-        """Of one suite or of several, as the program resolves them."""
+    def _suites(self):
+        """({suite: title}, {study: Study}) of one suite or of several, as the program resolves them."""
         try:
             resolved = tomllib.loads(self.suite or "")
-            studies = [study for suite in resolved.get("suites", [resolved]) for study in suite.get("study", [])]
-            found = {study["id"]: study.get("title", "") for study in studies}
+            suites = [(one.get("suite", one) if one is resolved else one, one.get("study", []))
+                      for one in resolved.get("suites", [resolved])]
+            titles = {head["id"]: head.get("title", "") for head, _ in suites if "id" in head}
+            studies = [Study(study["id"], study.get("title", ""), study.get("kind", ""), head.get("id", ""), bool(study.get("published")))
+                       for head, members in suites for study in members]
+            for name, title in [*titles.items(), *((study.id, study.title) for study in studies)]:
+                self._check_title(name, title)
+            if not all(isinstance(study.kind, str) and ID.fullmatch(study.kind or "none") for study in studies):
+                self.fail("suite.toml", "the kind of a study is no word")
         except tomllib.TOMLDecodeError as error:
             self.fail("suite.toml", str(error))
         except UNUSABLE:
             self.fail("suite.toml", "its studies are no tables with an id")
-        for study, title in found.items():
-            if not (isinstance(study, str) and ID.fullmatch(study) and isinstance(title, str)):
-                self.fail("suite.toml", f"a study has the id '{shown(str(study))}' or a title that no suite takes")
-        return {study: literal(title) for study, title in found.items() if title}
+        return ({name: literal(title) or name for name, title in titles.items()},
+                {one.id: replace(one, title=literal(one.title) or one.id) for one in studies})
+
+    def _check_title(self, name, title):
+        if not (isinstance(name, str) and ID.fullmatch(name) and isinstance(title, str)):
+            self.fail("suite.toml", f"a suite or study has the id '{shown(str(name))}' or a title that no suite takes")
+
+    def _add_unnamed(self):
+        """Studies that suite.toml does not name follow those that it does; tables learn the suites of all."""
+        for file, table in self.tables.items():
+            for study in dict.fromkeys(row["study"] for row in table.rows) if file in _KIND_OF_FILE else ():
+                if study is not None:
+                    self.studies.setdefault(study, Study(study, study, _KIND_OF_FILE[file], ""))
+            table.suite_of = {study.id: study.suite for study in self.studies.values()}

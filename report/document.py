@@ -13,11 +13,13 @@ LONG = 40  # lines from which a table scrolls by itself
 
 @dataclass(frozen=True)
 class Cell:
-    """What a reader sees, what the CSV file holds, and a mark (a verdict) that is shown by colour as well."""
+    """What a reader sees, what the CSV file holds, and a mark (a verdict) that is shown by colour as well. `units` is the same
+    quantity in other units, as a reader sees it."""
 
     text: str = ""
     raw: str = ""
     mark: str = ""
+    units: tuple = ()  # of (name of the unit, text)
 
 
 @dataclass(frozen=True)
@@ -51,6 +53,16 @@ class Table:
         return all(len(g.rows) == 1 and not g.rows[0][0] for g in self.groups)
 
     @property
+    def of_methods(self):
+        """True where groups are methods, which the page can filter."""
+        return self.group_head in ("method", "conversion") and bool(self.groups)
+
+    @property
+    def in_units(self):
+        """True where numbers can be shown in other units."""
+        return any(cell.units for group in self.groups for _, cells in group.rows for cell in cells)
+
+    @property
     def wordy(self):
         """For each value column, whether it holds sentences rather than numbers."""
         rows = [cells for g in self.groups for _, cells in g.rows]
@@ -72,8 +84,18 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Series:
+    """What a figure shows of one method: points in the units of the drawing, each with its values in words and its row, if known."""
+
+    name: str
+    colour: str
+    points: tuple  # of (x, y, words, row or None)
+
+
+@dataclass(frozen=True)
 class Figure:
-    """A drawn figure. `svg` is a file of its own; render.py adapts it to be put into the page."""
+    """A drawn figure. `svg` is a file of its own; render.py adapts it to be put into the page. What belongs to the series number i
+    has an id that begins with `s<i>-`."""
 
     id: str
     caption: str
@@ -81,6 +103,7 @@ class Figure:
     alt: str
     svg: str
     png: bytes
+    series: tuple = ()  # of Series
     kind: str = field(default="figure", init=False)
 
 
@@ -106,6 +129,34 @@ class Bullets:
 class Definitions:
     items: tuple  # of (term, meaning)
     kind: str = field(default="definitions", init=False)
+
+
+@dataclass(frozen=True)
+class Tile:
+    """One fact of the first glance; `full` where the value is the beginning of something longer."""
+
+    label: str
+    value: str
+    note: str = ""
+    mark: str = ""
+    full: str = ""
+
+
+@dataclass(frozen=True)
+class Tiles:
+    items: tuple  # of Tile
+    kind: str = field(default="tiles", init=False)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The picker: every cell with its candidates, the one to show first, and its table, which is what stands there without script."""
+
+    cells: dict
+    first: object
+    sentence: str
+    table: Table
+    kind: str = field(default="answer", init=False)
 
 
 @dataclass(frozen=True)

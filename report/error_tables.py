@@ -35,11 +35,20 @@ def error_tables(study, rows, across="degree", down="generator"):
     yield _bounds(rows)
 
 
+# The same quantity in the other units of accuracy.csv; a bound is stated in coordinate units, too.
+UNITS = {
+    "mean_error_u": (("coordinate", "mean_error"), ("ulp", "mean_error_ulp"), ("relative", "mean_relative")),
+    "max_error_u": (("coordinate", "max_error"), ("ulp", "max_error_ulp"), ("relative", "max_relative")),
+    "bound_u": (("coordinate", "max_bound"),),
+}
+
+
 def _number(column):
     def cell(row):
         if row["status"] != "ok":
             return Cell(row["status"] or "", row["status"] or "")
-        return Cell(general(row[column]), row.text(column))
+        return Cell(general(row[column]), row.text(column),
+                    units=tuple((unit, general(row[other])) for unit, other in UNITS[column] if isinstance(row[other], float)))
     return cell
 
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A bundle in which every text that is free is an attack: no page, table or message does what it says."""
 
+import base64
 import csv
+import hashlib
 import io
 import json
 import re
@@ -10,7 +12,7 @@ import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 
-from . import fixture, inline, render, schema, summary
+from . import fixture, inline, render, schema, script, summary
 from .bundle import Bundle
 from .chapters.roster import build_all
 from .findings.roster import find_all
@@ -34,7 +36,7 @@ def evil_bundle(place):
     info = {**fixture.INFO, "seed": EVIL, "state": EVIL, "git_commit": EVIL, EVIL: {EVIL: [EVIL, {EVIL: 1}]}}
     (bundle / "bundle.json").write_text(json.dumps(info))
     (bundle / "machine.json").write_text(json.dumps({"cpu": {"model_name": EVIL}, "peers": {EVIL: EVIL}}))
-    (bundle / "suite.toml").write_text(f'[[study]]\nid = "2.4-bezier"\ntitle = {json.dumps(EVIL)}\n')
+    (bundle / "suite.toml").write_text(fixture.suite_toml(**{"2.4-bezier": EVIL}))
     return fixture.seal(bundle)
 
 
@@ -71,21 +73,45 @@ class Escaping(unittest.TestCase):
         page = Tags(self.files["report.html"].decode())
         self.assertIn("<script>x</script>", page.text)
         kinds = {tag for tag, _ in page.tags}
-        self.assertFalse(kinds & {"script", "img", "form", "base", "iframe", "object", "embed", "b", "input", "button"}, kinds)
+        self.assertEqual([attrs for tag, attrs in page.tags if tag == "script"], [[("type", "application/json"), ("id", "page-data")], []])
+        self.assertFalse(kinds & {"img", "form", "base", "iframe", "object", "embed", "b", "input", "button"}, kinds)
         self.assertEqual([attrs[0][0] for tag, attrs in page.tags if tag == "meta"], ALLOWED_META)
         for tag, attrs in page.tags:
             for name, value in attrs:
                 self.assertFalse(name.startswith("on") or name in ("src", "srcdoc", "action", "formaction"), (tag, name))
                 if name in ("href", "xlink:href"):
-                    self.assertRegex(value, r"^(#[\w.-]+|data:,)$")
+                    self.assertRegex(value, r"^(#[\w.-]+|data:,|tables/[A-Za-z0-9][\w.-]*\.(csv|tex))$")
                 if name == "id":
                     self.assertRegex(value, r"^[A-Za-z0-9][\w.-]*$")
 
     def test_the_policy_forbids_what_a_slip_could_let_in(self):
         policy = dict(part.strip().split(" ", 1) for part in re.search(r'Content-Security-Policy" content="([^"]+)"',
                                                                        self.files["report.html"].decode())[1].split(";"))
-        self.assertEqual(policy, {"default-src": "'none'", "style-src": "'unsafe-inline'", "img-src": "data:", "base-uri": "'none'",
+        own = re.search(r"<script>(.*?)</script>", self.files["report.html"].decode(), re.S)[1]
+        digest = base64.b64encode(hashlib.sha256(own.encode()).digest()).decode()
+        self.assertEqual(policy, {"default-src": "'none'", "script-src": f"'sha256-{digest}'", "style-src": "'unsafe-inline'", "img-src": "data:", "base-uri": "'none'",
                                   "form-action": "'none'"})
+
+    def test_the_data_of_the_script_is_inert(self):
+        """What a bundle says comes back from the block as it is, and cannot end it."""
+        page = self.files["report.html"].decode()
+        block = re.search(r'<script type="application/json" id="page-data">(.*?)</script>', page, re.S)[1]
+        self.assertNotRegex(block, "[<>&\u2028\u2029]")
+        self.assertEqual(script.block("</script><!--&\u2028").encode(), b'"\\u003c/script\\u003e\\u003c!--\\u0026\\u2028"')
+        self.assertEqual(json.loads(block)["bundle"], "BUNDLE")
+        for name in script.FOLDER.glob("*.js"):
+            self.assertNotRegex(name.read_text(), r"innerHTML|outerHTML|insertAdjacent|document\.write|\beval\b|new Function|fetch\(|XMLHttp|import\(")
+
+    def test_a_suite_of_ones_own_is_escaped(self):
+        """Chapters of suites that nobody knows show the same texts."""
+        with tempfile.TemporaryDirectory() as place:
+            path = evil_bundle(Path(place) / "b")
+            (path / "suite.toml").write_text(f'[suite]\nid = "mine"\ntitle = {json.dumps(EVIL)}\n')
+            bundle = Bundle(fixture.seal(path)).only({"truth-bezier", "roofline-bezier", "2.4-bezier"})
+            html = render.files(bundle, *build_all(bundle, find_all(bundle)))["report.html"].decode()
+        page = Tags(html)
+        self.assertIn("<script>x</script>", page.text)
+        self.assertEqual(sum(tag == "script" for tag, _ in page.tags), 2)
 
     def test_html_is_well_formed(self):
         from .page_test import Page

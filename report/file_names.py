@@ -6,7 +6,7 @@ from dataclasses import replace
 
 SAFE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 LONGEST = 120  # characters; with what is added to them they are names of files everywhere
-FIXED = ("content", "left-out", "title")  # of the page itself
+FIXED = ("content", "left-out", "title", "page-data", "page-script", "picker", "view", "said", "answer-sentence")  # of the page itself
 
 
 def safe(text):
@@ -31,5 +31,7 @@ def with_unique_ids(chapters):
              *(f"finding-{block.id}".casefold() for chapter in chapters for block in chapter.blocks if block.kind == "finding")}
 
     def own(block):
+        if block.kind == "answer":
+            return replace(block, table=own(block.table))
         return replace(block, id=unique(block.id, taken)) if block.kind in ("table", "figure") else block
     return [replace(chapter, blocks=tuple(map(own, chapter.blocks))) for chapter in chapters]

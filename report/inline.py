@@ -10,11 +10,14 @@ from .foreign import restored
 _CODE = re.compile(r"`([^`]+)`")
 _STRONG = re.compile(r"\*\*([^*]+)\*\*")
 _HAN = re.compile(r"([\u3400-\u9fff][\u3000-\u303f\u3400-\u9fff\uff00-\uffef]*)")
+_NUMBER = re.compile(r"[0-9.e+-]*", re.ASCII)
 _TOGETHER = re.compile(r"\d %|\bR = \S|\bu p~|\d (?:µs|ms|ulp)\b")  # never parted by a line break
 
 
 def to_html(text):
     """Escaped, marked, and with Chinese words named as such for readers aloud and for fonts."""
+    if _NUMBER.fullmatch(text):  # most cells of a large page
+        return Markup(text)
     escaped = str(escape(text)).replace("&#39;", "'")  # between tags and in double quotes it is itself
     text = _STRONG.sub(r"<strong>\1</strong>", _CODE.sub(r"<code>\1</code>", escaped))
     text = _TOGETHER.sub(lambda m: m[0].replace(" ", "\u00a0"), text)

@@ -12,12 +12,13 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from . import latex
+from . import latex, script
 from .file_names import SAFE
 from .foreign import restored
 from .inline import Markdown, to_html, to_markdown, to_plain
 
 TEMPLATES = Path(__file__).parent / "templates"
+MOST_TITLES = 3
 
 
 def _environment(**more):
@@ -44,9 +45,17 @@ def _markdown():
     return environment.get_template("page.md.j2")
 
 
+def title(bundle):
+    """Of the page: what its suites call themselves."""
+    titles = list(bundle.suites.values()) or [f"Bundle {bundle.name}"]
+    return "; ".join(titles[:MOST_TITLES]) + (f" and {len(titles) - MOST_TITLES} more" if len(titles) > MOST_TITLES else "")
+
+
 def files(bundle, chapters, left_out):
     """{path relative to the output directory: bytes}."""
-    context = {"bundle": bundle, "chapters": chapters, "left_out": left_out}
+    written = script.text()
+    context = {"bundle": bundle, "title": title(bundle), "chapters": chapters, "left_out": left_out, "script": Markup(written),
+               "script_digest": Markup(script.digest(written)), "data": script.block(script.data(bundle, chapters))}
     written = {"report.html": _html().render(context).encode(),
                "report.md": re.sub(r"\n{3,}", "\n\n", _markdown().render(context)).encode()}
     for table in _of_kind(chapters, "table"):
@@ -63,7 +72,8 @@ def files(bundle, chapters, left_out):
 
 
 def _of_kind(chapters, kind):
-    return [block for chapter in chapters for block in chapter.blocks if block.kind == kind]
+    blocks = [block.table if block.kind == "answer" and kind == "table" else block for chapter in chapters for block in chapter.blocks]
+    return [block for block in blocks if block.kind == kind]
 
 
 def inline_svg(figure):

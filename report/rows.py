@@ -52,10 +52,11 @@ class Row:
 class Table:
     """The rows of one CSV file, in file order."""
 
-    def __init__(self, file, columns, rows):
+    def __init__(self, file, columns, rows, suite_of=None):
         self.file = file
         self.columns = columns
         self.rows = rows
+        self.suite_of = suite_of or {}  # by study
 
     def select(self, **key):
         """Rows whose columns equal the given values; a tuple, list or set means any of its members."""
@@ -78,13 +79,16 @@ class Table:
             raise Missing(f"`{self.file}` has {len(rows)} rows with {_describe(key)} where one is meant")
         return rows[0]
 
-    def starting(self, prefix):
-        """The rows of the studies whose id starts with `prefix`, or one of a tuple; Missing where there are none."""
-        rows = [row for row in self.rows if (row["study"] or "").startswith(prefix)]
+    def of_suite(self, *suites):
+        """The rows of the studies of these suites; Missing where there are none."""
+        rows = [row for row in self.rows if self.suite_of.get(row["study"]) in suites]
         if not rows:
-            words = prefix if isinstance(prefix, str) else "` or `".join(prefix)
-            raise Missing(f"`{self.file}` has no study whose id starts with `{words}`")
-        return Table(self.file, self.columns, rows)
+            raise Missing(f"`{self.file}` has no study of the suite `{'` or `'.join(suites)}`")
+        return self.with_rows(rows)
+
+    def with_rows(self, rows):
+        """A table of these rows instead."""
+        return Table(self.file, self.columns, rows, self.suite_of)
 
     def distinct(self, column, **key):
         """The different values of a column, in order of first appearance."""

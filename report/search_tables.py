@@ -12,13 +12,14 @@ from .wording import factor, general, large
 HEAD = ("sampled", "searched", "proved bound", "gain", "status", "id")
 
 
-def search_tables(bundle, prefix):
+def search_tables(bundle, *suites):
     """One Table per study, in the order of search.csv; the gain is searched over sampled maximum."""
-    table = bundle["search.csv"].starting(prefix)
-    return [_study(study, table.select(study=study)) for study in table.distinct("study")]
+    table = bundle["search.csv"].of_suite(*suites)
+    return [search_table(study, table.select(study=study)) for study in table.distinct("study")]
 
 
-def _study(study, rows):
+def search_table(study, rows):
+    """Sampled and searched maximum of a study beside its proved bound."""
     broken = exceeding([r for r in rows if isinstance(r["searched_error_u"], float)])
     varying = [c for c in NAMES if len({r[c] for r in rows}) > 1] or ["degree"]
     methods = {}

@@ -62,7 +62,7 @@ class Suites(unittest.TestCase):
                         lacks[other] = str(lack)
                 self.assertEqual(set(lacks), set(CHAPTERS) - {suite})
                 for other, lack in lacks.items():
-                    self.assertTrue(f"{other}-" in lack or "the bundle has no" in lack, lack)
+                    self.assertTrue(f"`{other}`" in lack or "the bundle has no" in lack, lack)
 
     def test_conclusion_then_figure_then_tables_then_notes(self):
         bundle = self.bundle()
@@ -103,7 +103,7 @@ class Suites(unittest.TestCase):
             Bundle(self.place / "b")
 
     def test_search_table_holds_every_cell_with_its_gain_and_id(self):
-        table, = search_tables(self.bundle(), "worst-")
+        table, = search_tables(self.bundle(), "worst")
         lines = {(g.key, label): cells for g in table.groups for label, cells in g.rows}
         self.assertEqual([c.text for c in lines["direct", "degree 4"]], ["4", "8", "17", "2", "reached", "`s1`"])
         self.assertEqual(lines["de_casteljau_lerp", "degree 20"][2].text, "")
@@ -113,20 +113,20 @@ class Suites(unittest.TestCase):
         def exceed(at, row):
             if at == "search.csv" and row["search_id"] == "s1":
                 row["searched_error_u"] = 17.5
-        table, = search_tables(self.bundle(exceed), "worst-")
+        table, = search_tables(self.bundle(exceed), "worst")
         self.assertEqual(table.groups[0].rows[0][1][1].mark, "outside")
 
     def test_a_search_without_a_finite_value_is_shown(self):
         def lose(at, row):
             if at == "search.csv" and row["search_id"] == "s1":
                 row.update(status="non_finite", sampled_error_u="inf", searched_error_u="")
-        table, = search_tables(self.bundle(lose), "worst-")
+        table, = search_tables(self.bundle(lose), "worst")
         cells = table.groups[0].rows[0][1]
         self.assertEqual([c.text for c in cells], ["inf", "", "17", "", "non_finite", "`s1`"])
         self.assertEqual(cells[4].mark, "outside")
 
     def test_an_axis_is_found_from_what_a_study_varies(self):
-        table = self.bundle().exact("regimes-")
+        table = self.bundle().exact("regimes")
         axes = {s.removeprefix("regimes-"): swept(table.select(study=s)) for s in table.distinct("study")}
         self.assertEqual(axes, {"parameter": ("interval", "generator"), "range": ("coordinate_range", "generator"),
                                 "degree": ("degree", "generator"), "float": ("degree", "scalar"), "dimension": ("degree", "dimension")})

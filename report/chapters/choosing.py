@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Time against error: which methods are worth choosing, degree by degree."""
 
+from ..answer import USELESS, useful
 from ..bundle import Missing
 from ..document import Cell, Text
 from ..methods import form
@@ -8,7 +9,8 @@ from ..tables import by_axis
 from ..wording import general, listing, shortest
 from .suite_parts import figure, of_suite
 
-TITLE = "Which method to choose: time against error"
+TITLE = "Time against error"
+KIND = "timing"
 SIGN = {"yes": " ✓", "unresolved": " ?", "no": ""}
 KEY = ("study", "accuracy_study", "curve", "scalar", "dimension")
 
@@ -21,7 +23,8 @@ def blocks(bundle, findings):
     yield from of_suite(findings, "speed")
     yield from figure("time_against_error", bundle)
     yield Text("Each cell gives nanoseconds per point and the largest error seen, in units of u p~. ✓: no other method of the "
-               "same race is at least as right and certainly faster. ?: one is at least as right and faster by its median, "
+               "same race is at least as right and certainly faster. ✗: useless, since its largest error exceeds "
+               f"{shortest(USELESS)} of p~, whatever its time. ?: one is at least as right and faster by its median, "
                "but the 99 % intervals of the two times overlap. Methods that are beaten everywhere are in `pareto.csv` only. "
                "`bezierbench choose BUNDLE --degree N --tolerance E` asks the same question for a tolerance.")
     kinds = {}
@@ -32,7 +35,7 @@ def blocks(bundle, findings):
 
 
 def _table(number, key, rows):
-    worth = {(r["method"], r["mode"]) for r in rows if r["pareto"] != "no"}
+    worth = {(r["method"], r["mode"]) for r in rows if r["pareto"] != "no" and useful(r["observed_max_u"], key["scalar"])}
     english, chinese = form(key["curve"])
     modes = list(dict.fromkeys(r["mode"] for r in rows))
     return by_axis(
@@ -45,6 +48,7 @@ def _table(number, key, rows):
 
 
 def _cell(row):
-    return Cell(f"{general(row['ns'])} ns, {general(row['observed_max_u'])} u{SIGN.get(row['pareto'], '')}",
+    good = useful(row["observed_max_u"], row["scalar"])
+    return Cell(f"{general(row['ns'])} ns, {general(row['observed_max_u'])} u{SIGN.get(row['pareto'], '') if good else ' ✗'}",
                 f"{row.text('ns')} {row.text('observed_max_u')} {row.text('pareto')}",
-                "inside" if row["pareto"] == "yes" else "")
+                "outside" if not good else "inside" if row["pareto"] == "yes" else "")

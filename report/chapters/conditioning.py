@@ -8,13 +8,13 @@ from ..wording import factor, scientific, shortest
 from .suite_parts import figure, of_suite, replay
 
 TITLE = "Near multiple roots: relative error against the condition number"
-PREFIX = "conditioning-"
+SUITE = "conditioning"
 CSV = ("method", "t_min", "t_max", "p50_condition", "max_condition", "p50_relative", "max_relative")
 
 
 def blocks(bundle, findings):
     """Findings, the figure, then a table for each study: the condition number rises from column to column."""
-    table = bundle.exact(PREFIX)
+    table = bundle.exact(SUITE)
     if "p50_condition" not in table.columns:
         raise Missing("`accuracy.csv` has no column `p50_condition`")
     yield from of_suite(findings, "conditioning")
@@ -27,7 +27,7 @@ def blocks(bundle, findings):
                "which the curve is given, converted paths included. Medians are of relative error and condition number each "
                "by itself. A "
                "relative error of exactly 1 is a computed 0.")
-    yield from replay(bundle, PREFIX)
+    yield from replay(bundle, SUITE)
 
 
 def _study(study, degree, rows):

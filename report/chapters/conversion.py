@@ -11,19 +11,19 @@ from ..wording import scientific, shortest
 from .suite_parts import figure, of_suite, replay
 
 TITLE = "Conversions, and what they cost a path"
-PREFIX = "conversion-"
+SUITE = "conversion"
 PARTS = (("error", "mean_error"), *((name, column) for column, name in SOURCES))
 
 
 def blocks(bundle, findings):
     """Findings; coefficients, parts of the error, and error over t, each as figure and tables where the bundle has the rows."""
-    if not bundle.has_suite("conversion"):
-        raise Missing(f"the bundle has no study whose id starts with `{PREFIX}`")
+    if not bundle.has_suite(SUITE):
+        raise Missing(f"the bundle has no study of the suite `{SUITE}`")
     yield from of_suite(findings, "conversion")
     yield from _coefficients(bundle)
     yield from _parts(bundle)
     yield from _over_t(bundle)
-    yield from replay(bundle, PREFIX)
+    yield from replay(bundle, SUITE)
 
 
 def _rows(read):
@@ -34,18 +34,23 @@ def _rows(read):
 
 
 def _coefficients(bundle):
-    rows = _rows(lambda: bundle["conversion.csv"].starting(PREFIX).rows)
+    rows = _rows(lambda: bundle["conversion.csv"].of_suite(SUITE).rows)
     if not rows:
         return
     yield Heading("Coefficients")
     yield from figure("conversion_coefficients", bundle)
     for study in dict.fromkeys(r["study"] for r in rows):
-        yield _coefficient_table(study, [r for r in rows if r["study"] == study])
+        yield from study_tables(bundle, study)
     yield Text("The error of a conversion is the largest distance of a converted coefficient from the exact one, in "
                "coordinate units; R is "
                "the range, d the number of axes. The dashed lines are not fitted: u R √d times the norm is what one rounding "
                "of the given "
                "coefficients can do. A conversion of whole numbers is exact as long as they fit into 53 bits.")
+
+
+def study_tables(bundle, study):
+    """Errors of the coefficients."""
+    yield _coefficient_table(study, bundle["conversion.csv"].some(study=study))
 
 
 def _coefficient_table(study, rows):
@@ -88,7 +93,7 @@ def _parts(bundle):
 
 
 def _over_t(bundle):
-    rows = _rows(lambda: bundle.exact(PREFIX).rows)
+    rows = _rows(lambda: bundle.exact(SUITE).rows)
     if not rows:
         return
     yield Heading("Error against the interval of t")

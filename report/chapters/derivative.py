@@ -3,10 +3,10 @@
 
 from ..document import Text
 from ..error_tables import error_tables, swept
-from .suite_parts import figure, of_suite, with_times
+from .suite_parts import figure, of_suite, study_figure, with_times
 
 TITLE = "Derivatives"
-PREFIX = "derivative-"
+SUITE = KIND = "derivative"
 
 
 def _axes(rows):
@@ -18,15 +18,21 @@ def _axes(rows):
     return across, "order"
 
 
+def study_tables(bundle, study):
+    """Mean and largest error, with orders across unless an interval or the degrees run there."""
+    rows = bundle["derivative.csv"].some(study=study)
+    yield from error_tables(study, rows, *_axes(rows))
+
+
 @with_times("derivative")
 def blocks(bundle, findings):
     """Findings, the figure, then the tables of each study."""
-    table = bundle["derivative.csv"].starting(PREFIX)
+    table = bundle["derivative.csv"].of_suite(SUITE)
     yield from of_suite(findings, "derivative")
     yield from figure("derivative_against_order", bundle)
     for study in table.distinct("study"):
-        rows = table.select(study=study)
-        yield from error_tables(study, rows, *_axes(rows))
+        yield from study_figure(bundle, study)
+        yield from study_tables(bundle, study)
     yield Text("p~ is that of the derivative: its own control points D^k b_i, times n (n-1) ... (n-k+1), in magnitude, weighted "
                "with the Bernstein polynomials of degree n-k (in power form its own coefficients with the powers of t). The bound "
                "has a second part for the differences, which control points far from the origin make large. An order beyond the "

@@ -5,6 +5,7 @@ from ..bundle import Missing
 from ..document import Text
 
 TITLE = "Figures"
+SUITE = "report"
 
 
 def blocks(bundle, _findings):

@@ -2,23 +2,30 @@
 """C2 natural splines: how far the conditions are missed, by the number of points."""
 
 from ..document import Cell, Group, Table, Text
-from ..findings.interpolation_residuals import GOAL, PREFIX
+from ..findings.interpolation_residuals import GOAL, SUITE
 from ..wording import general, large, shortest
-from .suite_parts import figure, of_suite, with_times
+from .suite_parts import figure, of_suite, study_figure, with_times
 
 TITLE = "Splines through points"
+KIND = "interpolation"
 QUANTITIES = (("C1, largest", "max_c1_u"), ("C2, largest", "max_c2_u"), ("natural ends, largest", "max_natural_u"),
               ("control points, largest error", "max_error_u"))
+
+
+def study_tables(bundle, study):
+    """One table, with the numbers of points across."""
+    yield _table(study, bundle["interpolation.csv"].some(study=study))
 
 
 @with_times("interpolation")
 def blocks(bundle, findings):
     """Findings, the figure, then a table for each study with the numbers of points across."""
-    table = bundle["interpolation.csv"].starting(PREFIX)
+    table = bundle["interpolation.csv"].of_suite(SUITE)
     yield from of_suite(findings, "interpolation")
     yield from figure("interpolation_residuals", bundle)
     for study in table.distinct("study"):
-        yield _table(study, table.select(study=study))
+        yield from study_figure(bundle, study)
+        yield from study_tables(bundle, study)
     yield Text("All in units of u times the largest coordinate of an axis, the largest over trials, knots and axes, and over the cells of "
                "a study. C1 is the jump of P1 - P0 over P3 - P2 of the segment before, C2 that of the second differences, natural ends "
                f"are the second differences there; points and joints are met bit for bit. The goal is {GOAL}. The truth is the exact "

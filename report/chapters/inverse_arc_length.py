@@ -3,11 +3,11 @@
 
 from ..document import Text
 from ..wording import general, scientific
-from .suite_parts import figure, of_suite, with_times
+from .suite_parts import figure, of_suite, study_figure, with_times
 from .tolerance_tables import tolerance_tables
 
 TITLE = "Inverse arc length and equal spacing"
-PREFIX = "inverse_arc_length-"
+SUITE = KIND = "inverse_arc_length"
 LINES = (("mean relative error of the length", "mean_relative", scientific),
          ("largest relative error of the length", "max_relative", scientific), ("largest error of t", "max_t_error", scientific),
          ("iterations, mean", "mean_iterations", general), ("iterations, most", "max_iterations", general),
@@ -15,13 +15,21 @@ LINES = (("mean relative error of the length", "mean_relative", scientific),
          ("promises broken", "broken_promises", general))
 
 
+def study_tables(bundle, study):
+    """A table for each kind of curves."""
+    yield from tolerance_tables(study, bundle["inverse_arc_length.csv"].some(study=study), "Parameters at a length against tolerance",
+                                "反弧长误差与容差", LINES)
+
+
 @with_times("inverse_arc_length")
 def blocks(bundle, findings):
     """Findings, the picture, a table for each kind of curves, then the corrections."""
-    table = bundle["inverse_arc_length.csv"].starting(PREFIX)
+    table = bundle["inverse_arc_length.csv"].of_suite(SUITE)
     yield from of_suite(findings, "inverse_arc_length")
     yield from figure("spacing", bundle)
-    yield from tolerance_tables(table, "Parameters at a length against tolerance", "反弧长误差与容差", LINES)
+    for study in table.distinct("study"):
+        yield from study_figure(bundle, study)
+        yield from study_tables(bundle, study)
     yield Text("The length at which t is sought is a share of the curve's length, drawn for each curve; the tolerance is relative to "
                "the whole length. What is promised is the length up to t, not t: where a curve nearly stops, t changes much over "
                "next to no length. A method that cannot keep the tolerance says that it did not converge; a promise is broken "

@@ -6,12 +6,12 @@ from ..error_tables import error_tables
 from .suite_parts import figure, of_suite, replay
 
 TITLE = "Every method by degree"
-PREFIX = "ladder-"
+SUITE = "ladder"
 
 
 def blocks(bundle, findings):
     """Findings, the figure, then mean and largest error of every study."""
-    table = bundle.exact(PREFIX)
+    table = bundle.exact(SUITE)
     yield from of_suite(findings, "ladder")
     yield from figure("ladder_against_degree", bundle)
     for study in table.distinct("study"):
@@ -19,4 +19,4 @@ def blocks(bundle, findings):
     yield Text("The p~ of a converted path is that of the form in which the curve is given, so the tables show what the "
                "conversion adds. "
                "The figure draws methods that agree at every degree as one line.")
-    yield from replay(bundle, PREFIX)
+    yield from replay(bundle, SUITE)

@@ -8,7 +8,7 @@ from ..wording import count, general, large, listing
 from .suite_parts import figure, of_suite
 
 TITLE = "Other libraries"
-PREFIX = "peers-"
+SUITE = "peers"
 PEER = "peer_"  # how the ids of other libraries' methods begin
 ERRORS = (("mean error / (u p~)", "mean_error_u"), ("largest error / (u p~)", "max_error_u"), ("largest error", "max_error"))
 MODES = {"point": "ns per point, prepared", "one_shot": "ns, prepare and one point"}
@@ -16,10 +16,10 @@ MODES = {"point": "ns per point, prepared", "one_shot": "ns, prepare and one poi
 
 def blocks(bundle, findings):
     """Findings, the figure, then one table: each method's errors and times, degree by degree."""
-    table = bundle.exact(PREFIX)
+    table = bundle.exact(SUITE)
     errors = table.select(curve="bezier", scalar="double", dimension=2)
     if not any(r["method"].startswith(PEER) for r in errors):
-        raise Missing(f"`unstable.csv` has no method of another library in a study whose id starts with `{PREFIX}`")
+        raise Missing(f"`unstable.csv` has no method of another library in a study of the suite `{SUITE}`")
     times = times_of(bundle)
     yield from of_suite(findings, "peers")
     yield from figure("peers_against_degree", bundle)
@@ -38,7 +38,7 @@ def blocks(bundle, findings):
 def times_of(bundle):
     """The timing rows of the suite, none where the bundle has no times."""
     try:
-        rows = bundle["timing.csv"].starting(PREFIX).rows
+        rows = bundle["timing.csv"].of_suite(SUITE).rows
     except Missing:
         return []
     return [r for r in rows if r["degree"] is not None and r["curve"] == "bezier" and r["mode"] in MODES]

@@ -6,19 +6,19 @@ from ..error_tables import error_tables, swept
 from .suite_parts import figure, of_suite, replay
 
 TITLE = "At the limits: parameters, coordinates, degrees, float, dimensions"
-PREFIX = "regimes-"
+SUITE = "regimes"
 
 
 def blocks(bundle, findings):
     """Findings, the figure, then the tables of each study along the axis that it varies."""
-    table = bundle.exact(PREFIX)
+    table = bundle.exact(SUITE)
     yield from of_suite(findings, "regimes")
     yield from figure("regimes_overview", bundle)
     for study in table.distinct("study"):
         rows = table.select(study=study)
-        yield Heading(study.removeprefix(PREFIX).capitalize())
+        yield Heading(bundle.title(study))
         yield from error_tables(study, rows, *swept(rows))
     yield Text("u is that of the scalar: 2^-53 for double, 2^-24 for float. Means are over finite trials; where trials "
                "overflow, the finite "
                "ones of that cell are its milder ones, and its mean cannot be compared with those of other cells.")
-    yield from replay(bundle, PREFIX)
+    yield from replay(bundle, SUITE)

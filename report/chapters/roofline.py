@@ -7,9 +7,10 @@ from ..limits import nearness, reading_limits, share_of_limit
 from ..methods import form
 from ..tables import by_axis
 from ..wording import general, listing, percent, shortest
-from .suite_parts import figure, of_suite
+from .suite_parts import figure, of_suite, study_figure
 
 TITLE = "Kernels against the peak and the limit of this machine"
+KIND = SUITE = "roofline"
 SIGN = {"yes": " ✓", "no": " ✗"}
 
 
@@ -28,10 +29,17 @@ def blocks(bundle, findings):
                "study in that race; others were at work.")
     if reading := reading_limits(table.rows):
         yield reading
+    for study in table.distinct("study"):
+        yield from study_figure(bundle, study)
+        yield from study_tables(bundle, study)
+
+
+def study_tables(bundle, study):
+    """A table for each scalar type and number of axes."""
     kinds = {}
-    for row in table.rows:
-        kinds.setdefault((row["study"], row["scalar"], row["dimension"]), []).append(row)
-    for (study, scalar, dimension), members in kinds.items():
+    for row in bundle["roofline.csv"].some(study=study):
+        kinds.setdefault((row["scalar"], row["dimension"]), []).append(row)
+    for (scalar, dimension), members in kinds.items():
         english, chinese = form(members[0]["curve"])
         interval = "" if (members[0]["t_min"], members[0]["t_max"]) == (0, 1) else \
             f", t in [{shortest(members[0]['t_min'])}, {shortest(members[0]['t_max'])}]"

@@ -10,6 +10,7 @@ from ..tables import MARK, axis_label
 from ..wording import as_printed, general, interval, scientific, shortest
 
 TITLE = "Scorecard"
+SUITE = "report"
 VERDICTS = ("inside", "explained", "untestable", "outside")
 FILES = ("scorecard.csv", "scorecard_timing.csv")
 

@@ -5,10 +5,10 @@ from ..document import Cell, Text
 from ..error_tables import error_tables, swept
 from ..tables import by_axis
 from ..wording import large
-from .suite_parts import figure, of_suite, with_times
+from .suite_parts import figure, of_suite, study_figure, with_times
 
 TITLE = "Subdivision"
-PREFIX = "subdivision-"
+SUITE = KIND = "subdivision"
 COUNTS = (("junctions apart", "junctions_apart"), ("ends moved", "ends_moved"), ("points off", "points_off"),
           ("bound violations", "bound_violations"), ("not finite", "non_finite"))
 
@@ -31,16 +31,22 @@ def _kept(study, rows):
                    f"({large(sum(r['trials'] for r in rows))} trials of all methods)", "两段不相接的次数", lines, row_head="trials")
 
 
+def study_tables(bundle, study):
+    """Errors, then what does not fit together."""
+    rows = bundle["subdivision.csv"].some(study=study)
+    yield from error_tables(study, rows, *swept(rows))
+    yield _kept(study, rows)
+
+
 @with_times("subdivision")
 def blocks(bundle, findings):
     """Findings, the figure, then the tables of each study: errors, and what does not fit together."""
-    table = bundle["subdivision.csv"].starting(PREFIX)
-    yield from of_suite(findings, "subdivision")
+    table = bundle["subdivision.csv"].of_suite(SUITE)
+    yield from of_suite(findings, SUITE)
     yield from figure("subdivision_against_degree", bundle)
     for study in table.distinct("study"):
-        rows = table.select(study=study)
-        yield from error_tables(study, rows, *swept(rows))
-        yield _kept(study, rows)
+        yield from study_figure(bundle, study)
+        yield from study_tables(bundle, study)
     yield Text("Each control point of both halves is compared with the true one; p~ is that of the control point, the sum of the "
                "magnitudes that it is made of. A junction is apart where the last control point of the left half is not the first "
                "of the right one, an end is moved where it is not that of the curve, both to the last bit. A point is off where the "

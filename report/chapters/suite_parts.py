@@ -10,7 +10,7 @@ from ..time_tables import reading_times, time_tables, times
 from ..wording import general, interval, large, shortest
 
 
-COMPANION_PEERS = "companion_peers-"  # studies of several problems, each in the chapter of its own
+COMPANION_PEERS = "companion_peers"  # studies of several problems, each in the chapter of its own
 
 
 def of_suite(findings, suite):
@@ -23,6 +23,16 @@ def figure(name, bundle):
     module = importlib.import_module(f"..figures.{name}", __package__)  # needs matplotlib, which --summary does without
     try:
         return [module.draw(bundle)]
+    except Missing:
+        return []
+
+
+def study_figure(bundle, study):
+    """The figure of one study along the axis that it varies, as a list, empty where there is nothing to draw."""
+    from ..figures import study_lines
+
+    try:
+        return [study_lines.draw(bundle, study)]
     except Missing:
         return []
 
@@ -52,10 +62,10 @@ def with_times(problem, *figures):
     return around
 
 
-def replay(bundle, prefix):
+def replay(bundle, suite):
     """Where the inputs of the largest errors are, with the largest of them all as the example."""
     try:
-        kept = bundle["worst.csv"].starting(prefix).rows
+        kept = bundle["worst.csv"].of_suite(suite).rows
     except Missing:
         return []
     worst = max(kept, key=lambda r: r["error_u"] or 0)

@@ -6,6 +6,7 @@ from ..document import Definitions
 from ..tables import scorecard_tables
 
 TITLE = "The report's tables, with ours and the truth beside them"
+SUITE = "report"
 
 
 def blocks(bundle, _findings):

@@ -4,9 +4,11 @@
 from ..bundle import Missing
 from ..document import Text
 from ..limits import reading_limits, reading_load
-from ..time_tables import EVALUATION, reading_times, time_tables, times
+from ..time_tables import EVALUATION, UNITS, reading_times, time_tables, times
+from .suite_parts import study_figure
 
 TITLE = "Time per point on this machine"
+KIND = "timing"
 
 
 def blocks(bundle, _findings):
@@ -19,4 +21,15 @@ def blocks(bundle, _findings):
                "`latency`: likewise, each t waiting for the last point. `batch`: one curve, many t.")
     yield reading_times(bundle, EVALUATION)
     yield from filter(None, (reading_load(bundle), reading_limits(times(bundle, EVALUATION))))
-    yield from time_tables(bundle, EVALUATION)
+    for study in dict.fromkeys(r["study"] for r in times(bundle, EVALUATION)):
+        yield from study_figure(bundle, study)
+        yield from time_tables(bundle.only({study}), EVALUATION)
+
+
+def study_tables(bundle, study):
+    """Medians with their intervals, whatever problem was timed."""
+    part = bundle.only({study})
+    for problem in UNITS:
+        if times(part, problem):
+            yield from time_tables(part, problem)
+            yield reading_times(part, problem)

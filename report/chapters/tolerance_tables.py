@@ -8,17 +8,16 @@ from ..wording import shortest
 CELL = ("degree", "coordinate_range", "generator")  # what sets a table of a study apart
 
 
-def tolerance_tables(table, caption, caption_zh, lines):
-    """`lines` are (label, column, function of a value to its text); broken promises are marked."""
-    for study in table.distinct("study"):
-        cells = {}
-        for row in table.select(study=study):
-            cells.setdefault(tuple(row[c] for c in CELL), []).append(row)
-        for number, (cell, rows) in enumerate(cells.items(), 1):
-            degree, size, generator = cell
-            where = f"degree {shortest(degree)}, R = {shortest(size)}, {generator} inputs, {shortest(rows[0]['trials'])} curves"
-            yield by_axis(rows, "tolerance", f"{study}-{number}", f"{caption} ({where})", caption_zh,
-                          [_line(*line) for line in lines], row_head="quantity")
+def tolerance_tables(study, rows, caption, caption_zh, lines):
+    """Of the rows of a study. `lines` are (label, column, function of a value to its text); broken promises are marked."""
+    cells = {}
+    for row in rows:
+        cells.setdefault(tuple(row[c] for c in CELL), []).append(row)
+    for number, (cell, members) in enumerate(cells.items(), 1):
+        degree, size, generator = cell
+        where = f"degree {shortest(degree)}, R = {shortest(size)}, {generator} inputs, {shortest(members[0]['trials'])} curves"
+        yield by_axis(members, "tolerance", f"{study}-{number}", f"{caption} ({where})", caption_zh,
+                      [_line(*line) for line in lines], row_head="quantity")
 
 
 def _line(label, column, write):

@@ -6,12 +6,12 @@ from ..search_tables import search_tables
 from .suite_parts import figure, of_suite
 
 TITLE = "Worst cases, sampled and searched"
-PREFIX = "worst-"
+SUITE = "worst"
 
 
 def blocks(bundle, findings):
     """Findings, the figure, then sampled <= searched <= bound for every method and degree."""
-    tables = search_tables(bundle, PREFIX)
+    tables = search_tables(bundle, SUITE)
     yield from of_suite(findings, "worst")
     yield from figure("searched_maxima", bundle)
     yield from tables

@@ -2,7 +2,10 @@
 """The look that all figures share, and their deterministic SVG and PNG."""
 
 import contextlib
+import functools
 import io
+import itertools
+import math
 import re
 from pathlib import Path
 
@@ -11,14 +14,15 @@ with contextlib.chdir(Path(__file__).parent):  # it reads a file matplotlibrc of
 
 matplotlib.use("Agg")
 
+from matplotlib.colors import to_hex  # noqa: E402
 from matplotlib.figure import Figure as Canvas  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.patches import Patch  # noqa: E402
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullLocator  # noqa: E402
+from matplotlib.ticker import FixedFormatter, FixedLocator, FuncFormatter, LogLocator, NullLocator  # noqa: E402
 
-from ..document import Figure  # noqa: E402
+from ..document import Figure, Series  # noqa: E402
 from ..foreign import restored  # noqa: E402
-from ..wording import shortest  # noqa: E402
+from ..wording import general, shortest  # noqa: E402
 
 # Ink and paper are replaced by the page's colours where a figure is put into the page.
 INK = "#1b1f24"
@@ -27,6 +31,7 @@ FAINT = "#8a929b"
 # Readable on light and dark paper, and told apart by people who see no red or green.
 COLOURS = ("#2f7fc1", "#d2691e", "#2a9d6f", "#a05fb4", "#b8860b", "#c0506a", "#5b7a99")
 DASHED, DOTTED = (0, (5, 2)), (0, (1, 1.5))
+POINTS = 72  # of an inch in SVG
 PRINTED = "o"  # marker of the values that the source report prints
 
 STYLE = {
@@ -42,12 +47,12 @@ STYLE = {
 
 def styled(draw):
     """Draws under the common style and leaves the global settings alone."""
-    def with_style(bundle):
+    @functools.wraps(draw)
+    def with_style(*given):
         with matplotlib.rc_context():
             matplotlib.rcdefaults()  # a user's own settings change no page
             matplotlib.rcParams.update(STYLE)
-            return draw(bundle)
-    with_style.__doc__ = draw.__doc__
+            return draw(*given)
     return with_style
 
 
@@ -102,14 +107,77 @@ def legend(canvas, methods, dashed="continuous inputs", dotted="against exact"):
                   columnspacing=1.6, handlelength=2.3)
 
 
+def belongs(name, *artists):
+    """Says that these lines or areas are of the method of that name, beside those that its values are read from."""
+    for artist in artists:
+        artist.series_name, artist.beside = name, True
+
+
+def _name(artist):
+    label = artist.get_label()
+    return getattr(artist, "series_name", None) or (label if label and not str(label).startswith("_") else None)
+
+
+def _written(axis, value):
+    """A value as the axis names it: its own words where it has any."""
+    named = dict(zip(axis.get_majorticklocs(), (tick.get_text() for tick in axis.get_majorticklabels()))) \
+        if isinstance(axis.get_major_formatter(), FixedFormatter) else {}
+    return named.get(value) or general(float(value))
+
+
+def _reads(ax, canvas):
+    """The words of both axes: of a column of panels only the lowest names the axis across."""
+    x = ax.get_xlabel() or next((other.get_xlabel() for other in reversed(canvas.axes) if other.get_xlabel()
+                                 and abs(other.get_position().x0 - ax.get_position().x0) < 1e-6), "")
+    y = ax.get_ylabel() or next((other.get_ylabel() for other in canvas.axes if other.get_ylabel()
+                                 and abs(other.get_position().y0 - ax.get_position().y0) < 1e-6), "")
+    return ax.get_title(loc="left") or ax.get_title(), x, y
+
+
+def _all_series(canvas):
+    """What is drawn, by method; every artist of a method gets an id that says so."""
+    found, height, scale, numbers = {}, canvas.get_figheight() * POINTS, POINTS / canvas.dpi, itertools.count()
+    for ax in canvas.axes:
+        title, across, up = _reads(ax, canvas)
+        for artist in (*ax.get_lines(), *ax.collections, *ax.patches):
+            name = _name(artist)
+            if name is None or not ax.get_visible():
+                continue
+            colour, points = found.setdefault(name, (to_hex(_colour(artist)), []))
+            order = list(found).index(name)
+            artist.set_gid(f"s{order}-{next(numbers)}")
+            if not isinstance(artist, Line2D) or getattr(artist, "beside", False):
+                continue
+            rows = getattr(artist, "rows", None)
+            for at, (x, y) in enumerate(zip(artist.get_xdata(), artist.get_ydata())):
+                place = ax.transData.transform((x, y)) * scale
+                if not (isinstance(x, (int, float)) and isinstance(y, (int, float)) and all(map(math.isfinite, place))):
+                    continue
+                words = f"{across} {_written(ax.xaxis, x)}, {up} {_written(ax.yaxis, y)}" + (f" ({title})" if title else "")
+                points.append((round(float(place[0]), 1), round(float(height - place[1]), 1), words, rows[at] if rows else None))
+    for legend in [*canvas.legends, *(ax.get_legend() for ax in canvas.axes if ax.get_legend())]:
+        for text in legend.get_texts():
+            if text.get_text() in found:
+                text.set_gid(f"s{list(found).index(text.get_text())}-{next(numbers)}")
+    return tuple(Series(name, colour, tuple(points)) for name, (colour, points) in found.items())
+
+
+def _colour(artist):
+    if isinstance(artist, Line2D):
+        return artist.get_markeredgecolor() if artist.get_linestyle() == "None" else artist.get_color()
+    colour = artist.get_facecolor()
+    return colour[0] if getattr(colour, "ndim", 1) == 2 else colour
+
+
 def finish(canvas, figure_id, caption, caption_zh, alt, bottom=0.75):
     """Lays the figure out and renders it twice, without dates or versions."""
     canvas.tight_layout(rect=(0, bottom / canvas.get_figheight(), 1, 1))
+    series = _all_series(canvas)
     svg, png = io.StringIO(), io.BytesIO()
     canvas.savefig(svg, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
     canvas.savefig(png, format="png", dpi=150, metadata={"Software": None})
     return Figure(id=figure_id, caption=caption, caption_zh=caption_zh, alt=alt, svg=restored(_lean(svg.getvalue())),
-                  png=png.getvalue())
+                  png=png.getvalue(), series=series)
 
 
 def _lean(svg):

@@ -14,7 +14,7 @@ GENERATOR = "continuous"
 @styled
 def draw(bundle):
     """Largest error of a coefficient against degree, continuous inputs; the mean dotted."""
-    table = bundle["conversion.csv"].starting("conversion-")
+    table = bundle["conversion.csv"].of_suite("conversion")
     studies = [s for s in table.distinct("study") if table.select(study=s, generator=GENERATOR, curve=tuple(NORMS))]
     if not studies:
         raise Missing(f"`conversion.csv` has no `conversion-` row with `{GENERATOR}` inputs that names its curve")

@@ -16,7 +16,7 @@ HIGHEST = 1e6  # a relative error above this says no more than one of it
 @styled
 def draw(bundle):
     """One point per cell: median relative error against median condition number, a panel for each form of curve."""
-    table = bundle.exact("conditioning-")
+    table = bundle.exact("conditioning")
     rows = [r for r in table.rows if positive(r, "p50_condition") and positive(r, "p50_relative")]
     curves = list(dict.fromkeys(r["curve"] for r in rows))
     if not rows:

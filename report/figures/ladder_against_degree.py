@@ -22,7 +22,7 @@ def _kind(method, points):
 @styled
 def draw(bundle):
     """Mean error over u p~ against degree, continuous inputs: per form of curve, the evaluators, then the paths."""
-    table = bundle.exact("ladder-")
+    table = bundle.exact("ladder")
     parts = []
     for curve in table.distinct("curve"):
         rows = table.select(curve=curve, generator=GENERATOR, scalar="double", dimension=2)

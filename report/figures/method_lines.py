@@ -17,13 +17,26 @@ def positive(row, column):
     return value if isinstance(value, float) and math.isfinite(value) and value > 0 else None
 
 
+class Point(tuple):
+    """(x, y) of a figure that knows the row that it is of."""
+
+    row = None
+
+
+def point_of(row, x, y):
+    """The point of a row."""
+    point = Point((x, y))
+    point.row = row
+    return point
+
+
 def series(rows, x, column):
-    """{method: [(x, value)] ascending} of the rows that a logarithmic axis can show."""
+    """{method: points ascending} of the rows that a logarithmic axis can show."""
     points = {}
     for row in rows:
         value = positive(row, column)
         if value is not None:
-            points.setdefault(row["method"], []).append((x(row), value))
+            points.setdefault(row["method"], []).append(point_of(row, x(row), value))
     return {method: sorted(line) for method, line in points.items()}
 
 
@@ -50,7 +63,8 @@ def draw_methods(ax, lines, look):
     for method, points in lines.items():
         alike.setdefault(tuple(points), []).append(method)
     for points, (first, *others) in sorted(alike.items(), key=lambda item: -item[0][-1][1]):
-        ax.plot(*zip(*points), **look[first], label=first + (f" (+{len(others)} alike)" if others else ""))
+        line, = ax.plot(*zip(*points), **look[first], label=first + (f" (+{len(others)} alike)" if others else ""))
+        line.rows = [getattr(point, "row", None) for point in points]
     beside(ax)
 
 
@@ -58,12 +72,13 @@ def draw_paths(ax, lines):
     """One thin line per path, coloured by its conversion."""
     groups = {}
     for method, points in lines.items():
-        groups.setdefault(conversion(method), []).append(points)
-    ordered = sorted(groups.items(), key=lambda item: -max(points[-1][1] for points in item[1]))
+        groups.setdefault(conversion(method) or "given form", []).append((method, points))
+    ordered = sorted(groups.items(), key=lambda item: -max(points[-1][1] for _, points in item[1]))
     for i, (name, group) in enumerate(ordered):
-        for k, points in enumerate(group):
-            ax.plot(*zip(*points), color=COLOURS[i % len(COLOURS)], linewidth=0.9, alpha=0.85,
-                    label=f"{name} ({len(group)})" if k == 0 else None)
+        for k, (method, points) in enumerate(group):
+            line, = ax.plot(*zip(*points), color=COLOURS[i % len(COLOURS)], linewidth=0.9, alpha=0.85,
+                            label=f"{name} ({len(group)})" if k == 0 else None)
+            line.series_name, line.rows = method, [getattr(point, "row", None) for point in points]
     beside(ax)
 
 

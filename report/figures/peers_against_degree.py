@@ -12,10 +12,10 @@ ID = "peers-against-degree"
 @styled
 def draw(bundle):
     """Mean error over u p~ against degree and, where the bundle has them, nanoseconds per prepared point."""
-    errors = bundle.exact("peers-").select(curve="bezier", scalar="double", dimension=2)
+    errors = bundle.exact("peers").select(curve="bezier", scalar="double", dimension=2)
     quantities = [("mean error / (u p~)", series(errors, lambda r: r["degree"], "mean_error_u"))]
     try:
-        times = [r for r in bundle["timing.csv"].starting("peers-").rows if r["mode"] == "point" and r["degree"] is not None]
+        times = [r for r in bundle["timing.csv"].of_suite("peers").rows if r["mode"] == "point" and r["degree"] is not None]
         quantities.append(("ns per point", series(times, lambda r: r["degree"], "median_ns")))
     except Missing:
         pass  # a run may leave timings out

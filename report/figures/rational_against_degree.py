@@ -12,7 +12,7 @@ ID = "rational-against-degree"
 @styled
 def draw(bundle):
     """Mean error over u p~ against degree in double, of the first study that varies the degree."""
-    table = bundle.exact("rational-")
+    table = bundle.exact("rational")
     ladders = [s for s in table.distinct("study", scalar="double") if len(table.distinct("degree", study=s)) > 1]
     if not ladders:
         raise Missing("`accuracy.csv` has no `rational-` study in double that varies the degree")

@@ -43,10 +43,10 @@ def _draw(ax, across, down, kinds, rows, look):
 @styled
 def draw(bundle):
     """A panel for each study: mean error over u p~ along its axis."""
-    table = bundle.exact("regimes-")
+    table = bundle.exact("regimes")
     parts = list(_panels(table))
     if not parts:
-        raise Missing("`accuracy.csv` has no `regimes-` row of a method without conversion")
+        raise Missing("`accuracy.csv` has no row of the suite `regimes` of a method without conversion")
     look = looks(list(dict.fromkeys(r["method"] for *_, rows in parts for r in rows)))
     lines = (len(parts) + 1) // 2
     canvas, axes = panels(lines, 2, height=2.9)
@@ -56,12 +56,12 @@ def draw(bundle):
         _draw(ax, across, down, kinds, rows, look)
         shown = "" if len({r[down] for r in rows}) == 1 else (
             ": lines are double, circles float" if down == "scalar" else f": {named(down, kinds[0])}")
-        ax.set_title(f"{study.removeprefix('regimes-')}{shown}", loc="left")
+        ax.set_title(f"{bundle.title(study)}{shown}", loc="left", fontsize=8.5)
         ax.set_xlabel(AXIS[across])
         ax.set_ylabel("mean error / (u p~)")
     handles = [axes.flat[0].plot([], [], **look[m], label=m)[0] for m in look]
     canvas.legend(handles=handles, loc="lower center", ncol=3, fontsize=8, handlelength=3, columnspacing=1.6)
     return finish(canvas, ID, "Mean error over u p~ at the limits, methods that evaluate the given form; those that agree "
                               "share a line", "极端情形下的平均误差（以 u p~ 计）",
-                  f"{len(parts)} panels, logarithmic: " + ", ".join(f"{s.removeprefix('regimes-')} along {a}" for s, a, *_ in parts) +
+                  f"{len(parts)} panels, logarithmic: " + ", ".join(f"{bundle.title(s)} along {a}" for s, a, *_ in parts) +
                   ". The numbers stand in the tables below.", bottom=0.25 + 0.17 * ((len(look) + 2) // 3))

@@ -31,7 +31,7 @@ def _line(ax, y, row):
 @styled
 def draw(bundle):
     """A panel for each form and degree; converted paths, whose bounds lie decades higher, stand in the table."""
-    rows = [r for r in bundle["search.csv"].starting("worst-").rows if not conversion(r["method"]) and positive(r, "searched_error_u")]
+    rows = [r for r in bundle["search.csv"].of_suite("worst").rows if not conversion(r["method"]) and positive(r, "searched_error_u")]
     if not rows:
         raise Missing("`search.csv` has no `worst-` row of a method without conversion")
     curves = list(dict.fromkeys(r["curve"] for r in rows))

@@ -5,6 +5,8 @@ from ..bundle import Missing
 from ..document import Finding
 from ..wording import count, general, large, listing
 
+SUITE = ""  # of any bundle
+
 
 def in_part(row):
     """Whether the bounds cover only a part of the trials: the largest error exceeds all bounds, but no trial violates
@@ -27,7 +29,7 @@ def find(bundle):
     studies = dict.fromkeys(f"`{r['study']}`" for r in partly)
     methods = listing(dict.fromkeys(f"`{r['method']}`" for r in broken))
     return Finding(
-        id="bounds_hold", about="reproduction", claim="", holds=not broken,
+        id="bounds_hold", about="reproduction" if bundle.has_suite("report") else "note", claim="", holds=not broken,
         headline=f"No proved error bound is exceeded in {large(trials)} judged evaluations." if not broken else
         f"A proved error bound is exceeded by {methods}: a bound or its condition is wrong.",
         detail=(f"{count(len(rows), 'cell')} of {count(len({r['method'] for r in rows}), 'method')} carry a bound. The closest "

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Which methods are worth choosing, by time and error."""
 
+from ..answer import useful
 from ..bundle import Missing
 from ..document import Finding
 from ..wording import general, listing
@@ -21,17 +22,17 @@ def race_cell(rows, curve, mode="point", scalar="double"):
 
 def find(bundle):
     """Holds where at every degree at least half of the methods are never worth choosing."""
-    table = bundle["pareto.csv"].starting("speed-")
+    table = bundle["pareto.csv"].of_suite("speed")
     degrees = race_cell(table.rows, "bezier")
     if not degrees:
         raise Missing("`pareto.csv` has no Bézier curves in double, mode `point`")
     off = {n: [r for r in rows if r["pareto"] == OFF] for n, rows in degrees.items()}
     holds = all(2 * len(off[n]) >= len(rows) for n, rows in degrees.items())
     top = max(degrees)
-    front = [r for r in degrees[top] if r["pareto"] == ON]
+    front = [r for r in degrees[top] if r["pareto"] == ON and useful(r["observed_max_u"], r["scalar"])]
     steps = [f"`{r['method']}` ({general(r['ns'])} ns, at most {general(r['observed_max_u'])} u p~ seen)" for r in front]
     always = [m for m in dict.fromkeys(r["method"] for rows in degrees.values() for r in rows)
-              if all(any(r["method"] == m and r["pareto"] == ON for r in rows) for rows in degrees.values())]
+              if all(any(r["method"] == m and r["pareto"] == ON and useful(r["observed_max_u"], r["scalar"]) for r in rows) for rows in degrees.values())]
     return Finding(
         id="choosing", about="suite", suite=SUITE, claim="", holds=holds,
         headline=("At every degree at least half of the methods are beaten in both time and error by another: " if holds else

@@ -27,7 +27,7 @@ def cells(bundle):
     """{(curve, method): rows by ascending condition number}, for rows with a median condition number and relative
     error."""
     found = {}
-    for row in bundle.exact("conditioning-").rows:
+    for row in bundle.exact("conditioning").rows:
         if row["p50_condition"] is not None and row["p50_relative"] is not None:
             found.setdefault((row["curve"], row["method"]), []).append(row)
     if not found:

@@ -22,18 +22,18 @@ def scale(row):
 
 
 def sources(bundle):
-    """Accuracy rows whose error is split into its sources."""
-    rows = [r for r in bundle.exact("conversion-").rows if all(r[c] is not None for c, _ in SOURCES)]
+    """Accuracy rows whose error was taken apart."""
+    rows = [r for r in bundle.exact("conversion").rows if all(r[c] is not None for c, _ in SOURCES)]
     if not rows:
-        raise Missing("`accuracy.csv` has no `conversion-` row with its error taken apart")
+        raise Missing("`accuracy.csv` has no row of the suite `conversion` with its error taken apart")
     return rows
 
 
 def to_power(bundle):
     """Rows of Bernstein curves that are evaluated in several intervals of t."""
-    rows = [r for r in bundle.exact("conversion-").rows if r["curve"] == "bezier"]
+    rows = [r for r in bundle.exact("conversion").rows if r["curve"] == "bezier"]
     if len({(r["t_min"], r["t_max"]) for r in rows}) < 2:
-        raise Missing("`accuracy.csv` has no `conversion-` study of Bézier curves with several intervals of t")
+        raise Missing("`accuracy.csv` has no study of the suite `conversion` of Bézier curves with several intervals of t")
     return rows
 
 

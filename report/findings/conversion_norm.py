@@ -12,10 +12,9 @@ WITHIN = 4  # times u R sqrt(d) norm, which the problem allows up to a constant
 
 
 def find(bundle):
-    """Holds where, at every degree, some conversion to Bernstein form and every one to power form stays within the
-    norm."""
-    table = bundle["conversion.csv"].starting("conversion-")
-    ratios = {}  # (curve, conversion): (largest error over u R sqrt(d) norm, its row)
+    """Holds where to Bernstein form some conversion keeps to the norm at every degree, and to power form every one does."""
+    table = bundle["conversion.csv"].of_suite("conversion")
+    ratios = {}  # (curve, conversion): largest of error over u R sqrt(d) norm, with its row
     for row in table.rows:
         if row["curve"] in NORMS and isinstance(row["max_error"], float) and row["max_error"] > 0:
             _, _, norm = NORMS[row["curve"]]

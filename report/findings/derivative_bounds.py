@@ -11,7 +11,7 @@ SUITE = "derivative"
 
 def find(bundle):
     """Holds where no derivative of any trial exceeds its proved bound."""
-    rows = [r for r in bundle["derivative.csv"].starting("derivative-").rows if r["bound_u"]]
+    rows = [r for r in bundle["derivative.csv"].of_suite("derivative").rows if r["bound_u"]]
     if not rows:
         raise Missing("`derivative.csv` has no `derivative-` row with a bound")
     broken = [r for r in rows if r["bound_violations"]]

@@ -9,8 +9,8 @@ SUITE = "fitting"
 
 
 def find(bundle):
-    """Holds where no data point is farther from a fitted curve than the tolerance or the claimed error."""
-    rows = bundle["fitting.csv"].starting("fitting-").rows
+    """Holds where no data point was farther from a fitted curve than asked for or than claimed."""
+    rows = bundle["fitting.csv"].of_suite("fitting").rows
     broken = [r for r in rows if r["broken_promises"] or r["understated"]]
     trials = sum(r.number("trials") for r in rows)
     closest = max((r for r in rows if r["max_error_over_tolerance"] is not None), key=lambda r: r["max_error_over_tolerance"])

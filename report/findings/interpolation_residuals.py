@@ -6,7 +6,6 @@ from ..document import Finding
 from ..wording import general, large, shortest
 
 SUITE = "interpolation"
-PREFIX = "interpolation-"
 METHOD, PLAIN = "c2_natural", "c2_natural_handles"
 GOAL = 8  # units of u times the largest coordinate
 RESIDUALS = ("max_data_u", "max_c0_u", "max_c1_u", "max_c2_u", "max_natural_u")
@@ -19,10 +18,10 @@ def largest_residual(row):
 
 def find(bundle):
     """Holds where the refined spline keeps the goal in every cell and breaks no bound."""
-    table = bundle["interpolation.csv"].starting(PREFIX)
+    table = bundle["interpolation.csv"].of_suite(SUITE)
     ours, plain = table.select(method=METHOD), table.select(method=PLAIN)
     if not ours or not plain:
-        raise Missing(f"an `{PREFIX}` study needs `{METHOD}` and `{PLAIN}`")
+        raise Missing(f"a study of the suite `{SUITE}` needs `{METHOD}` and `{PLAIN}`")
     worst, other = max(ours, key=largest_residual), max(plain, key=largest_residual)
     holds = largest_residual(worst) <= GOAL and not any(r["bound_violations"] for r in ours)
     sets = large(sum(r.number("trials") for r in ours))

@@ -13,7 +13,7 @@ STRICTEST = 1e-12  # below this, rounding errors decide
 
 def find(bundle):
     """Holds where the guarded methods always converge and no method breaks a promise."""
-    table = bundle["inverse_arc_length.csv"].starting("inverse_arc_length-")
+    table = bundle["inverse_arc_length.csv"].of_suite("inverse_arc_length")
     guarded = [r for r in table.select(method=GUARDED) if r["tolerance"] >= STRICTEST]
     if not guarded:
         raise Missing(f"`inverse_arc_length.csv` has no row of {names(GUARDED)} at {STRICTEST:g} or above")

@@ -11,7 +11,7 @@ EVEN = 1e-9  # relative difference from the mean up to which gaps are called eve
 
 def find(bundle):
     """Holds where points at true parameters are even on every curve, and points at equal steps of t on none."""
-    table = bundle["spacing.csv"].starting("inverse_arc_length-")
+    table = bundle["spacing.csv"].of_suite("inverse_arc_length")
     gaps = {spacing: [r for r in table.select(spacing=spacing) if r["gap"] is not None] for spacing in ("parameter", "arc_length")}
     if not all(gaps.values()):
         raise Missing("`spacing.csv` has no gaps of both spacings")

@@ -9,8 +9,8 @@ PRINTED, GUARDED = "seed_000_newton", "bracketed_newton"
 
 
 def find(bundle):
-    """Holds where the document's iteration fails on curves on which the guarded methods converge."""
-    table = bundle["inverse_arc_length.csv"].starting("inverse_arc_length-")
+    """Holds where the document's iteration fails on curves on which a bracket does not."""
+    table = bundle["inverse_arc_length.csv"].of_suite("inverse_arc_length")
     pairs = []
     for row in table.some(method=PRINTED):
         key = {c: row[c] for c in ("study", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator", "tolerance")}

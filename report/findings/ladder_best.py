@@ -12,7 +12,7 @@ GENERATOR = "continuous"
 
 def find(bundle):
     """Holds where in each form some method has the least mean error at every degree."""
-    table = bundle.exact("ladder-")
+    table = bundle.exact("ladder")
     always, lines, used = {}, [], []
     for curve in table.distinct("curve", generator=GENERATOR):
         methods = by_degree(table.select(curve=curve, generator=GENERATOR, scalar="double", dimension=2))

@@ -13,9 +13,8 @@ LOST = 2.0 ** 53  # in units of u p~: an error as large as the terms of the curv
 
 
 def find(bundle):
-    """Holds where the error of every method for the given form grows at most like the degree, and that of some
-    converted path faster."""
-    table = bundle.exact("ladder-")
+    """Holds where every method that evaluates the given form grows at most with the degree, and some converted path faster."""
+    table = bundle.exact("ladder")
     lines, flat, fast, native_fast, used = [], [], [], [], []
     for curve in table.distinct("curve", generator=GENERATOR):
         methods = by_degree(table.select(curve=curve, generator=GENERATOR, scalar="double", dimension=2))

@@ -12,8 +12,8 @@ LOSS = 1000  # three digits
 
 
 def find(bundle):
-    """Holds where, at the highest degree, the mean error with the cache is more than a thousand times as large."""
-    methods = by_degree(bundle.exact("peers-").select(curve="bezier", scalar="double", dimension=2, method=(CACHED, DIRECT)))
+    """Holds where at the highest degree the cache errs more than a thousand times as much, on average."""
+    methods = by_degree(bundle.exact("peers").select(curve="bezier", scalar="double", dimension=2, method=(CACHED, DIRECT)))
     common = sorted(set(methods.get(CACHED, {})) & set(methods.get(DIRECT, {})))
     if not common:
         raise Missing(f"no degree of a `peers-` study has both `{CACHED}` and `{DIRECT}`")

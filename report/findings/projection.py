@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ..bundle import Missing
 
-PREFIX = "projection-"
+SUITE = "projection"
 FILE = "projection.csv"
 GOAL = 4  # units of 2^-52 times the largest coordinate
 
@@ -24,9 +24,9 @@ class Method:
         return self.missed / self.trials
 
 
-def rows_of(bundle, prefix=PREFIX):
-    """The rows with numbers, of all methods. Raises Missing where there are none."""
-    return bundle.judged(FILE).starting(prefix).some(status="ok")
+def rows_of(bundle, *suites):
+    """The rows of all methods that have numbers; Missing where there are none."""
+    return bundle.judged(FILE).of_suite(*suites or (SUITE,)).some(status="ok")
 
 
 def of_rows(rows):

@@ -13,7 +13,7 @@ COST = 4  # times the error under mild weights
 
 def find(bundle):
     """Holds where wild weights multiply no mean error over u p~ by more than a small constant."""
-    table = bundle.exact("rational-")
+    table = bundle.exact("rational")
     ladder = next((s for s in table.distinct("study", scalar="double") if len(table.distinct("degree", study=s)) > 1), None)
     if ladder is None:
         raise Missing("`accuracy.csv` has no `rational-` study in double that varies the degree")

@@ -29,8 +29,9 @@ def find_all(bundle):
     """(findings, [(name, what the bundle lacks)]); the second list has the findings that cannot be decided."""
     found, undecided = [], []
     for module in ROSTER:
-        if hasattr(module, "SUITE") and not bundle.has_suite(module.SUITE):
-            continue  # its chapter reports the missing suite
+        suite = getattr(module, "SUITE", "report")
+        if suite and not bundle.has_suite(suite):
+            continue
         name = module.__name__.rsplit(".", 1)[-1]
         try:
             with decided_by(bundle, f"the finding '{name.replace('_', ' ')}'"):
@@ -48,7 +49,7 @@ GROUPS = (
     ("Conclusions of the report that hold",
      lambda f: f.about == "conclusion" and f.holds or f.about == "correction" and not f.holds),
     ("Worth knowing", lambda f: f.about == "note"),
-    ("Beyond the report's tables", lambda f: f.about == "suite"),
+    ("What the suites show", lambda f: f.about == "suite"),
 )
 
 

@@ -8,12 +8,12 @@ from ..bundle import Missing
 GAIN = 1.5  # the gain over the sample that the search aims at; search.csv says `reached` where it got it
 
 
-def rows_of(bundle, prefix):
+def rows_of(bundle, *suites):
     """Rows whose maxima are numbers."""
-    rows = [r for r in bundle["search.csv"].starting(prefix).rows
+    rows = [r for r in bundle["search.csv"].of_suite(*suites).rows
             if all(isinstance(r[c], float) and math.isfinite(r[c]) for c in ("sampled_error_u", "searched_error_u"))]
     if not rows:
-        raise Missing(f"`search.csv` has no finite maximum of a study whose id starts with `{prefix}`")
+        raise Missing(f"`search.csv` has no finite maximum of the suite `{'` or `'.join(suites)}`")
     return rows
 
 

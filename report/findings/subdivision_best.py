@@ -11,12 +11,12 @@ SUITE = "subdivision"
 
 def find(bundle):
     """Holds where the same method has the least mean error over u p~ at every degree."""
-    table = bundle["subdivision.csv"].starting("subdivision-degree")
-    ranges = table.distinct("coordinate_range")
-    if not ranges:
-        raise Missing("`subdivision.csv` has no row of `subdivision-degree`")
-    size = min(ranges, key=lambda value: abs(float(value) - 1))
-    methods = by_degree(table.select(coordinate_range=size))
+    table = bundle["subdivision.csv"].of_suite(SUITE)
+    study = next((s for s in table.distinct("study") if len(table.distinct("degree", study=s)) > 1), None)
+    if study is None:
+        raise Missing("`subdivision.csv` has no study of the suite `subdivision` that varies the degree")
+    size = min(table.distinct("coordinate_range", study=study), key=lambda value: abs(value - 1))
+    methods = by_degree(table.select(study=study, coordinate_range=size))
     groups = {}
     for n, winners in best(methods).items():
         groups.setdefault(winners, []).append(n)

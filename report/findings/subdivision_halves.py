@@ -13,9 +13,9 @@ COUNTS = ("junctions_apart", "ends_moved", "points_off")
 
 def find(bundle):
     """Holds where every method shares the junction, keeps the ends and puts points of halves within the bounds."""
-    rows = [r for r in bundle["subdivision.csv"].starting("subdivision-").rows if any(r[c] is not None for c in COUNTS)]
+    rows = [r for r in bundle["subdivision.csv"].of_suite(SUITE).rows if any(r[c] is not None for c in COUNTS)]
     if not rows:
-        raise Missing("`subdivision.csv` has no `subdivision-` row that says whether halves fit together")
+        raise Missing("`subdivision.csv` has no row of the suite `subdivision` that says whether halves fit together")
     broken = [r for r in rows if any(r[c] for c in COUNTS)]
     trials = large(sum(r.number("trials") for r in rows))
     asked = [r for r in rows if r["points_off"] is not None]

@@ -12,7 +12,7 @@ SUITE = "worst"
 
 def find(bundle):
     """Holds where no searched maximum exceeds its proved bound."""
-    rows = rows_of(bundle, "worst-")
+    rows = rows_of(bundle, "worst")
     bounded = [r for r in rows if r["bound_u"]]
     if not bounded:
         raise Missing("`search.csv` has no `worst-` row with a bound")

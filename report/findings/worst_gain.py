@@ -10,8 +10,8 @@ SUITE = "worst"
 
 
 def find(bundle):
-    """Holds where most cells reach the gain that the search aims at."""
-    rows = rows_of(bundle, "worst-")
+    """Holds where most cells gained what was asked."""
+    rows = rows_of(bundle, "worst")
     by = {status: [r for r in rows if r["status"] == status] for status in ("reached", "near_bound", "short")}
     most = max(rows, key=gain)
     given = max((r for r in rows if ":" not in r["method"]), key=gain, default=None)

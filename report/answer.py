@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+"""Which method to choose: what the bundle knows of time and error, cell by cell, and which cell to show first."""
+
+from dataclasses import dataclass
+
+from .wording import interval, shortest
+
+# A largest error above this share of p~, the sum of the absolute terms, leaves so few digits that no time makes up for it.
+USELESS = 1e-3
+ROUNDOFF = {"double": 2.0 ** -53, "float": 2.0 ** -24}
+NO_TIME = "not timed"
+MOST = 20_000  # candidates that the page's picker holds
+FORMS = {"bezier": "Bernstein form", "polynomial": "power form", "rational": "rational curves"}
+
+
+@dataclass(frozen=True)
+class Cell:
+    """What is asked: one value of every axis of the picker."""
+
+    form: str
+    degree: float
+    mode: str
+    scalar: str
+    dimension: float
+    coordinate_range: float
+    t_min: float
+    t_max: float
+
+    @property
+    def where(self):
+        """Range and interval in words."""
+        return f"R = {shortest(self.coordinate_range)}, t in {interval(self.t_min, self.t_max)}"
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A method in a cell: the row with its errors, the row with its time where it has one, and a trial to replay."""
+
+    method: str
+    errors: object
+    timed: object = None
+    replay: str = ""
+
+    def number(self, timed_column, column):
+        """A number of the row of pareto.csv, or of accuracy.csv where there was no time."""
+        return self.errors[column] if self.timed is None else self.timed[timed_column]
+
+    @property
+    def error_u(self):
+        return self.number("observed_max_u", "max_error_u")
+
+    @property
+    def bound_u(self):
+        return self.number("bound_u", "bound_u")
+
+    @property
+    def ns(self):
+        return None if self.timed is None else self.timed["ns"]
+
+    @property
+    def front(self):
+        return "" if self.timed is None else self.timed["pareto"]
+
+
+def useful(error_u, scalar):
+    """Whether a largest error in units of u p~ leaves digits enough."""
+    return isinstance(error_u, float) and error_u * ROUNDOFF.get(scalar, ROUNDOFF["double"]) <= USELESS
+
+
+def _cell(row, mode):
+    return Cell(row["curve"] or "", row["degree"], mode, row["scalar"] or "double", row["dimension"], row["coordinate_range"],
+                row["t_min"], row["t_max"])
+
+
+def _replays(bundle):
+    """{(study, method, scalar, dimension, degree): id of the kept trial of the largest error}."""
+    kept = {}
+    for row in bundle.tables["worst.csv"].rows if "worst.csv" in bundle else ():
+        key = tuple(row[c] for c in ("study", "method", "scalar", "dimension", "degree"))
+        if key not in kept or (row["error_u"] or 0) > (kept[key]["error_u"] or 0):
+            kept[key] = row
+    return {key: row["worst_id"] for key, row in kept.items()}
+
+
+def candidates(bundle):
+    """{Cell: [Candidate]}: timed cells from pareto.csv; where nothing was timed those of accuracy.csv, with the largest error over
+    what generators draw."""
+    replays = _replays(bundle)
+    cells = {}
+    for row in bundle.tables["pareto.csv"].rows if "pareto.csv" in bundle else ():
+        replay = replays.get((row["accuracy_study"], row["method"], row["scalar"], row["dimension"], row["degree"]), "")
+        cells.setdefault(_cell(row, row["mode"]), {})[row["method"]] = Candidate(row["method"], row, row, replay)
+    if not cells and ("accuracy.csv" in bundle or "unstable.csv" in bundle):
+        rows = [r for r in bundle.judged().rows if r["baseline"] == "exact" and r["status"] == "ok" and r["max_error_u"] is not None]
+        for row in rows[:MOST]:
+            members = cells.setdefault(_cell(row, NO_TIME), {})
+            held = members.get(row["method"])
+            if held is None or row["max_error_u"] > held.error_u:
+                replay = replays.get(tuple(row[c] for c in ("study", "method", "scalar", "dimension", "degree")), "")
+                members[row["method"]] = Candidate(row["method"], row, None, replay)
+    return {cell: ranked(members.values(), cell.scalar) for cell, members in cells.items()}
+
+
+def ranked(members, scalar):
+    """The useful ones, fastest first, or, where nothing was timed, of the least error first; then the others."""
+    def key(one):
+        size = one.ns if one.ns is not None else one.error_u
+        return not useful(one.error_u, scalar), size is None, size if size is not None else 0.0
+    return sorted(members, key=key)
+
+
+def default_cell(cells):
+    """The cell that a page shows first: Bernstein form, double, in the plane, one point at a time, of a middle degree."""
+    def best(values, *wanted):
+        return next((w for w in wanted if w in values), values[0])
+    left = list(cells)
+    for axis, wanted in (("form", ("bezier",)), ("scalar", ("double",)), ("mode", ("point",)), ("dimension", (2.0,))):
+        chosen = best([getattr(c, axis) for c in left], *wanted)
+        left = [c for c in left if getattr(c, axis) == chosen]
+    degrees = sorted({c.degree for c in left})
+    return next(c for c in left if c.degree == degrees[len(degrees) // 2])

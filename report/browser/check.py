@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+"""The page in headless Chromium: python3 -I check.py. Exit 77 where Chromium or playwright-core is missing, with a line that says so.
+
+Debian's package `chromium` has the first; `npm install playwright-core` in build/browser, or wherever BEZIERBENCH_PLAYWRIGHT says,
+the second. Nothing else of this project needs either.
+"""
+
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+SKIPPED = 77
+TABLES, ROWS = 100, 1000
+
+
+def _playwright():
+    """The folder of playwright-core; None where there is none."""
+    places = [os.environ.get("BEZIERBENCH_PLAYWRIGHT", ""), *(str(ROOT / f"{build}/node_modules/playwright-core") for build in ("build/browser", "."))]
+    return next((place for place in places if place and (Path(place) / "package.json").is_file()), None)
+
+
+def _report():
+    spec = importlib.util.spec_from_file_location("isolated", HERE.parent / "isolated.py")
+    isolated = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(isolated)
+    isolated.load()
+
+
+def _large(bundle, out):
+    """Writes a page of a hundred thousand rows: tables of methods as a study of many cells has them."""
+    from report import output, render
+    from report.document import Cell, Chapter, Group, Table
+    names = [f"{root}_{number}" for number in range(ROWS // 5) for root in ("de_casteljau", "horner", "direct", "estrin", "volk")]
+    chapters = [Chapter(f"many-{number}", f"Study {number}", (Table(
+        id=f"table-{number}", caption="Mean error over u p~", head=("3",), groups=tuple(
+            Group(f"`{name}`", name, (("", [Cell(f"{at % 97}", f"{at % 97}.0", units=(("ulp", "2"),))]),))
+            for at, name in enumerate(names))),)) for number in range(TABLES)]
+    output.write(out, render.files(bundle, chapters, []))
+
+
+def main():
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
+    lacking = [name for name, there in (("chromium", chromium), ("node", shutil.which("node")), ("playwright-core", _playwright())) if not there]
+    if lacking:
+        print(f"skipped: not here: {', '.join(lacking)}")
+        return SKIPPED
+    _report()
+    from report import fixture
+    from report.bundle import Bundle
+    from report.__main__ import main as render
+    with tempfile.TemporaryDirectory() as place:
+        bundle, comparison = fixture.write(f"{place}/bundle"), fixture.write_comparison(f"{place}/comparison")
+        if code := render([str(bundle), "--comparison", str(comparison), "--out", f"{place}/page"]):
+            return code
+        _large(Bundle(bundle), f"{place}/large")
+        done = subprocess.run(["node", str(HERE / "page.mjs"), _playwright(), chromium, f"{place}/page", f"{place}/large"], check=False)
+        return done.returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// Opens a rendered page in Chromium and tries every control. Arguments: playwright-core's folder, Chromium, the rendered folder of a
+// bundle with all chapters, that of a large bundle. Prints one line per check that fails; exit 1 where any does.
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+
+const [, , library, executablePath, folder, large] = process.argv;
+const { chromium } = createRequire(`${library}/package.json`)("playwright-core");
+const failures = [];
+const trouble = [];
+let checks = 0;
+
+function check(holds, what) {
+  checks += 1;
+  if (!holds) failures.push(what);
+}
+
+const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
+
+async function open(path, options = {}, hash = "") {
+  const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, ...options });
+  await context.addInitScript(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => { window.copied = text; } } }));
+  const page = await context.newPage();
+  page.setDefaultTimeout(120000);
+  page.on("console", (message) => trouble.push(`${message.type()}: ${message.text()}`));
+  page.on("pageerror", (error) => trouble.push(`error: ${error.message}`));
+  page.on("request", (request) => { if (!request.url().startsWith(`file://${path}`)) trouble.push(`request: ${request.url()}`); });
+  await page.goto(`file://${path}${hash}`);
+  return page;
+}
+
+function parseCsv(text) {
+  const rows = [[]];
+  for (const [, quoted, plain, end] of text.matchAll(/(?:"((?:[^"]|"")*)"|([^",\n]*))(,|\n|$)/g)) {
+    rows.at(-1).push(quoted === undefined ? plain : quoted.replace(/""/g, '"'));
+    if (end === "\n") rows.push([]);
+    else if (end === "") break;
+  }
+  return rows.filter((row) => row.length > 1 || row[0]);
+}
+
+const normal = (rows) => rows.slice(1).map((row) => row.map((field) => field.replace(/[`*]/g, "").replace(/\u00a0/g, " ").trim()));
+
+// Numbers of the page are those of the CSV files beside it.
+async function numbers(page) {
+  const ids = await page.$$eval("main table", (all) => all.map((table) => table.id));
+  let compared = 0;
+  for (const id of ids) {
+    const table = page.locator(`[id="${id}"]`);
+    await table.evaluate((one) => one.scrollIntoView());
+    const tools = page.locator(`.scroll:has([id="${id}"])`).locator("xpath=preceding-sibling::*[1]");
+    await page.waitForFunction((one) => document.getElementById(one).closest(".scroll").previousElementSibling?.className === "tools", id);
+    await tools.getByRole("button", { name: "CSV" }).evaluate((button) => button.click());
+    const shown = normal(parseCsv(await page.evaluate(() => window.copied)));
+    const held = normal(parseCsv(readFileSync(`${folder}/tables/${id}.csv`, "utf-8")));
+    const different = (await table.evaluate((one) => one.closest("section").querySelector("h2").id)) === "tables" || shown[0]?.length !== held[0]?.length;
+    if (different) continue; // a CSV file that holds more than the page shows
+    compared += 1;
+    const odd = shown.findIndex((row, at) => row.join("|") !== held[at]?.join("|"));
+    check(odd === -1 && shown.length === held.length, `${id}: line ${odd + 2} of the page is '${shown[odd]}', of the file '${held[odd]}'`);
+  }
+  check(compared > 15, `only ${compared} tables could be compared with their files`);
+}
+
+async function tables(page) {
+  const id = await page.$eval('table[data-rows="methods"][data-units]', (table) => table.id);
+  const table = page.locator(`[id="${id}"]`);
+  await table.evaluate((one) => one.scrollIntoView());
+  const column = () => table.evaluate((one) => [...one.tBodies].filter((body) => !body.hidden).map((body) => Number(body.querySelector("td").dataset.v)));
+  const before = await column();
+  const button = table.locator("thead th button").nth(2);
+  await button.click();
+  const ascending = await column();
+  check(ascending.every((value, at) => !at || !(value < ascending[at - 1])), `${id}: ascending is ${ascending}`);
+  check(await table.locator("thead th[aria-sort=ascending]").count() === 1, "aria-sort is not set");
+  await button.press("Enter");
+  check((await column()).every((value, at, all) => !at || !(value > all[at - 1])), "descending is not");
+  check((await page.evaluate(() => location.hash)).includes("sort."), "the address does not know the order");
+  await button.press("Enter");
+  check(String(await column()) === String(before), "the third press does not bring the order back");
+  for (const name of ["CSV", "Markdown", "LaTeX"]) {
+    await page.locator(`.scroll:has([id="${id}"])`).locator("xpath=preceding-sibling::*[1]").getByRole("button", { name }).click();
+    const copied = await page.evaluate(() => window.copied);
+    check(copied.includes({ CSV: ",", Markdown: "| --- |", LaTeX: "\\begin{tabular}" }[name]), `${name}: ${copied.slice(0, 60)}`);
+  }
+  const cell = table.locator("td[data-coordinate]").first();
+  const [first, other] = [await cell.textContent(), await cell.getAttribute("data-coordinate")];
+  await page.getByLabel("errors in").selectOption("coordinate");
+  check(await cell.textContent() === other && first !== other, `in coordinate units it is ${await cell.textContent()}, not ${other}`);
+  check((await table.locator("caption").textContent()).includes("in coordinate units"), "the caption does not name the unit");
+  await page.getByLabel("errors in").selectOption("u");
+  check(await cell.textContent() === first, "the first unit does not come back");
+}
+
+const visible = (page) => page.$$eval('table[data-rows="methods"] tbody', (all) => all.filter((body) => !body.hidden).map((body) => body.dataset.key));
+
+async function filters(page) {
+  const all = await visible(page);
+  await page.locator("#view input").fill("casteljau");
+  await page.waitForTimeout(400);
+  const some = await visible(page);
+  check(some.length > 0 && some.length < all.length && some.every((key) => key.includes("casteljau")), `the filter leaves ${[...new Set(some)]}`);
+  check((await page.evaluate(() => location.hash)).includes("method=casteljau"), "the address does not know the filter");
+  await page.locator("#view input").fill("");
+  const family = page.getByLabel("family");
+  await family.selectOption({ index: 1 });
+  await page.waitForTimeout(400);
+  check((await visible(page)).length < all.length, "a family leaves everything");
+  await family.selectOption("");
+  await page.waitForTimeout(400);
+  check((await visible(page)).length === all.length, "not everything comes back");
+}
+
+async function answer(page) {
+  const rows = () => page.$$eval("#answer-table tbody", (all) => all.map((body) => [body.dataset.key, ...[...body.querySelectorAll("td")].map((cell) => Number(cell.dataset.v ?? cell.textContent))]));
+  const caption = () => page.locator("#answer-table caption").textContent();
+  const degree = page.locator("#picker").getByLabel("degree");
+  const options = await degree.locator("option").allTextContents();
+  check(options.length > 1, "there is one degree only");
+  for (const option of options) {
+    await degree.selectOption(option);
+    check((await caption()).includes(`degree ${option},`), `the caption is ${await caption()}`);
+    const times = (await rows()).map((row) => row[1]);
+    check(times.length > 0 && times.every((time, at) => !at || time >= times[at - 1]), `degree ${option}: times are ${times}`);
+  }
+  const errors = (await rows()).map((row) => row[2]).sort((a, b) => a - b);
+  const middle = errors[Math.floor(errors.length / 2) - 1];
+  const tolerance = page.locator("#picker").getByLabel("tolerance");
+  await tolerance.fill(String(middle));
+  await tolerance.press("Enter");
+  const right = (await rows()).map((row) => row[2]);
+  check(right.length === errors.filter((error) => error <= middle).length, `${right.length} methods keep ${middle}`);
+  check((await page.locator("#answer-sentence").textContent()).startsWith("Fastest within"), await page.locator("#answer-sentence").textContent());
+  check(await page.locator("#answer-figure svg g.missed").count() > 0, "the figure shows no method that misses the tolerance");
+  await tolerance.fill("1e-30");
+  await tolerance.press("Enter");
+  check((await page.locator("#answer-sentence").textContent()).startsWith("No method"), "a tolerance that none keeps has an answer");
+  await tolerance.fill("");
+  await tolerance.press("Enter");
+}
+
+async function figures(page) {
+  const figure = page.locator("#answer-figure");
+  await figure.scrollIntoViewIfNeeded();
+  const mark = figure.locator("svg g path").nth(1);
+  const box = await mark.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  check((await page.locator(".tip").textContent()).includes("u p~ seen"), "no values under the pointer");
+  await figure.focus();
+  await page.keyboard.press("ArrowRight");
+  const one = await page.locator("#said").textContent();
+  await page.keyboard.press("ArrowRight");
+  check(one && one !== await page.locator("#said").textContent(), "the arrow keys do not read the points");
+  const inPage = await page.$$eval("main figure", (all) => all.filter((one) => one.querySelector(".legend")).map((one) => one.id));
+  check(inPage.length > 8, `only ${inPage.length} figures have a legend`);
+  for (const id of inPage) {
+    const legend = page.locator(`[id="${id}"] .legend button`).first();
+    await legend.evaluate((button) => button.click());
+    check(await page.locator(`[id="${id}"] .dim`).count() > 0, `${id}: the legend isolates nothing`);
+    await legend.evaluate((button) => button.click());
+    check(await page.locator(`[id="${id}"] .dim`).count() === 0, `${id}: the legend does not let go`);
+  }
+  const replay = await page.evaluate(() => Object.entries(JSON.parse(document.getElementById("page-data").textContent).figures)
+    .flatMap(([id, series]) => series.flatMap((one) => one.points.filter((point) => point[3]).map((point) => [id, point[0], point[1], point[3]])))[0]);
+  check(replay, "no point knows what to replay");
+  if (replay) {
+    const at = await page.evaluate(([id, x, y]) => {
+      const svg = document.getElementById(id).querySelector("svg");
+      svg.scrollIntoView({ block: "center" });
+      const matrix = svg.getScreenCTM();
+      return [matrix.a * x + matrix.e, matrix.d * y + matrix.f];
+    }, replay);
+    await page.mouse.click(...at);
+    check(/^bezierbench replay \S+ \w+$/.test(await page.evaluate(() => window.copied)), `copied: ${await page.evaluate(() => window.copied)}`);
+  }
+}
+
+async function permalinks(path, page) {
+  await page.locator("#view input").fill("direct");
+  await page.locator("#picker").getByLabel("degree").selectOption({ index: 0 });
+  await page.waitForTimeout(400);
+  const [hash, left, caption] = [await page.evaluate(() => location.hash), await visible(page), await page.locator("#answer-table caption").textContent()];
+  const again = await open(path, {}, hash);
+  check(String(await visible(again)) === String(left), "a link does not bring the filter back");
+  check(await again.locator("#answer-table caption").textContent() === caption, "a link does not bring the answer back");
+  await again.context().close();
+}
+
+async function without(path) {
+  const page = await open(path, { javaScriptEnabled: false });
+  check(await page.locator("#answer-table tbody tr").count() > 1, "no answer without script");
+  check((await page.locator("#answer-sentence").textContent()).length > 20, "no sentence without script");
+  check(await page.locator("main table tbody tr").count() > 100, "tables are not whole without script");
+  check(await page.locator("button, input, select").count() === 0, "controls that do nothing");
+  await page.context().close();
+}
+
+async function looks(path) {
+  const phone = await open(path, { viewport: { width: 390, height: 844 } });
+  const width = await phone.evaluate(() => document.documentElement.scrollWidth);
+  check(width <= 390, `at 390 px the page is ${width} wide`);
+  const cut = await phone.$$eval("main table", (all) => all.filter((table) => {
+    table.scrollIntoView();
+    const cell = table.querySelector("tbody td");
+    return cell && cell.getBoundingClientRect().right > innerWidth + (cell.className.includes("words") ? 200 : 40);
+  }).map((table) => table.id));
+  check(cut.length === 0, `at 390 px no number is seen of ${cut}`);
+  await phone.context().close();
+  const dark = await open(path, { colorScheme: "dark" });
+  const paper = () => dark.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const night = await paper();
+  await dark.emulateMedia({ media: "print", colorScheme: "light" });
+  check(night !== await paper(), "dark and print have one paper");
+  check(!await dark.locator("#view").isVisible() && !await dark.locator(".tools").first().isVisible(), "controls are printed");
+  await dark.context().close();
+}
+
+// A hundred thousand rows: what a reader does takes no longer than a breath, on a busy machine too.
+async function many(path) {
+  const page = await open(path);
+  const rows = await page.$$eval("main tbody tr", (all) => all.length);
+  check(rows >= 100000, `the large page has ${rows} rows`);
+  const took = await page.evaluate(async () => {
+    const from = performance.now();
+    const input = document.querySelector("#view input");
+    input.value = "casteljau";
+    input.dispatchEvent(new Event("input"));
+    await new Promise((done) => setTimeout(() => requestAnimationFrame(done), 200));
+    return performance.now() - from;
+  });
+  check((await visible(page)).every((key) => key.includes("casteljau")), "the large page is not filtered");
+  check(took < 5000, `filtering took ${Math.round(took)} ms`);
+  const table = page.locator("main table").nth(50);
+  await table.evaluate((one) => one.scrollIntoView({ behavior: "instant" }));
+  await table.locator("thead th button").nth(1).click();
+  check(await table.locator("tbody:not([hidden]) td").first().textContent() === "0", "the large page is not sorted");
+  await page.context().close();
+}
+
+const path = `${folder}/report.html`;
+const page = await open(path);
+for (const [name, part] of Object.entries({ numbers, tables, filters, answer, figures })) {
+  try {
+    await part(page);
+  } catch (error) {
+    failures.push(`${name}: ${error.message.split("\n")[0]}`);
+  }
+}
+for (const [name, part] of Object.entries({ permalinks: () => permalinks(path, page), without: () => without(path), looks: () => looks(path), many: () => many(`${large}/report.html`) })) {
+  try {
+    await part();
+  } catch (error) {
+    failures.push(`${name}: ${error.message.split("\n")[0]}`);
+  }
+}
+await browser.close();
+failures.push(...new Set(trouble));
+console.log(failures.length ? failures.join("\n") : `${checks} checks`);
+process.exit(failures.length ? 1 : 0);

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""A study of any kind: what it measures, along the axis that it varies."""
+
+from ..bundle import Missing
+from ..chapters.kinds import KINDS, rows_of
+from ..tables import AXIS, axis_label, axis_value
+from ..wording import general, shortest
+from .canvas import finish, panels, styled
+from .method_lines import degree_axis, draw_methods, draw_paths, error_axis, looks, point_of, positive
+
+APART = ("curve", "scalar", "mode", "target")  # a panel for each value; over what else varies the largest value is drawn
+MOST = 16  # lines with a look of their own
+FAR, FARTHEST = 1e3, 1e5  # times the best, in the largest value of a line
+MOST_TICKS = 12  # places that are named
+NARROW = ("interval", "placement", "data")  # axes whose values are places side by side
+WORDS = {"placement": "placement of the point", "data": "data", **AXIS}
+
+
+def _axis(kind, rows):
+    """The first axis of the kind that the rows vary; the last where they vary none."""
+    return next((a for a in kind.axes if len({axis_value(r, a) for r in rows}) > 1), kind.axes[-1])
+
+
+def _parts(rows):
+    """{what sets a panel apart: rows}."""
+    varies = [c for c in APART if len({r[c] for r in rows}) > 1]
+    parts = {}
+    for row in rows:
+        parts.setdefault(", ".join(str(row[c]) for c in varies if row[c]), []).append(row)
+    return parts
+
+
+def _lines(rows, where, axis, column, method):
+    """{method: points ascending}, at each place the row of the largest value."""
+    best = {}
+    for row in rows:
+        if positive(row, column) is not None:
+            key = row[method], where[axis_value(row, axis)]
+            if key not in best or row[column] > best[key][column]:
+                best[key] = row
+    lines = {}
+    for (name, place), row in sorted(best.items(), key=lambda item: item[0][1]):
+        lines.setdefault(name, []).append(point_of(row, place, row[column]))
+    return lines
+
+
+def _apart(lines):
+    """Lines that a common axis can show; what ends far above the best has an axis of its own, lest the others be one line."""
+    highest = {method: max(y for _, y in points) for method, points in lines.items()}
+    limit = FAR * min(highest.values(), default=0)
+    near = {method: points for method, points in lines.items() if highest[method] <= limit}
+    far = {method: points for method, points in lines.items() if method not in near}
+    if not far or max(highest.values()) < FARTHEST * min(highest.values()):
+        return [("", lines)] if lines else []
+    return [("the better methods", near), ("the others", far)]
+
+
+@styled
+def draw(bundle, study):
+    """A panel for each measure and, side by side under each other, each form, scalar type and mode."""
+    kind = KINDS[bundle.studies[study].kind]
+    rows = [r for r in rows_of(bundle, study) if r["method"] != "sentinel"]
+    axis = _axis(kind, rows)
+    values = list(dict.fromkeys(axis_value(r, axis) for r in rows))
+    if not any(v is None or isinstance(v, str) for v in values):
+        values.sort()
+    if None in values:
+        raise Missing(f"the study `{study}` has no axis that a figure can show")
+    side_by_side = axis in NARROW or axis == "coordinate_range"  # 1e-300 to 1e300 is too far for a logarithmic axis
+    where = dict(zip(values, range(len(values)) if side_by_side else values))
+    drawn = [(", ".join(filter(None, (label, more))), what, lines) for label, part in _parts(rows).items()
+             for column, what in kind.measures for more, lines in _apart(_lines(part, where, axis, column, kind.method))]
+    if not drawn:
+        raise Missing(f"the study `{study}` has no value that a logarithmic axis can show")
+    names = list(dict.fromkeys(m for *_, lines in drawn for m in lines))
+    canvas, axes = panels(len(drawn), 1, height=max(2.6, 0.17 * min(len(names), MOST + 8)))
+    look = {m: {**style, "marker": style["marker"] or "o"} for m, style in looks(names).items()}
+    words = []
+    for ax, (label, what, lines) in zip(axes[:, 0], drawn):
+        draw_methods(ax, lines, look) if len(names) <= MOST else draw_paths(ax, lines)
+        error_axis(ax)
+        if side_by_side:
+            named = values[::-(-len(values) // MOST_TICKS)]
+            ax.set_xticks([where[v] for v in named], [axis_label(v, axis) if not isinstance(v, str) else v for v in named], fontsize=8)
+        else:
+            degree_axis(ax, values)
+            ax.xaxis.set_major_formatter(lambda value, _: shortest(float(f"{value:.3g}")))
+        ax.set_title(label, loc="left")
+        ax.set_ylabel(what)
+        last = {m: points[-1][1] for m, points in lines.items()}
+        low, high = min(last, key=last.get), max(last, key=last.get)
+        words.append(f"{label + ', ' if label else ''}{what}: at the end {low} has the least, {general(last[low])}, and {high} the "
+                     f"largest, {general(last[high])}")
+    axes[-1][0].set_xlabel(WORDS[axis])
+    return finish(canvas, f"{study}-figure", f"{bundle.title(study)}, along the {WORDS[axis]}", "各方法的结果",
+                  "Logarithmic. " + "; ".join(words) + ".", bottom=0.1)

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""A page is about the suites of its bundle: a user's own studies of every kind are shown, and no other suite is spoken of."""
+
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from . import fixture, render
+from .bundle import Bundle
+from .chapters import studies
+from .chapters.kinds import KINDS
+from .chapters.roster import build_all
+from .findings.roster import find_all
+
+# One study of each kind, and one whose id looks like that of a known suite.
+STUDIES = ("truth-bezier", "conversion-bezier", "worst-bezier", "peers-speed", "roofline-bezier", "derivative-order", "subdivision-degree",
+           "arc_length-tolerance", "inverse_arc_length-tolerance", "projection-cubics", "interpolation-points", "fitting-cubics")
+TITLE = "Degree 20 on my machine"
+
+
+def _own(place, title=TITLE, printed=False):
+    """A bundle of these studies, all of one suite that nobody knows."""
+    path = fixture.write(place, lambda at, row: row.get("study") is None or row.get("study") in STUDIES,
+                         () if printed else ("scorecard.csv", "scorecard_timing.csv"))
+    parts = re.split(r"(?=\[\[suites)", fixture.suite_toml())
+    own = [part for part in parts if any(f'\nid = "{study}"\n' in part for study in STUDIES)]
+    (path / "suite.toml").write_text(f'[suite]\nid = "mine"\ntitle = "{title}"\n' + "".join(own).replace("[[suites.study]]", "[[study]]"))
+    return Bundle(fixture.seal(path))
+
+
+class OwnSuite(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        place = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(place.cleanup)
+        cls.bundle = _own(Path(place.name) / "b")
+        cls.chapters, cls.left_out = build_all(cls.bundle, find_all(cls.bundle))
+        cls.html = render.files(cls.bundle, cls.chapters, cls.left_out)["report.html"].decode()
+
+    def test_every_kind_is_tried(self):
+        self.assertEqual({self.bundle.studies[study].kind for study in STUDIES}, set(KINDS))
+
+    def test_every_study_has_its_figure_and_its_table(self):
+        own = next(chapter for chapter in self.chapters if chapter.id == "suite-mine")
+        shown = {}
+        for block in own.blocks:
+            if block.kind == "heading":
+                kinds = shown.setdefault(block.text, set())
+            kinds.add(block.kind)
+        self.assertEqual({self.bundle.title(study) for study in STUDIES}, set(shown))
+        for study, kinds in shown.items():
+            self.assertLessEqual({"figure", "table"}, kinds, study)
+
+    def test_the_title_is_that_of_the_suite(self):
+        self.assertIn(f"<h1>{TITLE}</h1>", self.html)
+        self.assertIn(f"<title>{TITLE} ", self.html)
+
+    def test_nothing_is_said_of_suites_that_are_not_there(self):
+        self.assertEqual(self.left_out, [])
+        for word in ("The report", "source report", "原报告", "regimes", "Scorecard", "Left out"):
+            self.assertNotIn(word, self.html, word)
+
+    def test_a_study_without_a_suite_is_shown(self):
+        with tempfile.TemporaryDirectory() as place:
+            path = fixture.write(Path(place) / "b", lambda at, row: row.get("study") in (None, "truth-bezier"), ("scorecard.csv",))
+            (path / "suite.toml").unlink()
+            bundle = Bundle(fixture.seal(path))
+            chapters, _ = build_all(bundle, find_all(bundle))
+            unnamed = next(chapter for chapter in chapters if chapter.title == studies.UNNAMED)
+            self.assertEqual([b.text for b in unnamed.blocks if b.kind == "heading"], ["truth-bezier"])
+
+    def test_what_no_chapter_of_a_known_suite_shows_has_its_own(self):
+        with tempfile.TemporaryDirectory() as place:
+            bundle = Bundle(fixture.write(Path(place) / "b"))
+            bundle = bundle.only({"companion_speed-fitting_errors", "companion_speed-fitting"})
+            chapters, _ = build_all(bundle, find_all(bundle))
+            left = next(chapter for chapter in chapters if chapter.id == "suite-companion_speed")
+            self.assertEqual([b.text for b in left.blocks if b.kind == "heading"], ["companion_speed-fitting_errors"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,155 @@
+// The answer: a picker over the cells of the bundle, which ranks the methods and draws them, time against error.
+
+const AXES = [["form", "form"], ["degree", "degree"], ["mode", "mode"], ["scalar", "scalar"], ["dimension", "axes"], ["where", "range"]];
+const WORTH = { yes: "✓ worth choosing", unresolved: "? perhaps", no: "beaten" };
+
+function useful(cell, one) {
+  return one.error_u !== null && one.error_u * data.answer.roundoff[cell.scalar] <= data.answer.useless;
+}
+
+function chosenCell() {
+  const { cells } = data.answer;
+  let left = cells;
+  for (const [axis] of AXES) {
+    const asked = state.get(axis);
+    const fits = left.filter((cell) => String(cell[axis]) === asked);
+    const first = left.find((cell) => cell === cells[data.answer.first]) ?? left[0];
+    left = fits.length ? fits : left.filter((cell) => cell[axis] === first[axis]);
+  }
+  return left[0];
+}
+
+function tolerance() {
+  const asked = Number(state.get("tolerance"));
+  return state.get("tolerance") && asked >= 0 ? asked : Infinity;
+}
+
+function ranked(cell) {
+  const coordinate = state.get("in") === "coordinate";
+  const most = tolerance();
+  return cell.methods.filter((one) => useful(cell, one) && (coordinate ? one.error : one.error_u) <= most);
+}
+
+function bounded(one) {
+  const bound = state.get("in") === "coordinate" ? one.bound : one.bound_u;
+  return bound !== null && bound <= tolerance();
+}
+
+function sentence(cell, methods) {
+  const asked = Number.isFinite(tolerance()) ? ` within ${general(tolerance())} ${state.get("in") === "coordinate" ? "coordinate units" : "u p~"}` : "";
+  if (!methods.length) return `No method of this bundle is right${asked} here; the largest errors of all stand in the tables below.`;
+  const [first] = methods;
+  const time = first.ns === null ? "" : `, ${general(first.ns)} ns per point`;
+  const proved = asked && bounded(first) ? "; its proved bound keeps the tolerance in these trials, too" : asked ? "; no proved bound says so, only the trials" : "";
+  const front = methods.filter((one) => one.front === "yes" && one !== first);
+  const best = !asked && front.length ? front.reduce((a, b) => (a.error_u <= b.error_u ? a : b)) : null;
+  const other = best ? ` Least error of those worth choosing: ${best.method}, ${general(best.ns)} ns, at most ${general(best.error_u)} u p~.` : "";
+  return `${first.ns === null ? "Least error" : "Fastest"}${asked}: ${first.method}${time}, at most ${general(first.error_u)} u p~ seen${proved}.${other}`;
+}
+
+function fillTable(cell, methods) {
+  const table = document.getElementById("answer-table");
+  const timed = cell.mode !== data.answer.untimed;
+  const td = (text, raw, mark) => make("td", { class: mark || false, "data-v": raw === null ? false : String(raw) }, text);
+  for (const body of [...table.tBodies]) body.remove();
+  table.append(...methods.map((one) => make("tbody", { class: "one", "data-key": one.method },
+    make("tr", {}, make("th", { class: "group", scope: "row" }, make("code", {}, one.method)),
+      ...(timed ? [td(`${general(one.ns)} [${general(one.low)} – ${general(one.high)}]${one.noisy ? " ~" : ""}`, one.ns)] : []),
+      td(general(one.error_u), one.error_u), td(general(one.bound_u), one.bound_u),
+      ...(timed ? [td(WORTH[one.front] ?? "", one.front, one.front === "yes" ? "inside" : "")] : [])))));
+  const caption = table.querySelector("caption strong");
+  caption.textContent = `Methods for ${cell.words}, ${timed ? "fastest" : "least error"} first`;
+  table.querySelectorAll("thead th").forEach((head) => head.removeAttribute("aria-sort"));
+}
+
+const COLOURS = data.colours;
+const SHAPES = [
+  (x, y) => `M${x - 4},${y}a4,4 0 1,0 8,0a4,4 0 1,0 -8,0`,
+  (x, y) => `M${x - 4},${y - 4}h8v8h-8z`,
+  (x, y) => `M${x},${y - 5}l5,9h-10z`,
+  (x, y) => `M${x},${y - 5}l5,5l-5,5l-5,-5z`,
+];
+
+function decades(low, high) {
+  const marks = [];
+  const wide = high / low > 30;
+  for (let e = Math.floor(Math.log10(low)); e <= Math.ceil(Math.log10(high)); e += 1) {
+    for (const lead of wide ? [1] : [1, 2, 5]) {
+      const at = Number(`${lead}e${e}`);
+      if (at >= low && at <= high) marks.push(at);
+    }
+  }
+  const every = Math.ceil(marks.length / 8);
+  return marks.filter((_, at) => at % every === 0);
+}
+
+function draw(cell, methods) {
+  const element = document.getElementById("answer-figure");
+  const shown = cell.methods.filter((one) => one.ns > 0 && one.error_u > 0 && useful(cell, one));
+  if (!element || !shown.length) {
+    element?.toggleAttribute("hidden", true);
+    return;
+  }
+  element.hidden = false;
+  const [width, height, left, bottom] = [640, 380, 64, 46];
+  const span = (values) => [Math.min(...values) / 1.25, Math.max(...values) * 1.25];
+  const [x0, x1] = span(shown.flatMap((one) => [one.low ?? one.ns, one.high ?? one.ns]));
+  const [y0, y1] = span(shown.flatMap((one) => [one.error_u, 1]));
+  const x = (v) => left + (width - left - 16) * Math.log(v / x0) / Math.log(x1 / x0);
+  const y = (v) => height - bottom - (height - bottom - 12) * Math.log(Math.min(v, y1) / y0) / Math.log(y1 / y0);
+  const svg = make("svg:svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Time against error, ${cell.words}` });
+  const text = (at, words, more = {}) => make("svg:text", { x: at[0], y: at[1], class: "ink", ...more }, words);
+  for (const at of decades(x0, x1)) svg.append(make("svg:path", { class: "rule", d: `M${x(at)},12V${height - bottom}` }), text([x(at), height - bottom + 16], general(at), { "text-anchor": "middle" }));
+  for (const at of decades(y0, y1)) svg.append(make("svg:path", { class: "rule", d: `M${left},${y(at)}H${width - 16}` }), text([left - 6, y(at) + 4], general(at), { "text-anchor": "end" }));
+  svg.append(text([(left + width) / 2, height - 8], "ns per point", { "text-anchor": "middle" }),
+    text([0, 0], "largest error seen, u p~", { "text-anchor": "middle", transform: `translate(14,${(height - bottom) / 2}) rotate(-90)` }));
+  const right = new Set(methods.map((one) => one.method));
+  const series = shown.map((one, at) => {
+    const colour = COLOURS[at % COLOURS.length];
+    const group = make("svg:g", { id: `answer-figure-s${at}-0`, class: right.has(one.method) ? "" : "missed", stroke: colour },
+      make("svg:path", { d: `M${x(one.low ?? one.ns)},${y(one.error_u)}H${x(one.high ?? one.ns)}`, "stroke-width": 2.2 }),
+      make("svg:path", { d: SHAPES[Math.floor(at / COLOURS.length) % SHAPES.length](x(one.ns), y(one.error_u)), fill: one.front === "yes" ? colour : "none", "stroke-width": 1.4 }));
+    if (one.bound_u > one.error_u) group.append(make("svg:path", { d: `M${x(one.ns)},${y(one.error_u)}V${y(one.bound_u)}`, "stroke-width": 0.8 }));
+    svg.append(group);
+    const words = `${general(one.ns)} ns, at most ${general(one.error_u)} u p~ seen${one.bound_u === null ? "" : `, bound ${general(one.bound_u)}`}`;
+    return { name: one.method, method: one.method, colour, points: [[x(one.ns), y(one.error_u), words, one.replay]] };
+  });
+  element.querySelector("svg").replaceWith(svg);
+  element.querySelector("figcaption").firstChild.textContent = `Time against the largest error seen, ${cell.words}; the thin line upwards leads to the proved bound, filled marks are worth choosing, faint ones miss the tolerance`;
+  dressFigure(element, series);
+}
+
+function showAnswer() {
+  const cell = chosenCell();
+  const methods = ranked(cell);
+  document.getElementById("answer-sentence").textContent = sentence(cell, methods);
+  fillTable(cell, methods);
+  draw(cell, methods);
+  const narrowed = AXES.some(([axis]) => state.has(axis)) || state.has("tolerance");
+  highlight(narrowed ? new Set(methods.filter((one) => one.front !== "no").map((one) => one.method)) : new Set());
+  picker(cell);
+}
+
+function picker(cell) {
+  const place = document.getElementById("picker");
+  const { cells } = data.answer;
+  let left = cells;
+  const controls = [];
+  for (const [axis, label] of AXES) {
+    const values = [...new Set(left.map((one) => one[axis]))].sort((a, b) => (typeof a === "number" ? a - b : 0));
+    const words = (one) => (axis === "form" ? data.answer.forms[one] ?? one : String(one));
+    if (values.length > 1 || ["form", "degree", "mode"].includes(axis)) {
+      controls.push(choice(label, values.map((one) => [String(one), words(one)]), String(cell[axis]), (chosen) => { remember(axis, chosen); showAnswer(); focusOn(label); }));
+    }
+    left = left.filter((one) => one[axis] === cell[axis]);
+  }
+  const input = make("input", { inputmode: "decimal", size: 7, placeholder: "any", value: state.get("tolerance") ?? "", change: () => { remember("tolerance", input.value.trim()); showAnswer(); focusOn("tolerance"); } });
+  controls.push(make("label", {}, "tolerance ", input),
+    choice("in", [["u", "u p~"], ["coordinate", "coordinate units"]], state.get("in") ?? "u", (chosen) => { remember("in", chosen === "u" ? "" : chosen); showAnswer(); focusOn("in"); }));
+  const form = make("form", { "aria-label": "What you evaluate", submit: (event) => { event.preventDefault(); input.dispatchEvent(new Event("change")); } }, ...controls);
+  place.replaceChildren(form);
+}
+
+function focusOn(label) {
+  [...document.querySelectorAll("#picker label")].find((one) => one.firstChild.textContent.trim() === label)?.querySelector("select, input").focus();
+}

@@ -1,0 +1,120 @@
+// Figures: the values under the pointer or, with the arrow keys, one after the other; a legend that isolates; replay commands.
+
+const figures = new Map(); // id: { svg, series, chosen }
+const tip = make("div", { class: "tip", hidden: true });
+
+function command(replay) {
+  return `bezierbench replay ${data.bundle} ${replay}`;
+}
+
+function shownSeries(figure) {
+  return figure.series.filter((one) => (!figure.chosen.size || figure.chosen.has(one.name)) && (!one.method || seen(one.method)));
+}
+
+function showFigure(figure) {
+  const shown = new Set(shownSeries(figure).map((one) => one.name));
+  const all = shown.size === 0 || shown.size === figure.series.length;
+  figure.series.forEach((one, at) => {
+    const dim = !all && !shown.has(one.name);
+    for (const mark of figure.svg.querySelectorAll(`[id^="${figure.id}-s${at}-"]`)) mark.classList.toggle("dim", dim);
+  });
+  for (const button of figure.legend?.querySelectorAll("button") ?? []) button.setAttribute("aria-pressed", String(figure.chosen.has(button.dataset.name)));
+}
+
+function showFigures() {
+  for (const figure of figures.values()) showFigure(figure);
+}
+
+function isolate(figure, name) {
+  if (!figure.chosen.delete(name)) figure.chosen.add(name);
+  remember(`only.${figure.id}`, [...figure.chosen].join("|"));
+  showFigure(figure);
+}
+
+function highlight(methods) {
+  for (const figure of figures.values()) {
+    if (!figure.follows) continue;
+    figure.chosen = new Set(figure.series.filter((one) => methods.has(one.method)).map((one) => one.name));
+    showFigure(figure);
+  }
+}
+
+function points(figure) {
+  return shownSeries(figure).flatMap((one) => one.points.map(([x, y, text, replay]) => ({ x, y, replay, text: `${one.name}: ${text}` })));
+}
+
+function onScreen(figure, point) {
+  const matrix = figure.svg.getScreenCTM();
+  return [matrix.a * point.x + matrix.e, matrix.d * point.y + matrix.f];
+}
+
+function showTip(figure, point) {
+  const [x, y] = onScreen(figure, point);
+  tip.replaceChildren(make("span", {}, point.text));
+  if (point.replay) tip.append(make("code", {}, command(point.replay)), make("small", {}, "click or Enter copies the command"));
+  tip.hidden = false;
+  const box = tip.getBoundingClientRect();
+  tip.style.left = `${Math.max(4, Math.min(x + 12, innerWidth - box.width - 4))}px`;
+  tip.style.top = `${y + 16 + box.height > innerHeight ? y - box.height - 12 : y + 16}px`;
+  figure.at = point;
+}
+
+function nearest(figure, event) {
+  let found = null;
+  let least = 28 ** 2;
+  for (const point of points(figure)) {
+    const [x, y] = onScreen(figure, point);
+    const distance = (x - event.clientX) ** 2 + (y - event.clientY) ** 2;
+    if (distance < least) [found, least] = [point, distance];
+  }
+  return found;
+}
+
+function take(figure) {
+  if (figure.at) copy(figure.at.replay ? command(figure.at.replay) : figure.at.text, figure.at.replay ? "the replay command" : "the values");
+}
+
+function step(figure, event) {
+  const moves = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
+  if (event.key === "Enter" && figure.at) return take(figure);
+  if (event.key === "Escape") { tip.hidden = true; return undefined; }
+  if (!(event.key in moves)) return undefined;
+  event.preventDefault();
+  const all = points(figure);
+  if (!all.length) return undefined;
+  const at = figure.at ? all.findIndex((one) => one.text === figure.at.text) : -1;
+  const next = all[(at + moves[event.key] + all.length) % all.length];
+  showTip(figure, next);
+  return say(next.text);
+}
+
+function dressFigure(element, series, follows = false) {
+  const svg = element.querySelector("svg");
+  const id = element.id;
+  const known = figures.get(id);
+  known?.legend?.remove();
+  const figure = { id, svg, series, follows, at: null, chosen: new Set((state.get(`only.${id}`) ?? "").split("|").filter(Boolean)) };
+  figures.set(id, figure);
+  figure.legend = make("div", { class: "legend", role: "group", "aria-label": "Show only" },
+    ...series.map((one) => make("button", { type: "button", "data-name": one.name, "aria-pressed": "false", click: () => isolate(figure, one.name) },
+      make("i", { style: `background:${one.colour}` }), one.name)));
+  if (series.length > 1) svg.after(figure.legend);
+  if (!known) {
+    const current = () => figures.get(id);
+    element.addEventListener("pointermove", (event) => {
+      if (!(event.target instanceof SVGElement)) return;
+      const point = nearest(current(), event);
+      if (point) showTip(current(), point);
+      else tip.hidden = true;
+    });
+    element.addEventListener("pointerleave", () => { tip.hidden = true; });
+    element.addEventListener("click", (event) => {
+      const point = event.target instanceof SVGElement && nearest(current(), event);
+      if (point) { showTip(current(), point); take(current()); }
+    });
+    element.addEventListener("keydown", (event) => { if (event.target === element) step(current(), event); });
+    element.addEventListener("blur", () => { tip.hidden = true; });
+    element.setAttribute("aria-description", "Arrow keys read the points, Enter copies");
+  }
+  showFigure(figure);
+}

@@ -1,0 +1,54 @@
+// Everything is put together here. Without it the page is whole, but still.
+
+// Whether the browser has a font for the Chinese captions: a glyph that is missing looks like any other that is.
+function lacksChinese() {
+  const canvas = make("canvas", { width: 40, height: 40 });
+  const pen = canvas.getContext("2d", { willReadFrequently: true });
+  const look = (text) => {
+    pen.clearRect(0, 0, 40, 40);
+    pen.font = "24px system-ui, 'Noto Sans CJK SC', 'PingFang SC', 'Microsoft YaHei', sans-serif";
+    pen.fillText(text, 4, 30);
+    return pen.getImageData(0, 0, 40, 40).data.join();
+  };
+  return look("误") === look("阶");
+}
+
+function goToPlace() {
+  const target = place && document.getElementById(decodeURIComponent(place));
+  if (target && location.hash.includes("?")) target.scrollIntoView();
+}
+
+function start() {
+  readAddress();
+  document.documentElement.classList.add("live");
+  document.body.append(said, tip);
+  viewBar();
+  const near = new IntersectionObserver((found) => {
+    for (const one of found) {
+      if (!one.isIntersecting) continue;
+      near.unobserve(one.target);
+      dress(one.target);
+    }
+  }, { rootMargin: "800px" });
+  for (const table of tables) near.observe(table);
+  for (const [id, series] of Object.entries(data.figures)) {
+    const element = document.getElementById(id);
+    if (element && id !== "answer-figure") dressFigure(element, series, id === "time-against-error");
+  }
+  if (data.answer) showAnswer();
+  if (document.querySelector("[lang=zh-Hans]") && lacksChinese()) {
+    document.querySelector("header").append(make("p", { class: "note" }, "No font of this machine has the Chinese captions; fonts-noto-cjk or fonts-wqy-zenhei shows them."));
+  }
+  goToPlace();
+}
+
+addEventListener("hashchange", () => {
+  if (!location.hash.includes("?")) {
+    place = location.hash.slice(1);
+    const query = new URLSearchParams([...state]).toString();
+    if (query) history.replaceState(null, "", `#${place}?${query}`);
+  } else {
+    location.reload();
+  }
+});
+start();
