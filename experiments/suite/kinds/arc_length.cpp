@@ -7,14 +7,14 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{
+constexpr std::array arc_length_fields{
     field<&ArcLengthKeys::tolerance>({.key = "tolerance",
                                       .meaning = "tolerances that the methods are given, relative to the length",
                                       .example = "[1e-3, 1e-6]",
                                       .needed = true,
                                       .axis = Axis::of_cases})};
 
-Finding check(const Study& study, const Vocabulary& /*known*/) {
+Finding check_arc_length(const Study& study, const Vocabulary& /*known*/) {
   return check_tolerances(keys_of<ArcLengthKeys>(study).tolerance);
 }
 
@@ -23,7 +23,7 @@ Finding check(const Study& study, const Vocabulary& /*known*/) {
 const Kind& ArcLengthKeys::kind() {
   static constexpr Kind kind{.id = "arc_length",
                              .about = "errors of arc lengths, and whether tolerances are kept",
-                             .own = own,
+                             .own = arc_length_fields,
                              .methods_example = "[\"gauss_legendre_adaptive\"]",
                              .inputs = {.forms = bernstein_form,
                                         .forms_reason = "lengths are those of polynomial Bezier curves",
@@ -32,7 +32,7 @@ const Kind& ArcLengthKeys::kind() {
                                         .parameters_reason = "the part to be measured"},
                              .companion = Problem::arc_length,
                              .keys = default_keys<ArcLengthKeys>,
-                             .check = check};
+                             .check = check_arc_length};
   return kind;
 }
 

@@ -7,14 +7,14 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&ConversionKeys::published>(
+constexpr std::array conversion_fields{field<&ConversionKeys::published>(
     {.key = "published",
      .meaning = "file of printed values in reference/published that the results are compared with",
      .example = "\"report_tables.csv\"",
      .left_out = "none",
      .settable = false})};
 
-Finding check(const Study& study, const Vocabulary& known) {
+Finding check_conversion(const Study& study, const Vocabulary& known) {
   return check_published(keys_of<ConversionKeys>(study).published, known);
 }
 
@@ -24,12 +24,12 @@ const Kind& ConversionKeys::kind() {
   static constexpr Kind kind{
       .id = "conversion",
       .about = "errors of the coefficients in another form",
-      .own = own,
+      .own = conversion_fields,
       .methods_example = "[\"factorial+positive_sum\"]",
       .inputs = {.forms = polynomial_forms, .forms_reason = "conversions take polynomial curves", .double_only = true},
       .chains = true,
       .keys = default_keys<ConversionKeys>,
-      .check = check};
+      .check = check_conversion};
   return kind;
 }
 

@@ -7,18 +7,19 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&FittingKeys::points>({.key = "points",
-                                                      .meaning = "numbers of data points, 2 to 1000000",
-                                                      .example = "[10, 100]",
-                                                      .needed = true,
-                                                      .axis = Axis::of_cases}),
-                         field<&FittingKeys::tolerance>({.key = "tolerance",
-                                                         .meaning = "distances from the data that a fit may have",
-                                                         .example = "[1e-2, 1e-4]",
-                                                         .needed = true,
-                                                         .axis = Axis::of_cases})};
+constexpr std::array fitting_fields{
+    field<&FittingKeys::points>({.key = "points",
+                                 .meaning = "numbers of data points, 2 to 1000000",
+                                 .example = "[10, 100]",
+                                 .needed = true,
+                                 .axis = Axis::of_cases}),
+    field<&FittingKeys::tolerance>({.key = "tolerance",
+                                    .meaning = "distances from the data that a fit may have",
+                                    .example = "[1e-2, 1e-4]",
+                                    .needed = true,
+                                    .axis = Axis::of_cases})};
 
-Finding check(const Study& study, const Vocabulary& /*known*/) {
+Finding check_fitting(const Study& study, const Vocabulary& /*known*/) {
   const auto& keys = keys_of<FittingKeys>(study);
   if (auto found = check_points(keys.points)) return found;
   return check_tolerances(keys.tolerance);
@@ -29,7 +30,7 @@ Finding check(const Study& study, const Vocabulary& /*known*/) {
 const Kind& FittingKeys::kind() {
   static constexpr Kind kind{.id = "fitting",
                              .about = "segments and errors of fits to data of random curves",
-                             .own = own,
+                             .own = fitting_fields,
                              .methods_example = "[\"schneider\"]",
                              .inputs = {.forms = bernstein_form,
                                         .forms_reason = "data are taken from polynomial Bezier curves",
@@ -41,7 +42,7 @@ const Kind& FittingKeys::kind() {
                                         .independent_points = true},
                              .companion = Problem::fitting,
                              .keys = default_keys<FittingKeys>,
-                             .check = check};
+                             .check = check_fitting};
   return kind;
 }
 

@@ -7,13 +7,14 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&InterpolationKeys::points>({.key = "points",
-                                                            .meaning = "numbers of data points, 2 to 1000000",
-                                                            .example = "[10, 100]",
-                                                            .needed = true,
-                                                            .axis = Axis::of_cases})};
+constexpr std::array interpolation_fields{
+    field<&InterpolationKeys::points>({.key = "points",
+                                       .meaning = "numbers of data points, 2 to 1000000",
+                                       .example = "[10, 100]",
+                                       .needed = true,
+                                       .axis = Axis::of_cases})};
 
-Finding check(const Study& study, const Vocabulary& /*known*/) {
+Finding check_interpolation(const Study& study, const Vocabulary& /*known*/) {
   return check_points(keys_of<InterpolationKeys>(study).points);
 }
 
@@ -22,7 +23,7 @@ Finding check(const Study& study, const Vocabulary& /*known*/) {
 const Kind& InterpolationKeys::kind() {
   static constexpr Kind kind{.id = "interpolation",
                              .about = "errors of splines through random points",
-                             .own = own,
+                             .own = interpolation_fields,
                              .methods_example = "[\"c2_natural\"]",
                              .inputs = {.forms = bernstein_form,
                                         .forms_reason = "splines are of polynomial Bezier curves",
@@ -34,7 +35,7 @@ const Kind& InterpolationKeys::kind() {
                                         .independent_points = true},
                              .companion = Problem::interpolation,
                              .keys = default_keys<InterpolationKeys>,
-                             .check = check};
+                             .check = check_interpolation};
   return kind;
 }
 

@@ -7,14 +7,14 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&InverseArcLengthKeys::tolerance>(
+constexpr std::array inverse_arc_length_fields{field<&InverseArcLengthKeys::tolerance>(
     {.key = "tolerance",
      .meaning = "tolerances that the methods are given, relative to the length of the whole curve",
      .example = "[1e-3, 1e-6]",
      .needed = true,
      .axis = Axis::of_cases})};
 
-Finding check(const Study& study, const Vocabulary& /*known*/) {
+Finding check_inverse_arc_length(const Study& study, const Vocabulary& /*known*/) {
   return check_tolerances(keys_of<InverseArcLengthKeys>(study).tolerance);
 }
 
@@ -23,7 +23,7 @@ Finding check(const Study& study, const Vocabulary& /*known*/) {
 const Kind& InverseArcLengthKeys::kind() {
   static constexpr Kind kind{.id = "inverse_arc_length",
                              .about = "errors of the parameter at a length, and whether tolerances are kept",
-                             .own = own,
+                             .own = inverse_arc_length_fields,
                              .methods_example = "[\"bracketed_newton\"]",
                              .inputs = {.forms = bernstein_form,
                                         .forms_reason = "lengths are those of polynomial Bezier curves",
@@ -32,7 +32,7 @@ const Kind& InverseArcLengthKeys::kind() {
                                         .parameters_reason = "the share of the length at which t is sought"},
                              .companion = Problem::inverse_arc_length,
                              .keys = default_keys<InverseArcLengthKeys>,
-                             .check = check};
+                             .check = check_inverse_arc_length};
   return kind;
 }
 
