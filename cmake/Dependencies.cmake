@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Every third-party package. Names of the Debian packages stand in scripts/setup.
+if(POLICY CMP0167)
+  cmake_policy(SET CMP0167 NEW) # Boost's own configuration: CMake 3.30 gave up FindBoost
+endif()
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Boost 1.74 REQUIRED)
 find_package(fmt REQUIRED)

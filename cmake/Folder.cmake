@@ -1,14 +1,22 @@
 # SPDX-License-Identifier: MIT
-# bezierbench_folder(NAME [SUBFOLDERS] [JOINED] DEPENDS target...): the sources of this folder, and with SUBFOLDERS those of
-# the folders in it, become the library NAME, their *_test.cpp the test program NAME_test. Files are globbed
-# so that adding a method or a study needs no second list.
+# bezierbench_folder(NAME [SUBFOLDERS] [JOINED n] [JOINED_TESTS n] DEPENDS target...): the sources of this folder, and with
+# SUBFOLDERS those of the folders in it, become the library NAME, their *_test.cpp the test program NAME_test. Files are
+# globbed so that adding a method or a study needs no second list.
 #
-# With JOINED GCC compiles up to eight sources as one translation unit, since most of a short one's time goes into what
-# it includes. Names in the unnamed namespaces of such a folder are different from each other. Clang compiles each source
-# by itself. Kernels and what times them are never joined: nothing of a caller may be inlined into them, or the reverse.
+# With JOINED GCC compiles up to n sources as one translation unit, with JOINED_TESTS up to n tests, since most of a short
+# one's time goes into what it includes. Names in the unnamed namespaces of such a folder are different from each other.
+# An error names the source, and Clang compiles each source by itself. Kernels and what times them are never joined:
+# nothing of a caller may be inlined into them, or the reverse.
 option(BEZIERBENCH_JOINED "compile the short sources of a folder together (GCC)" ON)
+# Does so for a target. Without a number each source is compiled by itself.
+function(bezierbench_join target number)
+  if(number AND BEZIERBENCH_JOINED AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${number})
+  endif()
+endfunction()
+
 function(bezierbench_folder name)
-  cmake_parse_arguments(FOLDER "SUBFOLDERS;JOINED" "" "DEPENDS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(FOLDER "SUBFOLDERS" "JOINED;JOINED_TESTS" "DEPENDS;TEST_DEPENDS" ${ARGN})
   set(patterns *.cpp)
   if(FOLDER_SUBFOLDERS)
     list(APPEND patterns */*.cpp)
@@ -21,9 +29,7 @@ function(bezierbench_folder name)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC numerics ${FOLDER_DEPENDS})
     target_precompile_headers(${name} REUSE_FROM precompiled)
-    if(FOLDER_JOINED AND BEZIERBENCH_JOINED AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-    endif()
+    bezierbench_join(${name} "${FOLDER_JOINED}")
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE numerics ${FOLDER_DEPENDS})
@@ -34,6 +40,7 @@ function(bezierbench_folder name)
     set_target_properties(${name}_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
     target_compile_options(${name}_test PRIVATE ${BEZIERBENCH_TEST_OPTIONS})
     target_precompile_headers(${name}_test REUSE_FROM precompiled_tests)
+    bezierbench_join(${name}_test "${FOLDER_JOINED_TESTS}")
     target_compile_definitions(${name}_test PRIVATE BEZIERBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     gtest_discover_tests(${name}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${BEZIERBENCH_TEST_SECONDS})
   endif()

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "reference/exact_conversion.hpp"
+#include "reference/rational_test.hpp"
 
 namespace bezierbench::reference {
 namespace {
@@ -34,8 +35,6 @@ Rational definition(Form form, const std::vector<double>& c, double t) {
   }
   return sum;
 }
-
-bool same(const Rational& a, const Rational& b) { return (a - b).numerator == 0; }
 
 const std::vector<double> nasty_t{
     0,      1,    0.5, 1.0 / 3, 1 - 0x1p-53, 0x1p-1074,   -0x1p-1074,

@@ -7,10 +7,10 @@
 #include <limits>
 #include <random>
 
+#include "reference/rational_test.hpp"
+
 namespace bezierbench::reference {
 namespace {
-
-bool same(const Rational& a, const Rational& b) { return (a - b).numerator == 0; }
 
 /// sum c_j C(n,j) x^j y^(n-j), term by term.
 Rational bernstein(const std::vector<Rational>& c, const Rational& x, const Rational& y) {
@@ -55,9 +55,9 @@ void expect_halves_of(const std::vector<Rational>& whole, const std::vector<Rati
   }
 }
 
-const std::vector<double> nasty_t{0,         1,          0.5, 1.0 / 3, 0x1p-53, 1 - 0x1p-53,
+const std::vector<double> split_t{0,         1,          0.5, 1.0 / 3, 0x1p-53, 1 - 0x1p-53,
                                   0x1p-1074, -0x1p-1074, 2.5, -1e300,  1e-300,  std::numeric_limits<double>::max()};
-const std::vector<std::vector<double>> nasty_c{
+const std::vector<std::vector<double>> split_c{
     {3.25},
     {0, 0, 0},
     {-0.0, 1},
@@ -68,8 +68,8 @@ const std::vector<std::vector<double>> nasty_c{
 };
 
 TEST(ExactSplit, HalvesAreTheCurveOverTheirIntervals) {
-  for (const auto& c : nasty_c)
-    for (const double t : nasty_t) {
+  for (const auto& c : split_c)
+    for (const double t : split_t) {
       const auto halves = exact_split({Form::bernstein, 1, static_cast<int>(c.size()) - 1, c}, t);
       std::vector<Rational> whole;
       for (const double value : c) whole.push_back(exactly(value));
@@ -81,7 +81,7 @@ TEST(ExactSplit, HalvesAreTheCurveOverTheirIntervals) {
 /// Numerators and weights, each on its own: one scale for both halves, not only the same curve.
 TEST(ExactSplit, OfRationalCurvesIsTheSplitInHomogeneousCoordinates) {
   const std::vector<double> all_weights{0x1p+60, 0x1p-60, 1, 3, 0x1p-60, 0x1p+60, 0.1, 1, 7};
-  for (const auto& c : nasty_c)
+  for (const auto& c : split_c)
     for (const double t : {0.0, 1.0, 0.5, 1.0 / 3, 0x1p-53, 1 - 0x1p-53, 0x1p-1074}) {
       const std::vector<double> w(all_weights.begin(), all_weights.begin() + static_cast<std::ptrdiff_t>(c.size()));
       const auto halves = exact_split({Form::rational, 1, static_cast<int>(c.size()) - 1, c, w}, t);
@@ -137,8 +137,8 @@ TEST(ExactSplit, OfTheCircleHasItsTangents) {
 /// The middles of the exact halves, term by term; neither t/2 nor (1 + t)/2 need be a double.
 TEST(ExactSplit, MiddlesAreThoseOfTheHalves) {
   const Rational half{1, 1, -1};
-  for (const auto& c : nasty_c)
-    for (const double t : nasty_t) {
+  for (const auto& c : split_c)
+    for (const double t : split_t) {
       const CurveView<double> curve{Form::bernstein, 1, static_cast<int>(c.size()) - 1, c};
       const auto halves = exact_split(curve, t);
       const auto middles = exact_middles(curve, t);

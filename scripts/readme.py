@@ -95,8 +95,10 @@ def digest():
     for bundle in committed_bundles():
         name = bundle.relative_to(ROOT)
         machine = json.loads((bundle / "machine.json").read_text(encoding="utf-8"))
-        body.append([f"[{name}]({name})", machine["build"]["compiler"], machine["cpu"]["model_name"], timings(bundle), agreement(bundle)])
-    return f"    {digest_of(BASELINE)}\n\n" + table(["bundle", "compiler", "processor", "timings", "methods in studies"], body)
+        body.append([f"[{name}]({name})", machine["build"]["compiler"], machine["system"]["libc"], machine["cpu"]["model_name"],
+                     timings(bundle), agreement(bundle)])
+    heads = ["bundle", "compiler", "C library", "processor", "timings", "methods in studies"]
+    return f"    {digest_of(BASELINE)}\n\n" + table(heads, body)
 
 
 class Listing(Folder):

@@ -7,6 +7,7 @@
 
 #include "core/basis/falling_factorial.hpp"
 #include "core/basis/integer_power.hpp"
+#include "experiments/metric/all_finite.hpp"
 #include "experiments/metric/error_units.hpp"
 #include "reference/exact_point.hpp"
 
@@ -14,10 +15,6 @@ namespace bezierbench::metric {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-bool all_finite(const std::vector<double>& values) {
-  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-}
 
 }  // namespace
 

@@ -7,7 +7,10 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
+#include "experiments/bundle/csv.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/run/job.hpp"
 
 namespace bezierbench::run {
@@ -38,6 +41,11 @@ inline std::map<std::string, std::string> expect_order_changes_nothing(MakeJob m
   EXPECT_EQ(text_of(*plain), text_of(*backwards));
   EXPECT_TRUE(plain->violations().empty());
   return text_of(*plain);
+}
+
+/// The number in a field that is one.
+inline double number_at(const bundle::CsvDocument& csv, std::size_t row, std::string_view column) {
+  return *number::parse_number(csv.at(row, column));
 }
 
 }  // namespace bezierbench::run

@@ -14,13 +14,13 @@
 namespace bezierbench::sample {
 namespace {
 
-using Exact = boost::multiprecision::cpp_rational;
+using ExactRational = boost::multiprecision::cpp_rational;
 
 /// C'(t) / n on one axis, by de Casteljau's algorithm.
-Exact slope(const std::vector<double>& coordinates, std::size_t d, std::size_t axis, const Exact& t) {
-  std::vector<Exact> row;
+ExactRational slope(const std::vector<double>& coordinates, std::size_t d, std::size_t axis, const ExactRational& t) {
+  std::vector<ExactRational> row;
   for (std::size_t k = axis + d; k < coordinates.size(); k += d)
-    row.push_back(Exact(coordinates[k]) - Exact(coordinates[k - d]));
+    row.push_back(ExactRational(coordinates[k]) - ExactRational(coordinates[k - d]));
   for (; row.size() > 1; row.pop_back())
     for (std::size_t i = 0; i + 1 < row.size(); ++i) row[i] += t * (row[i + 1] - row[i]);
   return row.front();
@@ -35,17 +35,18 @@ TEST(Cusp, StopsExactlyOrNearlyAtEveryDegree) {
       const double range = trial % 2 == 0 ? 1 : 0x1p-700;
       Trial out;
       draw(1, 2, {Form::bernstein, 3, n, range, {}, "cusp"}, trial, out);
-      Exact least = 1;
+      ExactRational least = 1;
       int place = 0;
       for (int quarters = 1; quarters <= 8; ++quarters) {
-        Exact most = 0;
+        ExactRational most = 0;
         for (std::size_t axis = 0; axis < 3; ++axis)
-          most = std::max(most, Exact(abs(slope(out.coefficients, 3, axis, Exact(quarters, quarters + 4)))));
-        most /= Exact(range);
+          most = std::max(most,
+                          ExactRational(abs(slope(out.coefficients, 3, axis, ExactRational(quarters, quarters + 4)))));
+        most /= ExactRational(range);
         if (most < least) place = quarters;
         least = std::min(least, most);
       }
-      EXPECT_LE(least, Exact(1, 32)) << n << " " << trial;
+      EXPECT_LE(least, ExactRational(1, 32)) << n << " " << trial;
       places.insert(place);
       exact += least == 0 ? 1 : 0;
       for (const double x : out.coefficients) EXPECT_LE(std::abs(x), range);

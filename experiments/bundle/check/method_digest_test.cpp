@@ -28,14 +28,14 @@ std::vector<MethodDigest> digests(std::string_view text, const std::vector<std::
   return method_digests(accuracy(), parse_csv(text, "accuracy.csv"), columns);
 }
 
-constexpr auto rows =
+constexpr auto three_rows =
     "study,method,degree,max_error\n"
     "s,direct,3,1e-17\n"
     "s,horner,3,2e-17\n"
     "s,direct,4,3e-17\n";
 
 TEST(MethodDigest, IsOfTheRowsOfOneMethodInOneStudyAsACsvFile) {
-  EXPECT_THAT(digests(rows, {"method", "max_error"}),
+  EXPECT_THAT(digests(three_rows, {"method", "max_error"}),
               ElementsAre(
                   MethodDigest{
                       {"accuracy.csv", "s", "direct"}, 2, sha256_hex("method,max_error\ndirect,1e-17\ndirect,3e-17\n")},
@@ -43,7 +43,7 @@ TEST(MethodDigest, IsOfTheRowsOfOneMethodInOneStudyAsACsvFile) {
 }
 
 TEST(MethodDigest, OfAMethodThatIsAddedChangesNoOther) {
-  const auto before = digests(rows, {"degree", "max_error"});
+  const auto before = digests(three_rows, {"degree", "max_error"});
   const auto after = digests(
       "study,method,degree,max_error\n"
       "s,new,3,9e-17\n"
@@ -61,11 +61,11 @@ TEST(MethodDigest, OfColumnsOfThatVersionOnlyAndOfNoNumbersOfRows) {
   EXPECT_THAT(accuracy().digested(2), Contains("unbounded_trials"));
   EXPECT_THAT(accuracy().digested(1), testing::Not(Contains("unbounded_trials")));
   EXPECT_THAT(declared_table("worst.csv")->digested(2), testing::Not(Contains("worst_id")));
-  EXPECT_THROW((void)digests(rows, {"unbounded_trials"}), Failure);
+  EXPECT_THROW((void)digests(three_rows, {"unbounded_trials"}), Failure);
 }
 
 TEST(MethodDigest, AreReadBackFromTheirTable) {
-  const auto all = digests(rows, {"degree"});
+  const auto all = digests(three_rows, {"degree"});
   EXPECT_EQ(parse_digests(parse_csv(digests_csv(all), digests_name)), all);
   EXPECT_THROW((void)parse_digests(parse_csv("table,study,method,rows,digest\na,b,c,-1,d\n", digests_name)), Failure);
 }

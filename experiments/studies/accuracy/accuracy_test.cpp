@@ -23,7 +23,7 @@
 namespace bezierbench::studies {
 namespace {
 
-suite::Study small_study() {
+suite::Study small_accuracy_study() {
   suite::Study study;
   study.id = "small";
   study.degree = {3, 171};
@@ -52,7 +52,7 @@ std::unique_ptr<run::Result> reread(const run::Job& job, const run::Result& resu
 }
 
 TEST(Accuracy, OrderThreadsAndInterruptionsChangeNoByte) {
-  const auto study = small_study();
+  const auto study = small_accuracy_study();
   const auto plain = accuracy_job(study, {1});
   run::run_all(*plain);
   const auto shuffled = accuracy_job(study, {1});
@@ -79,7 +79,7 @@ TEST(Accuracy, OrderThreadsAndInterruptionsChangeNoByte) {
 
 /// The mean and maximum of every replicate, recomputed here without tallies.
 void expect_errors_of_the_trials(Form kind, const std::string& generator) {
-  auto study = small_study();
+  auto study = small_accuracy_study();
   study.degree = {3};
   study.curve = kind;
   study.generator = {generator};
@@ -121,7 +121,7 @@ TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
 }
 
 TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
-  const auto job = accuracy_job(small_study(), {1});
+  const auto job = accuracy_job(small_accuracy_study(), {1});
   run::run_all(*job);
   const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
   int unsupported = 0;
@@ -145,7 +145,7 @@ TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
 
 /// accuracy.csv: the Euclidean error over the spacing of doubles at |p|. audit.csv has the largest error of an axis.
 TEST(Accuracy, UlpsAreOfTheLengthOfThePoint) {
-  auto study = small_study();
+  auto study = small_accuracy_study();
   study.degree = {9};
   study.methods = {"direct"};
   study.baseline = {"exact"};
@@ -170,14 +170,14 @@ TEST(Accuracy, UlpsAreOfTheLengthOfThePoint) {
 }
 
 TEST(Accuracy, LibmMethodsStayOutOfTheDigest) {
-  const auto job = accuracy_job(small_study(), {1});
+  const auto job = accuracy_job(small_accuracy_study(), {1});
   run::run_all(*job);
   EXPECT_EQ(text_of(*job, "accuracy.csv").find("direct_pow"), std::string::npos);
   EXPECT_NE(text_of(*job, "unstable.csv").find("direct_pow"), std::string::npos);
 }
 
 TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
-  auto study = small_study();
+  auto study = small_accuracy_study();
   study.degree = {3};
   study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
   study.methods = {"de_casteljau"};
@@ -196,7 +196,7 @@ TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
 
 /// Bounds are proved for such weights, and hold; float weights are rounded like the coordinates.
 TEST(Accuracy, RationalCurvesKeepTheirBounds) {
-  auto study = small_study();
+  auto study = small_accuracy_study();
   study.degree = {1, 4, 12};
   study.curve = Form::rational;
   study.generator = {"weights_mild", "weights_wild"};
@@ -220,7 +220,7 @@ TEST(Accuracy, RationalCurvesKeepTheirBounds) {
 }
 
 TEST(Accuracy, RefusesAMethodOfTheOtherForm) {
-  auto study = small_study();
+  auto study = small_accuracy_study();
   study.methods = {"horner"};
   try {
     accuracy_job(study, {1});
@@ -233,7 +233,7 @@ TEST(Accuracy, RefusesAMethodOfTheOtherForm) {
 
 /// wozny_chudy_positive has a bound for t in [0,1] only, the degree and range of double allow every one.
 TEST(Accuracy, CountsTrialsWithoutABound) {
-  auto study = small_study();
+  auto study = small_accuracy_study();
   study.degree = {3};
   study.methods = {"de_casteljau", "de_casteljau_lerp", "wozny_chudy_positive"};
   study.baseline = {"exact"};
@@ -261,7 +261,7 @@ TEST(Accuracy, CountsTrialsWithoutABound) {
 
 /// Groups of trials go through kernels of their own, where a method has them, but for the first of each block.
 TEST(Accuracy, CountsTrialsOfTheKernelThatIsTimed) {
-  auto study = small_study();  // 2 replicates of 3 blocks
+  auto study = small_accuracy_study();  // 2 replicates of 3 blocks
   study.degree = {3};
   const auto job = accuracy_job(study, {5});
   run::run_all(*job);
@@ -275,7 +275,7 @@ TEST(Accuracy, CountsTrialsOfTheKernelThatIsTimed) {
 
 /// The largest error in units of u p~ and the row of worst.csv come from the same trial, however blocks are merged.
 TEST(Accuracy, KeepsTheWorstTrial) {
-  auto study = small_study();
+  auto study = small_accuracy_study();
   study.degree = {3};
   study.baseline = {"exact"};
   const auto job = accuracy_job(study, {5});
@@ -300,7 +300,7 @@ TEST(Accuracy, KeepsTheWorstTrial) {
 
 /// The certificate changes no byte, wherever it applies and wherever it gives up.
 TEST(Accuracy, TiersAgreeByteForByte) {
-  auto study = small_study();
+  auto study = small_accuracy_study();
   study.degree = {0, 1, 20, 57};
   study.dimension = {1, 3};
   study.generator = {"continuous", "report"};

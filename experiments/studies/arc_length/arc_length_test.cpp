@@ -9,20 +9,20 @@ namespace bezierbench::studies {
 namespace {
 
 /// Small whole numbers as coordinates give cusps, curves that turn back and curves that are a point.
-suite::Study small_study() { return small_length_study<suite::ArcLengthKeys>({"continuous", "integer"}); }
+suite::Study small_arc_length_study() { return small_length_study<suite::ArcLengthKeys>({"continuous", "integer"}); }
 
 TEST(ArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
-  const auto tables = run::expect_order_changes_nothing(arc_length_job, small_study());
+  const auto tables = run::expect_order_changes_nothing(arc_length_job, small_arc_length_study());
   const auto csv = bundle::parse_csv(tables.at("arc_length.csv"), "arc_length.csv");
   ASSERT_EQ(csv.row_count(), 2U * 2 * 2 * 4);
-  EXPECT_EQ(arc_length_job(small_study(), {1})->extent().rows, csv.row_count());
+  EXPECT_EQ(arc_length_job(small_arc_length_study(), {1})->extent().rows, csv.row_count());
   for (std::size_t row = 0; row < csv.row_count(); ++row) expect_kept(csv, row);
 }
 
 /// (t - 3/4)^9, from 3/4 to the next double, is so short a curve that 70 digits do not suffice. The failure names the
 /// trial.
 TEST(ArcLengthStudy, SaysWhichTruthIsNotCertain) {
-  auto study = small_study();
+  auto study = small_arc_length_study();
   study.dimension = {1};
   study.degree = {9};
   study.generator = {"multiple_root"};
@@ -39,7 +39,7 @@ TEST(ArcLengthStudy, SaysWhichTruthIsNotCertain) {
   }
 }
 
-TEST(ArcLengthStudy, RefusesWhatItCannotDo) { expect_refusals(arc_length_job, small_study()); }
+TEST(ArcLengthStudy, RefusesWhatItCannotDo) { expect_refusals(arc_length_job, small_arc_length_study()); }
 
 }  // namespace
 }  // namespace bezierbench::studies

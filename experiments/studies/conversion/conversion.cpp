@@ -12,6 +12,7 @@
 #include "core/evaluate/kernel.hpp"
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/study_inputs.hpp"
+#include "experiments/metric/all_finite.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/cell.hpp"
@@ -75,8 +76,7 @@ std::vector<Chain> chains_of(const suite::Study& study, int dimension) {
 /// The largest distance of corresponding coefficients; infinite if one is not finite.
 double largest_distance(std::span<const double> computed, const std::vector<reference::ExactPoint>& truth,
                         std::size_t d) {
-  if (!std::ranges::all_of(computed, [](double value) { return std::isfinite(value); }))
-    return std::numeric_limits<double>::infinity();
+  if (!metric::all_finite(computed)) return std::numeric_limits<double>::infinity();
   double largest = 0;
   for (std::size_t i = 0; i < truth.size(); ++i)
     largest = std::max(largest, reference::Distance(truth[i]).to(computed.subspan(i * d, d)));
@@ -84,8 +84,7 @@ double largest_distance(std::span<const double> computed, const std::vector<refe
 }
 
 double largest_distance(std::span<const double> computed, std::span<const double> truth, std::size_t d) {
-  if (!std::ranges::all_of(computed, [](double value) { return std::isfinite(value); }))
-    return std::numeric_limits<double>::infinity();
+  if (!metric::all_finite(computed)) return std::numeric_limits<double>::infinity();
   double largest = 0;
   for (std::size_t i = 0; i < truth.size(); i += d)
     largest = std::max(largest, reference::Distance(truth.subspan(i, d)).to(computed.subspan(i, d)));

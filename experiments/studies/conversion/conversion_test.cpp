@@ -9,7 +9,7 @@
 namespace bezierbench::studies {
 namespace {
 
-bundle::CsvDocument rows_of(const suite::Study& study) {
+bundle::CsvDocument conversion_rows_of(const suite::Study& study) {
   const auto job = conversion_job(study, {1});
   run::run_all(*job);
   tables::Tables tables;
@@ -17,7 +17,7 @@ bundle::CsvDocument rows_of(const suite::Study& study) {
   return bundle::parse_csv(tables.all().at("conversion.csv").text(), "conversion.csv");
 }
 
-suite::Study study_of(std::vector<std::string> methods) {
+suite::Study conversion_study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "round_trip";
   study.keys = suite::ConversionKeys{};
@@ -31,9 +31,9 @@ suite::Study study_of(std::vector<std::string> methods) {
 
 /// Integer control points survive the round trip exactly while the coefficients stay below 2^53.
 TEST(Conversion, IntegerPointsComeBackExactly) {
-  auto study = study_of({"factorial+forward_substitution+factorial"});
+  auto study = conversion_study_of({"factorial+forward_substitution+factorial"});
   study.generator = {"integer"};
-  const auto csv = rows_of(study);
+  const auto csv = conversion_rows_of(study);
   ASSERT_EQ(csv.row_count(), 3U);
   for (std::size_t row = 0; row < 3; ++row) {
     EXPECT_EQ(csv.at(row, "max_error"), "0");
@@ -43,7 +43,7 @@ TEST(Conversion, IntegerPointsComeBackExactly) {
 }
 
 TEST(Conversion, OneConversionIsJudgedAgainstTheExactOne) {
-  const auto csv = rows_of(study_of({"exact", "factorial"}));
+  const auto csv = conversion_rows_of(conversion_study_of({"exact", "factorial"}));
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     const double worst = *number::parse_number(csv.at(row, "max_error"));
     // A rounded coefficient is off by half an ulp of at most 3^n 1e6, on each of two axes.
@@ -55,20 +55,20 @@ TEST(Conversion, OneConversionIsJudgedAgainstTheExactOne) {
 }
 
 TEST(Conversion, AChainMustStartFromTheFormOfTheCurve) {
-  EXPECT_THROW(conversion_job(study_of({"forward_substitution"}), {1}), Failure);
-  EXPECT_THROW(conversion_job(study_of({"factorial+factorial"}), {1}), Failure);
+  EXPECT_THROW(conversion_job(conversion_study_of({"forward_substitution"}), {1}), Failure);
+  EXPECT_THROW(conversion_job(conversion_study_of({"factorial+factorial"}), {1}), Failure);
 }
 
 TEST(Conversion, SaysWhereADegreeIsNotSupported) {
-  auto study = study_of({"factorial"});
+  auto study = conversion_study_of({"factorial"});
   study.degree = {171};
-  const auto csv = rows_of(study);
+  const auto csv = conversion_rows_of(study);
   EXPECT_EQ(csv.at(0, "status"), "degree_unsupported");
   EXPECT_EQ(csv.at(0, "mean_error"), "");
 }
 
 TEST(Conversion, CountsAreSummedOverDegrees) {
-  const auto job = conversion_job(study_of({"exact"}), {1});
+  const auto job = conversion_job(conversion_study_of({"exact"}), {1});
   run::run_all(*job);
   const auto series = job->series();
   ASSERT_EQ(series.size(), 3U);

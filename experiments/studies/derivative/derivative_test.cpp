@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-suite::Study small_study() {
+suite::Study small_derivative_study() {
   suite::Study study;
   study.id = "small";
   study.keys = suite::DerivativeKeys{.order = {1, 2, 5}};
@@ -20,66 +19,62 @@ suite::Study small_study() {
   return study;
 }
 
-bundle::CsvDocument rows_of(const suite::Study& study) {
+bundle::CsvDocument derivative_rows_of(const suite::Study& study) {
   const auto job = derivative_job(study, {1});
   run::run_all(*job);
   return bundle::parse_csv(run::text_of(*job).at("derivative.csv"), "derivative.csv");
 }
 
-double number_at(const bundle::CsvDocument& csv, std::size_t row, std::string_view column) {
-  return *number::parse_number(csv.at(row, column));
-}
-
 TEST(DerivativeStudy, OrderAndInterruptionsChangeNoByte) {
-  const auto files = run::expect_order_changes_nothing(derivative_job, small_study());
-  EXPECT_EQ(derivative_job(small_study(), {1})->extent().rows,
+  const auto files = run::expect_order_changes_nothing(derivative_job, small_derivative_study());
+  EXPECT_EQ(derivative_job(small_derivative_study(), {1})->extent().rows,
             bundle::parse_csv(files.at("derivative.csv"), "derivative.csv").row_count());
 }
 
 TEST(DerivativeStudy, BoundsHoldAndTheSeedDocumentIsRightForOrderOneOnly) {
-  const auto study = small_study();
+  const auto study = small_derivative_study();
   const auto job = derivative_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
-  const auto csv = rows_of(study);
+  const auto csv = derivative_rows_of(study);
   ASSERT_EQ(csv.row_count(), 2U * 3 * 4);
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "trials"), "1200");
     EXPECT_EQ(csv.at(row, "non_finite"), "0");
-    const bool beyond = number_at(csv, row, "order") > number_at(csv, row, "degree");
+    const bool beyond = run::number_at(csv, row, "order") > run::number_at(csv, row, "degree");
     const bool as_printed = csv.at(row, "method") == "seed_000";
     EXPECT_EQ(csv.at(row, "bound_violations"), as_printed ? "" : "0");
     if (beyond) {
       EXPECT_EQ(csv.at(row, "max_error"), "0");
-    } else if (as_printed && number_at(csv, row, "order") > 1) {
-      EXPECT_GT(number_at(csv, row, "mean_error_u"), 1e12);  // about the size of the derivative
+    } else if (as_printed && run::number_at(csv, row, "order") > 1) {
+      EXPECT_GT(run::number_at(csv, row, "mean_error_u"), 1e12);  // about the size of the derivative
     } else if (!as_printed) {
-      EXPECT_LE(number_at(csv, row, "max_error_u"), number_at(csv, row, "bound_u"));
-      EXPECT_GT(number_at(csv, row, "max_error_u"), 0);
+      EXPECT_LE(run::number_at(csv, row, "max_error_u"), run::number_at(csv, row, "bound_u"));
+      EXPECT_GT(run::number_at(csv, row, "max_error_u"), 0);
     }
   }
 }
 
 /// The same curves are drawn for the power form as for the Bernstein form; only methods for the study's form have rows.
 TEST(DerivativeStudy, TakesTheMethodsOfTheForm) {
-  auto study = small_study();
+  auto study = small_derivative_study();
   study.curve = Form::power;
-  const auto csv = rows_of(study);
+  const auto csv = derivative_rows_of(study);
   ASSERT_EQ(csv.row_count(), 2U * 3);
   EXPECT_EQ(csv.at(0, "method"), "power_derivative");
 }
 
 TEST(DerivativeStudy, RefusesWhatItCannotDo) {
-  auto rational = small_study();
+  auto rational = small_derivative_study();
   rational.curve = Form::rational;
   EXPECT_THROW(derivative_job(rational, {1}), Failure);
-  auto single = small_study();
+  auto single = small_derivative_study();
   single.scalar = {suite::ScalarKind::float32};
   EXPECT_THROW(derivative_job(single, {1}), Failure);
-  auto of_points = small_study();
+  auto of_points = small_derivative_study();
   of_points.methods = {"de_casteljau"};
   EXPECT_THROW(derivative_job(of_points, {1}), Failure);
-  auto of_another_form = small_study();
+  auto of_another_form = small_derivative_study();
   of_another_form.methods = {"power_derivative"};
   EXPECT_THROW(derivative_job(of_another_form, {1}), Failure);
 }

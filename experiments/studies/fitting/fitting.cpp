@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "experiments/judge/companions.hpp"
+#include "experiments/metric/all_finite.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/fitting/problem.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
@@ -33,10 +34,6 @@ bool exceeds(const reference::Rational& squared, double distance) {
   return sgn((squared - other * other).numerator) > 0;
 }
 
-bool all_finite(const std::vector<double>& values) {
-  return std::ranges::all_of(values, [](double x) { return std::isfinite(x); });
-}
-
 }  // namespace
 
 FittingProblem::FittingProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part)
@@ -51,7 +48,7 @@ void FittingProblem::judge(const Kernel& method, const Drawn& data, double toler
   errors.one_segment += segments == 1 ? 1 : 0;
   errors.iterations.add(static_cast<std::uint64_t>(fit.iterations));
   errors.non_converged += fit.converged ? 0 : 1;
-  if (!all_finite(fit.control_points) || !std::isfinite(fit.max_error)) {
+  if (!metric::all_finite(fit.control_points) || !std::isfinite(fit.max_error)) {
     ++errors.non_finite;
     return;
   }
@@ -63,7 +60,7 @@ void FittingProblem::judge(const Kernel& method, const Drawn& data, double toler
 }
 
 bool FittingProblem::is_right(const Kernel& method, const Drawn& data, double tolerance, const Answer& fit) {
-  return all_finite(fit.control_points) && !exceeds(true_distance(method.dimension, data, fit), tolerance);
+  return metric::all_finite(fit.control_points) && !exceeds(true_distance(method.dimension, data, fit), tolerance);
 }
 
 /// Adds trial 0 of the first cell in the plane, with the first number of points, at the first tolerance: for each kind

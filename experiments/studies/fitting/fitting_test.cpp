@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/sample/data_kind.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-suite::Study small_study() {
+suite::Study small_fitting_study() {
   suite::Study study;
   study.id = "small";
   study.keys = suite::FittingKeys{.points = {3, 12}, .tolerance = {1e-2, 1e-9}};
@@ -21,27 +20,23 @@ suite::Study small_study() {
   return study;
 }
 
-double field(const bundle::CsvDocument& csv, std::size_t row, const char* column) {
-  return number::parse_number(csv.at(row, column)).value();
-}
-
 TEST(FittingStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
-  const auto files = run::expect_order_changes_nothing(fitting_job, small_study());
+  const auto files = run::expect_order_changes_nothing(fitting_job, small_fitting_study());
   const auto csv = bundle::parse_csv(files.at("fitting.csv"), "fitting.csv");
   ASSERT_EQ(csv.row_count(), 2 * sample::data_kinds().size() * 2 * 2);
-  EXPECT_EQ(fitting_job(small_study(), {1})->extent().rows, csv.row_count());
+  EXPECT_EQ(fitting_job(small_fitting_study(), {1})->extent().rows, csv.row_count());
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     for (const char* column : {"broken_promises", "understated", "non_converged", "non_finite"})
       EXPECT_EQ(csv.at(row, column), "0") << row << " " << column;
-    EXPECT_LE(field(csv, row, "max_error"), field(csv, row, "max_claimed") * (1 + 0x1p-23)) << row;
-    EXPECT_LE(field(csv, row, "max_error_over_tolerance"), 1) << row;
-    EXPECT_GE(field(csv, row, "mean_segments"), 1) << row;
-    EXPECT_LE(field(csv, row, "max_segments"), field(csv, row, "points") - 1) << row;
+    EXPECT_LE(run::number_at(csv, row, "max_error"), run::number_at(csv, row, "max_claimed") * (1 + 0x1p-23)) << row;
+    EXPECT_LE(run::number_at(csv, row, "max_error_over_tolerance"), 1) << row;
+    EXPECT_GE(run::number_at(csv, row, "mean_segments"), 1) << row;
+    EXPECT_LE(run::number_at(csv, row, "max_segments"), run::number_at(csv, row, "points") - 1) << row;
   }
 }
 
 TEST(FittingStudy, SaysWhatGivesItsSourceBack) {
-  auto study = small_study();
+  auto study = small_fitting_study();
   study.generator = {"continuous"};
   study.keys = suite::FittingKeys{.points = {12}, .tolerance = {1e-9}};
   const auto job = fitting_job(study, {1});
@@ -50,12 +45,12 @@ TEST(FittingStudy, SaysWhatGivesItsSourceBack) {
   ASSERT_EQ(csv.at(0, "data"), "samples");
   ASSERT_EQ(csv.at(0, "method"), "schneider");
   EXPECT_EQ(csv.at(0, "one_segment"), "0");
-  EXPECT_GT(field(csv, 1, "one_segment"), 20);
+  EXPECT_GT(run::number_at(csv, 1, "one_segment"), 20);
 }
 
 /// The example has the data, then each method's fit, which goes from the first data point to the last.
 TEST(FittingStudy, ShowsAnExample) {
-  auto study = small_study();
+  auto study = small_fitting_study();
   suite::keys_of<suite::FittingKeys>(study).points = {12};
   study.trials = 1;
   const auto job = fitting_job(study, {1});
@@ -80,19 +75,19 @@ TEST(FittingStudy, ShowsAnExample) {
 }
 
 TEST(FittingStudy, RefusesWhatItCannotDo) {
-  auto polynomial = small_study();
+  auto polynomial = small_fitting_study();
   polynomial.curve = Form::power;
   EXPECT_THROW(fitting_job(polynomial, {1}), Failure);
-  auto single = small_study();
+  auto single = small_fitting_study();
   single.scalar = {suite::ScalarKind::float32};
   EXPECT_THROW(fitting_job(single, {1}), Failure);
-  auto point = small_study();
+  auto point = small_fitting_study();
   point.degree = {0};
   EXPECT_THROW(fitting_job(point, {1}), Failure);
-  auto roots = small_study();
+  auto roots = small_fitting_study();
   roots.generator = {"multiple_root"};
   EXPECT_THROW(fitting_job(roots, {1}), Failure);
-  auto evaluator = small_study();
+  auto evaluator = small_fitting_study();
   evaluator.methods = {"de_casteljau"};
   EXPECT_THROW(fitting_job(evaluator, {1}), Failure);
 }

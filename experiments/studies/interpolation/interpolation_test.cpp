@@ -5,13 +5,13 @@
 
 #include "core/interpolate/kernel.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "experiments/run/job_test.hpp"
 #include "experiments/studies/interpolation/spline_judge.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-suite::Study study_of(std::vector<std::string> methods) {
+suite::Study interpolation_study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "splines";
   study.keys = suite::InterpolationKeys{.points = {2, 12}};
@@ -21,7 +21,7 @@ suite::Study study_of(std::vector<std::string> methods) {
   return study;
 }
 
-bundle::CsvDocument rows_of(const suite::Study& study) {
+bundle::CsvDocument interpolation_rows_of(const suite::Study& study) {
   const auto job = interpolation_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
@@ -30,12 +30,8 @@ bundle::CsvDocument rows_of(const suite::Study& study) {
   return bundle::parse_csv(tables.all().at("interpolation.csv").text(), "interpolation.csv");
 }
 
-double field(const bundle::CsvDocument& csv, std::size_t row, const char* column) {
-  return number::parse_number(csv.at(row, column)).value();
-}
-
 TEST(InterpolationStudy, HasARowForEachNumberOfPoints) {
-  const auto csv = rows_of(study_of({"c2_natural"}));
+  const auto csv = interpolation_rows_of(interpolation_study_of({"c2_natural"}));
   ASSERT_EQ(csv.row_count(), 4U);
   for (std::size_t row = 0; row < 4; ++row) {
     EXPECT_EQ(csv.at(row, "points"), row % 2 == 0 ? "2" : "12");
@@ -44,31 +40,31 @@ TEST(InterpolationStudy, HasARowForEachNumberOfPoints) {
     EXPECT_EQ(csv.at(row, "bound_violations"), "0");
     EXPECT_EQ(csv.at(row, "max_data_u"), "0");
     EXPECT_EQ(csv.at(row, "max_c2_u") == "0", row % 2 == 0) << "a single segment has no knot";
-    EXPECT_LE(field(csv, row, "max_c2_u"), 8) << row;
-    EXPECT_LE(field(csv, row, "max_error_u"), 1.74) << row;
-    EXPECT_GT(field(csv, row, "max_error_u"), 0.1) << row;
+    EXPECT_LE(run::number_at(csv, row, "max_c2_u"), 8) << row;
+    EXPECT_LE(run::number_at(csv, row, "max_error_u"), 1.74) << row;
+    EXPECT_GT(run::number_at(csv, row, "max_error_u"), 0.1) << row;
   }
 }
 
 TEST(InterpolationStudy, TellsMethodsApart) {
-  const auto csv = rows_of(study_of({}));
+  const auto csv = interpolation_rows_of(interpolation_study_of({}));
   ASSERT_EQ(csv.row_count(), 8U);
   EXPECT_EQ(csv.at(2, "method"), "c2_natural");
   EXPECT_EQ(csv.at(3, "method"), "c2_natural_handles");
-  EXPECT_LT(field(csv, 2, "mean_c2_u"), field(csv, 3, "mean_c2_u"));
+  EXPECT_LT(run::number_at(csv, 2, "mean_c2_u"), run::number_at(csv, 3, "mean_c2_u"));
   EXPECT_EQ(csv.at(3, "bound_violations"), "");
 }
 
 TEST(InterpolationStudy, LeavesOutTheErrorWhereThereAreTooManyPoints) {
-  auto study = study_of({"c2_natural"});
+  auto study = interpolation_study_of({"c2_natural"});
   suite::keys_of<suite::InterpolationKeys>(study).points = {most_points_of_exact_splines,
                                                             most_points_of_exact_splines + 1};
   study.dimension = {1};
   study.trials = 1;
-  const auto csv = rows_of(study);
+  const auto csv = interpolation_rows_of(study);
   EXPECT_NE(csv.at(0, "max_error_u"), "");
   EXPECT_EQ(csv.at(1, "max_error_u"), "");
-  EXPECT_GT(field(csv, 1, "max_c2_u"), 0);
+  EXPECT_GT(run::number_at(csv, 1, "max_c2_u"), 0);
 }
 
 /// 0, 3, 6 are joined by straight segments. Moving one control point by 1/4 gives errors in units of u times 6.
@@ -109,7 +105,7 @@ TEST(SplineJudge, MeasuresSubnormalErrors) {
 
 TEST(InterpolationStudy, RefusesWhatItDoesNotJudge) {
   const auto refused = [](auto change) {
-    auto study = study_of({});
+    auto study = interpolation_study_of({});
     change(study);
     EXPECT_THROW(interpolation_job(study, {1}), Failure);
   };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/metric/all_finite.hpp"
+
 namespace bezierbench::studies {
 namespace {
 
@@ -29,20 +31,16 @@ void add(double value, metric::Tally& tally) { tally.add(std::span(&value, 1)); 
 
 /// Whether a residual exceeds the bound. The bound has an underflow term of three times the smallest double, by which
 /// subnormal control points are rounded.
-bool exceeds(const Rational& residual, double bound, const Rational& unit) {
+bool exceeds_units(const Rational& residual, double bound, const Rational& unit) {
   const Rational limit = reference::exactly(bound) * unit + Rational{3, 1, -1074};
   return (residual - limit).numerator > 0;
 }
 
 /// Whether no residual exceeds the bound.
 bool within(const reference::SplineResiduals& residuals, double bound, const Rational& unit) {
-  const auto kept = [&](const Rational& residual) { return !exceeds(residual, bound, unit); };
+  const auto kept = [&](const Rational& residual) { return !exceeds_units(residual, bound, unit); };
   return kept(residuals.data) && kept(residuals.c0) && kept(residuals.c1) && kept(residuals.c2) &&
          kept(residuals.natural);
-}
-
-bool all_finite(std::span<const double> values) {
-  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
 }  // namespace
@@ -61,7 +59,7 @@ SplineJudge::SplineJudge(std::span<const double> points, int dimension, bool wit
 
 void SplineJudge::judge(std::span<const double> segments, double bound, std::uint64_t trial,
                         SplineErrors& errors) const {
-  if (!all_finite(segments)) {
+  if (!metric::all_finite(segments)) {
     ++errors.non_finite;
     return;
   }
@@ -100,7 +98,7 @@ void SplineJudge::judge(std::span<const double> segments, double bound, std::uin
 }
 
 bool SplineJudge::meets(std::span<const double> segments, double bound) const {
-  bool right = all_finite(segments);
+  bool right = metric::all_finite(segments);
   for (std::size_t k = 0; right && k < axes_.size(); ++k) {
     const auto residuals = reference::spline_residuals(axes_[k].coordinates, axis_of(segments, axes_.size(), k));
     right = within(residuals, bound, axes_[k].unit);

@@ -11,14 +11,14 @@
 namespace bezierbench::studies {
 namespace {
 
-suite::Study small_study() {
+suite::Study small_inverse_arc_length_study() {
   auto study = small_length_study<suite::InverseArcLengthKeys>({"cusp", "integer"});
   study.t_interval = {{0.25, 0.75}};  // true parameters take longer than true lengths
   return study;
 }
 
 TEST(InverseArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
-  const auto tables = run::expect_order_changes_nothing(inverse_arc_length_job, small_study());
+  const auto tables = run::expect_order_changes_nothing(inverse_arc_length_job, small_inverse_arc_length_study());
   const auto csv = bundle::parse_csv(tables.at("inverse_arc_length.csv"), "inverse_arc_length.csv");
   ASSERT_EQ(csv.row_count(), 2U * 2 * 4);
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
@@ -34,7 +34,7 @@ TEST(InverseArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept)
 
 /// The gaps are even at equal lengths and uneven at equal steps of t; the shares go from 0 to 1.
 TEST(InverseArcLengthStudy, WritesOneCurveWithBothSpacings) {
-  auto study = small_study();
+  auto study = small_inverse_arc_length_study();
   study.trials = 1;
   const auto job = inverse_arc_length_job(study, {1});
   run::run_all(*job);
@@ -60,7 +60,9 @@ TEST(InverseArcLengthStudy, WritesOneCurveWithBothSpacings) {
   EXPECT_GT(widest, 1.5);
 }
 
-TEST(InverseArcLengthStudy, RefusesWhatItCannotDo) { expect_refusals(inverse_arc_length_job, small_study()); }
+TEST(InverseArcLengthStudy, RefusesWhatItCannotDo) {
+  expect_refusals(inverse_arc_length_job, small_inverse_arc_length_study());
+}
 
 }  // namespace
 }  // namespace bezierbench::studies

@@ -6,13 +6,13 @@
 #include <map>
 
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "experiments/run/job_test.hpp"
 #include "experiments/sample/placement.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-suite::Study study_of(std::vector<std::string> methods) {
+suite::Study projection_study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "feet";
   study.keys = suite::ProjectionKeys{};
@@ -23,7 +23,7 @@ suite::Study study_of(std::vector<std::string> methods) {
   return study;
 }
 
-bundle::CsvDocument rows_of(const suite::Study& study, const std::string& file) {
+bundle::CsvDocument projection_rows_of(const suite::Study& study, const std::string& file) {
   const auto job = projection_job(study, {1});
   run::run_all(*job);
   tables::Tables tables;
@@ -31,37 +31,33 @@ bundle::CsvDocument rows_of(const suite::Study& study, const std::string& file) 
   return bundle::parse_csv(tables.all().at(file).text(), file);
 }
 
-double field(const bundle::CsvDocument& csv, std::size_t row, const char* column) {
-  return number::parse_number(csv.at(row, column)).value();
-}
-
 TEST(ProjectionStudy, IsolationMissesNothingAndKeepsItsGoal) {
-  const auto csv = rows_of(study_of({"quintic_isolate"}), "projection.csv");
+  const auto csv = projection_rows_of(projection_study_of({"quintic_isolate"}), "projection.csv");
   ASSERT_EQ(csv.row_count(), 2 * sample::placements().size());
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "missed"), "0") << row;
     EXPECT_EQ(csv.at(row, "non_converged"), "0") << row;
     EXPECT_EQ(csv.at(row, "trials"), "120") << row;
-    EXPECT_LE(field(csv, row, "max_error_eps"), 4) << row;
-    EXPECT_GE(field(csv, row, "candidates"), 240) << row;  // the two ends of each curve
+    EXPECT_LE(run::number_at(csv, row, "max_error_eps"), 4) << row;
+    EXPECT_GE(run::number_at(csv, row, "candidates"), 240) << row;  // the two ends of each curve
   }
 }
 
 TEST(ProjectionStudy, SeesWhatScanningMisses) {
-  const auto csv = rows_of(study_of({"scan_bisect"}), "projection.csv");
+  const auto csv = projection_rows_of(projection_study_of({"scan_bisect"}), "projection.csv");
   double missed = 0;
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    missed += field(csv, row, "missed");
-    EXPECT_EQ(csv.at(row, "missed") == "0", field(csv, row, "max_error") < 0x1p-20) << row;
+    missed += run::number_at(csv, row, "missed");
+    EXPECT_EQ(csv.at(row, "missed") == "0", run::number_at(csv, row, "max_error") < 0x1p-20) << row;
   }
   EXPECT_GT(missed, 0);
 }
 
 TEST(ProjectionStudy, MethodsThatAreNotBitStableHaveAFileOfTheirOwn) {
-  auto study = study_of({"quintic_*"});
+  auto study = projection_study_of({"quintic_*"});
   study.degree = {2};
   study.trials = 3;
-  const auto csv = rows_of(study, "projection_unstable.csv");
+  const auto csv = projection_rows_of(study, "projection_unstable.csv");
   std::map<std::string, std::string> status;
   for (std::size_t row = 0; row < csv.row_count(); ++row) status[csv.at(row, "method")] = csv.at(row, "status");
   EXPECT_EQ(status, (std::map<std::string, std::string>{{"quintic_companion", "ok"},
@@ -69,16 +65,16 @@ TEST(ProjectionStudy, MethodsThatAreNotBitStableHaveAFileOfTheirOwn) {
 }
 
 TEST(ProjectionStudy, RefusesWhatItDoesNotJudge) {
-  auto study = study_of({});
+  auto study = projection_study_of({});
   study.curve = Form::power;
   EXPECT_THROW(projection_job(study, {1}), Failure);
-  study = study_of({});
+  study = projection_study_of({});
   study.scalar = {suite::ScalarKind::float32};
   EXPECT_THROW(projection_job(study, {1}), Failure);
-  study = study_of({});
+  study = projection_study_of({});
   study.generator = {"clustered_roots"};
   EXPECT_THROW(projection_job(study, {1}), Failure);
-  EXPECT_THROW(projection_job(study_of({"de_casteljau"}), {1}), Failure);
+  EXPECT_THROW(projection_job(projection_study_of({"de_casteljau"}), {1}), Failure);
 }
 
 }  // namespace

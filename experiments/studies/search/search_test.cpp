@@ -13,7 +13,7 @@
 namespace bezierbench::studies {
 namespace {
 
-suite::Study small_study() {
+suite::Study small_search_study() {
   suite::Study study;
   study.id = "search";
   study.keys = suite::SearchKeys{.budget = 1500};
@@ -37,7 +37,7 @@ double value(const bundle::CsvDocument& table, std::size_t row, std::string_view
 }
 
 TEST(Search, StaysBetweenTheSampleAndTheBound) {
-  const auto table = table_of(small_study());
+  const auto table = table_of(small_search_study());
   ASSERT_GT(table.row_count(), 4U);
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     EXPECT_NE(table.at(row, "method"), "direct_pow");  // nobody else could replay it
@@ -49,7 +49,7 @@ TEST(Search, StaysBetweenTheSampleAndTheBound) {
 
 /// a + t (b - a) has no bound in u p~: a tiny b beside a large a is all it takes.
 TEST(Search, FindsWhatSamplingDoesNot) {
-  auto study = small_study();
+  auto study = small_search_study();
   study.methods = {"de_casteljau_lerp"};
   suite::keys_of<suite::SearchKeys>(study).budget = 10000;
   const auto table = table_of(study);
@@ -78,8 +78,8 @@ void expect_replay(const suite::Study& study) {
 }
 
 TEST(Search, RowsCanBeReplayed) {
-  expect_replay(small_study());
-  auto rational = small_study();
+  expect_replay(small_search_study());
+  auto rational = small_search_study();
   rational.curve = Form::rational;
   rational.generator = {"weights_mild"};
   rational.methods = {"de_casteljau*", "wozny_chudy"};

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "experiments/metric/all_finite.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 
@@ -69,9 +70,7 @@ std::span<const double> ComputedHalves::control(Side side, int i) const {
   return std::span(numbers_).subspan((place + static_cast<std::size_t>(i)) * columns, columns);
 }
 
-bool ComputedHalves::all_finite() const {
-  return std::ranges::all_of(numbers_, [](double value) { return std::isfinite(value); });
-}
+bool ComputedHalves::all_finite() const { return metric::all_finite(numbers_); }
 
 CurveView<double> ComputedHalves::curve(Side side) const {
   const auto k = static_cast<std::size_t>(side);

@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-suite::Study small_study() {
+suite::Study small_subdivision_study() {
   suite::Study study;
   study.id = "small";
   study.keys = suite::SubdivisionKeys{};
@@ -21,25 +20,21 @@ suite::Study small_study() {
 }
 
 suite::Study rational_study() {
-  auto study = small_study();
+  auto study = small_subdivision_study();
   study.curve = Form::rational;
   study.generator = {"weights_wild"};
   return study;
 }
 
-bundle::CsvDocument rows_of(const suite::Study& study) {
+bundle::CsvDocument subdivision_rows_of(const suite::Study& study) {
   const auto job = subdivision_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   return bundle::parse_csv(run::text_of(*job).at("subdivision.csv"), "subdivision.csv");
 }
 
-double number_at(const bundle::CsvDocument& csv, std::size_t row, std::string_view column) {
-  return *number::parse_number(csv.at(row, column));
-}
-
 TEST(SubdivisionStudy, OrderAndInterruptionsChangeNoByte) {
-  for (const auto& study : {small_study(), rational_study()}) {
+  for (const auto& study : {small_subdivision_study(), rational_study()}) {
     const auto files = run::expect_order_changes_nothing(subdivision_job, study);
     EXPECT_EQ(subdivision_job(study, {1})->extent().rows,
               bundle::parse_csv(files.at("subdivision.csv"), "subdivision.csv").row_count());
@@ -47,8 +42,8 @@ TEST(SubdivisionStudy, OrderAndInterruptionsChangeNoByte) {
 }
 
 TEST(SubdivisionStudy, BoundsAndPromisesHold) {
-  for (const auto& study : {small_study(), rational_study()}) {
-    const auto csv = rows_of(study);
+  for (const auto& study : {small_subdivision_study(), rational_study()}) {
+    const auto csv = subdivision_rows_of(study);
     ASSERT_EQ(csv.row_count(), 3U * 5);
     for (std::size_t row = 0; row < csv.row_count(); ++row) {
       EXPECT_EQ(csv.at(row, "trials"), "80");
@@ -56,8 +51,8 @@ TEST(SubdivisionStudy, BoundsAndPromisesHold) {
       for (const auto* column : {"bound_violations", "junctions_apart", "ends_moved", "non_finite"})
         EXPECT_EQ(csv.at(row, column), "0") << csv.at(row, "method") << " " << column;
       EXPECT_EQ(csv.at(row, "points_off"), csv.at(row, "method") == "lerp_split" ? "" : "0") << csv.at(row, "method");
-      EXPECT_GT(number_at(csv, row, "max_error_u"), 0);
-      EXPECT_LE(number_at(csv, row, "mean_error_u"), number_at(csv, row, "max_error_u"));
+      EXPECT_GT(run::number_at(csv, row, "max_error_u"), 0);
+      EXPECT_LE(run::number_at(csv, row, "mean_error_u"), run::number_at(csv, row, "max_error_u"));
       EXPECT_EQ(csv.at(row, "max_weight_error_u").empty(), study.curve == Form::bernstein);
     }
   }
@@ -65,36 +60,36 @@ TEST(SubdivisionStudy, BoundsAndPromisesHold) {
 
 /// The halves at t = 1/2 of a line between integer points have coordinates that are multiples of 1/2.
 TEST(SubdivisionStudy, IsExactWhereNothingIsRounded) {
-  auto study = small_study();
+  auto study = small_subdivision_study();
   study.degree = {1};
   study.coordinate_range = {1000};
   study.generator = {"integer"};
   study.t_interval = {{0.5, 0.5}};
-  const auto csv = rows_of(study);
+  const auto csv = subdivision_rows_of(study);
   ASSERT_EQ(csv.row_count(), 5U);
   for (std::size_t row = 0; row < csv.row_count(); ++row) EXPECT_EQ(csv.at(row, "max_error"), "0");
 }
 
 /// Bounds are proved for t in [0,1] only.
 TEST(SubdivisionStudy, HasNoBoundOutside) {
-  auto study = small_study();
+  auto study = small_subdivision_study();
   study.t_interval = {{-2, -1}};
-  const auto csv = rows_of(study);
+  const auto csv = subdivision_rows_of(study);
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "bound_u"), "");
     EXPECT_EQ(csv.at(row, "bound_violations"), "");
-    EXPECT_GT(number_at(csv, row, "max_error_u"), 0);
+    EXPECT_GT(run::number_at(csv, row, "max_error_u"), 0);
   }
 }
 
 TEST(SubdivisionStudy, RefusesWhatItCannotDo) {
-  auto power = small_study();
+  auto power = small_subdivision_study();
   power.curve = Form::power;
   EXPECT_THROW(subdivision_job(power, {1}), Failure);
-  auto single = small_study();
+  auto single = small_subdivision_study();
   single.scalar = {suite::ScalarKind::float32};
   EXPECT_THROW(subdivision_job(single, {1}), Failure);
-  auto of_points = small_study();
+  auto of_points = small_subdivision_study();
   of_points.methods = {"de_casteljau"};
   EXPECT_THROW(subdivision_job(of_points, {1}), Failure);
 }

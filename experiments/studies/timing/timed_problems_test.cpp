@@ -162,7 +162,7 @@ TEST(TimedProblem, EveryCaseIsARaceCell) {
   EXPECT_EQ(race_cells_of(fits({"schneider"}, {1e-2, 1e-3})).size(), 2U * 6) << "six kinds of data";
 }
 
-race::RaceCellLap lap_of(double ns) {
+race::RaceCellLap lap_of_two(double ns) {
   race::Lap repetition;
   repetition.ns_per_point = {ns, ns};
   return {{repetition, repetition}};
@@ -171,8 +171,8 @@ race::RaceCellLap lap_of(double ns) {
 bundle::CsvDocument written(const suite::Study& study, const std::string& file, double (*ns)(const race::RaceCell&)) {
   auto race_cells = timed_problem(study).race_cells(study);
   for (auto& race_cell : race_cells) {
-    race_cell.laps.assign(race_cell.methods.size(), lap_of(ns(race_cell)));
-    race_cell.laps.insert(race_cell.laps.end(), 2, lap_of(1));  // the sentinels
+    race_cell.laps.assign(race_cell.methods.size(), lap_of_two(ns(race_cell)));
+    race_cell.laps.insert(race_cell.laps.end(), 2, lap_of_two(1));  // the sentinels
   }
   tables::Tables tables;
   studies::write_timing_rows(study, race_cells, tables);

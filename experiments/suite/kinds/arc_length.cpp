@@ -7,10 +7,10 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&ArcLengthKeys::tolerance>(
+constexpr std::array arc_length_fields{field<&ArcLengthKeys::tolerance>(
     tolerance_key("tolerances that the methods are given, relative to the length", "[1e-3, 1e-6]"))};
 
-Finding check(const Study& study, const Vocabulary& /*known*/) {
+Finding check_arc_length(const Study& study, const Vocabulary& /*known*/) {
   return check_tolerances(keys_of<ArcLengthKeys>(study).tolerance);
 }
 
@@ -19,7 +19,7 @@ Finding check(const Study& study, const Vocabulary& /*known*/) {
 const Kind& ArcLengthKeys::kind() {
   static constexpr Kind kind{.id = "arc_length",
                              .about = "errors of arc lengths, and whether tolerances are kept",
-                             .own = own,
+                             .own = arc_length_fields,
                              .methods_example = "[\"gauss_legendre_adaptive\"]",
                              .inputs = {.forms = bernstein_form,
                                         .forms_reason = "lengths are those of polynomial Bezier curves",
@@ -28,7 +28,7 @@ const Kind& ArcLengthKeys::kind() {
                                         .parameters_reason = "the part to be measured"},
                              .companion = Problem::arc_length,
                              .keys = default_keys<ArcLengthKeys>,
-                             .check = check};
+                             .check = check_arc_length};
   return kind;
 }
 

@@ -7,9 +7,9 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&ConversionKeys::published>(published_key)};
+constexpr std::array conversion_fields{field<&ConversionKeys::published>(published_key)};
 
-Finding check(const Study& study, const Vocabulary& known) {
+Finding check_conversion(const Study& study, const Vocabulary& known) {
   return check_published(keys_of<ConversionKeys>(study).published, known);
 }
 
@@ -19,12 +19,12 @@ const Kind& ConversionKeys::kind() {
   static constexpr Kind kind{
       .id = "conversion",
       .about = "errors of the coefficients in another form",
-      .own = own,
+      .own = conversion_fields,
       .methods_example = "[\"factorial+positive_sum\"]",
       .inputs = {.forms = polynomial_forms, .forms_reason = "conversions take polynomial curves", .double_only = true},
       .chains = true,
       .keys = default_keys<ConversionKeys>,
-      .check = check};
+      .check = check_conversion};
   return kind;
 }
 

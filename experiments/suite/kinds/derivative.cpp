@@ -7,9 +7,9 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&DerivativeKeys::order>(order_key)};
+constexpr std::array derivative_fields{field<&DerivativeKeys::order>(order_key)};
 
-Finding check(const Study& study, const Vocabulary& /*known*/) {
+Finding check_derivative(const Study& study, const Vocabulary& /*known*/) {
   return check_orders(keys_of<DerivativeKeys>(study).order);
 }
 
@@ -18,14 +18,14 @@ Finding check(const Study& study, const Vocabulary& /*known*/) {
 const Kind& DerivativeKeys::kind() {
   static constexpr Kind kind{.id = "derivative",
                              .about = "errors of derivatives at one parameter",
-                             .own = own,
+                             .own = derivative_fields,
                              .methods_example = "[\"differences_horner\"]",
                              .inputs = {.forms = polynomial_forms,
                                         .forms_reason = "derivatives are those of polynomial curves",
                                         .double_only = true},
                              .companion = Problem::derivative,
                              .keys = default_keys<DerivativeKeys>,
-                             .check = check};
+                             .check = check_derivative};
   return kind;
 }
 

@@ -7,11 +7,11 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{
+constexpr std::array fitting_fields{
     field<&FittingKeys::points>(points_key),
     field<&FittingKeys::tolerance>(tolerance_key("distances from the data that a fit may have", "[1e-2, 1e-4]"))};
 
-Finding check(const Study& study, const Vocabulary& /*known*/) {
+Finding check_fitting(const Study& study, const Vocabulary& /*known*/) {
   const auto& keys = keys_of<FittingKeys>(study);
   if (auto found = check_points(keys.points)) return found;
   return check_tolerances(keys.tolerance);
@@ -22,7 +22,7 @@ Finding check(const Study& study, const Vocabulary& /*known*/) {
 const Kind& FittingKeys::kind() {
   static constexpr Kind kind{.id = "fitting",
                              .about = "segments and errors of fits to data of random curves",
-                             .own = own,
+                             .own = fitting_fields,
                              .methods_example = "[\"schneider\"]",
                              .inputs = {.forms = bernstein_form,
                                         .forms_reason = "data are taken from polynomial Bezier curves",
@@ -34,7 +34,7 @@ const Kind& FittingKeys::kind() {
                                         .independent_points = true},
                              .companion = Problem::fitting,
                              .keys = default_keys<FittingKeys>,
-                             .check = check};
+                             .check = check_fitting};
   return kind;
 }
 

@@ -7,9 +7,9 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&InterpolationKeys::points>(points_key)};
+constexpr std::array interpolation_fields{field<&InterpolationKeys::points>(points_key)};
 
-Finding check(const Study& study, const Vocabulary& /*known*/) {
+Finding check_interpolation(const Study& study, const Vocabulary& /*known*/) {
   return check_points(keys_of<InterpolationKeys>(study).points);
 }
 
@@ -18,7 +18,7 @@ Finding check(const Study& study, const Vocabulary& /*known*/) {
 const Kind& InterpolationKeys::kind() {
   static constexpr Kind kind{.id = "interpolation",
                              .about = "errors of splines through random points",
-                             .own = own,
+                             .own = interpolation_fields,
                              .methods_example = "[\"c2_natural\"]",
                              .inputs = {.forms = bernstein_form,
                                         .forms_reason = "splines are of polynomial Bezier curves",
@@ -30,7 +30,7 @@ const Kind& InterpolationKeys::kind() {
                                         .independent_points = true},
                              .companion = Problem::interpolation,
                              .keys = default_keys<InterpolationKeys>,
-                             .check = check};
+                             .check = check_interpolation};
   return kind;
 }
 

@@ -7,10 +7,10 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&InverseArcLengthKeys::tolerance>(
+constexpr std::array inverse_arc_length_fields{field<&InverseArcLengthKeys::tolerance>(
     tolerance_key("tolerances that the methods are given, relative to the length of the whole curve", "[1e-3, 1e-6]"))};
 
-Finding check(const Study& study, const Vocabulary& /*known*/) {
+Finding check_inverse_arc_length(const Study& study, const Vocabulary& /*known*/) {
   return check_tolerances(keys_of<InverseArcLengthKeys>(study).tolerance);
 }
 
@@ -19,7 +19,7 @@ Finding check(const Study& study, const Vocabulary& /*known*/) {
 const Kind& InverseArcLengthKeys::kind() {
   static constexpr Kind kind{.id = "inverse_arc_length",
                              .about = "errors of the parameter at a length, and whether tolerances are kept",
-                             .own = own,
+                             .own = inverse_arc_length_fields,
                              .methods_example = "[\"bracketed_newton\"]",
                              .inputs = {.forms = bernstein_form,
                                         .forms_reason = "lengths are those of polynomial Bezier curves",
@@ -28,7 +28,7 @@ const Kind& InverseArcLengthKeys::kind() {
                                         .parameters_reason = "the share of the length at which t is sought"},
                              .companion = Problem::inverse_arc_length,
                              .keys = default_keys<InverseArcLengthKeys>,
-                             .check = check};
+                             .check = check_inverse_arc_length};
   return kind;
 }
 

@@ -7,7 +7,7 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&RooflineKeys::goals>(
+constexpr std::array roofline_fields{field<&RooflineKeys::goals>(
     {.key = "goals",
      .meaning = "what is asked of batch kernels: of a method, a share of the peak or no_slower_than another method; "
                 "scalar, from_degree and to_degree say in which rows, needs_additions_beside on which processors",
@@ -15,7 +15,7 @@ constexpr std::array own{field<&RooflineKeys::goals>(
      .left_out = "none",
      .settable = false})};
 
-Finding check(const Study& study, const Vocabulary& known) {
+Finding check_roofline(const Study& study, const Vocabulary& known) {
   return each("goals", keys_of<RooflineKeys>(study).goals,
               [&](const Goal& goal) { return goal_problem(goal, known.methods); });
 }
@@ -26,11 +26,11 @@ const Kind& RooflineKeys::kind() {
   static constexpr Kind kind{
       .id = "roofline",
       .about = "batch kernels against the peak of each instruction set, kernels for a point against its limit",
-      .own = own,
+      .own = roofline_fields,
       .methods_example = "[\"horner_bernstein_fma\"]",
       .timed = true,
       .keys = default_keys<RooflineKeys>,
-      .check = check};
+      .check = check_roofline};
   return kind;
 }
 

@@ -6,14 +6,14 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{field<&SearchKeys::budget>(
+constexpr std::array search_fields{field<&SearchKeys::budget>(
     {.key = "budget",
      .meaning = "how many inputs the search may try per cell and method, after the random trials",
      .example = "20000",
      .left_out = "nothing: it is needed",
      .needed = true})};
 
-Finding check(const Study& study, const Vocabulary& /*known*/) {
+Finding check_search(const Study& study, const Vocabulary& /*known*/) {
   if (keys_of<SearchKeys>(study).budget >= 1) return std::nullopt;
   return Fault{"budget",
                0,
@@ -26,10 +26,10 @@ Finding check(const Study& study, const Vocabulary& /*known*/) {
 const Kind& SearchKeys::kind() {
   static constexpr Kind kind{.id = "search",
                              .about = "the inputs with the largest error, sought from random ones on",
-                             .own = own,
+                             .own = search_fields,
                              .methods_example = "[\"de_casteljau\"]",
                              .keys = default_keys<SearchKeys>,
-                             .check = check};
+                             .check = check_search};
   return kind;
 }
 

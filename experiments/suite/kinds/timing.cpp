@@ -7,7 +7,7 @@
 namespace bezierbench::suite {
 namespace {
 
-constexpr std::array own{
+constexpr std::array timing_fields{
     field<&TimingKeys::modes>(
         {.key = "modes",
          .meaning = "what one timed call does: one_shot prepares and evaluates one point, point evaluates one prepared "
@@ -20,7 +20,7 @@ constexpr std::array own{
                  "none; only methods of lengths and fitting have it")),
     field<&TimingKeys::published>(published_key)};
 
-Finding check(const Study& study, const Vocabulary& known) {
+Finding check_timing(const Study& study, const Vocabulary& known) {
   const auto& keys = keys_of<TimingKeys>(study);
   if (study.degree.empty() && keys.points.empty())
     return Fault{"degree", 0, {}, "degree is missing; kind \"timing\" needs it or points, add degree = [3, 5]"};
@@ -36,13 +36,13 @@ Finding check(const Study& study, const Vocabulary& known) {
 const Kind& TimingKeys::kind() {
   static constexpr Kind kind{.id = "timing",
                              .about = "time per evaluation or per answer to a companion problem",
-                             .own = own,
+                             .own = timing_fields,
                              .methods_example = "[\"de_casteljau\", \"horner_bernstein\"]",
                              .inputs = {.degree = DegreeUse::optional},
                              .timed = true,
                              .has_baseline = true,
                              .keys = default_keys<TimingKeys>,
-                             .check = check};
+                             .check = check_timing};
   return kind;
 }
 
