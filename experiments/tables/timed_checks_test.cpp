@@ -69,7 +69,7 @@ TEST(TimedChecks, HoldItToHalfOfTheDigitsWhereNothingWasObserved) {
   time_with(tables, "94906267");
   time_with(tables, "4095", "float");
   time_with(tables, "4097", "float");
-  for (const std::size_t row : {0, 1, 2, 3}) EXPECT_EQ(found(tables, "checked", row), row % 2 == 0 ? "yes" : "no");
+  for (const std::size_t row : {0U, 1U, 2U, 3U}) EXPECT_EQ(found(tables, "checked", row), row % 2 == 0 ? "yes" : "no");
 }
 
 TEST(TimedChecks, TakeNoInfiniteErrorForALeave) {
