@@ -49,6 +49,8 @@ struct Kind {
   std::span<const Field> own;
   std::string_view methods_example;
   Inputs inputs = {};
+  std::span<const std::string_view> without = {};  ///< keys of every kind that this kind does not have
+  std::string_view without_reason = {};
   /// The companion problem that studies of this kind judge; also timing studies of its methods take these inputs, and
   /// need those of the own keys that are axes.
   std::optional<Problem> companion = {};
