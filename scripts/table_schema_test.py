@@ -47,6 +47,7 @@ STUDIES = {
     "fit": ("fitting", "bezier", "degree = [3]\npoints = [5]\ntolerance = [1e-2]\ntrials = 2"),
     "split": ("subdivision", "bezier", "degree = [3]\ntrials = 2"),
     "split-weights": ("subdivision", "rational", 'degree = [3]\ngenerator = ["weights_mild"]\ntrials = 2'),
+    "hard": ("hard_cases", "polynomial", 'scalar = ["double", "float"]\ntrials = 200\nkept = 2'),
     "2.4-bezier": ("timing", "bezier", 'degree = [2, 3, 4]\nmethods = ["direct", "de_casteljau"]\nmodes = ["one_shot"]\n' + REPORT),
     "roofline": ("roofline", "bezier", 'degree = [3]\nmethods = ["horner_bernstein_fma"]'),
 }

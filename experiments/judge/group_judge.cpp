@@ -19,8 +19,6 @@
 namespace bezierbench::judge {
 namespace {
 
-constexpr std::int64_t audited_trials = 200;  ///< of replicate 0 of each cell
-
 using Point = std::array<double, reference::max_dimension>;
 using Lanes = reference::CertifiedLanes;
 using LaneSet = std::uint32_t;  ///< a bit per lane
@@ -238,7 +236,7 @@ void GroupJudge<Scalar>::add_truth(Group group, Scratch& scratch, CellTally& blo
   add(metric::in_units(scratch.p_tilde, from.length), from.exists, block.condition);
   for (std::size_t k = 0; k < group.size(); ++k) {
     auto& lane = group[k];
-    if (has(from.exists, k) && lane.number.replicate == 0 && lane.number.trial < audited_trials &&
+    if (has(from.exists, k) && lane.number.replicate == 0 && lane.number.trial < audited_trials_ &&
         sizeof(Scalar) == sizeof(double))
       block.audit.add(metric::to_24_bits(reference::audit_ulp(
           reference::long_double_point(lane.inputs.true_curve(), lane.inputs.true_t()), lane.truth->exact())));

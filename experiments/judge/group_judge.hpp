@@ -23,9 +23,15 @@ struct TrialNumber {
 template <class Scalar>
 class GroupJudge {
  public:
+  /// Of replicate 0 so many trials are audited: what long double makes of them is compared with the truth.
   GroupJudge(const suite::Study& study, const sample::Cell& cell, const sample::Sampler& sampler,
-             const JudgedMethods<Scalar>& methods, reference::Tier tier)
-      : study_(study), cell_(cell), sampler_(sampler), methods_(methods), tier_(tier) {}
+             const JudgedMethods<Scalar>& methods, reference::Tier tier, std::int64_t audited_trials)
+      : study_(study),
+        cell_(cell),
+        sampler_(sampler),
+        methods_(methods),
+        tier_(tier),
+        audited_trials_(audited_trials) {}
 
   /// `count` trials from `first` on, at most trials_at_once. With `check`, the methods' own kernels evaluate the first
   /// one as well; a bit that differs throws std::logic_error.
@@ -55,6 +61,7 @@ class GroupJudge {
   const sample::Sampler& sampler_;
   const JudgedMethods<Scalar>& methods_;
   reference::Tier tier_;
+  std::int64_t audited_trials_;
 };
 
 }  // namespace bezierbench::judge

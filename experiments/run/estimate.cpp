@@ -37,19 +37,25 @@ double allocated_bytes() {
   return static_cast<double>(heap.uordblks) + static_cast<double>(heap.hblkhd);
 }
 
-/// The same study with `trials` trials and whatever it counts cut in proportion.
-suite::Study cut_to(suite::Study study, std::int64_t trials, std::int64_t replicates) {
+/// The job of the same study with so many trials and replicates, and whatever is done to some of the trials only cut in
+/// proportion: of the trials that are audited and decomposed, all are of the first replicate, and so is a pilot.
+std::unique_ptr<Job> cut_job(suite::Study study, const Kinds& kinds, JobContext context, std::int64_t trials,
+                             std::int64_t replicates) {
   trials = std::min(trials, study.trials);
-  const auto in_proportion = [&](std::int64_t count) {
-    const double part = static_cast<double>(trials) / static_cast<double>(study.trials);
-    return static_cast<std::int64_t>(std::ceil(part * static_cast<double>(count)));
+  replicates = std::min(replicates, study.replicates);
+  const double part = static_cast<double>(trials) / static_cast<double>(study.trials) *
+                      static_cast<double>(replicates) / static_cast<double>(study.replicates);
+  const auto in_proportion = [&](std::int64_t count) { return part * static_cast<double>(count); };
+  const auto at_least_one = [&](std::int64_t count) {
+    return static_cast<std::int64_t>(std::ceil(in_proportion(count)));
   };
   if (auto* keys = std::get_if<suite::AccuracyKeys>(&study.keys))
-    keys->decomposed_trials = in_proportion(keys->decomposed_trials);
-  if (auto* keys = std::get_if<suite::SearchKeys>(&study.keys)) keys->budget = in_proportion(keys->budget);
+    keys->decomposed_trials = at_least_one(keys->decomposed_trials);
+  if (auto* keys = std::get_if<suite::SearchKeys>(&study.keys)) keys->budget = at_least_one(keys->budget);
+  context.audited_trials = std::llround(in_proportion(context.audited_trials));
   study.trials = trials;
-  study.replicates = std::min(replicates, study.replicates);
-  return study;
+  study.replicates = replicates;
+  return kinds.make_job(study, context);
 }
 
 /// What one part of a pilot took.
@@ -129,7 +135,7 @@ class Pilot {
                                     static_cast<double>(study.replicates);
     Duration before;
     for (trials_ = 1;; trials_ *= 4) {
-      job_ = kinds.make_job(cut_to(study, trials_, 1), context);
+      job_ = cut_job(study, kinds, context, trials_, 1);
       if (job_->parts() == 0 || interrupted()) return;
       auto sample = first_sample();
       if (trials_ == 1 && sample.nanoseconds < long_enough) sample = first_sample();  // without what is done only once
@@ -205,7 +211,7 @@ struct Broadening {
 /// To as many as show how widely errors are spread, or as many as there is time for: by the part that costs least.
 Broadening broadening(const suite::Study& study, const Kinds& kinds, const JobContext& context, std::int64_t few) {
   const auto of = [&](std::int64_t trials) {
-    const auto job = kinds.make_job(cut_to(study, trials, 1), context);
+    const auto job = cut_job(study, kinds, context, trials, 1);
     std::size_t cheapest = 0;
     for (std::size_t part = 1; part < job->parts(); ++part)
       if (job->cost(part) < job->cost(cheapest)) cheapest = part;
@@ -226,7 +232,7 @@ Sample per_replicate(const suite::Study& study, const Kinds& kinds, const JobCon
   constexpr std::int64_t many = 64;
   if (study.replicates < 2 * many) return {};
   const auto of = [&](std::int64_t replicates) {
-    const auto job = kinds.make_job(cut_to(study, 1, replicates), context);
+    const auto job = cut_job(study, kinds, context, 1, replicates);
     return job->parts() == 0 ? Sample{} : sample_of(*job, part_at(*job, 0.5), job->blocks_per_part());
   };
   const Sample few = of(many);
@@ -254,7 +260,10 @@ StudyEstimate estimate(const suite::Study& study, const Kinds& kinds, const JobC
   const auto replicates = static_cast<double>(study.replicates);
   if (pilot.job().exclusive()) {  // of one block
     const auto blocks = static_cast<double>(pilot.job().blocks());
-    return {.per_cost = sum.per_cost, .result_bytes = bytes * blocks, .result_memory = memory * blocks};
+    return {.per_cost = sum.per_cost,
+            .result_bytes = bytes * blocks,
+            .result_memory = memory * blocks,
+            .result_exponent = 1};
   }
   const auto broader = broadening(study, kinds, context, pilot.trials());
   const auto each = per_replicate(study, kinds, context);

@@ -43,6 +43,7 @@ struct Extent {
 struct JobContext {
   std::uint64_t seed = 1;
   reference::Tier tier = reference::Tier::exact;
+  std::int64_t audited_trials = 200;  ///< of replicate 0 of each cell of an accuracy study, for audit.csv
 };
 
 /// The result of blocks of one part of a job. The order of merging changes nothing, and bytes keep it between

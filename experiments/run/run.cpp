@@ -98,6 +98,31 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + microsecond * static_cast<double>(time.tv_usec);
 }
 
+/// What is kept of a study while a run is under way.
+struct ResultsOfStudy {
+  StudyEstimate estimated;
+  double seconds;  ///< in which its blocks are done
+  const Job& job;
+};
+
+/// Bytes of the files of `blocks` blocks at most, in a run of so many seconds. The time between two files depends on
+/// what a file costs on the disk at hand, which only a run finds out; so this is the geometric mean of what the shortest
+/// and the longest interval give, which is off by the square root of their ratio at most.
+double blocks_on_disk(const std::vector<ResultsOfStudy>& studies, double seconds, double blocks) {
+  const auto at = [&](std::chrono::duration<double> interval) {
+    const double written = std::min(blocks, seconds / interval.count());
+    double sum = 0;
+    for (const auto& one : studies) {
+      const double of_a_part = one.seconds / std::max(1.0, static_cast<double>(one.job.parts()));
+      const double pieces = std::min(static_cast<double>(one.job.blocks_per_part()), 1 + of_a_part / interval.count());
+      sum += one.estimated.result_bytes *
+             Checkpoints::most_on_disk(written, std::pow(pieces, 1 - one.estimated.result_exponent));
+    }
+    return sum;
+  };
+  return std::sqrt(at(Checkpoints::shortest_interval) * at(Checkpoints::longest_interval));
+}
+
 Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, const Extent& extent) {
   constexpr double bytes_per_row = 300;
   constexpr double nanosecond = 1e-9;
@@ -106,24 +131,17 @@ Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, 
   Needs needs{.seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
               .disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
                       bytes_per_row * static_cast<double>(extent.rows)};
-  std::vector<StudyEstimate> studies;
-  double parts = 0;
+  std::vector<ResultsOfStudy> results;
   std::size_t job = 0;
   for (const auto& one : request.suites)
     for (const auto& study : one.studies) {
-      studies.push_back(estimate(study, request.kinds, {one.seed, request.tier}));
-      needs.seconds += nanosecond * studies.back().per_cost * share.cost_left(job);
-      needs.memory += studies.back().result_memory;
-      parts += static_cast<double>(plan.jobs[job++]->parts());
+      const auto estimated = estimate(study, request.kinds, {one.seed, request.tier});
+      const double seconds = nanosecond * estimated.per_cost * share.cost_left(job);
+      needs.seconds += seconds;
+      needs.memory += estimated.result_memory;
+      results.push_back({estimated, seconds, *plan.jobs[job++]});
     }
-  // A part may be divided among several files of blocks, until these are merged into one. While they are merged, every
-  // block is there twice.
-  const auto files = Checkpoints::files_of(needs.seconds);
-  const double pieces = 1 + files.written / std::max(1.0, parts);
-  for (const auto& one : studies) {
-    const double in_pieces = std::pow(pieces, 1 - one.result_exponent);
-    needs.disk += one.result_bytes * (2 * files.gathered + (1 - files.gathered) * in_pieces);
-  }
+  needs.disk += blocks_on_disk(results, needs.seconds, static_cast<double>(share.count()));
   needs.memory += kilobyte * static_cast<double>(used_so_far().ru_maxrss);  // of pilots: what a trial takes meanwhile
   return needs;
 }

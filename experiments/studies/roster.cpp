@@ -12,6 +12,7 @@
 #include "experiments/studies/conversion/conversion.hpp"
 #include "experiments/studies/derivative/derivative.hpp"
 #include "experiments/studies/fitting/fitting.hpp"
+#include "experiments/studies/hard_cases/hard_cases.hpp"
 #include "experiments/studies/interpolation/interpolation.hpp"
 #include "experiments/studies/inverse_arc_length/inverse_arc_length.hpp"
 #include "experiments/studies/projection/projection.hpp"
@@ -43,7 +44,8 @@ constexpr std::array kinds{
     StudyKind{suite::ProjectionKeys::kind, projection_job, {"projection|projection_unstable"}},
     StudyKind{suite::InterpolationKeys::kind, interpolation_job, {"interpolation"}},
     StudyKind{suite::FittingKeys::kind, fitting_job, {"fitting"}},
-    StudyKind{suite::SubdivisionKeys::kind, subdivision_job, {"subdivision"}}};
+    StudyKind{suite::SubdivisionKeys::kind, subdivision_job, {"subdivision"}},
+    StudyKind{suite::HardCasesKeys::kind, hard_cases_job, {"hard_cases"}}};
 
 const StudyKind& find(const suite::Study& study) {
   const auto found =

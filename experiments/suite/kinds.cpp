@@ -128,7 +128,9 @@ std::span<const Field> shared_fields() { return shared; }
 std::vector<const Field*> fields_of(const Kind& kind) {
   std::vector<const Field*> fields;
   for (const Field& field : shared)
-    if (field.key != "degree" || kind.inputs.degree != DegreeUse::not_a_key) fields.push_back(&field);
+    if (std::ranges::find(kind.without, field.key) == kind.without.end() &&
+        (field.key != "degree" || kind.inputs.degree != DegreeUse::not_a_key))
+      fields.push_back(&field);
   for (const Field& field : kind.own) fields.push_back(&field);
   return fields;
 }

@@ -52,6 +52,8 @@ struct Kind {
   std::span<const Field> own;
   std::string_view methods_example;
   Inputs inputs = {};
+  std::span<const std::string_view> without = {};  ///< keys of every kind that this kind does not have
+  std::string_view without_reason = {};
   /// The companion problem that studies of this kind judge. A timing study of methods for this problem takes the same
   /// inputs and needs the same axes.
   std::optional<Problem> companion = {};

@@ -13,6 +13,7 @@
 #include "experiments/suite/kinds/conversion.hpp"
 #include "experiments/suite/kinds/derivative.hpp"
 #include "experiments/suite/kinds/fitting.hpp"
+#include "experiments/suite/kinds/hard_cases.hpp"
 #include "experiments/suite/kinds/interpolation.hpp"
 #include "experiments/suite/kinds/inverse_arc_length.hpp"
 #include "experiments/suite/kinds/projection.hpp"
@@ -29,7 +30,7 @@ namespace bezierbench::suite {
 /// `Keys::kind()` (kinds.hpp) describes each.
 using KindKeys =
     std::variant<AccuracyKeys, SearchKeys, ConversionKeys, TimingKeys, RooflineKeys, DerivativeKeys, ArcLengthKeys,
-                 InverseArcLengthKeys, ProjectionKeys, InterpolationKeys, FittingKeys, SubdivisionKeys>;
+                 InverseArcLengthKeys, ProjectionKeys, InterpolationKeys, FittingKeys, SubdivisionKeys, HardCasesKeys>;
 
 /// One [[study]] table. Axes are swept in the cross product.
 struct Study {

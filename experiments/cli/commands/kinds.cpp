@@ -105,6 +105,8 @@ std::vector<std::string> restrictions_of(const Kind& kind) {
   }
   if (inputs.double_only) all.emplace_back("scalar: double only");
   if (inputs.degree == suite::DegreeUse::not_a_key) all.push_back(fmt::format("no key {}", inputs.degree_reason));
+  if (!kind.without.empty())
+    all.push_back(fmt::format("no keys {}: {}", fmt::join(kind.without, ", "), kind.without_reason));
   if (inputs.degree == suite::DegreeUse::optional) all.emplace_back("degree: may be left out where there are points");
   if (!inputs.least_degree_reason.empty()) all.push_back(fmt::format("degree: {}", inputs.least_degree_reason));
   if (inputs.parameters == suite::Parameters::from_0_to_1)

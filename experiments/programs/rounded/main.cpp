@@ -23,14 +23,14 @@
 #include "core/evaluate/correctly_rounded_power.hpp"
 #include "core/evaluate/kernel_of.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/programs/rounded/hard_cases.hpp"
+#include "experiments/studies/hard_cases/families.hpp"
 #include "reference/certified_points.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace {
 
 using namespace bezierbench;
-using rounded::Draw;
+using studies::hard::Draw;
 
 constexpr int dimension = 2;
 constexpr int largest_degree = 40;
@@ -167,7 +167,7 @@ class RandomCurve {
 };
 
 template <class E, class Scalar>
-void judge_hard_case(Counts& counts, const rounded::HardCase<Scalar>& hard, reference::ExactCurve& exact) {
+void judge_hard_case(Counts& counts, const studies::hard::HardCase<Scalar>& hard, reference::ExactCurve& exact) {
   const int degree = static_cast<int>(hard.coefficients.size()) - 1;
   const CurveView<Scalar> given{E::info.form, 1, degree, hard.coefficients};
   const auto prepared = E::prepare(instantiate::load<E::info.form, 1>(given));
@@ -236,7 +236,7 @@ bool check_random(Options& options, bool certified) {
   const auto pieces =
       (all + points_of_curve * curves_of_piece * dimension - 1) / (points_of_curve * curves_of_piece * dimension);
   const auto counts = dealt(pieces, static_cast<unsigned>(options.values["--threads"]), [&](long piece) {
-    Draw<double> draw((seed << 40U) + (certified ? 0 : 1ULL << 39U) + static_cast<std::uint64_t>(piece));
+    Draw<double> draw({seed, certified ? 0U : 1U, 0, static_cast<std::uint64_t>(piece)});
     Counts of_piece;
     for (long k = 0; k < curves_of_piece; ++k) {
       RandomCurve<E> curve(draw, points_of_curve);
@@ -254,9 +254,9 @@ bool check_hard(Options& options) {
   const auto seed = static_cast<std::uint64_t>(options.values["--seed"]);
   const long pieces = (options.values["--hard"] + cases_of_piece - 1) / cases_of_piece;
   bool right = true;
-  for (const auto& family : rounded::families<Scalar>) {
+  for (const auto& family : studies::hard::families<Scalar>) {
     const auto counts = dealt(pieces, static_cast<unsigned>(options.values["--threads"]), [&](long piece) {
-      Draw<Scalar> draw((seed << 40U) + static_cast<std::uint64_t>(piece));
+      Draw<Scalar> draw({seed, 2, 0, static_cast<std::uint64_t>(piece)});
       reference::ExactCurve exact;
       Counts of_piece;
       for (long k = 0; k < cases_of_piece; ++k)

@@ -21,9 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view extension = ".blocks";
 constexpr std::size_t most_files = 64;  ///< of one writer, before they are merged into one
-constexpr auto shortest_interval = std::chrono::milliseconds(50);
-constexpr auto longest_interval = std::chrono::milliseconds(2000);
-constexpr int times_the_cost = 19;  ///< the time between two checkpoints over the time that the last one took
+constexpr int times_the_cost = 19;      ///< the time between two checkpoints over the time that the last one took
 
 std::uint64_t size_of(const bundle::BlockRecord& record) {
   std::uint64_t sum = 0;
@@ -138,10 +136,14 @@ void Checkpoints::add(std::size_t job, std::uint64_t block, std::unique_ptr<Resu
   if (lock && Clock::now() >= next_checkpoint_) write_checkpoint();
 }
 
-Checkpoints::Files Checkpoints::files_of(double seconds) {
-  const double written = seconds / std::chrono::duration<double>(longest_interval).count();
-  const double left = std::fmod(written, static_cast<double>(most_files));
-  return {written, written < 1 ? 0 : (written - left) / written};
+double Checkpoints::most_on_disk(double written, double in_pieces) {
+  constexpr auto between = static_cast<double>(most_files);
+  if (written <= between) return in_pieces;
+  const double gatherings = std::floor(written / between);
+  const double merged = gatherings * between / written;  // by the last of them
+  const double replaced = (gatherings - 1 + in_pieces) * between / written;
+  const double at_the_end = merged + (1 - merged) * in_pieces;
+  return std::max(merged + replaced, at_the_end);
 }
 
 void Checkpoints::checkpoint() {

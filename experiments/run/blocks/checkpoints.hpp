@@ -69,12 +69,14 @@ class Checkpoints {
   /// than two seconds. Throws as write_file.
   void add(std::size_t job, std::uint64_t block, std::unique_ptr<Result> result);
 
-  struct Files {
-    double written = 0;   ///< their approximate number, at the longest interval
-    double gathered = 0;  ///< the share of them that was merged into one file
-  };
-  /// The files of blocks of a run that takes so many seconds.
-  [[nodiscard]] static Files files_of(double seconds);
+  /// Without an `interval` of the owner, a file follows the one before after a time between these.
+  static constexpr auto shortest_interval = std::chrono::milliseconds(50);
+  static constexpr auto longest_interval = std::chrono::milliseconds(2000);
+
+  /// What files of blocks take on disk at most at once, over what all results take once they are merged: of a run that
+  /// writes so many files, whose results take `in_pieces` times as much as long as they are not merged. A file that
+  /// holds what was merged is written beside those that it replaces.
+  [[nodiscard]] static double most_on_disk(double written, double in_pieces);
 
   /// Writes the results that are in no file yet. Throws as write_file.
   void checkpoint();

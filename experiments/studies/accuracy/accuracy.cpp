@@ -18,7 +18,7 @@ class AccuracyJob final : public run::JobOf<judge::CellTally> {
     for (const auto& cell : sample::cells(study_))
       for (const auto scalar : study_.scalar)
         judge::with_scalar(scalar, [&]<class Scalar>(Scalar /*zero*/) {
-          cells_.emplace_back(std::in_place_type<AccuracyCell<Scalar>>, study_, context.seed, cell, context.tier);
+          cells_.emplace_back(std::in_place_type<AccuracyCell<Scalar>>, study_, context, cell);
         });
   }
 

@@ -34,14 +34,13 @@ std::vector<double> over_replicates(const judge::CellTally& tally, std::size_t j
 }  // namespace
 
 template <class Scalar>
-AccuracyCell<Scalar>::AccuracyCell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell,
-                                   reference::Tier tier)
+AccuracyCell<Scalar>::AccuracyCell(const suite::Study& study, const run::JobContext& context, const sample::Cell& cell)
     : study_(study),
       cell_(cell),
-      tier_(tier),
-      sampler_(seed, study.id, cell),
+      tier_(context.tier),
+      sampler_(context.seed, study.id, cell),
       methods_(study, cell),
-      judge_(study_, cell_, sampler_, methods_, tier) {}
+      judge_(study_, cell_, sampler_, methods_, tier_, context.audited_trials) {}
 
 template <class Scalar>
 std::int64_t AccuracyCell<Scalar>::blocks_per_replicate() const {

@@ -21,7 +21,7 @@ template <class Scalar>
 class AccuracyCell {
  public:
   /// `study` must outlive the cell. Throws Failure(usage) for methods and baselines that do not take its curves.
-  AccuracyCell(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, reference::Tier tier);
+  AccuracyCell(const suite::Study& study, const run::JobContext& context, const sample::Cell& cell);
   AccuracyCell(const AccuracyCell&) = delete;
   AccuracyCell& operator=(const AccuracyCell&) = delete;
 

@@ -1,31 +1,34 @@
 // SPDX-License-Identifier: MIT
-// Curves and t at which rounding once is hard: ties, numbers beside them, cancellation, underflow, overflow.
+// Families of curves and t at which rounding once is hard: ties, numbers beside them, cancellation, underflow,
+// overflow. Studies of kind `hard_cases` draw from them, and so does the program that holds `correctly_rounded` to its
+// promise (experiments/programs/rounded).
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <random>
 #include <string_view>
 #include <vector>
 
 #include "core/curve_view.hpp"
+#include "experiments/sample/words.hpp"
 
-namespace bezierbench::rounded {
+namespace bezierbench::studies::hard {
 
-/// Inputs that depend on the seed only.
+/// Numbers of a stream of random words.
 template <class Scalar>
 class Draw {
  public:
   using Limits = std::numeric_limits<Scalar>;
-  explicit Draw(std::uint64_t seed) : words_(seed) {}
+  explicit Draw(const sample::Words& words) : words_(words) {}
 
-  std::uint64_t below(std::uint64_t count) { return words_() % count; }
+  std::uint64_t below(std::uint64_t count) { return words_.next() % count; }
   int between(int first, int last) {
     return first + static_cast<int>(below(static_cast<std::uint64_t>(last - first) + 1));
   }
   Scalar sign() { return below(2) == 0 ? Scalar(-1) : Scalar(1); }
-  Scalar unit() { return static_cast<Scalar>(std::ldexp(static_cast<double>(words_() >> 11U), -53)); }
+  Scalar unit() { return static_cast<Scalar>(std::ldexp(static_cast<double>(words_.next() >> 11U), -53)); }
   Scalar symmetric() { return 2 * unit() - 1; }
   /// An integer that takes all bits of a significand.
   Scalar long_integer() { return std::ldexp(1 + unit(), Limits::digits - 1); }
@@ -35,7 +38,7 @@ class Draw {
   static constexpr int smallest_exponent = Limits::digits - Limits::min_exponent;  // of the smallest subnormal, negated
 
  private:
-  std::mt19937_64 words_;
+  sample::Words words_;
 };
 
 template <class Scalar>
@@ -169,14 +172,14 @@ struct Family {
 };
 
 template <class Scalar>
-constexpr Family<Scalar> families[] = {{"exact ties", tie<Scalar>},
-                                       {"beside a tie", beside_a_tie<Scalar>},
-                                       {"root of high order", root<Scalar>},
-                                       {"full cancellation", cancellation<Scalar>},
-                                       {"subnormal curves", subnormal_curve<Scalar>},
-                                       {"every magnitude", every_magnitude<Scalar>},
-                                       {"t next to 0 and 1", next_to_an_end<Scalar>},
-                                       {"next to the largest", next_to_the_largest<Scalar>},
-                                       {"constants and ends", constant<Scalar>}};
+constexpr std::array<Family<Scalar>, 9> families{{{"exact_ties", tie<Scalar>},
+                                                  {"beside_a_tie", beside_a_tie<Scalar>},
+                                                  {"root_of_high_order", root<Scalar>},
+                                                  {"full_cancellation", cancellation<Scalar>},
+                                                  {"subnormal_curves", subnormal_curve<Scalar>},
+                                                  {"every_magnitude", every_magnitude<Scalar>},
+                                                  {"t_next_to_0_and_1", next_to_an_end<Scalar>},
+                                                  {"next_to_the_largest", next_to_the_largest<Scalar>},
+                                                  {"constants_and_ends", constant<Scalar>}}};
 
-}  // namespace bezierbench::rounded
+}  // namespace bezierbench::studies::hard

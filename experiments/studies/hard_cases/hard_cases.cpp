@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/hard_cases/hard_cases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "experiments/judge/scalar_facts.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/run/interruption.hpp"
+#include "experiments/sample/cell.hpp"
+#include "experiments/studies/hard_cases/families.hpp"
+#include "experiments/studies/hard_cases/hard_value.hpp"
+#include "experiments/suite/names.hpp"
+#include "reference/exact_curve.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+using reference::Rational;
+
+constexpr std::int64_t block_trials = 2048;
+constexpr int decimal_digits = 40;
+
+/// What is known of a case. p~ is the sum of the magnitudes of the terms.
+struct Value {
+  Rational exact;
+  Rational p_tilde;
+  Rational distance;  ///< from the nearest rounding boundary, see boundary_distance
+};
+
+/// What a search keeps: cases that are `wanted`, the smallest `measure` first.
+struct Search {
+  std::string_view id;
+  bool (*wanted)(const Value& value);
+  Rational (*measure)(const Value& value);
+};
+
+bool is_zero(const Rational& value) { return value.numerator == 0; }
+Rational one(const Value& /*value*/) { return {1, 1, 0}; }
+
+constexpr std::array searches{
+    Search{"tie", [](const Value& v) { return is_zero(v.distance); }, one},
+    Search{"nearest", [](const Value& v) { return !is_zero(v.distance); }, [](const Value& v) { return v.distance; }},
+    Search{"cancelled", [](const Value& v) { return !is_zero(v.exact); },
+           [](const Value& v) {
+             return Rational{abs(v.exact).numerator, v.p_tilde.numerator, v.exact.exponent - v.p_tilde.exponent};
+           }},
+    Search{"zero", [](const Value& v) { return is_zero(v.exact) && !is_zero(v.p_tilde); }, one}};
+
+/// A case and its measure, significand 2^exponent with the significand in [1, 2), which may be below every double.
+struct Found {
+  std::int64_t exponent = 0;
+  double significand = 1;
+  std::int64_t trial = 0;
+  std::vector<double> coefficients;
+  double t = 0;
+
+  /// Of equal measure, the one that was drawn first comes first.
+  friend bool operator<(const Found& a, const Found& b) {
+    return std::tie(a.exponent, a.significand, a.trial) < std::tie(b.exponent, b.significand, b.trial);
+  }
+  [[nodiscard]] bool is_same_case(const Found& other) const {
+    return t == other.t && coefficients == other.coefficients;
+  }
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.exponent, self.significand, self.trial, self.coefficients, self.t);
+  }
+};
+
+/// The best cases of each search, no case twice: of those that were drawn again, the first.
+struct Kept {
+  std::int64_t most = 0;
+  std::array<std::vector<Found>, searches.size()> of;
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.most, self.of);
+  }
+  void add(std::size_t search, Found found) {
+    auto& all = of[search];
+    if (static_cast<std::int64_t>(all.size()) == most && !(found < all.back())) return;
+    const auto same = std::ranges::find_if(all, [&](const Found& other) { return other.is_same_case(found); });
+    if (same != all.end()) {
+      if (!(found < *same)) return;
+      all.erase(same);
+    }
+    all.insert(std::ranges::lower_bound(all, found, std::less()), std::move(found));
+    if (static_cast<std::int64_t>(all.size()) > most) all.pop_back();
+  }
+  void merge(const Kept& other) {
+    most = std::max(most, other.most);
+    for (std::size_t k = 0; k < of.size(); ++k)
+      for (const auto& found : other.of[k]) add(k, found);
+  }
+};
+
+/// The exact value of a case, and what is measured of it.
+class Judge {
+ public:
+  Value value(Form form, const reference::Format& format, std::span<const double> coefficients, double t) {
+    const CurveView<double> curve{form, 1, static_cast<int>(coefficients.size()) - 1, coefficients};
+    Value value{.exact = exact_.point(curve, t).coordinate(0),
+                .p_tilde = exact_.p_tilde(curve, t).coordinate(0),
+                .distance = {}};
+    value.distance = boundary_distance(format, value.exact);
+    return value;
+  }
+
+ private:
+  reference::ExactCurve exact_;
+};
+
+Found found_of(const Rational& measure, std::int64_t trial, const std::vector<double>& coefficients, double t) {
+  const auto exponent = floor_log2(measure);
+  Rational significand = measure;
+  significand.exponent -= exponent;
+  return {exponent, round_to(reference::binary64, significand), trial, coefficients, t};
+}
+
+/// A family in one scalar type is a part.
+class HardCasesJob final : public run::JobOf<Kept> {
+ public:
+  HardCasesJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
+    for (const auto scalar : study_.scalar)
+      for (std::size_t family = 0; family < hard::families<double>.size(); ++family) parts_.push_back({scalar, family});
+  }
+
+  [[nodiscard]] std::size_t parts() const override { return parts_.size(); }
+  [[nodiscard]] std::size_t blocks_per_part() const override {
+    return static_cast<std::size_t>((trials() - 1) / block_trials + 1);
+  }
+  [[nodiscard]] double cost(std::size_t /*part*/) const override {
+    return 1e4 * static_cast<double>(std::min(trials(), block_trials));
+  }
+  [[nodiscard]] run::Extent extent() const override {
+    constexpr std::size_t bytes_of_coefficients = 250;
+    const auto rows = parts() * searches.size() * static_cast<std::size_t>(kept());
+    return {parts(), rows, parts() * static_cast<std::uint64_t>(trials()), rows * bytes_of_coefficients};
+  }
+  void write(tables::Tables& tables) const override;
+  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
+
+ protected:
+  [[nodiscard]] Kept work(std::size_t block) const override {
+    return judge::with_scalar(parts_[part_of(block)].scalar,
+                              [&]<class Scalar>(Scalar /*zero*/) { return searched<Scalar>(block); });
+  }
+
+ private:
+  struct Part {
+    suite::ScalarKind scalar;
+    std::size_t family;
+  };
+
+  [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
+  [[nodiscard]] std::int64_t kept() const { return suite::keys_of<suite::HardCasesKeys>(study_).kept; }
+
+  template <class Scalar>
+  [[nodiscard]] Kept searched(std::size_t block) const {
+    const auto& family = hard::families<Scalar>[parts_[part_of(block)].family];
+    const auto cell = fmt::format("{};{};{}", family.name, name(study_.curve), sizeof(Scalar));
+    const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * block_trials;
+    const auto last = std::min(trials(), first + block_trials);
+    Kept best{.most = kept(), .of = {}};
+    Judge values;
+    for (auto trial = first; trial < last && !run::interrupted(); ++trial) {
+      hard::Draw<Scalar> draw(
+          sample::Words(seed_, sample::key(study_.id), sample::key(cell), static_cast<std::uint64_t>(trial)));
+      const auto drawn = family.draw(draw, study_.curve);
+      std::vector<double> coefficients;
+      for (const Scalar c : drawn.coefficients) coefficients.push_back(double{c} + 0.0);  // no case with -0
+      const double t = double{drawn.t} + 0.0;
+      const auto value = values.value(study_.curve, judge::ScalarFacts<Scalar>::format, coefficients, t);
+      for (std::size_t k = 0; k < searches.size(); ++k)
+        if (searches[k].wanted(value)) best.add(k, found_of(searches[k].measure(value), trial, coefficients, t));
+    }
+    return best;
+  }
+
+  suite::Study study_;
+  std::uint64_t seed_;
+  std::vector<Part> parts_;
+};
+
+void HardCasesJob::write(tables::Tables& tables) const {
+  constexpr int distance_digits = 17;
+  (void)tables.table("hard_cases.csv");
+  Judge values;
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    const auto scalar = parts_[part].scalar;
+    const auto format =
+        judge::with_scalar(scalar, []<class Scalar>(Scalar) { return judge::ScalarFacts<Scalar>::format; });
+    for (std::size_t k = 0; k < searches.size(); ++k)
+      for (const Found& found : state(part).of[k]) {
+        const auto value = values.value(study_.curve, format, found.coefficients, found.t);
+        std::string coefficients;
+        for (const double c : found.coefficients)
+          coefficients += fmt::format("{}{}", coefficients.empty() ? "" : " ", number::hexadecimal(c));
+        const auto rounded = [&](const reference::Format& to) {
+          return number::hexadecimal(round_to(to, value.exact));
+        };
+        tables.add(tables::Row("hard_cases.csv")
+                       .set("study", study_.id)
+                       .set("family", hard::families<double>[parts_[part].family].name)
+                       .set("search", searches[k].id)
+                       .set("drawn", trials())
+                       .set("form", name(study_.curve))
+                       .set("scalar", suite::name(scalar))
+                       .set("degree", found.coefficients.size() - 1)
+                       .set("dimension", 1)
+                       .set("t", number::hexadecimal(found.t))
+                       .set("coefficients", coefficients)
+                       .set("exact", significant(value.exact, decimal_digits))
+                       .set("rounded", rounded(format))
+                       .set("rounded_double", rounded(reference::binary64))
+                       .set("rounded_float", rounded(reference::binary32))
+                       .set("distance_ulp", significant(value.distance, distance_digits)));
+      }
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<run::Job> hard_cases_job(const suite::Study& study, const run::JobContext& context) {
+  return std::make_unique<HardCasesJob>(study, context.seed);
+}
+
+}  // namespace bezierbench::studies
