@@ -12,7 +12,7 @@
 #include "core/arc_length/speed.hpp"
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/evaluate/kernel_of.hpp"
-#include "reference/length_panels.hpp"
+#include "reference/length/length_panels.hpp"
 
 namespace bezierbench {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
-#include "reference/length_along.hpp"
+#include "reference/length/length_along.hpp"
 
 namespace bezierbench {
 namespace {

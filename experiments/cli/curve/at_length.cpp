@@ -13,7 +13,7 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/number/number.hpp"
-#include "reference/length_along.hpp"
+#include "reference/length/length_along.hpp"
 
 namespace bezierbench::cli {
 namespace {

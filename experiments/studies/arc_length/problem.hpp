@@ -15,7 +15,7 @@
 #include "experiments/studies/arc_length/arc_length.hpp"
 #include "experiments/studies/promises.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
-#include "reference/true_length.hpp"
+#include "reference/length/true_length.hpp"
 
 namespace bezierbench::studies {
 

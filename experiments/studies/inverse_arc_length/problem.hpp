@@ -16,7 +16,7 @@
 #include "experiments/studies/inverse_arc_length/spacing.hpp"
 #include "experiments/studies/promises.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
-#include "reference/length_along.hpp"
+#include "reference/length/length_along.hpp"
 
 namespace bezierbench::studies {
 

@@ -5,7 +5,7 @@
 
 #include "experiments/sample/draw.hpp"
 #include "reference/exact_curve.hpp"
-#include "reference/length_along.hpp"
+#include "reference/length/length_along.hpp"
 #include "reference/rational.hpp"
 
 namespace bezierbench::studies {

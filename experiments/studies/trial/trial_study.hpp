@@ -22,7 +22,7 @@
 #include "experiments/run/job.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "experiments/tables/cell_fields.hpp"
-#include "reference/length_panels.hpp"
+#include "reference/length/length_panels.hpp"
 
 namespace bezierbench::studies {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/curve_view.hpp"
-#include "reference/speed_series.hpp"
+#include "reference/length/speed_series.hpp"
 
 namespace bezierbench::reference {
 

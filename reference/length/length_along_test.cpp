@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/length_along.hpp"
+#include "reference/length/length_along.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "reference/true_length.hpp"
+#include "reference/length/true_length.hpp"
 
 namespace bezierbench::reference {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/speed_series.hpp"
+#include "reference/length/speed_series.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/curve_view.hpp"
-#include "reference/length_panels.hpp"
+#include "reference/length/length_panels.hpp"
 
 namespace bezierbench::reference {
 

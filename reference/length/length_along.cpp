@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/length_along.hpp"
+#include "reference/length/length_along.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/length_panels.hpp"
+#include "reference/length/length_panels.hpp"
 
 #include <limits>
 #include <string>
