@@ -2,28 +2,31 @@
 #include "reference/length/length_along.hpp"
 
 #include <algorithm>
+#include <concepts>
 
 namespace bezierbench::reference {
 namespace {
 
 /// The length of the panel's part on its local parameters [0, x].
-LongReal length_within(const LengthPanel& panel, const LongReal& x) {
-  return x == 0 ? LongReal(0) : LongReal(panel.width * x * panel.series.mean_speed_to(2 * x - 1));
+template <class Real>
+Real length_within(const LengthPanel<Real>& panel, const Real& x) {
+  return x == 0 ? Real(0) : Real(panel.width * x * panel.series.mean_speed_to(2 * x - 1));
 }
 
 /// The x in [0, 1] with that length. The interval [low, high] holds the root; it is halved where a step of Newton's
 /// method leaves it or did not halve the distance, so the loop ends.
-LongReal local_parameter(const LengthPanel& panel, const LongReal& length, const LongReal& negligible) {
-  LongReal low = 0;
-  LongReal high = 1;
-  LongReal x = length / panel.length;
-  LongReal before = panel.length;
-  const LongReal last_digit("1e-60");
+template <class Real>
+Real local_parameter(const LengthPanel<Real>& panel, const Real& length, const Real& negligible) {
+  Real low = 0;
+  Real high = 1;
+  Real x = length / panel.length;
+  Real before = panel.length;
+  const Real last_digit = Precision<Real>::straight;
   while (high - low > last_digit) {
-    const LongReal distance = length_within(panel, x) - length;
+    const Real distance = length_within(panel, x) - length;
     if (abs(distance) <= negligible) break;
     (distance < 0 ? low : high) = x;
-    const LongReal speed = panel.width * panel.series.speed(2 * x - 1);
+    const Real speed = panel.width * panel.series.speed(2 * x - 1);
     const bool halved = 2 * abs(distance) <= before;
     before = abs(distance);
     if (halved && speed > 0) x -= distance / speed;
@@ -34,40 +37,57 @@ LongReal local_parameter(const LengthPanel& panel, const LongReal& length, const
 
 }  // namespace
 
-LengthAlong::LengthAlong(const CurveView<double>& curve) {
-  const auto h = long_hodograph(curve, 0, 1);
+template <class Real>
+LengthAlong<Real>::LengthAlong(const CurveView<double>& curve) {
+  const auto h = hodograph<Real>(curve, 0, 1);
   if (h.polygon() == 0) return;
-  const LengthPanels integral(h);
-  require_certain(integral.length(), integral.uncertainty());
+  const LengthPanels<Real> integral(h);
+  if constexpr (std::same_as<Real, LongReal>) require_certain(integral.length(), integral.uncertainty());
   uncertainty_ = integral.uncertainty();
   panels_ = integral.panels();
   for (const auto& panel : panels_) cumulative_.push_back(cumulative_.back() + panel.length);
   cumulative_.back() = integral.length();
 }
 
-LongReal LengthAlong::length_to(const LongReal& t) const {
+template <class Real>
+Real LengthAlong<Real>::length_to(const Real& t) const {
   if (t <= 0 || panels_.empty()) return 0;
   if (t >= 1) return whole();
+  const std::size_t k = panel_at(t);
+  return cumulative_[k] + length_within<Real>(panels_[k], (t - panels_[k].begin) / panels_[k].width);
+}
+
+template <class Real>
+std::size_t LengthAlong<Real>::panel_at(const Real& t) const {
   const auto behind =
       std::upper_bound(panels_.begin(), panels_.end(), t,
-                       [](const LongReal& value, const LengthPanel& panel) { return value < panel.begin; });
-  const auto& panel = *(behind - 1);
-  return cumulative_[static_cast<std::size_t>(behind - panels_.begin()) - 1] +
-         length_within(panel, (t - panel.begin) / panel.width);
+                       [](const Real& value, const LengthPanel<Real>& panel) { return value < panel.begin; });
+  return static_cast<std::size_t>(behind - panels_.begin()) - 1;
 }
 
-LongReal LengthAlong::distance(const LongReal& t, const LongReal& length) const {
-  LongReal error = abs(length_to(t) - length);
-  return error <= uncertainty_ ? LongReal(0) : error;
+template <class Real>
+Real LengthAlong<Real>::speed_at(const Real& t) const {
+  const auto& panel = panels_[panel_at(t)];
+  return panel.series.speed(2 * ((t - panel.begin) / panel.width) - 1);
 }
 
-LongReal LengthAlong::parameter_at(const LongReal& length) const {
+template <class Real>
+Real LengthAlong<Real>::distance(const Real& t, const Real& length) const {
+  Real error = abs(length_to(t) - length);
+  return error <= uncertainty_ ? Real(0) : error;
+}
+
+template <class Real>
+Real LengthAlong<Real>::parameter_at(const Real& length) const {
   if (length <= 0 || panels_.empty()) return 0;
   if (length >= whole()) return 1;
   const auto behind = std::upper_bound(cumulative_.begin(), cumulative_.end(), length);
   const auto k = static_cast<std::size_t>(behind - cumulative_.begin()) - 1;
-  const LongReal negligible = whole() * LongReal("1e-40");
-  return panels_[k].begin + panels_[k].width * local_parameter(panels_[k], length - cumulative_[k], negligible);
+  const Real negligible = whole() * Precision<Real>::of_parameter;
+  return panels_[k].begin + panels_[k].width * local_parameter<Real>(panels_[k], length - cumulative_[k], negligible);
 }
+
+template class LengthAlong<LongReal>;
+template class LengthAlong<PairReal>;
 
 }  // namespace bezierbench::reference

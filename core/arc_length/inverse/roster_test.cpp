@@ -17,8 +17,8 @@ namespace bezierbench {
 namespace {
 
 using Points = std::vector<double>;
-using reference::LengthAlong;
 using reference::LongReal;
+using LengthAlong = reference::LengthAlong<LongReal>;
 
 CurveView<double> view(const Points& points, int dimension = 2) {
   return {Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};

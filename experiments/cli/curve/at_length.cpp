@@ -86,7 +86,7 @@ class Truth {
   }
 
  private:
-  std::optional<reference::LengthAlong> lengths_;
+  std::optional<reference::LengthAlong<LongReal>> lengths_;
   LongReal whole_;
 };
 
