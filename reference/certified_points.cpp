@@ -12,39 +12,52 @@
 namespace bezierbench::reference {
 namespace {
 
-constexpr int exact_binomials = 56;  ///< through this degree every C(n,i) is a double
-constexpr int largest_power_degree = 128;
 constexpr double largest_t = 8;
 constexpr double smallest_t = 0x1p-100;  ///< below this the low part of the ratio may underflow
 constexpr double smallest_magnitude = 0x1p-600;
-constexpr double largest_coefficient = 0x1p+600;
-
-struct Pair {
-  double high;
-  double low;
-};
-
-inline Pair normalised(Expansion2<double> sum) { return {sum.value, sum.error}; }
-
-inline Pair product(Pair x, Pair y) {
-  const auto high = two_prod(x.high, y.high);
-  return normalised(fast_two_sum(high.value, high.error + fused(x.high, y.low, x.low * y.high)));
-}
-
-inline Pair sum(Pair x, Pair y) {
-  const auto high = two_sum(x.high, y.high);
-  return normalised(two_sum(high.value, high.error + (x.low + y.low)));
-}
-
-inline Pair quotient(Pair x, Pair y) {
-  const double first = x.high / y.high;
-  const double rest = (fused(-first, y.high, x.high) + x.low) - first * y.low;
-  return normalised(fast_two_sum(first, rest / y.high));
-}
+constexpr double largest_magnitude = 0x1p+1000;
+constexpr double smallest_weight = 0x1p-400;
+constexpr int weight_exponent = 200;          ///< of the largest weight
+constexpr int coefficient_exponent = 600;     ///< of the largest coefficient, where the degree allows it
+constexpr int term_exponent = 1000;           ///< of the largest sum of terms
+constexpr double least_of_weights = 0x1p-40;  ///< |D'| / Q
+constexpr int of_quotient = 16;               ///< its error, as pair.hpp has it
 
 /// The factor that the header proves, and one unit for underflow; a relative margin of 2^-20 covers the second order.
 double error_factor(Form form, int n) {
-  return (form == Form::bernstein ? 44.0 * n + 9 : 12.0 * n + 1) * (1 + 0x1p-20);
+  const double factor = form == Form::bernstein ? 36.0 * n + 8 : form == Form::rational ? 28.0 * n + 11 : 12.0 * n + 1;
+  return factor * (1 + 0x1p-20);
+}
+
+/// The sum of all C(n,i) 2^-k is this power of two.
+int binomial_exponent(int n) { return n - n / 2; }
+
+double largest_coefficient(Form form, int n) {
+  if (form == Form::power) return std::ldexp(1.0, coefficient_exponent);
+  const int of_weights = form == Form::rational ? weight_exponent : 0;
+  return std::ldexp(1.0, std::min(coefficient_exponent, term_exponent - of_weights - binomial_exponent(n)));
+}
+
+bool is_moderate_weight(double weight) {
+  const double size = std::abs(weight);
+  return weight == 0 || (size >= smallest_weight && size <= std::ldexp(1.0, weight_exponent));
+}
+
+/// C(n,i) 2^-k for all i, each right to 4 u^2.
+std::vector<Pair> scaled_binomials(int n) {
+  std::vector<Pair> row;
+  mpz_class binomial = 1;
+  mpz_class rest;
+  for (int i = 0; i <= n; ++i) {
+    const double high = binomial.get_d();  // truncates towards zero, as the next one does
+    rest = high;
+    rest = binomial - rest;
+    const Pair pair = pair_of(fast_two_sum(high, rest.get_d()));
+    row.push_back({std::ldexp(pair.high, -(n / 2)), std::ldexp(pair.low, -(n / 2))});
+    binomial *= n - i;
+    binomial /= i + 1;
+  }
+  return row;
 }
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -66,6 +79,7 @@ inline double difference(double computed, double high, double low) {
 }
 
 inline double larger(double a, double b) { return a < b ? b : a; }
+inline double smaller(double a, double b) { return b < a ? b : a; }
 
 /// The length of three differences, each with an error of at most `error`, rounded to 24 bits. NaN where the interval
 /// that contains the length holds numbers that round differently. There are no branches, so that compilers vectorise
@@ -111,28 +125,19 @@ CertifiedLanes CertifiedBlock::distances(const PointLanes& points) const {
   return result;
 }
 
-bool CertifiedPoints::applies(Form form, int degree) {
-  return form == Form::bernstein ? degree <= exact_binomials : form == Form::power && degree <= largest_power_degree;
-}
-
 CertifiedPoints::CertifiedPoints(Form form, int dimension, int degree)
     : form_(form),
       dimension_(dimension),
       degree_(degree),
-      binomials_(static_cast<std::size_t>(degree) + 1, 1),
-      coefficients_((static_cast<std::size_t>(degree) + 1) * static_cast<std::size_t>(dimension)) {
-  if (form != Form::bernstein) return;
-  std::uint64_t binomial = 1;
-  for (int i = 1; i <= degree; ++i) {
-    binomial = binomial * static_cast<std::uint64_t>(degree - i + 1) / static_cast<std::uint64_t>(i);
-    binomials_[static_cast<std::size_t>(i)] = static_cast<double>(binomial);  // below 2^53
-  }
-}
+      binomials_(form == Form::power ? std::vector<Pair>(static_cast<std::size_t>(degree) + 1, Pair{1, 0})
+                                     : scaled_binomials(degree)),
+      coefficients_(binomials_.size() * static_cast<std::size_t>(dimension)),
+      weights_(form == Form::rational ? binomials_.size() : 0) {}
 
 void CertifiedPoints::set_ratio(std::size_t lane, double t) {
   Pair ratio{t, 0};
-  if (form_ == Form::bernstein) {
-    const Pair s = normalised(two_sum(1.0, -t));
+  if (form_ != Form::power) {
+    const Pair s = pair_of(two_sum(1.0, -t));
     const Pair larger = t <= 0.5 ? s : Pair{t, 0};
     ratio = quotient(t <= 0.5 ? Pair{t, 0} : s, larger);
     larger_.high[lane] = larger.high;
@@ -145,49 +150,105 @@ void CertifiedPoints::set_ratio(std::size_t lane, double t) {
 void CertifiedPoints::load(std::size_t lane, const CurveView<double>& curve, double t) {
   set_ratio(lane, t);
   bool moderate = std::abs(t) >= smallest_t && std::abs(t) <= largest_t;
-  const bool descending = form_ == Form::bernstein && t > 0.5;
+  const double largest = largest_coefficient(form_, degree_);
+  const bool descending = form_ != Form::power && t > 0.5;
   for (int i = 0; i <= degree_; ++i)
     for (int axis = 0; axis < dimension_; ++axis) {
       const double value = curve(axis, descending ? degree_ - i : i);
-      moderate = moderate && std::abs(value) <= largest_coefficient;
+      moderate = moderate && std::abs(value) <= largest;
       coefficients_[static_cast<std::size_t>(i * dimension_ + axis)][lane] = value;
     }
-  unknown_[lane] = moderate ? 0 : unknown;
-}
-
-void CertifiedPoints::evaluate() {
-  for (auto& axis : sums_) axis = {};
-  for (auto& axis : magnitudes_) axis = {};
-  for (int i = degree_; i >= 0; --i) {
-    const double binomial = binomials_[static_cast<std::size_t>(i)];
-    for (int axis = 0; axis < dimension_; ++axis) {
-      const Lanes& coefficient = coefficients_[static_cast<std::size_t>(i * dimension_ + axis)];
-      Pairs& p = sums_[static_cast<std::size_t>(axis)];
-      Lanes& magnitude = magnitudes_[static_cast<std::size_t>(axis)];
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const auto term = two_prod(binomial, coefficient[lane]);
-        const Pair raised = product({p.high[lane], p.low[lane]}, {ratio_.high[lane], ratio_.low[lane]});
-        const Pair next = sum(raised, {term.value, term.error});
-        p.high[lane] = next.high;
-        p.low[lane] = next.low;
-        magnitude[lane] = magnitude[lane] * std::abs(ratio_.high[lane]) + std::abs(term.value);
-      }
-    }
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    const double weight = curve.weights[descending ? weights_.size() - 1 - i : i];
+    moderate = moderate && is_moderate_weight(weight);
+    weights_[i][lane] = weight;
   }
-  if (form_ == Form::bernstein) multiply_by_power();
-  finish();
+  const double growth = form_ == Form::power && std::abs(t) > 1 ? std::pow(std::abs(t), degree_) : 1;
+  least_[lane] = moderate ? smallest_magnitude * growth : unknown;
 }
 
+void CertifiedPoints::evaluate() { evaluate_lanes<lanes>(); }
+
+void CertifiedPoints::evaluate_one() {
+  evaluate_lanes<lanes / 4>();
+  std::fill(points_.error.begin() + 1, points_.error.end(), unknown);
+}
+
+template <std::size_t Count>
+void CertifiedPoints::evaluate_lanes() {
+  sum_up<Count>();
+  find_magnitude<Count>();
+  if (form_ == Form::bernstein) multiply_by_power<Count>();
+  if (form_ == Form::rational) divide_by_weights<Count>();
+  certify<Count>();
+}
+
+/// One step of Horner's scheme, sums = sums ratio + factors coefficients, in all lanes.
+template <std::size_t Count>
+void CertifiedPoints::add(const Lanes& coefficients, const Pairs& factors, Pairs& sums, Lanes& magnitudes) const {
+  for (std::size_t lane = 0; lane < Count; ++lane) {
+    const Pair term = product(Pair{factors.high[lane], factors.low[lane]}, coefficients[lane]);
+    const Pair raised = product(Pair{sums.high[lane], sums.low[lane]}, Pair{ratio_.high[lane], ratio_.low[lane]});
+    const Pair next = sum(raised, term);
+    sums.high[lane] = next.high;
+    sums.low[lane] = next.low;
+    magnitudes[lane] = magnitudes[lane] * std::abs(ratio_.high[lane]) + std::abs(term.high);
+  }
+}
+
+template <std::size_t Count>
+void CertifiedPoints::sum_up() {
+  sums_ = {};
+  magnitudes_ = {};
+  weight_sums_ = {};
+  weight_magnitudes_ = {};
+  const auto axes = static_cast<std::size_t>(dimension_);
+  Lanes ones;
+  ones.fill(1);
+  Pairs factors;
+  for (std::size_t i = binomials_.size(); i-- > 0;) {
+    const Pair binomial = binomials_[i];
+    if (form_ == Form::rational) {
+      for (std::size_t lane = 0; lane < Count; ++lane) {
+        const Pair weighted = product(binomial, weights_[i][lane]);
+        factors.high[lane] = weighted.high;
+        factors.low[lane] = weighted.low;
+      }
+      add<Count>(ones, factors, weight_sums_, weight_magnitudes_);
+    } else {
+      factors.high.fill(binomial.high);
+      factors.low.fill(binomial.low);
+    }
+    for (std::size_t axis = 0; axis < axes; ++axis)
+      add<Count>(coefficients_[i * axes + axis], factors, sums_[axis], magnitudes_[axis]);
+  }
+}
+
+template <std::size_t Count>
+void CertifiedPoints::find_magnitude() {
+  for (std::size_t lane = 0; lane < Count; ++lane)
+    magnitude_[lane] = larger(larger(magnitudes_[0][lane], magnitudes_[1][lane]), magnitudes_[2][lane]);
+  smallest_ = magnitude_;
+}
+
+template <std::size_t Count>
 void CertifiedPoints::multiply_by_power() {
   Pairs power;
-  Pairs square = larger_;
   power.high.fill(1);
-  for (int rest = degree_; rest > 0; rest /= 2) {
+  if (degree_ % 2 == 1) power = larger_;
+  Pairs square;
+  for (std::size_t lane = 0; lane < Count; ++lane) {
+    const Pair base{larger_.high[lane], larger_.low[lane]};
+    const Pair next = product(base, base);
+    square.high[lane] = 2 * next.high;
+    square.low[lane] = 2 * next.low;
+  }
+  for (int rest = degree_ / 2; rest > 0; rest /= 2) {
     const bool odd = rest % 2 == 1;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
+    for (std::size_t lane = 0; lane < Count; ++lane) {
       const Pair base{square.high[lane], square.low[lane]};
       if (odd) {
-        const Pair next = product({power.high[lane], power.low[lane]}, base);
+        const Pair next = product(Pair{power.high[lane], power.low[lane]}, base);
         power.high[lane] = next.high;
         power.low[lane] = next.low;
       }
@@ -196,31 +257,57 @@ void CertifiedPoints::multiply_by_power() {
       square.low[lane] = next.low;
     }
   }
-  for (int axis = 0; axis < dimension_; ++axis) {
-    Pairs& p = sums_[static_cast<std::size_t>(axis)];
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const Pair next = product({p.high[lane], p.low[lane]}, {power.high[lane], power.low[lane]});
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
+    Pairs& p = sums_[axis];
+    for (std::size_t lane = 0; lane < Count; ++lane) {
+      const Pair next = product(Pair{p.high[lane], p.low[lane]}, Pair{power.high[lane], power.low[lane]});
       p.high[lane] = next.high;
       p.low[lane] = next.low;
-      magnitudes_[static_cast<std::size_t>(axis)][lane] *= std::abs(power.high[lane]);
     }
+  }
+  for (std::size_t lane = 0; lane < Count; ++lane) {
+    magnitude_[lane] *= std::abs(power.high[lane]);
+    smallest_[lane] = smaller(smallest_[lane], magnitude_[lane]);
   }
 }
 
-void CertifiedPoints::finish() {
+template <std::size_t Count>
+void CertifiedPoints::divide_by_weights() {
+  Lanes largest{};  // |p'|
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
+    Pairs& p = sums_[axis];
+    for (std::size_t lane = 0; lane < Count; ++lane) {
+      const Pair next =
+          quotient(Pair{p.high[lane], p.low[lane]}, Pair{weight_sums_.high[lane], weight_sums_.low[lane]});
+      p.high[lane] = next.high;
+      p.low[lane] = next.low;
+      largest[lane] = larger(largest[lane], std::abs(next.high));
+    }
+  }
+  const double more = of_quotient / error_factor(form_, degree_);
+  for (std::size_t lane = 0; lane < Count; ++lane) {
+    const double divisor = std::abs(weight_sums_.high[lane]);
+    const double weights = weight_magnitudes_[lane];
+    const double of_terms = magnitude_[lane] / divisor;
+    smallest_[lane] = smaller(smaller(smallest_[lane], weights), of_terms);
+    smallest_[lane] = divisor >= least_of_weights * weights ? smallest_[lane] : 0;
+    magnitude_[lane] = of_terms * (1 + more) + largest[lane] * (weights / divisor);
+  }
+}
+
+template <std::size_t Count>
+void CertifiedPoints::certify() {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      // After products the low part is up to two ulps of the high one; a certificate has the nearest double as high
-      // part.
+    for (std::size_t lane = 0; lane < Count; ++lane) {
+      // A certificate has the double nearest to its point as high part, also beside ties.
       const auto nearest = two_sum(sums_[axis].high[lane], sums_[axis].low[lane]);
       points_.high[axis][lane] = nearest.value;
       points_.low[axis][lane] = nearest.error;
     }
-  const double factor = error_factor(form_, degree_) * 0x1p-106;
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const double magnitude = larger(larger(magnitudes_[0][lane], magnitudes_[1][lane]), magnitudes_[2][lane]);
-    const double error = factor * (magnitude * (1 + 0x1p-40)) + unknown_[lane];
-    points_.error[lane] = magnitude >= smallest_magnitude ? error : unknown;
+  const double factor = error_factor(form_, degree_) * 0x1p-106 * (1 + 0x1p-40);
+  for (std::size_t lane = 0; lane < Count; ++lane) {
+    const bool proved = (smallest_[lane] >= least_[lane]) & (magnitude_[lane] <= largest_magnitude);
+    points_.error[lane] = proved ? factor * magnitude_[lane] : unknown;
   }
 }
 

@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: MIT
 // Many points at once in double-double arithmetic, each with a proved bound on its error. This is the fast reference.
 //
-// Bernstein form, n <= 56 so that C(n,i) is a double: for t <= 1/2 let L = 1-t and r = t/L, and c_i = C(n,i) b_i (a
-// pair without error); then p = L^n (c_0 + r (c_1 + ...)). For t > 1/2 the same holds from the other end.
-// Power form: Horner's scheme.
+// Bernstein form: for t <= 1/2 let L = 1-t and r = t/L, so that |r| <= 1, k = n/2 rounded down, and
+// c_i = C(n,i) 2^-k b_i; then p = (2 L^2)^k L^(n-2k) (c_0 + r (c_1 + ...)). For t > 1/2 the same holds from the other
+// end. C(n,i) 2^-k lies between 2^-512 and 2^507 for every n <= 1023, and so do powers of 2 L^2 for t in [0, 1].
+// Rational curves: N = c_0 + r (c_1 + ...) with c_i = C(n,i) 2^-k w_i b_i, D likewise with c_i = C(n,i) 2^-k w_i, and
+// p = N / D: the powers of L cancel.
+// Power form: Horner's scheme in t.
 //
-// Error, in units of u^2 = 2^-106 and to first order ([Joldes et al. 2017] bound such operations more tightly): a
-// product of pairs drops low low (1) and rounds low high (1), the fused sum (2) and the last sum (3): at most 8 |x y|.
-// A sum of pairs rounds the sum of the low parts (1) and the last sum (2): at most 4 (|x| + |y|). A quotient of pairs:
-// at most 24. So a term passes n products, n sums, n factors r, and with L^n n products more: 8n + 4n + 24n + 8n + 8;
-// in power form 8n + 4n. These factors multiply P, the sum of the |terms| of the coordinate, so the error of a
-// coordinate is at most error_factor(n) u^2 P. P itself is summed beside it in double. All its terms are positive, so
-// its relative error is at most 10 (n + 1) u; a relative margin of 2^-40 covers it.
+// Error, in units of u^2 and with the numbers of pair.hpp. C(n,i) 2^-k is a pair right to 4, and times w_i or b_i to 7,
+// times both to 10. A term passes n products (8 each), n sums (4) and n factors r (16), and with a power of L n products
+// more (8): 36n + 7 in Bernstein form, 12n in power form, 28n + 10 for N, 28n + 7 for D. These factors multiply P, the
+// sum of the |terms| of the coordinate (Q for D), so the error of a coordinate is at most error_factor(n) u^2 P.
+// P is summed beside it in double. All its terms are positive and rounded four times in each step, so its relative error
+// is below 4 (n + 2) u; a relative margin of 2^-40 covers it.
 //
-// Underflow: with |t| <= 8 every partial sum loses at most 2^-1070 per operation, which L^n and the later steps raise
-// by less than 2^384. A point is certified only for 2^-600 <= P, so that one unit of the factor, 2^-706, covers it.
-// Overflow: coefficients are at most 2^600 there.
+// Quotient: let N' and D' be what is computed, f the factor of both, and |D'| >= 2^-40 Q, so that D' is right to a
+// relative f 2^-66 and D is not 0. As N/D - N'/D' = (N - N')/D - (N'/D') (D - D')/D, the error of p is at most
+// u^2 ((f + 16) P + f |p'| Q) / |D'|, up to a relative f 2^-65.
+//
+// Underflow: an operation loses at most 2^-1070, and no later factor r or t exceeds 1, but for power form and |t| > 1,
+// where later factors are at most |t|^n together. So a sum loses at most 2^-1059 (n <= 1023), times max(1, |t|^n); the
+// product with the power of L loses 2^-1070. A point is certified only where P (and Q) is at least 2^-600, in power form
+// times max(1, |t|^n), before and after that product: one unit of the factor, 2^-706 of the same, covers both. Weights
+// are 0 or at least 2^-400, so that their products with binomials are not subnormal. In the quotient an operation loses
+// at most 2^-1070 / |D'|, or 2^-1070; P / |D'| is at least 2^-600, too.
+// Overflow: coefficients are at most 2^600 and so small that no term and no sum of terms exceeds 2^1000; in power form,
+// and after the product with the power of L, P itself says that it does not.
 #pragma once
 
 #include <array>
@@ -27,6 +38,7 @@
 
 #include "core/curve_view.hpp"
 #include "reference/exact_point.hpp"
+#include "reference/pair.hpp"
 
 namespace bezierbench::reference {
 
@@ -64,13 +76,20 @@ class CertifiedPoints {
 
   CertifiedPoints(Form form, int dimension, int degree);
 
-  /// False where no values have a proved error; then no other member may be called.
-  static bool applies(Form form, int degree);
+  /// False where no values have a proved error; then there must be no object.
+  static bool applies(Form form) { return form != Form::power_centered; }
+
+  /// True where this object is for such trials.
+  [[nodiscard]] bool is_for(Form form, int dimension, int degree) const {
+    return form == form_ && dimension == dimension_ && degree == degree_;
+  }
 
   /// Trial number `lane` of the block; every lane that is read after `evaluate` must have been loaded.
   void load(std::size_t lane, const CurveView<double>& curve, double t);
 
   void evaluate();
+  /// Of lane 0 only, in the time of a quarter of a block; the other lanes then have no points.
+  void evaluate_one();
 
   /// The points of all lanes.
   [[nodiscard]] const CertifiedBlock& points() const { return points_; }
@@ -86,19 +105,37 @@ class CertifiedPoints {
   };
 
   void set_ratio(std::size_t lane, double t);
+  // The steps of `evaluate` for the first `Count` lanes.
+  template <std::size_t Count>
+  void evaluate_lanes();
+  template <std::size_t Count>
+  void add(const Lanes& coefficients, const Pairs& factors, Pairs& sums, Lanes& magnitudes) const;
+  template <std::size_t Count>
+  void sum_up();
+  template <std::size_t Count>
+  void find_magnitude();
+  template <std::size_t Count>
   void multiply_by_power();
-  void finish();
+  template <std::size_t Count>
+  void divide_by_weights();
+  template <std::size_t Count>
+  void certify();
 
   Form form_;
   int dimension_;
   int degree_;
-  std::vector<double> binomials_;    ///< C(n,i); 1 in power form
-  std::vector<Lanes> coefficients_;  ///< point by point, in the reverse order of Horner's scheme
-  Pairs ratio_;                      ///< the factor of Horner's scheme: r, or t in power form
-  Pairs larger_;                     ///< L
-  Lanes unknown_{};                  ///< 0 where t and coefficients are in the range of the proof, else NaN
-  std::array<Pairs, max_dimension> sums_;
-  std::array<Lanes, max_dimension> magnitudes_;  ///< P
+  std::vector<Pair> binomials_;            ///< C(n,i) 2^-k; 1 in power form
+  std::vector<Lanes> coefficients_;        ///< point by point, in the reverse order of Horner's scheme
+  std::vector<Lanes> weights_;             ///< of rational curves, likewise
+  Pairs ratio_;                            ///< the factor of Horner's scheme: r, or t in power form
+  Pairs larger_;                           ///< L
+  Lanes least_{};                          ///< what P must be at least; NaN where t or a coefficient is out of range
+  std::array<Pairs, max_dimension> sums_;  ///< N; in the end the point
+  std::array<Lanes, max_dimension> magnitudes_;  ///< P of each axis
+  Pairs weight_sums_;                            ///< D
+  Lanes weight_magnitudes_{};                    ///< Q
+  Lanes magnitude_{};                            ///< the error in units of the factor; P of the largest axis at first
+  Lanes smallest_{};                             ///< the least of what must not be too small
   CertifiedBlock points_;
 };
 

@@ -13,7 +13,7 @@ const ExactPoint& TruePoint::exact() {
   return *point_;
 }
 
-bool TruePoint::exists() { return curve_.form != Form::rational || exact().exists(); }
+bool TruePoint::exists() { return certified_ || curve_.form != Form::rational || exact().exists(); }
 
 const Distance& TruePoint::exact_distance() {
   if (!distance_) distance_.emplace(exact());

@@ -12,7 +12,7 @@
 #include "core/arc_length/speed.hpp"
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/evaluate/kernel_of.hpp"
-#include "reference/length_panels.hpp"
+#include "reference/length/length_panels.hpp"
 
 namespace bezierbench {
 namespace {
@@ -41,7 +41,7 @@ void expect_proofs_to_hold(Count& count) {
     const auto vectors = about_an_axis(inputs, m, Dimension, spread);
     const auto h =
         instantiate::load<Form::bernstein, Dimension>(CurveView<double>{Form::bernstein, Dimension, m, vectors});
-    const reference::LengthPanels truth({Dimension, {vectors.begin(), vectors.end()}});
+    const reference::LengthPanels<reference::LongReal> truth({Dimension, {vectors.begin(), vectors.end()}});
     ChebyshevSeries<Dimension> series(m);
     for (const double allowed : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
       series.expand(h, 4);

@@ -11,7 +11,7 @@
 
 #include "core/arc_length/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
-#include "reference/true_length.hpp"
+#include "reference/length/true_length.hpp"
 
 namespace bezierbench {
 namespace {

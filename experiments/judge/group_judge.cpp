@@ -70,8 +70,9 @@ struct GroupJudge<Scalar>::Scratch {
   std::array<Lane, trials_at_once> group;
   GroupPoints<Scalar> points;
   SourceMeter<Scalar> sources;
-  std::vector<PointsOfGroup> computed;    ///< per method
-  std::vector<std::uint64_t> own_kernel;  ///< per method: trials whose point its own kernel computed
+  std::vector<PointsOfGroup> computed;                  ///< per method
+  std::vector<std::uint64_t> own_kernel;                ///< per method: trials whose point its own kernel computed
+  std::optional<reference::CertifiedPoints> certified;  ///< of the last cell; its binomials are kept
   reference::CertifiedBlock truths;
   metric::ScaleLanes scales;
   Lanes p_tilde{};
@@ -84,7 +85,7 @@ void GroupJudge<Scalar>::judge(TrialNumber first, std::int64_t count, bool check
   const std::span group(scratch.group.data(), static_cast<std::size_t>(count));
   draw(group, first, scratch);
   find_scales(group, scratch);
-  find_truth(group, scratch.truths);
+  find_truth(group, scratch);
   scratch.computed.assign(methods_.count(), {});
   scratch.own_kernel.assign(methods_.count(), 0);
   for (std::size_t m = 0; m < methods_.count(); ++m) {
@@ -136,22 +137,24 @@ void GroupJudge<Scalar>::find_scales(Group group, Scratch& scratch) const {
 }
 
 template <class Scalar>
-void GroupJudge<Scalar>::find_truth(Group group, reference::CertifiedBlock& truths) const {
+void GroupJudge<Scalar>::find_truth(Group group, Scratch& scratch) const {
   const Form form = study_.curve;
-  std::optional<reference::CertifiedPoints> certified;
-  if (tier_ == reference::Tier::certified && reference::CertifiedPoints::applies(form, cell_.degree)) {
-    certified.emplace(form, cell_.dimension, cell_.degree);
+  auto& certified = scratch.certified;
+  const bool applies = tier_ == reference::Tier::certified && reference::CertifiedPoints::applies(form);
+  if (applies) {
+    if (!certified || !certified->is_for(form, cell_.dimension, cell_.degree))
+      certified.emplace(form, cell_.dimension, cell_.degree);
     for (std::size_t k = 0; k < group.size(); ++k)
       certified->load(k, group[k].inputs.true_curve(), group[k].inputs.true_t());
     certified->evaluate();
-    truths = certified->points();
+    scratch.truths = certified->points();
   } else {
-    truths.error.fill(std::numeric_limits<double>::quiet_NaN());
+    scratch.truths.error.fill(std::numeric_limits<double>::quiet_NaN());
   }
   for (std::size_t k = 0; k < group.size(); ++k) {
     auto& lane = group[k];
     lane.truth.emplace(lane.exact, lane.inputs.true_curve(), lane.inputs.true_t(),
-                       certified ? certified->point(k) : std::nullopt);
+                       applies ? certified->point(k) : std::nullopt);
   }
 }
 

@@ -45,7 +45,7 @@ class GroupJudge {
 
   void draw(Group group, TrialNumber first, Scratch& scratch) const;
   void find_scales(Group group, Scratch& scratch) const;
-  void find_truth(Group group, reference::CertifiedBlock& truths) const;
+  void find_truth(Group group, Scratch& scratch) const;
   void measure_from_truth(Group group, Scratch& scratch) const;
   void measure_from(const GroupMethod<Scalar>& baseline, Group group, Scratch& scratch) const;
   void judge_method(std::size_t method, Group group, Scratch& scratch, Judgement& judgement) const;

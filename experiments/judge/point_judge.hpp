@@ -13,7 +13,7 @@
 #include "experiments/judge/workspace.hpp"
 #include "experiments/metric/tally.hpp"
 #include "experiments/metric/trial_scale.hpp"
-#include "reference/exact_curve.hpp"
+#include "reference/true_point.hpp"
 
 namespace bezierbench::judge {
 
@@ -31,6 +31,9 @@ struct PointVerdict {
 template <class Scalar>
 class PointJudge {
  public:
+  /// No verdict depends on the tier.
+  explicit PointJudge(reference::Tier tier = reference::Tier::exact) : tier_(tier) {}
+
   PointVerdict judge(const Kernel<Scalar>& kernel, const TrialInputs<Scalar>& inputs) {
     const auto d = static_cast<std::size_t>(kernel.dimension);
     std::array<Scalar, reference::max_dimension> point{};
@@ -41,13 +44,13 @@ class PointJudge {
       verdict.point[axis] = static_cast<double>(point[axis]);
       verdict.finite = verdict.finite && std::isfinite(point[axis]);
     }
-    const auto& exact = truth(inputs);
-    verdict.finite = verdict.finite && exact.exists();
     if (!verdict.finite) return verdict;
-    const reference::Distance distance(exact);
-    verdict.error = distance.to({verdict.point.data(), d});
+    reference::TruePoint truth(exact_, inputs.true_curve(), inputs.true_t(), certified_point(inputs));
+    verdict.finite = truth.exists();
+    if (!verdict.finite) return verdict;
+    verdict.error = truth.distance({verdict.point.data(), d});
     verdict.finite = std::isfinite(verdict.error);
-    if (verdict.finite) weigh(kernel, inputs, distance.of_origin(kernel.dimension), verdict);
+    if (verdict.finite) weigh(kernel, inputs, truth.length(), verdict);
     return verdict;
   }
 
@@ -57,6 +60,16 @@ class PointJudge {
   }
 
  private:
+  std::optional<reference::CertifiedPoint> certified_point(const TrialInputs<Scalar>& inputs) {
+    const auto curve = inputs.true_curve();
+    if (tier_ != reference::Tier::certified || !reference::CertifiedPoints::applies(curve.form)) return std::nullopt;
+    if (!certified_ || !certified_->is_for(curve.form, curve.dimension, curve.degree))
+      certified_.emplace(curve.form, curve.dimension, curve.degree);
+    certified_->load(0, curve, inputs.true_t());
+    certified_->evaluate_one();
+    return certified_->point(0);
+  }
+
   void weigh(const Kernel<Scalar>& kernel, const TrialInputs<Scalar>& inputs, double length, PointVerdict& verdict) {
     constexpr auto arithmetic = ScalarFacts<Scalar>::arithmetic;
     scale_.set(inputs.true_curve(), inputs.true_t());
@@ -69,7 +82,9 @@ class PointJudge {
     verdict.violates = checked->violated;
   }
 
+  reference::Tier tier_;
   PreparedStorage storage_;
+  std::optional<reference::CertifiedPoints> certified_;  ///< of the last form, dimension and degree
   reference::ExactCurve exact_;
   metric::TrialScale scale_;
 };

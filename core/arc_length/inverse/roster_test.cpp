@@ -12,14 +12,14 @@
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
-#include "reference/length_along.hpp"
+#include "reference/length/length_along.hpp"
 
 namespace bezierbench {
 namespace {
 
 using Points = std::vector<double>;
-using reference::LengthAlong;
 using reference::LongReal;
+using LengthAlong = reference::LengthAlong<LongReal>;
 
 CurveView<double> view(const Points& points, int dimension = 2) {
   return {Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};

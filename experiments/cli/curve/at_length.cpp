@@ -13,7 +13,7 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/number/number.hpp"
-#include "reference/length_along.hpp"
+#include "reference/length/length_along.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -86,7 +86,7 @@ class Truth {
   }
 
  private:
-  std::optional<reference::LengthAlong> lengths_;
+  std::optional<reference::LengthAlong<LongReal>> lengths_;
   LongReal whole_;
 };
 

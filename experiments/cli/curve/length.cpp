@@ -12,7 +12,7 @@
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
-#include "reference/true_length.hpp"
+#include "reference/length/true_length.hpp"
 
 namespace bezierbench::cli {
 namespace {

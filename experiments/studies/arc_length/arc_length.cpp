@@ -11,9 +11,9 @@ namespace bezierbench::studies {
 
 void ArcLengthProblem::judge(const Kernel& /*method*/, const Drawn& drawn, double tolerance, const Answer& answer,
                              std::uint64_t number, Errors& errors) {
-  const auto length = drawn.truth->value().convert_to<double>();
+  const double length = drawn.truth->length();
   errors.promises.add(answer.converged, answer.evaluations);
-  const double error = metric::to_24_bits(drawn.truth->error_of(answer.length));
+  const double error = drawn.truth->error_of(answer.length, metric::to_24_bits);
   if (!std::isfinite(error)) {
     ++errors.promises.non_finite;
     return;
@@ -24,7 +24,7 @@ void ArcLengthProblem::judge(const Kernel& /*method*/, const Drawn& drawn, doubl
 }
 
 bool ArcLengthProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, double tolerance, const Answer& answer) {
-  return Promises::keeps(drawn.truth->error_of(answer.length), tolerance * drawn.truth->value().convert_to<double>());
+  return Promises::keeps(drawn.truth->error_of(answer.length, metric::to_24_bits), tolerance * drawn.truth->length());
 }
 
 std::unique_ptr<run::Job> arc_length_job(const suite::Study& study, const run::JobContext& context) {

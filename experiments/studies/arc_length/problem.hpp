@@ -15,7 +15,7 @@
 #include "experiments/studies/arc_length/arc_length.hpp"
 #include "experiments/studies/promises.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
-#include "reference/true_length.hpp"
+#include "reference/length/length_truth.hpp"
 
 namespace bezierbench::studies {
 
@@ -35,14 +35,14 @@ class ArcLengthProblem {
   static constexpr Problem problem = Problem::arc_length;
   static constexpr judge::CaseAxes axes{.tolerance = true};
   static constexpr std::string_view table = "arc_length";
-  static constexpr std::int64_t block_trials = 16;  // true lengths take a while
+  static constexpr std::int64_t block_trials = 16;
 
   using Kernel = ArcLengthKernel;
   using Answer = ArcLength;
   using Errors = LengthErrors;
   using Row = TrialRow<Kernel, Errors>;
   struct Drawn : judge::DrawnCurve {
-    std::optional<reference::TrueLength> truth;
+    std::optional<reference::LengthTruth> truth;
   };
 
   static constexpr std::array case_columns{judge::case_column::tolerance};
@@ -67,15 +67,16 @@ class ArcLengthProblem {
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 32; }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t /*methods*/) {
     const double n = part.cell.degree + 1.0;
-    return 1e6 * n * n;
+    return 5e4 * n * n;
   }
 
-  ArcLengthProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part)
-      : curves_(study, seed, part.cell), interval_(part.cell.t_interval) {}
+  ArcLengthProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part,
+                   reference::Tier tier = reference::Tier::certified)
+      : curves_(study, seed, part.cell), interval_(part.cell.t_interval), tier_(tier) {}
 
   void draw(std::uint64_t number, Drawn& drawn) const {
     curves_.draw(number, drawn);
-    drawn.truth.emplace(drawn.curve, interval_.min, interval_.max);
+    drawn.truth.emplace(drawn.curve, interval_.min, interval_.max, tier_);
   }
   void ask(const Kernel& method, const Drawn& drawn, double tolerance, Answer& answer) const {
     answer = method.measure(drawn.curve, interval_.min, interval_.max, tolerance);
@@ -88,6 +89,7 @@ class ArcLengthProblem {
  private:
   judge::CurveSampler curves_;
   suite::Interval interval_;
+  reference::Tier tier_;
 };
 
 }  // namespace bezierbench::studies

@@ -8,19 +8,11 @@
 #include "experiments/studies/trial/trial_study.hpp"
 
 namespace bezierbench::studies {
-namespace {
-
-using reference::LongReal;
-
-double rounded(const LongReal& error) { return metric::to_24_bits(error.convert_to<double>()); }
-
-}  // namespace
 
 void InverseArcLengthProblem::draw(std::uint64_t number, Drawn& drawn) const {
   curves_.draw(number, drawn);
-  drawn.truth.emplace(drawn.curve);
-  drawn.target = LongReal(drawn.trial.t * drawn.truth->whole()).convert_to<double>();
-  drawn.exact_parameter.reset();
+  drawn.truth.emplace(drawn.curve, tier_);
+  drawn.target = drawn.truth->length_at_share(drawn.trial.t);
 }
 
 void InverseArcLengthProblem::judge(const Kernel& /*method*/, Drawn& drawn, double tolerance, const Answer& answer,
@@ -31,12 +23,11 @@ void InverseArcLengthProblem::judge(const Kernel& /*method*/, Drawn& drawn, doub
     ++errors.promises.non_finite;
     return;
   }
-  if (!drawn.exact_parameter) drawn.exact_parameter = drawn.truth->parameter_at(drawn.target);
-  const auto length = drawn.truth->whole().convert_to<double>();
-  const double error = rounded(drawn.truth->distance(LongReal(answer.t), drawn.target));
+  const double length = drawn.truth->whole();
+  const double error = drawn.truth->error_of_length(answer.t, drawn.target, metric::to_24_bits);
   errors.error.add(error);
   errors.relative.add(error == 0 ? 0 : metric::to_24_bits(error / length));
-  errors.t_error.add(rounded(abs(LongReal(answer.t) - *drawn.exact_parameter)));
+  errors.t_error.add(drawn.truth->error_of_parameter(answer.t, drawn.target, metric::to_24_bits));
   errors.outside += answer.t < 0 || answer.t > 1 ? 1 : 0;
   errors.promises.judge(answer.converged, error, tolerance * length, number);
 }
@@ -44,8 +35,8 @@ void InverseArcLengthProblem::judge(const Kernel& /*method*/, Drawn& drawn, doub
 bool InverseArcLengthProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, double tolerance,
                                        const Answer& answer) {
   if (!std::isfinite(answer.t)) return false;
-  const LongReal error = abs(drawn.truth->length_to(LongReal(answer.t)) - drawn.target);
-  return Promises::keeps(error.convert_to<double>(), tolerance * drawn.truth->whole().convert_to<double>());
+  const double error = drawn.truth->error_of_length(answer.t, drawn.target, metric::to_24_bits);
+  return Promises::keeps(error, tolerance * drawn.truth->whole());
 }
 
 std::unique_ptr<run::Job> inverse_arc_length_job(const suite::Study& study, const run::JobContext& context) {

@@ -16,7 +16,7 @@
 #include "experiments/studies/inverse_arc_length/spacing.hpp"
 #include "experiments/studies/promises.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
-#include "reference/length_along.hpp"
+#include "reference/length/length_truth.hpp"
 
 namespace bezierbench::studies {
 
@@ -39,16 +39,15 @@ class InverseArcLengthProblem {
   static constexpr Problem problem = Problem::inverse_arc_length;
   static constexpr judge::CaseAxes axes{.tolerance = true};
   static constexpr std::string_view table = "inverse_arc_length";
-  static constexpr std::int64_t block_trials = 16;  // true lengths take a while
+  static constexpr std::int64_t block_trials = 16;
 
   using Kernel = InverseArcLengthKernel;
   using Answer = InverseArcLength;
   using Errors = ParameterErrors;
   using Row = TrialRow<Kernel, Errors>;
   struct Drawn : judge::DrawnCurve {
-    std::optional<reference::LengthAlong> truth;
-    double target = 0;                                   ///< the length to find the parameter of
-    std::optional<reference::LongReal> exact_parameter;  ///< the true parameter; computed when first judged
+    std::optional<reference::AlongTruth> truth;
+    double target = 0;  ///< the length to find the parameter of
   };
 
   static constexpr std::array case_columns{judge::case_column::tolerance};
@@ -79,11 +78,12 @@ class InverseArcLengthProblem {
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 32; }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t /*methods*/) {
     const double n = part.cell.degree + 1.0;
-    return 1e6 * n * n;
+    return 1e5 * n * n;
   }
 
-  InverseArcLengthProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part)
-      : curves_(study, seed, part.cell) {}
+  InverseArcLengthProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part,
+                          reference::Tier tier = reference::Tier::certified)
+      : curves_(study, seed, part.cell), tier_(tier) {}
 
   void draw(std::uint64_t number, Drawn& drawn) const;
   static void ask(const Kernel& method, const Drawn& drawn, double tolerance, Answer& answer) {
@@ -101,6 +101,7 @@ class InverseArcLengthProblem {
 
  private:
   judge::CurveSampler curves_;
+  reference::Tier tier_;
 };
 
 }  // namespace bezierbench::studies

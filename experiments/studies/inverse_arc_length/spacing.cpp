@@ -5,7 +5,7 @@
 
 #include "experiments/sample/draw.hpp"
 #include "reference/exact_curve.hpp"
-#include "reference/length_along.hpp"
+#include "reference/length/length_along.hpp"
 #include "reference/rational.hpp"
 
 namespace bezierbench::studies {
@@ -31,7 +31,7 @@ void add_spacing(tables::Tables& tables, const suite::Study& study, const sample
   sample::Trial drawn;
   sample::Sampler(seed, study.id, cell).draw(0, drawn);
   const CurveView<double> curve{Form::bernstein, cell.dimension, cell.degree, drawn.coefficients};
-  const reference::LengthAlong lengths(curve);
+  const reference::LengthAlong<LongReal> lengths(curve);
   reference::ExactCurve exact;
   for (const auto& [id, steps, by_length, measured] : spacings) {
     const bool any = measured && lengths.whole() > 0;

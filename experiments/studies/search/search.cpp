@@ -51,11 +51,12 @@ struct Outcome {
 template <class Scalar>
 class Search {
  public:
-  Search(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, const Kernel<Scalar>& kernel)
-      : study_(study), seed_(seed), cell_(cell), kernel_(kernel) {}
+  Search(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell, const Kernel<Scalar>& kernel,
+         reference::Tier tier)
+      : study_(study), seed_(seed), cell_(cell), kernel_(kernel), tier_(tier) {}
 
   [[nodiscard]] Outcome run() const {
-    judge::PointJudge<Scalar> judge;
+    judge::PointJudge<Scalar> judge(tier_);
     Outcome outcome;
     std::vector<Found> found = sampled(judge, outcome);
     outcome.sampled_error_u = std::max(0.0, found.front().error_u);
@@ -156,14 +157,15 @@ class Search {
   std::uint64_t seed_;
   sample::Cell cell_;
   const Kernel<Scalar>& kernel_;
+  reference::Tier tier_;
 };
 
 class SearchJob final : public run::JobOf<Outcome> {
  public:
-  SearchJob(const suite::Study& study, std::uint64_t seed) : study_(study) {
+  SearchJob(const suite::Study& study, const run::JobContext& context) : study_(study) {
     for (const auto& cell : sample::cells(study_))
       for (const auto scalar : study_.scalar)
-        judge::with_scalar(scalar, [&]<class Scalar>(Scalar /*zero*/) { add<Scalar>(seed, cell); });
+        judge::with_scalar(scalar, [&]<class Scalar>(Scalar /*zero*/) { add<Scalar>(context, cell); });
   }
 
   [[nodiscard]] std::size_t parts() const override { return searches_.size(); }
@@ -198,10 +200,10 @@ class SearchJob final : public run::JobOf<Outcome> {
  private:
   [[nodiscard]] std::int64_t budget() const { return suite::keys_of<suite::SearchKeys>(study_).budget; }
   template <class Scalar>
-  void add(std::uint64_t seed, const sample::Cell& cell) {
+  void add(const run::JobContext& context, const sample::Cell& cell) {
     for (const auto* kernel : judge::chosen_kernels<Scalar>(study_, cell))
       if (kernel->info->bit_stable && kernel->info->template supports<Scalar>(cell.degree))
-        searches_.push_back(Search<Scalar>(study_, seed, cell, *kernel));
+        searches_.push_back(Search<Scalar>(study_, context.seed, cell, *kernel, context.tier));
   }
 
   [[nodiscard]] const sample::Cell& cell(std::size_t part) const {
@@ -215,7 +217,7 @@ class SearchJob final : public run::JobOf<Outcome> {
 }  // namespace
 
 std::unique_ptr<run::Job> search_job(const suite::Study& study, const run::JobContext& context) {
-  return std::make_unique<SearchJob>(study, context.seed);
+  return std::make_unique<SearchJob>(study, context);
 }
 
 }  // namespace bezierbench::studies

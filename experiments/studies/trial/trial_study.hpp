@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -22,7 +23,7 @@
 #include "experiments/run/job.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "experiments/tables/cell_fields.hpp"
-#include "reference/length_panels.hpp"
+#include "reference/length/length_panels.hpp"
 
 namespace bezierbench::studies {
 
@@ -51,7 +52,7 @@ concept StudiedProblem = judge::TrialProblem<P> &&
 template <StudiedProblem P>
 class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
  public:
-  TrialJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
+  TrialJob(const suite::Study& study, const run::JobContext& context) : study_(study), context_(context) {
     judge::check_inputs(study_);
     tolerances_ = judge::tolerances_of(study_, P::axes);
     for (auto& part : judge::parts_of(study_, P::axes)) {
@@ -76,7 +77,8 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
   }
   void write(tables::Tables& tables) const override {
     each_row([&](const Row& row) { tables.add(row_of(row)); });
-    if constexpr (requires { P::write_example(tables, study_, seed_); }) P::write_example(tables, study_, seed_);
+    if constexpr (requires { P::write_example(tables, study_, context_.seed); })
+      P::write_example(tables, study_, context_.seed);
   }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   [[nodiscard]] std::vector<run::Violation> violations() const override {
@@ -95,7 +97,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     metric::Rows<typename P::Errors> tally;
     tally.rows.resize(rows_of(part));
     if (std::ranges::none_of(part.methods, [&](const auto* method) { return takes(*method, part); })) return tally;
-    const P problem(study_, seed_, part.part);
+    const P problem = problem_of(part);
     typename P::Drawn drawn;
     const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * P::block_trials;
     const auto last = std::min(trials(), first + P::block_trials);
@@ -114,6 +116,14 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
 
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
   [[nodiscard]] std::size_t rows_of(const Part& part) const { return part.methods.size() * tolerances_.size(); }
+  /// A problem with two tiers of truth takes which.
+  [[nodiscard]] P problem_of(const Part& part) const {
+    if constexpr (std::constructible_from<P, const suite::Study&, std::uint64_t, const judge::TrialPart&,
+                                          reference::Tier>)
+      return P(study_, context_.seed, part.part, context_.tier);
+    else
+      return P(study_, context_.seed, part.part);
+  }
   [[nodiscard]] static bool takes(const typename P::Kernel& method, const Part& part) {
     return judge::takes<P>(*method.info, part.part.cell);
   }
@@ -179,7 +189,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
   }
 
   suite::Study study_;
-  std::uint64_t seed_;
+  run::JobContext context_;
   std::vector<double> tolerances_;
   std::vector<Part> parts_;
 };
@@ -188,7 +198,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
 /// curves of this form.
 template <StudiedProblem P>
 std::unique_ptr<run::Job> trial_job(const suite::Study& study, const run::JobContext& context) {
-  return std::make_unique<TrialJob<P>>(study, context.seed);
+  return std::make_unique<TrialJob<P>>(study, context);
 }
 
 }  // namespace bezierbench::studies

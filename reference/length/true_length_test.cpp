@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/true_length.hpp"
+#include "reference/length/true_length.hpp"
 
 #include <gtest/gtest.h>
 

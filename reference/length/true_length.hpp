@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/curve_view.hpp"
-#include "reference/length_panels.hpp"
+#include "reference/length/length_panels.hpp"
 
 namespace bezierbench::reference {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/speed_series.hpp"
+#include "reference/length/speed_series.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,9 +35,9 @@ TEST(SpeedSeries, IsTheHodographAndSoAreItsHalves) {
   for (const std::size_t degree : {0, 1, 2, 5, 20, 63})
     for (const std::size_t dimension : {1, 2, 3}) {
       const auto h = random_hodograph(words, degree, dimension, 2);
-      SpeedSeries series(h);
-      SpeedSeries left = series;
-      const SpeedSeries right = left.halve(SpeedSeries::Halving(degree));
+      SpeedSeries<LongReal> series(h);
+      SpeedSeries<LongReal> left = series;
+      const SpeedSeries<LongReal> right = left.halve(SpeedSeries<LongReal>::Halving(degree));
       for (const double z : {-1.0, -0.7, 0.0, 0.3, 1.0}) {
         const LongReal y = z;
         EXPECT_LE(abs(series.speed(y) - speed_at(h, (y + 1) / 2)), LongReal("1e-62")) << degree;
@@ -55,7 +55,7 @@ TEST(SpeedSeries, IsTheHodographAndSoAreItsHalves) {
 TEST(SpeedSeries, SaysByHowMuchItIsCut) {
   std::mt19937_64 words(2);
   const auto h = random_hodograph(words, 12, 2, 0.3);
-  const SpeedSeries whole(h);
+  const SpeedSeries<LongReal> whole(h);
   for (const char* allowed : {"1e-40", "1e-3", "0.1"}) {
     auto series = whole;
     const LongReal cut = series.shorten(LongReal(allowed));
@@ -73,15 +73,15 @@ TEST(SpeedSeries, MissesNoMoreThanIsProved) {
   int proofs = 0;
   for (int trial = 0; trial < 40; ++trial) {
     const auto degree = static_cast<std::size_t>(1 + trial % 6);
-    const SpeedSeries series(random_hodograph(words, degree, 2 + static_cast<std::size_t>(trial) % 2, 0.9));
+    const SpeedSeries<LongReal> series(random_hodograph(words, degree, 2 + static_cast<std::size_t>(trial) % 2, 0.9));
     const LongReal missed = series.proved_miss(LongReal("1e-8"));
     if (missed < 0) continue;
     ++proofs;
     EXPECT_LE(missed, LongReal("1e-8"));
-    std::vector<SpeedSeries> parts{series};
-    const SpeedSeries::Halving halving(degree);
+    std::vector<SpeedSeries<LongReal>> parts{series};
+    const SpeedSeries<LongReal>::Halving halving(degree);
     while (parts.size() < 64) {
-      std::vector<SpeedSeries> halves;
+      std::vector<SpeedSeries<LongReal>> halves;
       for (auto& part : parts) {
         auto right = part.halve(halving);
         halves.push_back(part);
@@ -99,7 +99,7 @@ TEST(SpeedSeries, MissesNoMoreThanIsProved) {
 /// h = (1, z/b) has h.h = 0 at z = ib and -ib: nothing below b + sqrt(1 + b^2) to the power -88 may be said of it.
 TEST(SpeedSeries, KnowsWhereTheSpeedHasRoots) {
   for (const double b : {0.1, 0.5, 1.0, 2.0, 4.0}) {
-    const SpeedSeries series(LongHodograph{2, {1, -1 / LongReal(b), 1, 1 / LongReal(b)}});
+    const SpeedSeries<LongReal> series(LongHodograph{2, {1, -1 / LongReal(b), 1, 1 / LongReal(b)}});
     const LongReal fall = pow(b + sqrt(1 + LongReal(b) * b), -88);
     for (const char* allowed : {"1e-2", "1e-10", "1e-30", "1e-60"}) {
       const LongReal missed = series.proved_miss(LongReal(allowed));

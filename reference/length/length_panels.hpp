@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The integral of the speed of a Bezier curve in 70 digits, panel by panel, for true lengths.
+// The integral of the speed of a Bezier curve, panel by panel, for true lengths: in 70 digits, or in pairs of doubles.
 //
-// A panel is taken where a Gauss-Legendre rule with 44 points is proved to be right (speed_series.hpp), or where the
+// A panel is taken where a Gauss-Legendre rule is proved to be right (speed_series.hpp), or where the
 // difference of chord and largest speed is negligible; else it is halved. At a cusp the second condition ends the
 // halving, because the length of the panels next to it falls like the square of their width; its parameter need not be
 // known. The uncertainties of all panels, of roundings and of terms that are left out are summed and returned.
@@ -12,40 +12,43 @@
 #include <vector>
 
 #include "core/curve_view.hpp"
-#include "reference/speed_series.hpp"
+#include "reference/length/speed_series.hpp"
 
 namespace bezierbench::reference {
 
 /// Of `curve` (Bernstein form, finite, dimension at most 3), over the parameters 0 <= from <= to <= 1: differences of
-/// the control points, exact but for 70 digits.
-LongHodograph long_hodograph(const CurveView<double>& curve, double from, double to);
+/// the control points, exact but for roundings.
+template <class Real>
+Hodograph<Real> hodograph(const CurveView<double>& curve, double from, double to);
 
 /// A part of the parameters, and its length.
+template <class Real>
 struct LengthPanel {
-  LongReal begin;  ///< begin and width are parameters of the hodograph over [0, 1]
-  LongReal width;
-  SpeedSeries series;
-  LongReal length;
+  Real begin;  ///< begin and width are parameters of the hodograph over [0, 1]
+  Real width;
+  SpeedSeries<Real> series;
+  Real length;
 };
 
 /// The panels of [0, 1], in order, and their length.
+template <class Real>
 class LengthPanels {
  public:
-  explicit LengthPanels(const LongHodograph& hodograph);
+  explicit LengthPanels(const Hodograph<Real>& hodograph);
 
-  [[nodiscard]] const std::vector<LengthPanel>& panels() const { return panels_; }
-  [[nodiscard]] const LongReal& length() const { return length_; }
+  [[nodiscard]] const std::vector<LengthPanel<Real>>& panels() const { return panels_; }
+  [[nodiscard]] const Real& length() const { return length_; }
   /// The length is right to this.
-  [[nodiscard]] const LongReal& uncertainty() const { return uncertainty_; }
+  [[nodiscard]] const Real& uncertainty() const { return uncertainty_; }
 
  private:
-  void add(SpeedSeries series, const LongReal& begin, const LongReal& width, const LongReal& cut, int depth);
+  void add(SpeedSeries<Real> series, const Real& begin, const Real& width, const Real& off, int depth);
 
-  SpeedSeries::Halving halving_;
-  std::vector<LengthPanel> panels_;
-  LongReal negligible_ = 0;  ///< to be off, in each panel
-  LongReal length_ = 0;
-  LongReal uncertainty_ = 0;
+  typename SpeedSeries<Real>::Halving halving_;
+  std::vector<LengthPanel<Real>> panels_;
+  Real negligible_ = 0;  ///< to be off, in each panel
+  Real length_ = 0;
+  Real uncertainty_ = 0;
   double work_ = 0;  ///< products so far
 };
 

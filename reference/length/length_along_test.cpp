@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/length_along.hpp"
+#include "reference/length/length_along.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "reference/true_length.hpp"
+#include "reference/length/true_length.hpp"
 
 namespace bezierbench::reference {
 namespace {
@@ -23,10 +23,10 @@ void expect_close(const LongReal& value, const LongReal& expected, const LongRea
 
 TEST(LengthAlong, IsTheKnownOneBothWays) {
   const std::vector<double> line{1, 2, 4, 6};
-  expect_close(LengthAlong(view(line, 2)).parameter_at(LongReal("1.25")), LongReal("0.25"), 1);
+  expect_close(LengthAlong<LongReal>(view(line, 2)).parameter_at(LongReal("1.25")), LongReal("0.25"), 1);
   // (t, t^2): s(t) = t sqrt(1 + 4 t^2) / 2 + asinh(2 t) / 4
   const std::vector<double> parabola{0, 0, 0.5, 0, 1, 1};
-  const LengthAlong bent(view(parabola, 2));
+  const LengthAlong<LongReal> bent(view(parabola, 2));
   for (const double place : {0x1p-30, 0.125, 0.4, 0.75, 1.0}) {
     const LongReal t = place;
     const LongReal root = sqrt(1 + 4 * t * t);
@@ -36,7 +36,7 @@ TEST(LengthAlong, IsTheKnownOneBothWays) {
   }
   // 3 (u^2, u^3), u = 2t - 1: s = (13 sqrt(13) -+ (4 + 9 u^2)^(3/2)) / 9 about the cusp
   const std::vector<double> cusp{3, -3, -1, 3, -1, -3, 3, 3};
-  const LengthAlong cusped(view(cusp, 2));
+  const LengthAlong<LongReal> cusped(view(cusp, 2));
   const LongReal half = (13 * sqrt(LongReal(13)) - 8) / 9;
   for (const double place : {-0.75, -0x1p-20, 0.0, 0x1p-12, 0.5}) {
     const LongReal u = place;
@@ -48,7 +48,7 @@ TEST(LengthAlong, IsTheKnownOneBothWays) {
 
 TEST(LengthAlong, TurnsWhereALineTurns) {
   const std::vector<double> turn{0, 2, -1};  // 4t - 5t^2: up 4/5, then down
-  const LengthAlong along(view(turn, 1));
+  const LengthAlong<LongReal> along(view(turn, 1));
   expect_close(along.length_to(LongReal(1)), LongReal(13) / 5, 1);
   expect_close(along.length_to(LongReal(3) / 5), LongReal(1), 1);  // 4/5 + (4/5 - 3/5)
   expect_close(along.parameter_at(LongReal(1)), LongReal(3) / 5, 1);
@@ -56,15 +56,15 @@ TEST(LengthAlong, TurnsWhereALineTurns) {
 
 TEST(LengthAlong, EndsAreEnds) {
   const std::vector<double> parabola{0, 0, 0.5, 0, 1, 1};
-  const LengthAlong along(view(parabola, 2));
+  const LengthAlong<LongReal> along(view(parabola, 2));
   EXPECT_EQ(along.parameter_at(-1), 0);
   EXPECT_EQ(along.parameter_at(0), 0);
   EXPECT_EQ(along.parameter_at(along.whole()), 1);
   EXPECT_EQ(along.length_to(2), along.whole());
   EXPECT_EQ(along.length_to(-1), 0);
   const std::vector<double> point{0.1, 0.2, 0.1, 0.2};
-  EXPECT_EQ(LengthAlong(view(point, 2)).whole(), 0);
-  EXPECT_EQ(LengthAlong(view(point, 2)).parameter_at(0), 0);
+  EXPECT_EQ(LengthAlong<LongReal>(view(point, 2)).whole(), 0);
+  EXPECT_EQ(LengthAlong<LongReal>(view(point, 2)).parameter_at(0), 0);
 }
 
 /// Against the true length of the part, which is integrated afresh; and there and back.
@@ -74,7 +74,7 @@ TEST(LengthAlong, AgreesWithTrueLengthsOfParts) {
     std::vector<double> points;
     for (int i = 0; i < 3 * (n + 1); ++i)
       points.push_back(static_cast<double>(static_cast<std::int64_t>(words())) * 0x1p-300);
-    const LengthAlong along(view(points, 3));
+    const LengthAlong<LongReal> along(view(points, 3));
     for (const double t : {0x1p-40, 0.1, 0.5, 0.77, 1 - 0x1p-40}) {
       const TrueLength part(view(points, 3), 0, t);
       expect_close(along.length_to(LongReal(t)), part.value(), along.whole());

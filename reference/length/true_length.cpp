@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/true_length.hpp"
+#include "reference/length/true_length.hpp"
 
 #include <cmath>
 #include <limits>
@@ -8,9 +8,9 @@ namespace bezierbench::reference {
 
 TrueLength::TrueLength(const CurveView<double>& curve, double from, double to) {
   if (from == to) return;
-  const auto h = long_hodograph(curve, from, to);
+  const auto h = hodograph<LongReal>(curve, from, to);
   if (h.polygon() == 0) return;
-  const LengthPanels integral(h);
+  const LengthPanels<LongReal> integral(h);
   const LongReal width = LongReal(to) - LongReal(from);
   value_ = width * integral.length();
   uncertainty_ = width * integral.uncertainty();

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "reference/length/length_truth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bezierbench::reference {
+namespace {
+
+constexpr int largest_degree = 24;
+constexpr double largest_size = 0x1p+300;
+constexpr double least_size = 0x1p-300;
+constexpr double most_uncertain = 0x1p-60;  ///< part of a length; one that is less certain decides nothing
+constexpr double of_digits = 2e-30;  ///< part of the whole length by which 70 digits may be off, and as much again
+constexpr double of_difference = 0x1p-100;  ///< part of two numbers by which their difference may be off
+
+bool is_moderate(const CurveView<double>& curve) {
+  if (curve.degree > largest_degree) return false;
+  return std::ranges::all_of(curve.coefficients, [](double x) { return std::abs(x) <= largest_size; });
+}
+
+bool is_certain(const PairReal& length, const PairReal& off) {
+  return length >= least_size && length <= largest_size && off <= length * most_uncertain;
+}
+
+/// Of |a - b|, where b is right to `off`; empty where it may be no more than what 70 digits cannot tell from 0.
+std::optional<Enclosure> enclosed_difference(const PairReal& a, const PairReal& b, const PairReal& off) {
+  const PairReal difference = abs(a - b);
+  const PairReal uncertain = off + (abs(a) + abs(b)) * of_difference;
+  const PairReal low = difference - uncertain;
+  if (low <= uncertain) return std::nullopt;
+  return Enclosure{low.convert_to<double>(), PairReal(difference + uncertain).convert_to<double>()};
+}
+
+/// The double nearest to both ends of x -+ off, if there is one.
+std::optional<double> nearest(const PairReal& x, const PairReal& off) {
+  const auto low = PairReal(x - off).convert_to<double>();
+  const auto high = PairReal(x + off).convert_to<double>();
+  return low == high ? std::optional(low) : std::nullopt;
+}
+
+}  // namespace
+
+LengthTruth::LengthTruth(const CurveView<double>& curve, double from, double to, Tier tier)
+    : curve_(curve), from_(from), to_(to) {
+  if (tier == Tier::exact || from == to || !is_moderate(curve)) return;
+  const auto h = hodograph<PairReal>(curve, from, to);
+  if (h.polygon() == 0) return;
+  const LengthPanels<PairReal> integral(h);
+  const PairReal width = PairReal(to) - PairReal(from);
+  value_ = width * integral.length();
+  off_ = width * integral.uncertainty() + value_ * (of_digits + of_difference);
+  certified_ = is_certain(value_, off_);
+}
+
+double LengthTruth::length() const {
+  if (certified_)
+    if (const auto decided = nearest(value_, off_)) return *decided;
+  return exact().value().convert_to<double>();
+}
+
+std::optional<Enclosure> LengthTruth::enclosed_error(double length) const {
+  if (!certified_ || !(std::abs(length) <= largest_size)) return std::nullopt;
+  return enclosed_difference(length, value_, off_);
+}
+
+const TrueLength& LengthTruth::exact() const {
+  if (!exact_) exact_.emplace(curve_, from_, to_);
+  return *exact_;
+}
+
+AlongTruth::AlongTruth(const CurveView<double>& curve, Tier tier) : curve_(curve) {
+  if (tier == Tier::exact || !is_moderate(curve)) return;
+  pairs_.emplace(curve);
+  off_ = 8 * pairs_->uncertainty() + pairs_->whole() * (of_digits + of_difference);
+  if (!is_certain(pairs_->whole(), off_)) pairs_.reset();
+}
+
+double AlongTruth::whole() const {
+  if (pairs_)
+    if (const auto decided = nearest(pairs_->whole(), off_)) return *decided;
+  return exact().whole().convert_to<double>();
+}
+
+double AlongTruth::length_at_share(double share) const {
+  if (pairs_) {
+    const PairReal length = share * pairs_->whole();
+    if (const auto decided = nearest(length, std::abs(share) * off_ + abs(length) * of_difference)) return *decided;
+  }
+  return LongReal(share * exact().whole()).convert_to<double>();
+}
+
+std::optional<Enclosure> AlongTruth::enclosed_error(double t, double length) const {
+  if (!pairs_ || !(std::abs(length) <= largest_size)) return std::nullopt;
+  return enclosed_difference(length, pairs_->length_to(t), off_);
+}
+
+/// Newton's method says where the parameter is, two lengths prove it: s does not fall.
+AlongTruth::Bracket AlongTruth::bracket(double length) const {
+  Bracket found{length, {}, {}};
+  if (length <= 0) {
+    found.low = found.high = 0;
+    return found;
+  }
+  const PairReal off = 2 * off_ + length * of_difference;
+  if (length + off >= pairs_->whole()) return found;
+  const PairReal t = pairs_->parameter_at(length);
+  const PairReal speed = pairs_->speed_at(t);
+  if (!(speed >= least_size)) return found;
+  const PairReal step = 4 * off / speed + of_difference;
+  const PairReal low = t - step;
+  const PairReal high = t + step;
+  if (low <= 0)
+    found.low = 0;
+  else if (pairs_->length_to(low) + off < length)
+    found.low = low;
+  if (high >= 1)
+    found.high = 1;
+  else if (pairs_->length_to(high) - off > length)
+    found.high = high;
+  return found;
+}
+
+std::optional<Enclosure> AlongTruth::enclosed_parameter_error(double t, double length) const {
+  if (!pairs_ || !(std::abs(t) <= largest_size) || !(std::abs(length) <= largest_size)) return std::nullopt;
+  if (!bracket_ || bracket_->length != length) bracket_ = bracket(length);
+  if (!bracket_->low || !bracket_->high) return std::nullopt;
+  const PairReal off = *bracket_->high - *bracket_->low;
+  return enclosed_difference(t, *bracket_->low, off);
+}
+
+const LengthAlong<LongReal>& AlongTruth::exact() const {
+  if (!exact_) exact_.emplace(curve_);
+  return *exact_;
+}
+
+const LongReal& AlongTruth::exact_parameter(double length) const {
+  if (!exact_parameter_ || exact_parameter_->first != length)
+    exact_parameter_.emplace(length, exact().parameter_at(LongReal(length)));
+  return exact_parameter_->second;
+}
+
+}  // namespace bezierbench::reference

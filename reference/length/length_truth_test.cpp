@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "reference/length/length_truth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace bezierbench::reference {
+namespace {
+
+double to_float(double value) { return static_cast<float>(value); }
+
+double uniform(std::mt19937_64& words) { return static_cast<double>(words() >> 11U) * 0x1p-53; }
+
+/// Smooth curves, whole numbers (cusps, turns, points), nearly flat ones, and curves far from the origin or tiny.
+std::vector<double> any_curve(std::mt19937_64& words, std::size_t kind, int dimension, int degree) {
+  std::vector<double> points;
+  for (int i = 0; i < (degree + 1) * dimension; ++i) {
+    const double whole = static_cast<double>(words() % 7) - 3;
+    const std::array<double, 5> choices{2 * uniform(words) - 1, whole, i % dimension == 0 ? whole : 1e-6 * whole,
+                                        1e10 + uniform(words), 0x1p-200 * uniform(words)};
+    points.push_back(choices[kind]);
+  }
+  return points;
+}
+
+CurveView<double> view(const std::vector<double>& points, int dimension) {
+  return {Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};
+}
+
+/// Near `value`: itself, its neighbour, some 1e-12, 1e-6 of it away, and far.
+std::array<double, 5> near(double value) {
+  return {value, std::nextafter(value, 2 * value), value * (1 + 1e-12), value * (1 - 1e-6), value / 3};
+}
+
+TEST(LengthTruth, HasTheBitsOfTheDigits) {
+  std::mt19937_64 words(1);
+  int trials = 0;
+  int needed = 0;
+  for (std::size_t kind = 0; kind < 5; ++kind)
+    for (const int dimension : {1, 2, 3})
+      for (const int degree : {1, 2, 3, 6, 24}) {
+        const auto points = any_curve(words, kind, dimension, degree);
+        for (const auto& [from, to] : {std::array{0.0, 1.0}, {0.25, 0.7}}) {
+          const LengthTruth pairs(view(points, dimension), from, to, Tier::certified);
+          const LengthTruth digits(view(points, dimension), from, to, Tier::exact);
+          const TrueLength truth(view(points, dimension), from, to);
+          const double length = truth.value().convert_to<double>();
+          ASSERT_EQ(pairs.length(), length) << kind << " " << dimension << " " << degree;
+          EXPECT_EQ(digits.length(), length);
+          for (const double answer : near(length)) {
+            const double error = to_float(truth.error_of(answer));
+            ASSERT_EQ(pairs.error_of(answer, to_float), error) << kind << " " << dimension << " " << degree;
+            EXPECT_EQ(digits.error_of(answer, to_float), error);
+          }
+          EXPECT_TRUE(digits.needed_digits());
+          ++trials;
+          needed += dimension > 1 && degree > 1 && pairs.needed_digits() ? 1 : 0;
+        }
+      }
+  EXPECT_LT(needed, trials / 5);  // what is exact needs them
+}
+
+/// The interval that decides contains the error in 70 digits: the length itself is where a fault would show first.
+TEST(LengthTruth, PairsAreWithinTheirUncertainty) {
+  std::mt19937_64 words(2);
+  for (std::size_t kind = 0; kind < 4; ++kind)
+    for (const int dimension : {1, 2, 3})
+      for (const int degree : {1, 2, 3, 6, 12, 24}) {
+        const auto points = any_curve(words, kind, dimension, degree);
+        const auto h = hodograph<PairReal>(view(points, dimension), 0, 1);
+        if (h.polygon() == 0) continue;
+        const LengthPanels<PairReal> pairs(h);
+        const TrueLength truth(view(points, dimension), 0, 1);
+        const Pair length = pairs.length().pair();
+        const LongReal off = abs(LongReal(length.high) + LongReal(length.low) - truth.value());
+        const LongReal uncertain = LongReal(pairs.uncertainty().pair().high) * (1 + LongReal("1e-10"));
+        ASSERT_LE(off, uncertain + truth.uncertainty()) << kind << " " << dimension << " " << degree;
+        EXPECT_LE(uncertain, truth.value() * LongReal(degree < 20 ? "1e-24" : "1e-18")) << kind << " " << degree;
+      }
+}
+
+TEST(LengthTruth, AsksTheDigitsWhereAMethodIsExact) {
+  const std::vector<double> line{1, 2, 4, 6};
+  const LengthTruth truth(view(line, 2), 0, 1, Tier::certified);
+  EXPECT_EQ(truth.error_of(5.25, to_float), 0.25);
+  EXPECT_FALSE(truth.needed_digits());
+  EXPECT_EQ(truth.error_of(5, to_float), 0);
+  EXPECT_TRUE(truth.needed_digits());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(truth.error_of(nan, to_float), std::numeric_limits<double>::infinity());
+}
+
+TEST(LengthTruth, LeavesExtremesToTheDigits) {
+  for (const double size : {0x1p-310, 0x1p+310}) {
+    const std::vector<double> points{0, 0, size, 3 * size, 2 * size, -size};
+    const LengthTruth truth(view(points, 2), 0, 1, Tier::certified);
+    EXPECT_EQ(truth.length(), TrueLength(view(points, 2), 0, 1).value().convert_to<double>());
+    EXPECT_TRUE(truth.needed_digits());
+  }
+  std::mt19937_64 words(3);
+  const auto points = any_curve(words, 0, 2, 25);
+  const LengthTruth truth(view(points, 2), 0, 1, Tier::certified);
+  EXPECT_EQ(truth.length(), TrueLength(view(points, 2), 0, 1).value().convert_to<double>());
+  EXPECT_TRUE(truth.needed_digits());
+}
+
+TEST(AlongTruth, HasTheBitsOfTheDigits) {
+  std::mt19937_64 words(4);
+  int trials = 0;
+  int needed = 0;
+  for (std::size_t kind = 0; kind < 4; ++kind)
+    for (const int dimension : {1, 2, 3})
+      for (const int degree : {1, 2, 3, 6}) {
+        const auto points = any_curve(words, kind, dimension, degree);
+        const AlongTruth pairs(view(points, dimension), Tier::certified);
+        const AlongTruth digits(view(points, dimension), Tier::exact);
+        ASSERT_EQ(pairs.whole(), digits.whole());
+        for (const double share : {0.0, 1e-9, uniform(words), 0.5, 1.0}) {
+          const double target = pairs.length_at_share(share);
+          ASSERT_EQ(target, digits.length_at_share(share));
+          const LengthAlong<LongReal> along(view(points, dimension));
+          const double t = along.parameter_at(LongReal(target)).convert_to<double>();
+          for (const double answer : near(t)) {
+            ASSERT_EQ(pairs.error_of_length(answer, target, to_float), digits.error_of_length(answer, target, to_float))
+                << kind << " " << dimension << " " << degree << " " << share;
+            ASSERT_EQ(pairs.error_of_parameter(answer, target, to_float),
+                      digits.error_of_parameter(answer, target, to_float))
+                << kind << " " << dimension << " " << degree << " " << share;
+          }
+        }
+        ++trials;
+      }
+  // At the ends the digits say what is exact; a share within needs them rarely.
+  for (int trial = 0; trial < 30; ++trial) {
+    const auto points = any_curve(words, 0, 2, 4);
+    const AlongTruth pairs(view(points, 2), Tier::certified);
+    const double target = pairs.length_at_share(0.25 + uniform(words) / 2);
+    static_cast<void>(pairs.error_of_length(0.3, target, to_float));
+    static_cast<void>(pairs.error_of_parameter(0.3, target, to_float));
+    needed += pairs.needed_digits() ? 1 : 0;
+  }
+  EXPECT_EQ(trials, 48);
+  EXPECT_LE(needed, 2);
+}
+
+}  // namespace
+}  // namespace bezierbench::reference

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// A hodograph as a series of Chebyshev polynomials of z in [-1, 1], and the bounds of the speed that it
+// proves.
+//
+// The series of a part that is half as wide converges faster, so negligible terms are left out. A panel next to a cusp
+// or a turn soon needs a few terms only, whatever the degree is.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "reference/length/pair_real.hpp"
+
+namespace bezierbench::reference {
+
+using LongReal = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<70>>;
+
+/// What the precision of a type of numbers decides. The unit is eight times what a product may be off.
+template <class Real>
+struct Precision;
+
+template <>
+struct Precision<LongReal> {
+  static constexpr int points_of_rule = 44;
+  static constexpr double negligible = 1e-36;    ///< part of a length that a panel may miss
+  static constexpr double straight = 1e-60;      ///< part by which polygon and chord of a straight line differ
+  static constexpr double of_parameter = 1e-40;  ///< part of the whole length by which that at a parameter may be off
+  static constexpr double work_limit = 1.5e8;    ///< products, some ten seconds; then panels are taken as they are
+  static LongReal unit() { return 4 * std::numeric_limits<LongReal>::epsilon(); }
+};
+
+template <>
+struct Precision<PairReal> {
+  static constexpr int points_of_rule = 30;
+  static constexpr double negligible = 1e-28;
+  static constexpr double straight = 0x1p-90;
+  static constexpr double of_parameter = 1e-27;
+  static constexpr double work_limit = 2e6;
+  static PairReal unit() { return 0x1p-100; }
+};
+
+/// Control vectors of a hodograph in Bernstein form, point by point.
+template <class Real>
+struct Hodograph {
+  std::size_t dimension;
+  std::vector<Real> vectors;
+  Real off = 0;  ///< by which roundings may have changed the mean speed
+
+  [[nodiscard]] std::size_t degree() const { return vectors.size() / dimension - 1; }
+
+  /// Halves or cuts: the part on [0, t] stays here, that on [t, 1] is returned.
+  Hodograph split(const Real& t);
+
+  /// Mean size of the vectors, and the size of their mean: polygon and chord, for a parameter of width 1.
+  [[nodiscard]] Real polygon() const;
+  [[nodiscard]] Real chord() const;
+};
+
+using LongHodograph = Hodograph<LongReal>;
+
+/// h = sum a_k T_k(z), k = 0 .. degree.
+template <class Real>
+class SpeedSeries {
+ public:
+  /// Interpolates h, over [0, 1], at the roots of T_(m+1), which is exact but for rounding.
+  explicit SpeedSeries(const Hodograph<Real>& h);
+
+  [[nodiscard]] std::size_t degree() const { return coefficients_.size() / dimension_ - 1; }
+  [[nodiscard]] std::size_t dimension() const { return dimension_; }
+
+  /// |h(z)| by Clenshaw's algorithm.
+  [[nodiscard]] Real speed(const Real& z) const;
+
+  /// The mean speed on [-1, z_end], z_end > -1: the chord where the curve stays ahead, else by the Gauss-Legendre rule
+  /// of Precision.
+  [[nodiscard]] Real mean_speed_to(const Real& z_end) const;
+
+  /// An upper bound of |h| on [-1, 1].
+  [[nodiscard]] Real largest() const;
+
+  /// |mean of h| on [-1, z_end], z_end > -1, which the mean speed there is never below.
+  [[nodiscard]] Real chord_to(const Real& z_end) const;
+
+  /// What speed() loses by rounding, in units of Precision, for z that is right to a unit.
+  [[nodiscard]] Real rounding_of_speed() const;
+  /// What halve() changes h by, likewise.
+  [[nodiscard]] Real rounding_of_halving() const;
+
+  /// True where h has one axis and no root, because a_0 is larger than all other terms together.
+  [[nodiscard]] bool stays_ahead() const;
+
+  /// A proved bound of the error of mean_speed_to(1), valid for shorter parts of [-1, 1] as well; negative where none
+  /// of at most `allowed` is proved.
+  [[nodiscard]] Real proved_miss(const Real& allowed) const;
+
+  /// Removes as many of the last terms as change |h| by at most `allowed`; returns a bound of the change.
+  Real shorten(const Real& allowed);
+
+  /// The coefficients by which T_k on a whole interval is a sum of T_j on one half, for series up to this degree.
+  class Halving;
+
+  /// The half on [-1, 0] stays here, that on [0, 1] is returned; both have z in [-1, 1] again.
+  SpeedSeries halve(const Halving& halving);
+
+ private:
+  explicit SpeedSeries(std::size_t dimension) : dimension_(dimension) {}
+  [[nodiscard]] Real size_1(std::size_t k) const;  ///< of a_k, the sum over the axes, which is at least |a_k|
+
+  std::size_t dimension_;
+  std::vector<Real> coefficients_;  ///< point by point
+};
+
+template <class Real>
+class SpeedSeries<Real>::Halving {
+ public:
+  explicit Halving(std::size_t degree);
+  /// The coefficient of T_j(y) in T_k((y + 1)/2), j <= k. In T_k((y - 1)/2) it has the sign of (-1)^(j+k).
+  [[nodiscard]] const Real& operator()(std::size_t j, std::size_t k) const { return rows_[k * (k + 1) / 2 + j]; }
+
+ private:
+  std::vector<Real> rows_;
+};
+
+}  // namespace bezierbench::reference
