@@ -20,8 +20,9 @@ namespace bezierbench {
 
 /// One step of the triangle: the convex combination of two points, each with its weight behind its coordinates.
 template <class Scalar, std::size_t Size>
-std::array<Scalar, Size> weighted_step(const std::array<Scalar, Size>& a, const std::array<Scalar, Size>& b,
-                                       const Scalar& s, const Scalar& t) {
+[[gnu::always_inline]] inline std::array<Scalar, Size> weighted_step(const std::array<Scalar, Size>& a,
+                                                                     const std::array<Scalar, Size>& b, const Scalar& s,
+                                                                     const Scalar& t) {
   const Scalar left = s * a[Size - 1];
   const Scalar right = t * b[Size - 1];
   std::array<Scalar, Size> next;
