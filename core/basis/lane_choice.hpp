@@ -17,6 +17,8 @@ constexpr bool both(bool a, bool b) { return a && b; }
 constexpr bool either(bool a, bool b) { return a || b; }
 /// True where a choice is the first one in all lanes.
 constexpr bool all_of(bool condition) { return condition; }
+/// True where a choice is the first one in some lane.
+constexpr bool any_of(bool condition) { return condition; }
 
 /// The value of a lane; a scalar is the only lane.
 constexpr double lane_of(double value, std::size_t /*lane*/) { return value; }

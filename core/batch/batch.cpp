@@ -3,6 +3,7 @@
 
 #include <hwy/targets.h>
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 
@@ -12,23 +13,38 @@
 namespace bezierbench::batch {
 namespace {
 
+template <class Name>
+constexpr Target target_of(std::string_view name, std::int64_t highway) {
+  return {name,
+          highway,
+          &TableOf<Name, float>::table,
+          &TableOf<Name, double>::table,
+          &WorksOf<Name, float>::table,
+          &WorksOf<Name, double>::table};
+}
+
 #if HWY_ARCH_X86
-constexpr std::array all_targets{Target{"AVX-512", HWY_AVX3, &Tables<float>::avx512, &Tables<double>::avx512,
-                                        &Tables<float>::avx512_works, &Tables<double>::avx512_works},
-                                 Target{"AVX2", HWY_AVX2, &Tables<float>::avx2, &Tables<double>::avx2,
-                                        &Tables<float>::avx2_works, &Tables<double>::avx2_works}};
+constexpr std::array all_targets{target_of<Avx512>("AVX-512", HWY_AVX3), target_of<Avx2>("AVX2", HWY_AVX2)};
 #elif HWY_ARCH_ARM_A64
-constexpr std::array all_targets{Target{"NEON", HWY_NEON, &Tables<float>::neon, &Tables<double>::neon,
-                                        &Tables<float>::neon_works, &Tables<double>::neon_works}};
+constexpr std::array all_targets{target_of<Neon>("NEON", HWY_NEON)};
 #else
 constexpr std::array<Target, 0> all_targets{};
 #endif
 
-/// An evaluator of the roster, and for each dimension the function that reads its prepared state.
+/// Points of rational curves whose homogeneous coordinates lie between two steps, in the first cache.
+constexpr std::size_t points_between = 128;
+
+template <class Scalar>
+using ReadParts = Parts<Scalar> (*)(const void* prepared);
+
+/// An evaluator of the roster, its place there, and for each dimension the function that reads its prepared state.
 template <class Scalar>
 struct Known {
   const MethodInfo* evaluator;
-  std::array<Parts<Scalar> (*)(const void* prepared), max_dimension> parts;
+  const MethodInfo* rational;  ///< the same evaluator for rational curves; null where there is none
+  std::size_t family;
+  std::size_t place;  ///< in the family
+  std::array<ReadParts<Scalar>, max_dimension + 1> parts;
 };
 
 template <class Scalar, class Prepared>
@@ -41,24 +57,50 @@ Parts<Scalar> parts_of(const void* prepared) {
   else if constexpr (requires { state.lost; })
     return {state.scaled.degree(), state.scaled.data(), state.lost.data()};
   else if constexpr (requires { state.scaled; })
-    return {state.scaled.degree(), state.scaled.data(), nullptr};
+    return {state.scaled.degree(), state.scaled.data()};
+  else if constexpr (requires { state.binomial; })
+    return {state.curve.degree(), state.curve.data(), state.binomial.data()};
+  else if constexpr (requires { state.ball; })
+    return {state.ball.degree(), state.ball.data()};
+  else if constexpr (requires { state.nodes; })
+    return {state.values.degree(), state.values.data(), state.nodes.data(), state.weights.data()};
+  else if constexpr (requires { state.ratios; })
+    return {state.points.degree(), state.points.data(), state.ratios.data()};
+  else if constexpr (requires { state.weights; })
+    return {state.degree(), state.points.data(), state.weights.data()};
   else
-    return {state.degree(), state.data(), nullptr};
+    return {state.degree(), state.data()};
 }
 
 template <class Scalar, class Entry>
-constexpr Known<Scalar> known() {
+constexpr Known<Scalar> known(std::size_t family, std::size_t place) {
   using E = typename Entry::Evaluator;
   static_assert(std::is_same_v<PreparedOf<E, Scalar, 2>, typename Entry::State::template Prepared<Scalar, 2, dynamic>>);
-  return {&E::info,
-          {parts_of<Scalar, PreparedOf<E, Scalar, 1>>, parts_of<Scalar, PreparedOf<E, Scalar, 2>>,
-           parts_of<Scalar, PreparedOf<E, Scalar, 3>>}};
+  Known<Scalar> result{&E::info,
+                       nullptr,
+                       family,
+                       place,
+                       {parts_of<Scalar, PreparedOf<E, Scalar, 1>>, parts_of<Scalar, PreparedOf<E, Scalar, 2>>,
+                        parts_of<Scalar, PreparedOf<E, Scalar, 3>>, nullptr}};
+  if constexpr (takes_rational<E>) {
+    result.rational = &Homogeneous<E>::info;
+    result.parts[max_dimension] = parts_of<Scalar, PreparedOf<E, Scalar, max_dimension + 1>>;
+  }
+  return result;
 }
 
-template <class Scalar, class... Plain, class... WithFma>
-std::span<const Known<Scalar>> all_known(TypeList<Plain...> /*unfused*/, TypeList<WithFma...> /*fused*/) {
-  static constexpr std::array table{known<Scalar, Plain>()..., known<Scalar, WithFma>()...};
-  return table;
+template <class Scalar, class... Entries>
+void append(std::vector<Known<Scalar>>& all, std::size_t family, TypeList<Entries...> /*entries*/) {
+  std::size_t place = 0;
+  (all.push_back(known<Scalar, Entries>(family, place++)), ...);
+}
+
+template <class Scalar, class... Family>
+std::vector<Known<Scalar>> all_known(TypeList<Family...> /*families*/) {
+  std::vector<Known<Scalar>> all;
+  std::size_t family = 0;
+  (append<Scalar>(all, family++, EntriesOf<Family>()), ...);
+  return all;
 }
 
 }  // namespace
@@ -97,13 +139,33 @@ template WorksOfWidths<float> works_of<float>(const Target&);
 template WorksOfWidths<double> works_of<double>(const Target&);
 
 template <class Scalar>
+void BatchKernel<Scalar>::operator()(const void* prepared, std::span<const Scalar> t, Scalar* points) const {
+  const auto state = parts(prepared);
+  if (divide == nullptr) return evaluate(state, t.data(), t.size(), points);
+  std::array<Scalar, (max_dimension + 1) * points_between> homogeneous;
+  for (std::size_t k = 0; k < t.size(); k += points_between) {
+    const std::size_t count = std::min(points_between, t.size() - k);
+    evaluate(state, t.data() + k, count, homogeneous.data());
+    divide(homogeneous.data(), dimension, count, points + k, t.size());
+  }
+}
+
+template struct BatchKernel<float>;
+template struct BatchKernel<double>;
+
+template <class Scalar>
 BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel) {
-  const auto all = all_known<Scalar>(Unfused{}, Fused{});
+  static const auto all = all_known<Scalar>(Families());
   const auto& table = table_of<Scalar>(target);
-  const auto dimension = static_cast<std::size_t>(kernel.dimension) - 1;
-  for (std::size_t k = 0; k < table.count; ++k)
-    if (all[k].evaluator == kernel.evaluator)
-      return {all[k].parts[dimension], table.kernels[k].of_dimension[dimension]};
+  for (const auto& entry : all) {
+    const bool is_rational = entry.rational == kernel.evaluator;
+    if (entry.evaluator != kernel.evaluator && !is_rational) continue;
+    const auto& family = *table.families[entry.family];
+    if (entry.place >= family.count) return {};
+    const auto dimension = static_cast<std::size_t>(kernel.dimension) - (is_rational ? 0 : 1);
+    return {entry.parts[dimension], family.kernels[entry.place].of_dimension[dimension],
+            is_rational ? table.divide : nullptr, kernel.dimension};
+  }
   return {};
 }
 
@@ -114,7 +176,7 @@ template <class Scalar>
 GroupKernel<Scalar> find_group(const Target& target, const Kernel<Scalar>& kernel) {
   const auto evaluators = infos_of(typename Concatenated<UnfusedOfGroups, FusedOfGroups>::Type());
   const auto conversions = infos_of(ConversionsOfGroups());
-  const auto& table = table_of<Scalar>(target).group;
+  const auto& table = *table_of<Scalar>(target).group;
   const auto dimension = static_cast<std::size_t>(kernel.dimension) - 1;
   GroupKernel<Scalar> found;
   for (std::size_t k = 0; k < table.evaluator_count; ++k)

@@ -46,14 +46,14 @@ template <class Scalar>
 struct BatchKernel {
   Parts<Scalar> (*parts)(const void* prepared) = nullptr;
   Evaluate<Scalar> evaluate = nullptr;
+  Divide<Scalar> divide = nullptr;  ///< not null where `evaluate` writes homogeneous coordinates of rational curves
+  int dimension = 0;                ///< of the points
 
   explicit operator bool() const { return evaluate != nullptr; }
 
   /// `prepared` is what the scalar kernel's `prepare` filled. Writes coordinate `axis` of the point at t[k] to
   /// points[axis * t.size() + k].
-  void operator()(const void* prepared, std::span<const Scalar> t, Scalar* points) const {
-    evaluate(parts(prepared), t.data(), t.size(), points);
-  }
+  void operator()(const void* prepared, std::span<const Scalar> t, Scalar* points) const;
 };
 
 /// The batch kernel that gives the same bits as `kernel`, if there is one: an evaluator needs a line in the roster, a

@@ -62,6 +62,22 @@ std::vector<Scalar> coefficients(int degree, int dimension, Inputs& inputs) {
   return result;
 }
 
+/// Curves of all sizes: subnormal ones, large ones, ones that overflow, some coefficients zero, infinite or NaN.
+template <class Scalar>
+std::vector<Scalar> any_coefficients(std::size_t curve, int degree, int dimension, Inputs& inputs) {
+  using Limits = std::numeric_limits<Scalar>;
+  auto values = coefficients<Scalar>(degree, dimension, inputs);
+  constexpr std::size_t kinds = 8;
+  const Scalar scale = curve % kinds == 1   ? Limits::denorm_min() * 1000
+                       : curve % kinds == 3 ? Limits::max() / 4
+                       : curve % kinds == 5 ? Limits::min()
+                                            : Scalar(1);
+  for (Scalar& value : values) value *= scale;
+  if (curve % kinds == 6) values[curve % values.size()] = curve < kinds ? Limits::infinity() : Limits::quiet_NaN();
+  if (curve % kinds == 7) values[curve % values.size()] = -Scalar(0);
+  return values;
+}
+
 /// For tests whose parameter is a place among built_targets(); GoogleTest takes no hyphen.
 inline std::string name_of_target(const testing::TestParamInfo<std::size_t>& place) {
   std::string name(built_targets()[place.param].name);

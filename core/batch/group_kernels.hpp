@@ -3,9 +3,11 @@
 // compiled for.
 #pragma once
 
+#include "core/batch/lane_estrin.hpp"
 #include "core/batch/lane_triangle.hpp"
 #include "core/batch/roster.hpp"
 #include "core/batch/target_table.hpp"
+#include "core/batch/targets.hpp"
 
 namespace bezierbench::batch::HWY_NAMESPACE {
 
@@ -81,3 +83,10 @@ constexpr GroupTable<S> group_table() {
 }
 
 }  // namespace bezierbench::batch::HWY_NAMESPACE
+
+namespace bezierbench::batch {
+
+template <class Target, class Scalar>
+constinit const GroupTable<Scalar> GroupsOf<Target, Scalar>::table = HWY_NAMESPACE::group_table<Scalar>();
+
+}  // namespace bezierbench::batch

@@ -5,8 +5,11 @@
 
 #include "core/batch/lanes.hpp"
 #include "core/batch/target_table.hpp"
+#include "core/evaluate/barycentric.hpp"
 #include "core/evaluate/correctly_rounded_pair.hpp"
+#include "core/evaluate/direct.hpp"
 #include "core/evaluate/nearer_end.hpp"
+#include "core/evaluate/wozny_chudy_rational.hpp"
 
 namespace bezierbench {
 
@@ -40,6 +43,61 @@ struct Curve<Form::power_double_double, batch::HWY_NAMESPACE::Lanes<S, Count>, D
   Part low;
 };
 
+namespace batch::HWY_NAMESPACE {
+
+/// A view of one value per coefficient.
+template <class S, int Count>
+class Row {
+ public:
+  HWY_INLINE explicit Row(const S* first) : first_(first) {}
+  [[nodiscard]] HWY_INLINE Lanes<S, Count> operator[](int i) const { return Lanes<S, Count>(first_[i]); }
+
+ private:
+  const S* first_;
+};
+
+}  // namespace batch::HWY_NAMESPACE
+
+template <class S, int Count, int DimensionT, int DegreeT>
+struct Curve<Form::rational, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
+  HWY_INLINE explicit Curve(const batch::Parts<S>& parts) : points(parts.first, parts.degree), weights(parts.second) {}
+
+  [[nodiscard]] HWY_INLINE int degree() const { return points.degree(); }
+
+  Curve<Form::bernstein, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> points;
+  batch::HWY_NAMESPACE::Row<S, Count> weights;
+};
+
+// What methods prepare that is more than a curve, for lanes: views of the arrays in the order of batch::Parts.
+
+template <class S, int Count, int DimensionT, int DegreeT>
+struct Direct::Prepared<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
+  HWY_INLINE explicit Prepared(const batch::Parts<S>& parts)
+      : curve(parts.first, parts.degree), binomial(parts.second) {}
+
+  Curve<Form::bernstein, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> curve;
+  batch::HWY_NAMESPACE::Row<S, Count> binomial;
+};
+
+template <class S, int Count, int DimensionT, int DegreeT>
+struct WoznyChudyRational::Prepared<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
+  HWY_INLINE explicit Prepared(const batch::Parts<S>& parts)
+      : points(parts.first, parts.degree), ratios(parts.second) {}
+
+  Curve<Form::bernstein, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> points;
+  batch::HWY_NAMESPACE::Row<S, Count> ratios;
+};
+
+template <class S, int Count, int DimensionT, int DegreeT>
+struct Barycentric<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
+  HWY_INLINE explicit Barycentric(const batch::Parts<S>& parts)
+      : nodes(parts.second), weights(parts.third), values(parts.first, parts.degree) {}
+
+  batch::HWY_NAMESPACE::Row<S, Count> nodes;
+  batch::HWY_NAMESPACE::Row<S, Count> weights;
+  Curve<Form::bernstein, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> values;
+};
+
 /// What `correctly_rounded` prepares, for lanes; those that are left undecided are settled one by one.
 template <Form F, class S, int Count, int DimensionT>
 struct RoundedState<F, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, dynamic> {
@@ -52,7 +110,7 @@ struct RoundedState<F, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, dynami
     const int n = parts_.degree;
     return {{parts_.first + a, DimensionT, n},
             {parts_.second + a, DimensionT, n},
-            {parts_.given + a, DimensionT, n},
+            {parts_.third + a, DimensionT, n},
             rounding[a]};
   }
 

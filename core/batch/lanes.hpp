@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include <concepts>
 #include <cstddef>
 #include <utility>
 
@@ -35,6 +36,11 @@ struct LaneMask {
     LaneMask result;
     for (int k = 0; k < Count; ++k) result.mask[k] = hn::Or(a.mask[k], b.mask[k]);
     return result;
+  }
+  friend HWY_INLINE bool any_of(const LaneMask& a) {
+    auto any = a.mask[0];
+    for (int k = 1; k < Count; ++k) any = hn::Or(any, a.mask[k]);
+    return !hn::AllFalse(hn::ScalableTag<Scalar>(), any);
   }
 };
 
@@ -82,6 +88,8 @@ class Lanes {
     const Vector all = hn::Set(Tag(), value);
     *this = each([&](int /*k*/) { return all; });
   }
+  template <std::integral Whole>
+  HWY_INLINE explicit Lanes(Whole value) : Lanes(static_cast<Scalar>(value)) {}
   HWY_INLINE Lanes(const Shared& value) : Lanes(value.value()) {}  // NOLINT(google-explicit-constructor): as a double
   /// Reads `size` values.
   static HWY_INLINE Lanes load(const Scalar* values) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/batch/operation_work.hpp"
+#include "core/batch/targets.hpp"
 
 namespace bezierbench::batch::HWY_NAMESPACE {
 
@@ -119,3 +120,10 @@ inline constexpr std::array<OperationWorks<S>, widths()> all_works =
     works_of_widths<S>(std::make_index_sequence<widths()>());
 
 }  // namespace bezierbench::batch::HWY_NAMESPACE
+
+namespace bezierbench::batch {
+
+template <class Target, class Scalar>
+constinit const WorksOfWidths<Scalar> WorksOf<Target, Scalar>::table = HWY_NAMESPACE::all_works<Scalar>;
+
+}  // namespace bezierbench::batch

@@ -3,32 +3,15 @@
 // the evaluator, in float and double and in 1 to 3 dimensions: one curve at many t, and many curves at one t each.
 #pragma once
 
+#include <type_traits>
+
 #include "core/convert/differences.hpp"
 #include "core/convert/differences_centered.hpp"
 #include "core/convert/factorial.hpp"
 #include "core/convert/forward_substitution.hpp"
 #include "core/convert/positive_sum.hpp"
 #include "core/convert/triangle.hpp"
-#include "core/evaluate/compensated_horner.hpp"
-#include "core/evaluate/compensated_volk_schumaker.hpp"
-#include "core/evaluate/correctly_rounded.hpp"
-#include "core/evaluate/correctly_rounded_power.hpp"
-#include "core/evaluate/de_casteljau.hpp"
-#include "core/evaluate/de_casteljau_fma.hpp"
-#include "core/evaluate/de_casteljau_lerp.hpp"
-#include "core/evaluate/de_casteljau_lerp_fma.hpp"
-#include "core/evaluate/de_casteljau_two_sided.hpp"
-#include "core/evaluate/direct.hpp"
-#include "core/evaluate/estrin.hpp"
-#include "core/evaluate/horner.hpp"
-#include "core/evaluate/horner_bernstein.hpp"
-#include "core/evaluate/horner_bernstein_fma.hpp"
-#include "core/evaluate/horner_centered.hpp"
-#include "core/evaluate/horner_dd.hpp"
-#include "core/evaluate/horner_fma.hpp"
-#include "core/evaluate/power_sum.hpp"
-#include "core/evaluate/volk_schumaker.hpp"
-#include "core/evaluate/wang_ball.hpp"
+#include "core/evaluate/roster.hpp"
 
 namespace bezierbench::batch {
 
@@ -39,16 +22,29 @@ struct TheCurve {
   using Prepared = Curve<F, Scalar, Dimension, Degree>;
 };
 
+struct BarycentricState {
+  template <class Scalar, int Dimension, int Degree>
+  using Prepared = Barycentric<Scalar, Dimension, Degree>;
+};
+
 /// An evaluator, the type of its prepared state (`State::Prepared`), and the number of vectors that its inner loop
 /// needs in registers, for each axis and for all axes together. From these follows how many vectors of points go side
-/// by side. (Horner-Bernstein's t and 1-t are only read, and may come from memory: with four vectors instead of two it
-/// is a tenth faster on AVX2.)
+/// by side. (Horner-Bernstein's t and 1-t are only read and may come from memory: four vectors instead of two make it a
+/// tenth faster on AVX2. Fewer than are live are stated also where divisions take the time or steps go through memory.)
 template <class EvaluatorT, class StateT, int PerAxis, int Shared>
 struct Entry {
   using Evaluator = EvaluatorT;
   using State = StateT;
   static constexpr int live(int dimension) { return PerAxis * dimension + Shared; }
   static constexpr int largest_unrolled_degree = 0;  ///< degrees from 2 to this have kernels of their own
+  static constexpr bool one_curve_only = false;      ///< true without kernels for many curves
+};
+
+/// For one curve only: where lanes that are left undecided come back to the curve, which all lanes share, or where
+/// curves have weights or are prepared in ways that groups are not.
+template <class EntryT>
+struct OneCurve : EntryT {
+  static constexpr bool one_curve_only = true;
 };
 
 /// A triangle goes axis by axis, with a vector for each level of a sweep.
@@ -62,45 +58,103 @@ struct UnrolledTriangle : Triangle<EvaluatorT> {
   static constexpr int largest_unrolled_degree = 12;
 };
 
-/// For every target.
-using Unfused = TypeList<Triangle<DeCasteljau>,                          //
-                         Triangle<DeCasteljauLerp>,                      //
-                         Triangle<DeCasteljauTwoSided>,                  //
-                         Entry<HornerBernstein, HornerBernstein, 1, 1>,  //
-                         Entry<VolkSchumaker, HornerBernstein, 1, 2>,    //
-                         Entry<Horner, TheCurve<Form::power>, 1, 1>>;
+/// Evaluators whose kernels for one target and scalar type are compiled together: each family is a translation unit of
+/// some seconds, named in CMakeLists.txt. `Fused` is for targets that have a fused multiply-add in hardware.
+struct Triangles {
+  using Unfused = TypeList<Triangle<DeCasteljau>,      //
+                           Triangle<DeCasteljauLerp>,  //
+                           Triangle<DeCasteljauTwoSided>>;
+  using Fused = TypeList<Triangle<DeCasteljauFma>, UnrolledTriangle<DeCasteljauLerpFma>>;
+};
 
-/// For targets that have a fused multiply-add in hardware: those that use it.
-using FusedAndGroups = TypeList<Triangle<DeCasteljauFma>,                                         //
-                                UnrolledTriangle<DeCasteljauLerpFma>,                             //
-                                Entry<HornerBernsteinFma, HornerBernstein, 1, 1>,                 //
-                                Entry<CompensatedVolkSchumaker, CompensatedVolkSchumaker, 2, 6>,  //
-                                Entry<HornerFma, TheCurve<Form::power>, 1, 1>,                    //
-                                Entry<CompensatedHorner, TheCurve<Form::power>, 2, 3>,            //
-                                Entry<HornerDoubleDouble, TheCurve<Form::power_double_double>, 2, 3>>;
+/// One pass over the coefficients, with sums and products.
+struct Sums {
+  using Unfused =
+      TypeList<Entry<Direct, Direct, 1, 2>,                    //
+               Entry<HornerBernstein, HornerBernstein, 1, 1>,  //
+               Entry<VolkSchumaker, HornerBernstein, 1, 2>,    //
+               Entry<WangBall, WangBall, 1, 3>,                //
+               Entry<PowerSum, TheCurve<Form::power>, 1, 2>,   //
+               Entry<Horner, TheCurve<Form::power>, 1, 1>,     //
+               Entry<HornerCentered, TheCurve<Form::power_centered>, 1, 1>, Entry<Estrin, TheCurve<Form::power>, 0, 3>>;
+  using Fused =
+      TypeList<Entry<HornerBernsteinFma, HornerBernstein, 1, 1>, Entry<HornerFma, TheCurve<Form::power>, 1, 1>>;
+};
 
-/// For one curve only: a lane that is left undecided comes back to the curve, which all lanes share.
-using FusedOnly = TypeList<Entry<CorrectlyRounded, CorrectlyRounded, 0, 6>,  //
-                           Entry<CorrectlyRoundedPower, CorrectlyRoundedPower, 0, 5>>;
-using Fused = typename Concatenated<FusedAndGroups, FusedOnly>::Type;
+/// Those whose divisions take most of the time.
+struct Quotients {
+  using Unfused = TypeList<Entry<WoznyChudy, TheCurve<Form::bernstein>, 0, 3>,                 //
+                           Entry<WoznyChudyPositive, TheCurve<Form::bernstein>, 0, 3>,         //
+                           OneCurve<Entry<BarycentricChebyshev, BarycentricState, 1, 2>>,      //
+                           OneCurve<Entry<BarycentricUniform, BarycentricState, 1, 2>>,        //
+                           OneCurve<Entry<DeCasteljauFarin, TheCurve<Form::rational>, 0, 8>>,  //
+                           OneCurve<Entry<WoznyChudyRational, WoznyChudyRational, 0, 3>>,      //
+                           OneCurve<Entry<WoznyChudyPositiveRational, WoznyChudyRational, 0, 3>>>;
+  using Fused = TypeList<>;
+};
 
-/// For many curves only.
-using GroupOnly = TypeList<Direct, WangBall, PowerSum, HornerCentered, Estrin>;
+struct Compensated {
+  using Unfused = TypeList<>;
+  using Fused = TypeList<Entry<CompensatedDeCasteljau, TheCurve<Form::bernstein>, 0, 12>,    //
+                         Entry<CompensatedDeCasteljauK3, TheCurve<Form::bernstein>, 0, 16>,  //
+                         Entry<CompensatedDeCasteljauK4, TheCurve<Form::bernstein>, 0, 16>,  //
+                         Entry<CompensatedVolkSchumaker, CompensatedVolkSchumaker, 2, 6>,    //
+                         Entry<CompensatedHorner, TheCurve<Form::power>, 2, 3>,              //
+                         Entry<HornerDoubleDouble, TheCurve<Form::power_double_double>, 2, 3>>;
+};
+
+struct Rounded {
+  using Unfused = TypeList<>;
+  using Fused = TypeList<OneCurve<Entry<CorrectlyRounded, CorrectlyRounded, 0, 6>>,  //
+                         OneCurve<Entry<CorrectlyRoundedPower, CorrectlyRoundedPower, 0, 5>>>;
+};
+
+using Families = TypeList<Triangles, Sums, Quotients, Compensated, Rounded>;
+
+/// All entries of a family, the fused ones last.
+template <class Family>
+using EntriesOf = typename Concatenated<typename Family::Unfused, typename Family::Fused>::Type;
 
 namespace detail {
 
 template <class Entries>
-struct EvaluatorsOf;
+struct OfGroups;
 template <class... Entries>
-struct EvaluatorsOf<TypeList<Entries...>> {
-  using Type = TypeList<typename Entries::Evaluator...>;
+struct OfGroups<TypeList<Entries...>> {
+  using Type = typename Concatenated<
+      std::conditional_t<Entries::one_curve_only, TypeList<>, TypeList<typename Entries::Evaluator>>...>::Type;
 };
+
+template <class List>
+struct InFamilies;
+template <class... Family>
+struct InFamilies<TypeList<Family...>> {
+  using Unfused = typename Concatenated<typename OfGroups<typename Family::Unfused>::Type...>::Type;
+  using Fused = typename Concatenated<typename OfGroups<typename Family::Fused>::Type...>::Type;
+};
+
+template <class Evaluator, class... Es>
+constexpr bool is_one_of(TypeList<Es...> /*evaluators*/) {
+  return (std::is_same_v<Evaluator, Es> || ...);
+}
+
+template <class Evaluator>
+constexpr bool takes_rational() {
+  if constexpr (Evaluator::info.form == Form::bernstein)
+    return is_one_of<Homogeneous<Evaluator>>(Evaluators());
+  else
+    return false;
+}
 
 }  // namespace detail
 
+/// True where the evaluator takes rational curves, too, by their homogeneous coordinates.
+template <class Evaluator>
+inline constexpr bool takes_rational = detail::takes_rational<Evaluator>();
+
 /// The evaluators with kernels for many curves, those that are fused last.
-using UnfusedOfGroups = typename Concatenated<typename detail::EvaluatorsOf<Unfused>::Type, GroupOnly>::Type;
-using FusedOfGroups = typename detail::EvaluatorsOf<FusedAndGroups>::Type;
+using UnfusedOfGroups = typename detail::InFamilies<Families>::Unfused;
+using FusedOfGroups = typename detail::InFamilies<Families>::Fused;
 
 /// The conversions with kernels for many curves. The exact ones are integers.
 using ConversionsOfGroups =

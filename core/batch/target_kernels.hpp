@@ -2,14 +2,14 @@
 // Turns the roster into kernels for the target that the including translation unit is compiled for.
 #pragma once
 
-#include <algorithm>
 #include <type_traits>
 #include <utility>
 
-#include "core/batch/group_kernels.hpp"
+#include "core/batch/lane_estrin.hpp"
 #include "core/batch/lane_triangle.hpp"
 #include "core/batch/roster.hpp"
 #include "core/batch/target_table.hpp"
+#include "core/batch/targets.hpp"
 
 namespace bezierbench::batch::HWY_NAMESPACE {
 
@@ -36,13 +36,21 @@ constexpr int vectors(int dimension) {
   return count;
 }
 
-/// `Count` vectors of points at t[0], t[1], ...
-template <class Entry, class S, int Dimension, int Count>
-[[gnu::flatten]] void evaluate_block(const Parts<S>& parts, const S* t, S* points, std::size_t axis_stride) {
-  using L = Lanes<S, Count>;
-  using Prepared = typename Entry::State::template Prepared<L, Dimension, dynamic>;
-  const Point<L, Dimension> point = Entry::Evaluator::evaluate(prepared_from<Prepared>(parts), L::load(t));
-  for (int axis = 0; axis < Dimension; ++axis) point[axis].store(points + static_cast<std::size_t>(axis) * axis_stride);
+/// The number of points in a block: all vectors that go side by side.
+template <class Entry, class S, int Dimension>
+inline constexpr std::size_t points_of_block = Lanes<S, vectors<Entry>(Dimension)>::size;
+
+/// That many blocks of points at t[0], t[1], ... It is compiled once for all who call it.
+template <class Entry, class S, int Dimension>
+[[gnu::flatten, gnu::noinline]] void evaluate_blocks(const Parts<S>& parts, const S* t, std::size_t blocks, S* points,
+                                                     std::size_t axis_stride) {
+  using L = Lanes<S, vectors<Entry>(Dimension)>;
+  const auto prepared = prepared_from<typename Entry::State::template Prepared<L, Dimension, dynamic>>(parts);
+  for (; blocks > 0; --blocks, t += L::size, points += L::size) {
+    const Point<L, Dimension> point = Entry::Evaluator::evaluate(prepared, L::load(t));
+    for (int axis = 0; axis < Dimension; ++axis)
+      point[axis].store(points + static_cast<std::size_t>(axis) * axis_stride);
+  }
 }
 
 /// Every coefficient in all lanes, on the stack. It is copied to the lanes once: a compiler would do so again for every
@@ -56,21 +64,11 @@ HWY_INLINE Curve<Form::bernstein, L, Dimension, Degree> spread(const Parts<S>& p
   return curve;
 }
 
-/// Evaluates blocks of as many vectors as go side by side; returns the number of points.
-template <class Entry, class S, int Dimension>
-std::size_t evaluate_blocks(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
-  constexpr int side_by_side = vectors<Entry>(Dimension);
-  constexpr std::size_t block = Lanes<S, side_by_side>::size;
-  std::size_t k = 0;
-  for (; k + block <= count; k += block)
-    evaluate_block<Entry, S, Dimension, side_by_side>(parts, t + k, points + k, count);
-  return k;
-}
-
 /// The number of vectors side by side where a triangle of this degree keeps all values of a level in registers.
 constexpr int unrolled_vectors(int degree) { return 2 * (degree + 1) < 16 ? 2 : 1; }
 
-/// The same for a degree that is known at compile time.
+/// The points at the first t, as many as fill whole vectors, for a degree that is known at compile time; returns their
+/// number.
 template <class Entry, class S, int Dimension, int Degree>
 [[gnu::flatten, gnu::noinline]] std::size_t evaluate_unrolled(const Parts<S>& parts, const S* t, std::size_t count,
                                                               S* points) {
@@ -84,49 +82,72 @@ template <class Entry, class S, int Dimension, int Degree>
   return k;
 }
 
-/// The same with the degree known at compile time where it is one of 2, ..., Entry::largest_unrolled_degree.
+/// The same where the degree is one of 2, ..., Entry::largest_unrolled_degree; else none.
 template <class Entry, class S, int Dimension, int... Less>
-std::size_t evaluate_blocks(const Parts<S>& parts, const S* t, std::size_t count, S* points,
-                            std::integer_sequence<int, Less...> /*degrees less 2*/) {
+std::size_t evaluate_unrolled(const Parts<S>& parts, const S* t, std::size_t count, S* points,
+                              std::integer_sequence<int, Less...> /*degrees less 2*/) {
   std::size_t done = 0;
-  const bool unrolled = ((parts.degree == Less + 2 &&
-                          ((done = evaluate_unrolled<Entry, S, Dimension, Less + 2>(parts, t, count, points)), true)) ||
-                         ...);
-  return unrolled ? done : evaluate_blocks<Entry, S, Dimension>(parts, t, count, points);
+  ((parts.degree == Less + 2 ? void(done = evaluate_unrolled<Entry, S, Dimension, Less + 2>(parts, t, count, points))
+                             : void()),
+   ...);
+  return done;
 }
 
-/// Blocks, then single vectors; the last one is filled up with its first t.
+/// Whole blocks, then what is left in a block that is filled up with its first t.
 template <class Entry, class S, int Dimension>
 void evaluate_all(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
-  constexpr std::size_t single = Lanes<S, 1>::size;
-  constexpr int unrolled_degrees = std::max(Entry::largest_unrolled_degree - 1, 0);
-  std::size_t k = evaluate_blocks<Entry, S, Dimension>(parts, t, count, points,
-                                                       std::make_integer_sequence<int, unrolled_degrees>());
-  for (; k + single <= count; k += single) evaluate_block<Entry, S, Dimension, 1>(parts, t + k, points + k, count);
+  constexpr std::size_t block = points_of_block<Entry, S, Dimension>;
+  std::size_t k = 0;
+  if constexpr (Entry::largest_unrolled_degree >= 2)
+    k = evaluate_unrolled<Entry, S, Dimension>(parts, t, count, points,
+                                               std::make_integer_sequence<int, Entry::largest_unrolled_degree - 1>());
+  const std::size_t blocks = (count - k) / block;
+  evaluate_blocks<Entry, S, Dimension>(parts, t + k, blocks, points + k, count);
+  k += blocks * block;
   if (k == count) return;
-  S filled[single];
-  S last[single * Dimension];
-  for (std::size_t lane = 0; lane < single; ++lane) filled[lane] = t[k + lane < count ? k + lane : k];
-  evaluate_block<Entry, S, Dimension, 1>(parts, filled, last, single);
+  S filled[block];
+  S last[block * Dimension];
+  for (std::size_t lane = 0; lane < block; ++lane) filled[lane] = t[k + lane < count ? k + lane : k];
+  evaluate_blocks<Entry, S, Dimension>(parts, filled, 1, last, block);
   for (std::size_t axis = 0; axis < Dimension; ++axis)
-    for (std::size_t lane = 0; k + lane < count; ++lane) points[axis * count + k + lane] = last[axis * single + lane];
+    for (std::size_t lane = 0; k + lane < count; ++lane) points[axis * count + k + lane] = last[axis * block + lane];
+}
+
+template <class Entry, class S>
+constexpr Evaluate<S> homogeneous_kernel() {
+  if constexpr (takes_rational<typename Entry::Evaluator>)
+    return evaluate_all<Entry, S, max_dimension + 1>;
+  else
+    return nullptr;
 }
 
 template <class S, class... Entries>
 inline constexpr TargetKernels<S> kernels_of[sizeof...(Entries)] = {
-    {{evaluate_all<Entries, S, 1>, evaluate_all<Entries, S, 2>, evaluate_all<Entries, S, 3>}}...};
+    {{evaluate_all<Entries, S, 1>, evaluate_all<Entries, S, 2>, evaluate_all<Entries, S, 3>,
+      homogeneous_kernel<Entries, S>()}}...};
 
 template <class S, class... Entries>
-constexpr TargetTable<S> table_of(TypeList<Entries...> /*entries*/) {
-  return {kernels_of<S, Entries...>, sizeof...(Entries), group_table<S>()};
+constexpr FamilyTable<S> table_of(TypeList<Entries...> /*entries*/) {
+  if constexpr (sizeof...(Entries) > 0)
+    return {kernels_of<S, Entries...>, sizeof...(Entries)};
+  else
+    return {nullptr, 0};
 }
 
-template <class S, class... Plain, class... WithFma>
-constexpr TargetTable<S> table_of(TypeList<Plain...> plain, TypeList<WithFma...> /*fused*/) {
+template <class S, class Family>
+constexpr FamilyTable<S> family_table() {
   if constexpr (HWY_NATIVE_FMA != 0)
-    return table_of<S>(TypeList<Plain..., WithFma...>());
+    return table_of<S>(EntriesOf<Family>());
   else
-    return table_of<S>(plain);
+    return table_of<S>(typename Family::Unfused());
 }
 
 }  // namespace bezierbench::batch::HWY_NAMESPACE
+
+namespace bezierbench::batch {
+
+template <class Target, class Family, class Scalar>
+constinit const FamilyTable<Scalar> FamilyOf<Target, Family, Scalar>::table =
+    HWY_NAMESPACE::family_table<Scalar, Family>();
+
+}  // namespace bezierbench::batch

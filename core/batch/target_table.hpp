@@ -13,13 +13,14 @@ namespace batch {
 
 inline constexpr int max_dimension = 3;
 
-/// The prepared state of an evaluator: the (degree + 1) * dimension coefficients of one or two curves, point by point.
+/// The prepared state of an evaluator: up to three arrays, each with the (degree + 1) * dimension coefficients of a
+/// curve, point by point, or with degree + 1 values. Those that a method does not have are null.
 template <class Scalar>
 struct Parts {
   int degree;
   const Scalar* first;
-  const Scalar* second;                            ///< null where there is one
-  const Scalar* given = nullptr;                   ///< the curve itself, where single lanes come back to it
+  const Scalar* second = nullptr;
+  const Scalar* third = nullptr;
   const AxisRounding<Scalar>* rounding = nullptr;  ///< by axis, of methods that round correctly
 };
 
@@ -27,11 +28,25 @@ struct Parts {
 template <class Scalar>
 using Evaluate = void (*)(const Parts<Scalar>& parts, const Scalar* t, std::size_t count, Scalar* points);
 
-/// An evaluator's kernels for 1, 2 and 3 dimensions.
+/// An evaluator's kernels for 1, 2 and 3 dimensions, and for 4 where it takes the homogeneous coordinates of rational
+/// curves, else null.
 template <class Scalar>
 struct TargetKernels {
-  Evaluate<Scalar> of_dimension[max_dimension];
+  Evaluate<Scalar> of_dimension[max_dimension + 1];
 };
+
+/// The kernels of a family of evaluators, in its order, the fused ones last, or not at all.
+template <class Scalar>
+struct FamilyTable {
+  const TargetKernels<Scalar>* kernels;
+  std::size_t count;
+};
+
+/// Divides `count` points in homogeneous coordinates, axis by axis: points[axis * stride + k] is coordinate `axis`,
+/// one of `dimension`, of point k.
+template <class Scalar>
+using Divide = void (*)(const Scalar* homogeneous, int dimension, std::size_t count, Scalar* points,
+                        std::size_t stride);
 
 /// Curves that lie side by side. All arrays of a group have the values of its curves next to each other: coordinate
 /// `axis` of coefficient i of curve k is at [(i * dimension + axis) * curves_at_once + k] (of double-double
@@ -60,9 +75,9 @@ struct GroupTable {
 
 template <class Scalar>
 struct TargetTable {
-  const TargetKernels<Scalar>* kernels;  ///< one per evaluator of the roster, the fused ones last, or not at all
-  std::size_t count;                     ///< number of these kernels
-  GroupTable<Scalar> group;
+  const FamilyTable<Scalar>* const* families;  ///< in the order of the roster
+  Divide<Scalar> divide;
+  const GroupTable<Scalar>* group;
 };
 
 }  // namespace batch

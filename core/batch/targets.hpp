@@ -7,42 +7,35 @@
 
 namespace bezierbench::batch {
 
-/// Each is defined in a translation unit of its own, compiled for its target; nothing else in that may be called on a
-/// lesser processor.
-template <class Scalar>
-struct Tables {
-  static const TargetTable<Scalar> avx512;
-  static const TargetTable<Scalar> avx2;
-  static const TargetTable<Scalar> neon;
-  static const WorksOfWidths<Scalar> avx512_works;
-  static const WorksOfWidths<Scalar> avx2_works;
-  static const WorksOfWidths<Scalar> neon_works;
+struct Avx512;
+struct Avx2;
+struct Neon;
+
+// Each of the following is data, instantiated in a translation unit of its own that is compiled for the target
+// (targets/*.in); nothing that it points to may be called on a lesser processor.
+
+/// The kernels of a family of evaluators.
+template <class Target, class Family, class Scalar>
+struct FamilyOf {
+  static const FamilyTable<Scalar> table;
 };
 
-// Specialised there, so there is no definition to instantiate elsewhere.
-template <>
-const TargetTable<float> Tables<float>::avx512;
-template <>
-const TargetTable<double> Tables<double>::avx512;
-template <>
-const TargetTable<float> Tables<float>::avx2;
-template <>
-const TargetTable<double> Tables<double>::avx2;
-template <>
-const TargetTable<float> Tables<float>::neon;
-template <>
-const TargetTable<double> Tables<double>::neon;
-template <>
-const WorksOfWidths<float> Tables<float>::avx512_works;
-template <>
-const WorksOfWidths<double> Tables<double>::avx512_works;
-template <>
-const WorksOfWidths<float> Tables<float>::avx2_works;
-template <>
-const WorksOfWidths<double> Tables<double>::avx2_works;
-template <>
-const WorksOfWidths<float> Tables<float>::neon_works;
-template <>
-const WorksOfWidths<double> Tables<double>::neon_works;
+/// The kernels for many curves.
+template <class Target, class Scalar>
+struct GroupsOf {
+  static const GroupTable<Scalar> table;
+};
+
+/// All of them.
+template <class Target, class Scalar>
+struct TableOf {
+  static const TargetTable<Scalar> table;
+};
+
+/// The work of single kinds of operations.
+template <class Target, class Scalar>
+struct WorksOf {
+  static const WorksOfWidths<Scalar> table;
+};
 
 }  // namespace bezierbench::batch

@@ -24,6 +24,7 @@
 #include <concepts>
 #include <type_traits>
 
+#include "core/basis/lane_choice.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
 
 namespace bezierbench {
@@ -76,16 +77,27 @@ PerCoefficient<Scalar, Degree> weights_of(const PerCoefficient<Scalar, Degree>& 
   return weights;
 }
 
-/// True at a node, and so close to one that a quotient might overflow. Only the node 0 has doubles so near it; the
-/// curve changes by at most 2 n max|b| |distance| on the way.
+/// The distance from a node below which a quotient might overflow, for scalars that round, lanes of them included.
 template <class Scalar>
-constexpr bool at_node(const Scalar& distance) {
-  if constexpr (std::same_as<Scalar, double>)
-    return distance > -0x1p-500 && distance < 0x1p-500;
-  else if constexpr (std::same_as<Scalar, float>)
-    return distance > -0x1p-60F && distance < 0x1p-60F;
-  else
+inline constexpr double node_reach = 0;
+template <>
+inline constexpr double node_reach<double> = 0x1p-500;
+template <>
+inline constexpr double node_reach<float> = 0x1p-60;
+template <class Lanes>
+requires requires { typename Lanes::Scalar; }
+inline constexpr double node_reach<Lanes> = node_reach<typename Lanes::Scalar>;
+
+/// True at a node, and so close to one that a quotient might overflow. Only the node 0 has doubles so near it, so that
+/// none is near two nodes; the curve changes by at most 2 n max|b| |distance| on the way.
+template <class Scalar>
+constexpr auto at_node(const Scalar& distance) {
+  if constexpr (node_reach < Scalar >> 0) {
+    const auto reach = Scalar(node_reach<Scalar>);
+    return both(-reach < distance, distance < reach);
+  } else {
     return distance == Scalar(0);
+  }
 }
 
 }  // namespace detail
@@ -108,23 +120,32 @@ Barycentric<Scalar, Dimension, Degree> prepare_barycentric(
   return prepared;
 }
 
-/// The second form at t; at a node the value there.
+/// The second form at t; at a node the value there. A scalar leaves the sum at its node; of many lanes those at a node
+/// are given its value afterwards.
 template <class Scalar, int Dimension, int Degree>
 Point<Scalar, Dimension> evaluate_barycentric(const Barycentric<Scalar, Dimension, Degree>& prepared, const Scalar& t) {
   const int n = prepared.values.degree();
   Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
   Scalar denominator(0);
+  auto at_some_node = t < t;  // in no lane
   for (int j = 0; j <= n; ++j) {
     const Scalar distance = t - prepared.nodes[j];
-    if (detail::at_node(distance)) {
+    const auto at_this_node = detail::at_node(distance);
+    if (all_of(at_this_node)) {
       for (int axis = 0; axis < Dimension; ++axis) sum[axis] = prepared.values(axis, j);
       return sum;
     }
+    at_some_node = either(at_some_node, at_this_node);
     const Scalar quotient = prepared.weights[j] / distance;
     denominator += quotient;
     for (int axis = 0; axis < Dimension; ++axis) sum[axis] += quotient * prepared.values(axis, j);
   }
-  for (int axis = 0; axis < Dimension; ++axis) sum[axis] /= denominator;
+  for (int axis = 0; axis < Dimension; ++axis) sum[axis] = sum[axis] / denominator;
+  if (!any_of(at_some_node)) return sum;
+  for (int j = 0; j <= n; ++j) {
+    const auto at_this_node = detail::at_node<Scalar>(t - prepared.nodes[j]);
+    for (int axis = 0; axis < Dimension; ++axis) sum[axis] = select(at_this_node, prepared.values(axis, j), sum[axis]);
+  }
   return sum;
 }
 

@@ -23,6 +23,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "core/error_free.hpp"
 #include "core/evaluate/evaluator.hpp"
@@ -71,34 +72,55 @@ constexpr ErrorBound compensated_bound(std::string_view text) {
           .result_roundings = 1};
 }
 
+/// total <- total + term; returns the error.
+template <class Scalar>
+Scalar accumulate(Scalar& total, const Scalar& term) {
+  const auto sum = two_sum<Scalar>(total, term);
+  total = sum.value;
+  return sum.error;
+}
+
+/// The parts from `Part` on of a step, whose first parts had these errors. Every index is a constant and nothing is
+/// called, so that compilers keep values in registers.
+template <std::size_t Part, std::size_t K, class Scalar, std::size_t... More>
+[[gnu::always_inline]] inline void add_parts(std::array<Scalar, K>& next, const std::array<Scalar, K>& a,
+                                             const std::array<Scalar, K>& b, const Expansion2<Scalar>& s,
+                                             const Scalar& t, const std::array<Scalar, sizeof...(More) + 1>& errors,
+                                             std::index_sequence<More...> /*errors but the first*/) {
+  Scalar total = errors[0];
+  if constexpr (Part + 1 == K) {
+    ((total = total + errors[More + 1]), ...);
+    next[Part] = ((total + s.error * a[Part - 1]) + t * b[Part]) + s.value * a[Part];
+  } else {
+    constexpr std::size_t more = sizeof...(More);
+    std::array<Scalar, more + 6> kept;
+    ((kept[More] = accumulate<Scalar>(total, errors[More + 1])), ...);
+    const auto lost = two_prod<Scalar>(s.error, a[Part - 1]);
+    const auto right = two_prod<Scalar>(t, b[Part]);
+    const auto left = two_prod<Scalar>(s.value, a[Part]);
+    kept[more] = accumulate<Scalar>(total, lost.value);
+    kept[more + 1] = lost.error;
+    kept[more + 2] = accumulate<Scalar>(total, right.value);
+    kept[more + 3] = right.error;
+    kept[more + 4] = accumulate<Scalar>(total, left.value);
+    kept[more + 5] = left.error;
+    next[Part] = total;
+    add_parts<Part + 1, K, Scalar>(next, a, b, s, t, kept, std::make_index_sequence<more + 5>());
+  }
+}
+
 /// One step of the triangle on one axis: the K parts of (1-t) a + t b, with s.value + s.error = 1 - t.
 template <std::size_t K, class Scalar>
-std::array<Scalar, K> compensated_step(const std::array<Scalar, K>& a, const std::array<Scalar, K>& b,
-                                       const Expansion2<Scalar>& s, const Scalar& t) {
+[[gnu::always_inline]] inline std::array<Scalar, K> compensated_step(const std::array<Scalar, K>& a,
+                                                                     const std::array<Scalar, K>& b,
+                                                                     const Expansion2<Scalar>& s, const Scalar& t) {
   const auto left = two_prod<Scalar>(s.value, a[0]);
   const auto right = two_prod<Scalar>(t, b[0]);
   const auto sum = two_sum<Scalar>(left.value, right.value);
-  std::array<Scalar, 5 * K - 7> errors{left.error, right.error, sum.error};  // of the operations in one part
-  std::array<Scalar, K> next{sum.value};
-  for (std::size_t part = 1; part + 1 < K; ++part) {
-    Scalar total = errors[0];
-    std::size_t kept = 0;  // errors of this part replace those of the last, which have been read by then
-    const auto add = [&](const Scalar& term) {
-      const auto added = two_sum<Scalar>(total, term);
-      total = added.value;
-      errors[kept++] = added.error;
-    };
-    for (std::size_t k = 1; k < 5 * part - 2; ++k) add(errors[k]);
-    for (const auto& product :
-         {two_prod<Scalar>(s.error, a[part - 1]), two_prod<Scalar>(t, b[part]), two_prod<Scalar>(s.value, a[part])}) {
-      add(product.value);
-      errors[kept++] = product.error;
-    }
-    next[part] = total;
-  }
-  Scalar total = errors[0];
-  for (std::size_t k = 1; k < errors.size(); ++k) total = total + errors[k];
-  next[K - 1] = ((total + s.error * a[K - 2]) + t * b[K - 1]) + s.value * a[K - 1];
+  std::array<Scalar, K> next;
+  next[0] = sum.value;
+  add_parts<1, K, Scalar>(next, a, b, s, t, std::array<Scalar, 3>{left.error, right.error, sum.error},
+                          std::make_index_sequence<2>());
   return next;
 }
 

@@ -12,9 +12,50 @@
 // Fails: a weight of 0 can make 0/0. Outside [0,1] or with weights of both signs an intermediate weight may vanish.
 #pragma once
 
+#include <array>
+
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {
+
+/// One step of the triangle: the convex combination of two points, each with its weight behind its coordinates.
+template <class Scalar, std::size_t Size>
+[[gnu::always_inline]] inline std::array<Scalar, Size> weighted_step(const std::array<Scalar, Size>& a,
+                                                                     const std::array<Scalar, Size>& b, const Scalar& s,
+                                                                     const Scalar& t) {
+  const Scalar left = s * a[Size - 1];
+  const Scalar right = t * b[Size - 1];
+  std::array<Scalar, Size> next;
+  next[Size - 1] = left + right;
+  const Scalar of_left = left / next[Size - 1];
+  const Scalar of_right = right / next[Size - 1];
+  for (std::size_t axis = 0; axis + 1 < Size; ++axis) next[axis] = of_left * a[axis] + of_right * b[axis];
+  return next;
+}
+
+/// Runs the triangle in place on a copy of the control points and weights.
+template <class Scalar, int Dimension, int Degree>
+Point<Scalar, Dimension> run_weighted_triangle(Curve<Form::rational, Scalar, Dimension, Degree> curve,
+                                               const Scalar& t) {
+  const int n = curve.degree();
+  const Scalar s = Scalar(1) - t;
+  constexpr auto size = static_cast<std::size_t>(Dimension) + 1;
+  const auto load = [&curve](int i) {
+    std::array<Scalar, size> values;
+    for (int axis = 0; axis < Dimension; ++axis) values[static_cast<std::size_t>(axis)] = curve.points(axis, i);
+    values[size - 1] = curve.weights[i];
+    return values;
+  };
+  for (int k = 1; k <= n; ++k)
+    for (int i = 0; i <= n - k; ++i) {
+      const auto next = weighted_step<Scalar>(load(i), load(i + 1), s, t);
+      for (int axis = 0; axis < Dimension; ++axis) curve.points(axis, i) = next[static_cast<std::size_t>(axis)];
+      curve.weights[i] = next[size - 1];
+    }
+  Point<Scalar, Dimension> point;
+  for (int axis = 0; axis < Dimension; ++axis) point[axis] = curve.points(axis, 0);
+  return point;
+}
 
 struct DeCasteljauFarin {
   static constexpr MethodInfo info{.id = "de_casteljau_farin",
@@ -41,22 +82,7 @@ struct DeCasteljauFarin {
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::rational, Scalar, Dimension, Degree>& curve, Scalar t) {
-    const int n = curve.degree();
-    const Scalar s = Scalar(1) - t;
-    auto b = curve.points;
-    auto w = curve.weights;
-    for (int k = 1; k <= n; ++k)
-      for (int i = 0; i <= n - k; ++i) {
-        const Scalar left = s * w[i];
-        const Scalar right = t * w[i + 1];
-        w[i] = left + right;
-        const Scalar of_left = left / w[i];
-        const Scalar of_right = right / w[i];
-        for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = of_left * b(axis, i) + of_right * b(axis, i + 1);
-      }
-    Point<Scalar, Dimension> point;
-    for (int axis = 0; axis < Dimension; ++axis) point[axis] = b(axis, 0);
-    return point;
+    return run_weighted_triangle(curve, t);
   }
 };
 

@@ -13,6 +13,23 @@
 
 namespace bezierbench {
 
+/// Joins neighbours with t until one value is left on each axis; works on a copy of the coefficients.
+template <class Scalar, int Dimension, int Degree>
+Point<Scalar, Dimension> join_neighbours(Curve<Form::power, Scalar, Dimension, Degree> q, const Scalar& t) {
+  int count = q.degree() + 1;
+  for (Scalar power = t; count > 1; power *= power) {
+    const int pairs = count / 2;
+    for (int k = 0; k < pairs; ++k)
+      for (int axis = 0; axis < Dimension; ++axis) q(axis, k) = q(axis, 2 * k) + q(axis, 2 * k + 1) * power;
+    if (count % 2 != 0)
+      for (int axis = 0; axis < Dimension; ++axis) q(axis, pairs) = q(axis, count - 1);
+    count = pairs + count % 2;
+  }
+  Point<Scalar, Dimension> point;
+  for (int axis = 0; axis < Dimension; ++axis) point[axis] = q(axis, 0);
+  return point;
+}
+
 struct Estrin {
   static constexpr int levels(int n) {
     int count = 0;
@@ -41,19 +58,7 @@ struct Estrin {
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
-    auto q = curve;
-    int count = curve.degree() + 1;
-    for (Scalar power = t; count > 1; power *= power) {
-      const int pairs = count / 2;
-      for (int k = 0; k < pairs; ++k)
-        for (int axis = 0; axis < Dimension; ++axis) q(axis, k) = q(axis, 2 * k) + q(axis, 2 * k + 1) * power;
-      if (count % 2 != 0)
-        for (int axis = 0; axis < Dimension; ++axis) q(axis, pairs) = q(axis, count - 1);
-      count = pairs + count % 2;
-    }
-    Point<Scalar, Dimension> point;
-    for (int axis = 0; axis < Dimension; ++axis) point[axis] = q(axis, 0);
-    return point;
+    return join_neighbours(curve, t);
   }
 };
 
