@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <tuple>
 #include <type_traits>
 
 #include "core/evaluate/compensated_volk_schumaker.hpp"
@@ -30,9 +31,11 @@ namespace bezierbench {
 
 template <class Scalar, int Dimension, int Degree>
 struct Barycentric {
-  PerCoefficient<Scalar, Degree> nodes;
-  PerCoefficient<Scalar, Degree> weights;
+  PreparedRow<Scalar, Degree> nodes;
+  PreparedRow<Scalar, Degree> weights;
   Curve<Form::bernstein, Scalar, Dimension, Degree> values;  ///< column j is the point at nodes[j]
+
+  [[nodiscard]] auto parts() const { return std::tie(nodes, weights, values); }
 };
 
 namespace detail {
@@ -76,6 +79,8 @@ PerCoefficient<Scalar, Degree> weights_of(const PerCoefficient<Scalar, Degree>& 
   return weights;
 }
 
+}  // namespace detail
+
 /// True at a node, and so close to one that a quotient might overflow. Only the node 0 has doubles so near it; the
 /// curve changes by at most 2 n max|b| |distance| on the way.
 template <class Scalar>
@@ -87,8 +92,6 @@ constexpr bool at_node(const Scalar& distance) {
   else
     return distance == Scalar(0);
 }
-
-}  // namespace detail
 
 /// All per-curve work, for these distinct nodes in [0,1].
 template <class Scalar, int Dimension, int Degree>
@@ -116,7 +119,7 @@ Point<Scalar, Dimension> evaluate_barycentric(const Barycentric<Scalar, Dimensio
   Scalar denominator(0);
   for (int j = 0; j <= n; ++j) {
     const Scalar distance = t - prepared.nodes[j];
-    if (detail::at_node(distance)) {
+    if (at_node(distance)) {
       for (int axis = 0; axis < Dimension; ++axis) sum[axis] = prepared.values(axis, j);
       return sum;
     }

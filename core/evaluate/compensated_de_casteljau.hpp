@@ -25,6 +25,8 @@ struct CompensatedDeCasteljau {
       .cost_exponent = 2,
       .citation = "[Jiang et al. 2010], Theorem 5"};
 
+  static constexpr int largest_fixed_degree = -1;  ///< its steps take longer than the loops around them
+
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {

@@ -24,6 +24,8 @@ struct CompensatedDeCasteljauK3 {
       .cost_exponent = 2,
       .citation = "[Hermes 2019], Algorithm 4.2 and section 4.2"};
 
+  static constexpr int largest_fixed_degree = -1;  ///< its steps take longer than the loops around them
+
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {

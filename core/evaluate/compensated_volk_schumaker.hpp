@@ -13,6 +13,8 @@
 //   there.
 #pragma once
 
+#include <tuple>
+
 #include "core/basis/amplification.hpp"
 #include "core/basis/binomial.hpp"
 #include "core/error_free.hpp"
@@ -97,6 +99,8 @@ struct CompensatedVolkSchumaker {
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> scaled;
     Curve<Form::bernstein, Scalar, Dimension, Degree> lost;
+
+    [[nodiscard]] auto parts() const { return std::tie(scaled, lost); }
   };
 
   template <class Scalar, int Dimension, int Degree>

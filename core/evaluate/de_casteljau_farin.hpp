@@ -33,6 +33,8 @@ struct DeCasteljauFarin {
                                    .cost_exponent = 2,
                                    .citation = "[Farin 1983]"};
 
+  static constexpr int largest_fixed_degree = -1;  ///< its divisions take longer than the loops around them
+
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::rational, Scalar, Dimension, Degree> prepare(
       const Curve<Form::rational, Scalar, Dimension, Degree>& curve) {
@@ -43,8 +45,8 @@ struct DeCasteljauFarin {
   static Point<Scalar, Dimension> evaluate(const Curve<Form::rational, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();
     const Scalar s = Scalar(1) - t;
-    auto b = curve.points;
-    auto w = curve.weights;
+    auto b = working_copy(curve.points);
+    auto w = working_copy<Degree>(curve.weights, n);
     for (int k = 1; k <= n; ++k)
       for (int i = 0; i <= n - k; ++i) {
         const Scalar left = s * w[i];

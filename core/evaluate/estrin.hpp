@@ -41,7 +41,7 @@ struct Estrin {
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
-    auto q = curve;
+    auto q = working_copy(curve);
     int count = curve.degree() + 1;
     for (Scalar power = t; count > 1; power *= power) {
       const int pairs = count / 2;

@@ -21,4 +21,23 @@ concept Evaluator = requires(const Curve<E::info.form, double, 2>& curve, double
 template <class E, class Scalar, int Dimension, int Degree = dynamic>
 using PreparedOf = decltype(E::prepare(std::declval<const Curve<E::info.form, Scalar, Dimension, Degree>&>()));
 
+template <class Scalar, int Degree>
+struct PreparedRowType {
+  using Type = PerCoefficient<Scalar, Degree>;
+};
+
+/// One value per coefficient in a prepared state: a row, or a view of one where a scalar is the axes of a point.
+template <class Scalar, int Degree>
+using PreparedRow = typename PreparedRowType<Scalar, Degree>::Type;
+
+/// A copy of coefficients, or of values that belong to them, which a method may overwrite.
+template <Form F, class Scalar, int Dimension, int Degree>
+Curve<F, Scalar, Dimension, Degree> working_copy(const Curve<F, Scalar, Dimension, Degree>& curve) {
+  return curve;
+}
+template <int Degree, class Scalar>
+PerCoefficient<Scalar, Degree> working_copy(const PerCoefficient<Scalar, Degree>& row, int /*degree*/) {
+  return row;
+}
+
 }  // namespace bezierbench

@@ -9,6 +9,8 @@
 // Fails: C(n,i) b_i overflows at high degrees (always past 1029, in float past 131). t^i underflows for large n.
 #pragma once
 
+#include <tuple>
+
 #include "core/basis/amplification.hpp"
 #include "core/basis/binomial.hpp"
 #include "core/evaluate/evaluator.hpp"
@@ -36,6 +38,8 @@ struct HornerBernstein {
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> scaled;
+
+    [[nodiscard]] auto parts() const { return std::tie(scaled); }
   };
 
   template <class Scalar, int Dimension, int Degree>

@@ -86,9 +86,22 @@ constexpr auto destroy() -> void (*)(void*) {
     return [](void* prepared) { std::destroy_at(static_cast<Prepared*>(prepared)); };
 }
 
-/// The kernel of one method.
+template <class Scalar>
+using EvaluatePoints = decltype(Kernel<Scalar>::evaluate);
+
+/// One point after the other, one axis after the other.
+template <class E, class Scalar, int Dimension>
+void evaluate_one_by_one(const void* prepared, std::span<const Scalar> t, Scalar* points) {
+  const auto& state = *static_cast<const PreparedOf<E, Scalar, Dimension>*>(prepared);
+  for (const Scalar at : t) {
+    const Point<Scalar, Dimension> point = E::evaluate(state, at);
+    for (int axis = 0; axis < Dimension; ++axis) *points++ = point[axis];
+  }
+}
+
+/// The kernel of one method whose points `evaluate` computes.
 template <Evaluator E, class Scalar, int Dimension>
-constexpr Kernel<Scalar> kernel() {
+constexpr Kernel<Scalar> kernel(EvaluatePoints<Scalar> evaluate) {
   using Prepared = PreparedOf<E, Scalar, Dimension>;
   return {&E::info,
           Dimension,
@@ -97,19 +110,18 @@ constexpr Kernel<Scalar> kernel() {
           [](const CurveView<Scalar>& view, void* prepared) {
             ::new (prepared) Prepared(E::prepare(load<E::info.form, Dimension>(view)));
           },
-          [](const void* prepared, std::span<const Scalar> t, Scalar* points) {
-            const auto& state = *static_cast<const Prepared*>(prepared);
-            for (std::size_t k = 0; k < t.size(); ++k) {
-              const Point<Scalar, Dimension> point = E::evaluate(state, t[k]);
-              for (std::size_t axis = 0; axis < Dimension; ++axis)
-                points[k * Dimension + axis] = point[static_cast<Eigen::Index>(axis)];
-            }
-          },
+          evaluate,
           evaluator<E>(),
           conversion<E>(),
           evaluated_form<E>(),
           converted<E, Scalar, Dimension>(),
           destroy<Prepared>()};
+}
+
+/// The same, one axis after the other.
+template <Evaluator E, class Scalar, int Dimension>
+constexpr Kernel<Scalar> kernel() {
+  return kernel<E, Scalar, Dimension>(evaluate_one_by_one<E, Scalar, Dimension>);
 }
 
 }  // namespace bezierbench::instantiate

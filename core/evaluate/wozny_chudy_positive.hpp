@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/basis/amplification.hpp"
+#include "core/basis/lane_choice.hpp"
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {
@@ -41,9 +42,10 @@ struct WoznyChudyPositive {
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();
     const Scalar s = Scalar(1) - t;
-    const bool near_start = t + t <= Scalar(1);
-    const Scalar of_h = near_start ? t / s : Scalar(1);
-    const Scalar of_k = near_start ? Scalar(1) : s / t;
+    const auto near_start = t + t <= Scalar(1);
+    const Scalar ratio = select(near_start, t, s) / select(near_start, s, t);
+    const Scalar of_h = select(near_start, ratio, Scalar(1));
+    const Scalar of_k = select(near_start, Scalar(1), ratio);
     Point<Scalar, Dimension> q;
     for (int axis = 0; axis < Dimension; ++axis) q[axis] = curve(axis, 0);
     Scalar h = Scalar(1);

@@ -46,9 +46,10 @@ struct WoznyChudyPositiveRational {
                                            Scalar t) {
     const int n = prepared.points.degree();
     const Scalar s = Scalar(1) - t;
-    const bool near_start = t + t <= Scalar(1);
-    const Scalar of_h = near_start ? t / s : Scalar(1);
-    const Scalar complement = near_start ? Scalar(1) : s / t;
+    const auto near_start = t + t <= Scalar(1);
+    const Scalar ratio = select(near_start, t, s) / select(near_start, s, t);
+    const Scalar of_h = select(near_start, ratio, Scalar(1));
+    const Scalar complement = select(near_start, Scalar(1), ratio);
     Point<Scalar, Dimension> q;
     for (int axis = 0; axis < Dimension; ++axis) q[axis] = prepared.points(axis, 0);
     Scalar h = Scalar(1);

@@ -8,6 +8,9 @@
 // Fails: a weight of 0 between others makes 0/0. Outside [0,1] or with weights of both signs a denominator may vanish.
 #pragma once
 
+#include <tuple>
+
+#include "core/basis/lane_choice.hpp"
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {
@@ -24,7 +27,9 @@ struct WoznyChudyRational {
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> points;
-    PerCoefficient<Scalar, Degree> ratios;  ///< r_k at index k; index 0 is unused
+    PreparedRow<Scalar, Degree> ratios;  ///< r_k at index k; index 0 is unused
+
+    [[nodiscard]] auto parts() const { return std::tie(points, ratios); }
   };
 
   template <class Scalar, int Dimension, int Degree>
@@ -41,9 +46,10 @@ struct WoznyChudyRational {
   static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
     const int n = prepared.points.degree();
     const Scalar s = Scalar(1) - t;
-    const bool near_start = t + t <= Scalar(1);
-    const Scalar of_h = near_start ? t / s : Scalar(1);  // the pair t : 1-t, over the larger of them
-    const Scalar complement = near_start ? Scalar(1) : s / t;
+    const auto near_start = t + t <= Scalar(1);
+    const Scalar ratio = select(near_start, t, s) / select(near_start, s, t);
+    const Scalar of_h = select(near_start, ratio, Scalar(1));  // the pair t : 1-t, over the larger of them
+    const Scalar complement = select(near_start, Scalar(1), ratio);
     Point<Scalar, Dimension> q;
     for (int axis = 0; axis < Dimension; ++axis) q[axis] = prepared.points(axis, 0);
     Scalar h = Scalar(1);
