@@ -16,7 +16,7 @@
 
 namespace bezierbench {
 
-struct DeCasteljauFarin {
+struct DeCasteljauFarin : TakenAsGiven<Form::rational> {
   static constexpr MethodInfo info{.id = "de_casteljau_farin",
                                    .label = "de Casteljau, Farin's convex combinations",
                                    .problem = Problem::evaluation,
@@ -34,12 +34,6 @@ struct DeCasteljauFarin {
                                    .citation = "[Farin 1983]"};
 
   static constexpr int largest_fixed_degree = -1;  ///< its divisions take longer than the loops around them
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::rational, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::rational, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::rational, Scalar, Dimension, Degree>& curve, Scalar t) {

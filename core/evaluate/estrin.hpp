@@ -13,7 +13,7 @@
 
 namespace bezierbench {
 
-struct Estrin {
+struct Estrin : TakenAsGiven<Form::power> {
   static constexpr int levels(int n) {
     int count = 0;
     while ((1 << count) < n + 1) ++count;
@@ -32,12 +32,6 @@ struct Estrin {
                           .underflow_scales_with_coefficients = true},
       .flops = "2dn + log2 n",
       .citation = "[Estrin 1960]"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::power, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <concepts>
+#include <type_traits>
+#include <utility>
 
 #include "core/curve.hpp"
 #include "core/method.hpp"
@@ -21,6 +23,18 @@ concept Evaluator = requires(const Curve<E::info.form, double, 2>& curve, double
 template <class E, class Scalar, int Dimension, int Degree = dynamic>
 using PreparedOf = decltype(E::prepare(std::declval<const Curve<E::info.form, Scalar, Dimension, Degree>&>()));
 
+/// The base of evaluators that prepare nothing: their state is the curve as it is given.
+template <Form F>
+struct TakenAsGiven {
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<F, Scalar, Dimension, Degree> prepare(const Curve<F, Scalar, Dimension, Degree>& curve) {
+    return curve;
+  }
+};
+
+template <class E>
+concept PreparesNothing = std::is_base_of_v<TakenAsGiven<E::info.form>, E>;
+
 template <class Scalar, int Degree>
 struct PreparedRowType {
   using Type = PerCoefficient<Scalar, Degree>;
@@ -33,7 +47,10 @@ using PreparedRow = typename PreparedRowType<Scalar, Degree>::Type;
 /// A copy of coefficients, or of values that belong to them, which a method may overwrite.
 template <Form F, class Scalar, int Dimension, int Degree>
 Curve<F, Scalar, Dimension, Degree> working_copy(const Curve<F, Scalar, Dimension, Degree>& curve) {
-  return curve;
+  Curve<F, Scalar, Dimension, Degree> copy(curve.degree());
+  for (int i = 0; i <= curve.degree(); ++i)
+    for (int axis = 0; axis < Dimension; ++axis) copy(axis, i) = curve(axis, i);
+  return copy;
 }
 template <int Degree, class Scalar>
 PerCoefficient<Scalar, Degree> working_copy(const PerCoefficient<Scalar, Degree>& row, int /*degree*/) {

@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "core/basis/amplification.hpp"
-#include "core/basis/binomial.hpp"
+#include "core/basis/binomial_table.hpp"
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {
@@ -45,10 +45,13 @@ struct HornerBernstein {
   template <class Scalar, int Dimension, int Degree>
   static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
     const int n = curve.degree();
-    const auto binomial = binomials<Scalar, Degree>(n);
-    Prepared<Scalar, Dimension, Degree> prepared{curve};
-    for (int i = 0; i <= n; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) prepared.scaled(axis, i) *= binomial[i];
+    const BinomialRow<Scalar, Degree> binomial(n);
+    Prepared<Scalar, Dimension, Degree> prepared{Curve<Form::bernstein, Scalar, Dimension, Degree>(n)};
+    for (int i = 0; i <= n; ++i) {
+      Point<Scalar, Dimension> scaled;
+      for (int axis = 0; axis < Dimension; ++axis) scaled[axis] = curve(axis, i) * binomial[i];
+      for (int axis = 0; axis < Dimension; ++axis) prepared.scaled(axis, i) = scaled[axis];
+    }
     return prepared;
   }
 

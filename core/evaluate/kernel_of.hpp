@@ -6,24 +6,32 @@
 #include <new>
 #include <type_traits>
 
+#include "core/evaluate/axes.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/kernel.hpp"
 
 namespace bezierbench::instantiate {
 
+/// Copies the coefficients of a view, whose degree the curve has.
+template <Form F, class Scalar, int Dimension>
+void fill(const CurveView<Scalar>& view, Curve<F, Scalar, Dimension>& curve) {
+  if constexpr (F == Form::rational) {
+    fill(view, curve.points);
+    for (int i = 0; i <= view.degree; ++i) curve.weights[i] = view.weights[static_cast<std::size_t>(i)];
+  } else {
+    // Whole points, as they are read afterwards: a vector that was written in parts is slow to read.
+    using Coefficient = Axes<Scalar, Dimension>;
+    const Scalar* from = view.coefficients.data();
+    Scalar* to = &curve(0, 0);
+    for (int i = 0; i <= view.degree; ++i) Coefficient::load(from + i * Dimension).store(to + i * Dimension);
+  }
+}
+
 template <Form F, int Dimension, class Scalar>
 Curve<F, Scalar, Dimension> load(const CurveView<Scalar>& view) {
-  if constexpr (F == Form::rational) {
-    Curve<F, Scalar, Dimension> curve(view.degree);
-    curve.points = load<Form::bernstein, Dimension>(view);
-    for (int i = 0; i <= view.degree; ++i) curve.weights[i] = view.weights[static_cast<std::size_t>(i)];
-    return curve;
-  } else {
-    Curve<F, Scalar, Dimension> curve(view.degree);
-    for (int i = 0; i <= view.degree; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) curve(axis, i) = view(axis, i);
-    return curve;
-  }
+  Curve<F, Scalar, Dimension> curve(view.degree);
+  fill(view, curve);
+  return curve;
 }
 
 template <Form F, class Scalar, int Dimension>
@@ -108,7 +116,10 @@ constexpr Kernel<Scalar> kernel(EvaluatePoints<Scalar> evaluate) {
           sizeof(Prepared),
           alignof(Prepared),
           [](const CurveView<Scalar>& view, void* prepared) {
-            ::new (prepared) Prepared(E::prepare(load<E::info.form, Dimension>(view)));
+            if constexpr (PreparesNothing<E>)
+              fill(view, *::new (prepared) Prepared(view.degree));
+            else
+              ::new (prepared) Prepared(E::prepare(load<E::info.form, Dimension>(view)));
           },
           evaluate,
           evaluator<E>(),
