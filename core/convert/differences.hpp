@@ -7,7 +7,7 @@
 // Fails: the power coefficients themselves grow like 3^n.
 #pragma once
 
-#include "core/basis/binomial.hpp"
+#include "core/basis/binomial_table.hpp"
 #include "core/convert/conversion.hpp"
 
 namespace bezierbench {
@@ -36,8 +36,10 @@ struct Differences {
   static Curve<Form::power, Scalar, Dimension, Degree> convert(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& b) {
     const int n = b.degree();
-    const auto binomial = binomials<Scalar, Degree>(n);
-    auto difference = b;
+    const BinomialRow<Scalar, Degree> binomial(n);
+    Curve<Form::bernstein, Scalar, Dimension, Degree> difference(n);
+    for (int i = 0; i <= n; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) difference(axis, i) = b(axis, i);
     Curve<Form::power, Scalar, Dimension, Degree> q(n);
     for (int j = 0; j <= n; ++j) {
       for (int axis = 0; axis < Dimension; ++axis) q(axis, j) = binomial[j] * difference(axis, 0);

@@ -10,7 +10,7 @@
 // Fails: its cost is cubic. The amplification reaches 2^n at both ends.
 #pragma once
 
-#include "core/basis/binomial.hpp"
+#include "core/basis/binomial_table.hpp"
 #include "core/convert/conversion.hpp"
 
 namespace bezierbench {
@@ -38,7 +38,7 @@ struct DifferencesCentered {
   static Curve<Form::power_centered, Scalar, Dimension, Degree> convert(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& b) {
     const int n = b.degree();
-    const auto binomial = binomials<Scalar, Degree>(n);
+    const BinomialRow<Scalar, Degree> binomial(n);
     const Scalar half = Scalar(1) / Scalar(2);
     auto difference = b;
     Curve<Form::power_centered, Scalar, Dimension, Degree> q(n);

@@ -9,7 +9,7 @@
 // Fails: past degree 1029 (131 in float), as every method that needs binomials.
 #pragma once
 
-#include "core/basis/binomial.hpp"
+#include "core/basis/binomial_table.hpp"
 #include "core/convert/conversion.hpp"
 
 namespace bezierbench {
@@ -39,7 +39,7 @@ struct PositiveSum {
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(
       const Curve<Form::power, Scalar, Dimension, Degree>& q) {
     const int n = q.degree();
-    const auto of_n = binomials<Scalar, Degree>(n);
+    const BinomialRow<Scalar, Degree> of_n(n);
     Curve<Form::bernstein, Scalar, Dimension, Degree> b(n);
     for (int i = 0; i <= n; ++i) {
       double of_i = 1;  // C(i, j), updated along the row

@@ -8,7 +8,7 @@
 // Fails: past degree 1029 (131 in float), as every method that needs binomials.
 #pragma once
 
-#include "core/basis/binomial.hpp"
+#include "core/basis/binomial_table.hpp"
 #include "core/convert/conversion.hpp"
 
 namespace bezierbench {
@@ -37,7 +37,7 @@ struct Triangle {
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(
       const Curve<Form::power, Scalar, Dimension, Degree>& q) {
     const int n = q.degree();
-    const auto binomial = binomials<Scalar, Degree>(n);
+    const BinomialRow<Scalar, Degree> binomial(n);
     Curve<Form::bernstein, Scalar, Dimension, Degree> b(n);
     for (int j = 0; j <= n; ++j)
       for (int axis = 0; axis < Dimension; ++axis) b(axis, j) = q(axis, j) / binomial[j];

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <tuple>
 #include <type_traits>
 
 #include "core/basis/lane_choice.hpp"
@@ -31,9 +32,11 @@ namespace bezierbench {
 
 template <class Scalar, int Dimension, int Degree>
 struct Barycentric {
-  PerCoefficient<Scalar, Degree> nodes;
-  PerCoefficient<Scalar, Degree> weights;
+  PreparedRow<Scalar, Degree> nodes;
+  PreparedRow<Scalar, Degree> weights;
   Curve<Form::bernstein, Scalar, Dimension, Degree> values;  ///< column j is the point at nodes[j]
+
+  [[nodiscard]] auto parts() const { return std::tie(nodes, weights, values); }
 };
 
 namespace detail {
@@ -77,6 +80,8 @@ PerCoefficient<Scalar, Degree> weights_of(const PerCoefficient<Scalar, Degree>& 
   return weights;
 }
 
+}  // namespace detail
+
 /// The distance from a node below which a quotient might overflow, for scalars that round, lanes of them included.
 template <class Scalar>
 inline constexpr double node_reach = 0;
@@ -99,8 +104,6 @@ constexpr auto at_node(const Scalar& distance) {
     return distance == Scalar(0);
   }
 }
-
-}  // namespace detail
 
 /// All per-curve work, for these distinct nodes in [0,1].
 template <class Scalar, int Dimension, int Degree>
@@ -127,10 +130,10 @@ Point<Scalar, Dimension> evaluate_barycentric(const Barycentric<Scalar, Dimensio
   const int n = prepared.values.degree();
   Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
   Scalar denominator(0);
-  auto at_some_node = t < t;  // in no lane
+  auto at_some_node = at_node(Scalar(1));  // in no lane
   for (int j = 0; j <= n; ++j) {
     const Scalar distance = t - prepared.nodes[j];
-    const auto at_this_node = detail::at_node(distance);
+    const auto at_this_node = at_node(distance);
     if (all_of(at_this_node)) {
       for (int axis = 0; axis < Dimension; ++axis) sum[axis] = prepared.values(axis, j);
       return sum;
@@ -143,7 +146,8 @@ Point<Scalar, Dimension> evaluate_barycentric(const Barycentric<Scalar, Dimensio
   for (int axis = 0; axis < Dimension; ++axis) sum[axis] = sum[axis] / denominator;
   if (!any_of(at_some_node)) return sum;
   for (int j = 0; j <= n; ++j) {
-    const auto at_this_node = detail::at_node<Scalar>(t - prepared.nodes[j]);
+    const Scalar distance = t - prepared.nodes[j];
+    const auto at_this_node = at_node(distance);
     for (int axis = 0; axis < Dimension; ++axis) sum[axis] = select(at_this_node, prepared.values(axis, j), sum[axis]);
   }
   return sum;

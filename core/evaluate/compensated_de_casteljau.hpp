@@ -14,7 +14,7 @@
 
 namespace bezierbench {
 
-struct CompensatedDeCasteljau {
+struct CompensatedDeCasteljau : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{
       .id = "compensated_de_casteljau",
       .label = "de Casteljau, compensated",
@@ -25,11 +25,7 @@ struct CompensatedDeCasteljau {
       .cost_exponent = 2,
       .citation = "[Jiang et al. 2010], Theorem 5"};
 
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
+  static constexpr int largest_fixed_degree = -1;  ///< its steps take longer than the loops around them
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

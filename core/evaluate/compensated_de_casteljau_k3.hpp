@@ -13,7 +13,7 @@
 
 namespace bezierbench {
 
-struct CompensatedDeCasteljauK3 {
+struct CompensatedDeCasteljauK3 : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{
       .id = "compensated_de_casteljau_k3",
       .label = "de Casteljau, 3-fold",
@@ -24,11 +24,7 @@ struct CompensatedDeCasteljauK3 {
       .cost_exponent = 2,
       .citation = "[Hermes 2019], Algorithm 4.2 and section 4.2"};
 
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
+  static constexpr int largest_fixed_degree = -1;  ///< its steps take longer than the loops around them
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

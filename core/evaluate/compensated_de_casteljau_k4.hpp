@@ -13,7 +13,7 @@
 
 namespace bezierbench {
 
-struct CompensatedDeCasteljauK4 {
+struct CompensatedDeCasteljauK4 : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{
       .id = "compensated_de_casteljau_k4",
       .label = "de Casteljau, 4-fold",
@@ -25,11 +25,7 @@ struct CompensatedDeCasteljauK4 {
       .cost_exponent = 2,
       .citation = "[Hermes 2019], Algorithm 4.2 and section 4.2"};
 
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
+  static constexpr int largest_fixed_degree = -1;  ///< its steps take longer than the loops around them
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -12,7 +12,7 @@
 
 namespace bezierbench {
 
-struct CompensatedHorner {
+struct CompensatedHorner : TakenAsGiven<Form::power> {
   static constexpr MethodInfo info{.id = "compensated_horner",
                                    .label = "Horner, compensated",
                                    .problem = Problem::evaluation,
@@ -29,12 +29,6 @@ struct CompensatedHorner {
                                                        .result_roundings = 1},
                                    .flops = "11dn + d",
                                    .citation = "[Graillat et al. 2009]"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::power, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <functional>
+#include <tuple>
 
 #include "core/basis/amplification.hpp"
 #include "core/basis/binomial.hpp"
@@ -88,13 +89,16 @@ struct CompensatedVolkSchumaker {
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> scaled;
     Curve<Form::bernstein, Scalar, Dimension, Degree> lost;
+
+    [[nodiscard]] auto parts() const { return std::tie(scaled, lost); }
   };
 
   template <class Scalar, int Dimension, int Degree>
   static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
     const int n = curve.degree();
     const auto binomial = binomial_pairs<Scalar, Degree>(n);
-    Prepared<Scalar, Dimension, Degree> prepared{curve, curve};
+    using Coefficients = Curve<Form::bernstein, Scalar, Dimension, Degree>;
+    Prepared<Scalar, Dimension, Degree> prepared{Coefficients(n), Coefficients(n)};
     for (int i = 0; i <= n; ++i)
       for (int axis = 0; axis < Dimension; ++axis) {
         const auto scaled = two_prod<Scalar>(binomial.high[i], curve(axis, i));

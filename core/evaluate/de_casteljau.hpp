@@ -11,7 +11,7 @@
 
 namespace bezierbench {
 
-struct DeCasteljau {
+struct DeCasteljau : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau",
                                    .label = "de Casteljau",
                                    .problem = Problem::evaluation,
@@ -25,12 +25,6 @@ struct DeCasteljau {
                                    .flops = "3d n(n+1)/2 + 1",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 2002]; [Report 001], section 1.5"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

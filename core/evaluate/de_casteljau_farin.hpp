@@ -35,29 +35,31 @@ template <class Scalar, std::size_t Size>
 
 /// Runs the triangle in place on a copy of the control points and weights.
 template <class Scalar, int Dimension, int Degree>
-Point<Scalar, Dimension> run_weighted_triangle(Curve<Form::rational, Scalar, Dimension, Degree> curve,
+Point<Scalar, Dimension> run_weighted_triangle(const Curve<Form::rational, Scalar, Dimension, Degree>& curve,
                                                const Scalar& t) {
   const int n = curve.degree();
   const Scalar s = Scalar(1) - t;
   constexpr auto size = static_cast<std::size_t>(Dimension) + 1;
-  const auto load = [&curve](int i) {
+  auto b = working_copy(curve.points);
+  auto w = working_copy<Degree>(curve.weights, n);
+  const auto load = [&](int i) {
     std::array<Scalar, size> values;
-    for (int axis = 0; axis < Dimension; ++axis) values[static_cast<std::size_t>(axis)] = curve.points(axis, i);
-    values[size - 1] = curve.weights[i];
+    for (int axis = 0; axis < Dimension; ++axis) values[static_cast<std::size_t>(axis)] = b(axis, i);
+    values[size - 1] = w[i];
     return values;
   };
   for (int k = 1; k <= n; ++k)
     for (int i = 0; i <= n - k; ++i) {
       const auto next = weighted_step<Scalar>(load(i), load(i + 1), s, t);
-      for (int axis = 0; axis < Dimension; ++axis) curve.points(axis, i) = next[static_cast<std::size_t>(axis)];
-      curve.weights[i] = next[size - 1];
+      for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = next[static_cast<std::size_t>(axis)];
+      w[i] = next[size - 1];
     }
   Point<Scalar, Dimension> point;
-  for (int axis = 0; axis < Dimension; ++axis) point[axis] = curve.points(axis, 0);
+  for (int axis = 0; axis < Dimension; ++axis) point[axis] = b(axis, 0);
   return point;
 }
 
-struct DeCasteljauFarin {
+struct DeCasteljauFarin : TakenAsGiven<Form::rational> {
   static constexpr MethodInfo info{.id = "de_casteljau_farin",
                                    .label = "de Casteljau, Farin's convex combinations",
                                    .problem = Problem::evaluation,
@@ -74,11 +76,7 @@ struct DeCasteljauFarin {
                                    .cost_exponent = 2,
                                    .citation = "[Farin 1983]"};
 
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::rational, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::rational, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
+  static constexpr int largest_fixed_degree = -1;  ///< its divisions take longer than the loops around them
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::rational, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -13,7 +13,7 @@
 
 namespace bezierbench {
 
-struct DeCasteljauFma {
+struct DeCasteljauFma : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau_fma",
                                    .label = "de Casteljau, fused",
                                    .problem = Problem::evaluation,
@@ -26,12 +26,6 @@ struct DeCasteljauFma {
                                    .flops = "2 fma, d n(n+1)/2 times",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 2002], with fused linear interpolation; bound derived here"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

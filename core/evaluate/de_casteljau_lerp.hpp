@@ -10,7 +10,7 @@
 
 namespace bezierbench {
 
-struct DeCasteljauLerp {
+struct DeCasteljauLerp : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau_lerp",
                                    .label = "de Casteljau, a + t(b - a)",
                                    .problem = Problem::evaluation,
@@ -18,12 +18,6 @@ struct DeCasteljauLerp {
                                    .flops = "3d n(n+1)/2",
                                    .cost_exponent = 2,
                                    .citation = "[Document 004]"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -11,7 +11,7 @@
 
 namespace bezierbench {
 
-struct DeCasteljauLerpFma {
+struct DeCasteljauLerpFma : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau_lerp_fma",
                                    .label = "de Casteljau, a + t(b - a), fused",
                                    .problem = Problem::evaluation,
@@ -19,12 +19,6 @@ struct DeCasteljauLerpFma {
                                    .flops = "1 sub + 1 fma, d n(n+1)/2 times",
                                    .cost_exponent = 2,
                                    .citation = "[Document 004], with fused linear interpolation"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -16,7 +16,7 @@
 
 namespace bezierbench {
 
-struct DeCasteljauTwoSided {
+struct DeCasteljauTwoSided : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau_two_sided",
                                    .label = "de Casteljau, two-sided",
                                    .problem = Problem::evaluation,
@@ -29,12 +29,6 @@ struct DeCasteljauTwoSided {
                                    .flops = "3d n(n+1)/2 + 1",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 2002], with two-sided linear interpolation; bound derived here"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -9,6 +9,8 @@
 //   times for small t.
 #pragma once
 
+#include <tuple>
+
 #include "core/basis/amplification.hpp"
 #include "core/basis/factorial.hpp"
 #include "core/evaluate/evaluator.hpp"
@@ -39,7 +41,9 @@ struct Direct {
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> curve;
-    PerCoefficient<SharedBy<Scalar>, Degree> binomial;
+    PreparedRow<SharedBy<Scalar>, Degree> binomial;
+
+    [[nodiscard]] auto parts() const { return std::tie(curve, binomial); }
   };
 
   template <class Scalar, int Dimension, int Degree>

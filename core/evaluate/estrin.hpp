@@ -15,8 +15,9 @@ namespace bezierbench {
 
 /// Joins neighbours with t until one value is left on each axis; works on a copy of the coefficients.
 template <class Scalar, int Dimension, int Degree>
-Point<Scalar, Dimension> join_neighbours(Curve<Form::power, Scalar, Dimension, Degree> q, const Scalar& t) {
-  int count = q.degree() + 1;
+Point<Scalar, Dimension> join_neighbours(const Curve<Form::power, Scalar, Dimension, Degree>& curve, const Scalar& t) {
+  auto q = working_copy(curve);
+  int count = curve.degree() + 1;
   for (Scalar power = t; count > 1; power *= power) {
     const int pairs = count / 2;
     for (int k = 0; k < pairs; ++k)
@@ -30,7 +31,7 @@ Point<Scalar, Dimension> join_neighbours(Curve<Form::power, Scalar, Dimension, D
   return point;
 }
 
-struct Estrin {
+struct Estrin : TakenAsGiven<Form::power> {
   static constexpr int levels(int n) {
     int count = 0;
     while ((1 << count) < n + 1) ++count;
@@ -49,12 +50,6 @@ struct Estrin {
                           .underflow_scales_with_coefficients = true},
       .flops = "2dn + log2 n",
       .citation = "[Estrin 1960]"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::power, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {

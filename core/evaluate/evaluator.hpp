@@ -3,6 +3,8 @@
 #pragma once
 
 #include <concepts>
+#include <type_traits>
+#include <utility>
 
 #include "core/curve.hpp"
 #include "core/method.hpp"
@@ -20,5 +22,39 @@ concept Evaluator = requires(const Curve<E::info.form, double, 2>& curve, double
 /// The type of the prepared state of an evaluator.
 template <class E, class Scalar, int Dimension, int Degree = dynamic>
 using PreparedOf = decltype(E::prepare(std::declval<const Curve<E::info.form, Scalar, Dimension, Degree>&>()));
+
+/// The base of evaluators that prepare nothing: their state is the curve as it is given.
+template <Form F>
+struct TakenAsGiven {
+  template <class Scalar, int Dimension, int Degree>
+  static Curve<F, Scalar, Dimension, Degree> prepare(const Curve<F, Scalar, Dimension, Degree>& curve) {
+    return curve;
+  }
+};
+
+template <class E>
+concept PreparesNothing = std::is_base_of_v<TakenAsGiven<E::info.form>, E>;
+
+template <class Scalar, int Degree>
+struct PreparedRowType {
+  using Type = PerCoefficient<Scalar, Degree>;
+};
+
+/// One value per coefficient in a prepared state: a row, or a view of one where a scalar is the axes of a point.
+template <class Scalar, int Degree>
+using PreparedRow = typename PreparedRowType<Scalar, Degree>::Type;
+
+/// A copy of coefficients, or of values that belong to them, which a method may overwrite.
+template <Form F, class Scalar, int Dimension, int Degree>
+Curve<F, Scalar, Dimension, Degree> working_copy(const Curve<F, Scalar, Dimension, Degree>& curve) {
+  Curve<F, Scalar, Dimension, Degree> copy(curve.degree());
+  for (int i = 0; i <= curve.degree(); ++i)
+    for (int axis = 0; axis < Dimension; ++axis) copy(axis, i) = curve(axis, i);
+  return copy;
+}
+template <int Degree, class Scalar>
+PerCoefficient<Scalar, Degree> working_copy(const PerCoefficient<Scalar, Degree>& row, int /*degree*/) {
+  return row;
+}
 
 }  // namespace bezierbench

@@ -19,6 +19,14 @@
 
 namespace bezierbench {
 
+/// The point with these homogeneous coordinates: the last divides the others.
+template <class Scalar, int Lifted>
+Point<Scalar, Lifted - 1> over_last(const Point<Scalar, Lifted>& lifted) {
+  Point<Scalar, Lifted - 1> point;
+  for (int axis = 0; axis + 1 < Lifted; ++axis) point[axis] = lifted[axis] / lifted[Lifted - 1];
+  return point;
+}
+
 /// `Method` on homogeneous coordinates; keeps its id, in the rational form.
 template <Evaluator Method>
 requires(Method::info.form == Form::bernstein) struct Homogeneous {
@@ -84,11 +92,7 @@ requires(Method::info.form == Form::bernstein) struct Homogeneous {
 
   template <class Prepared, class Scalar>
   static auto evaluate(const Prepared& prepared, Scalar t) {
-    const auto lifted = Method::evaluate(prepared, t);
-    constexpr int dimension = decltype(lifted)::RowsAtCompileTime - 1;
-    Point<Scalar, dimension> point;
-    for (int axis = 0; axis < dimension; ++axis) point[axis] = lifted[axis] / lifted[dimension];
-    return point;
+    return over_last(Method::evaluate(prepared, t));
   }
 };
 

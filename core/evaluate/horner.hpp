@@ -10,7 +10,7 @@
 
 namespace bezierbench {
 
-struct Horner {
+struct Horner : TakenAsGiven<Form::power> {
   static constexpr MethodInfo info{.id = "horner",
                                    .label = "Horner",
                                    .problem = Problem::evaluation,
@@ -22,12 +22,6 @@ struct Horner {
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "2dn",
                                    .citation = "[Higham 2002], section 5.1"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::power, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -9,8 +9,10 @@
 // Fails: C(n,i) b_i overflows at high degrees (always past 1029, in float past 131). t^i underflows for large n.
 #pragma once
 
+#include <tuple>
+
 #include "core/basis/amplification.hpp"
-#include "core/basis/binomial.hpp"
+#include "core/basis/binomial_table.hpp"
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {
@@ -36,15 +38,20 @@ struct HornerBernstein {
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> scaled;
+
+    [[nodiscard]] auto parts() const { return std::tie(scaled); }
   };
 
   template <class Scalar, int Dimension, int Degree>
   static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
     const int n = curve.degree();
-    const auto binomial = binomials<Scalar, Degree>(n);
-    Prepared<Scalar, Dimension, Degree> prepared{curve};
-    for (int i = 0; i <= n; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) prepared.scaled(axis, i) *= binomial[i];
+    const BinomialRow<Scalar, Degree> binomial(n);
+    Prepared<Scalar, Dimension, Degree> prepared{Curve<Form::bernstein, Scalar, Dimension, Degree>(n)};
+    for (int i = 0; i <= n; ++i) {
+      Point<Scalar, Dimension> scaled;
+      for (int axis = 0; axis < Dimension; ++axis) scaled[axis] = curve(axis, i) * binomial[i];
+      for (int axis = 0; axis < Dimension; ++axis) prepared.scaled(axis, i) = scaled[axis];
+    }
     return prepared;
   }
 

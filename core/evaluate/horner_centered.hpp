@@ -11,7 +11,7 @@
 
 namespace bezierbench {
 
-struct HornerCentered {
+struct HornerCentered : TakenAsGiven<Form::power_centered> {
   static constexpr MethodInfo info{.id = "horner_centered",
                                    .label = "Horner about t = 1/2",
                                    .problem = Problem::evaluation,
@@ -23,12 +23,6 @@ struct HornerCentered {
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "2dn + 1",
                                    .citation = "[Higham 2002], section 5.1; bound derived here"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power_centered, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::power_centered, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power_centered, Scalar, Dimension, Degree>& curve,

@@ -16,7 +16,7 @@
 
 namespace bezierbench {
 
-struct HornerDoubleDouble {
+struct HornerDoubleDouble : TakenAsGiven<Form::power_double_double> {
   static constexpr MethodInfo info{.id = "horner_dd",
                                    .label = "Horner, double-double coefficients",
                                    .problem = Problem::evaluation,
@@ -33,12 +33,6 @@ struct HornerDoubleDouble {
                                                        .result_roundings = 1},
                                    .flops = "12dn + d",
                                    .citation = "[Graillat et al. 2009], on double-double coefficients"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power_double_double, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::power_double_double, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power_double_double, Scalar, Dimension, Degree>& curve,

@@ -11,7 +11,7 @@
 
 namespace bezierbench {
 
-struct HornerFma {
+struct HornerFma : TakenAsGiven<Form::power> {
   static constexpr MethodInfo info{.id = "horner_fma",
                                    .label = "Horner, fused",
                                    .problem = Problem::evaluation,
@@ -23,12 +23,6 @@ struct HornerFma {
                                                        .underflow_scales_with_coefficients = false},
                                    .flops = "dn fma",
                                    .citation = "[Higham 2002], section 5.1, with fused steps"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::power, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {

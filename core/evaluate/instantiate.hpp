@@ -7,6 +7,7 @@
 
 #include "core/convert/roster.hpp"
 #include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/point_families.hpp"
 #include "core/evaluate/roster.hpp"
 #include "core/evaluate/via.hpp"
 
@@ -21,10 +22,23 @@ constexpr ConversionKernel<Scalar> conversion_kernel() {
           }};
 }
 
+/// What a path ends in; any other method is its own evaluator.
+template <class E>
+struct LastOf {
+  using Type = E;
+};
+template <Path E>
+struct LastOf<E> {
+  using Type = typename E::Second;
+};
+template <class E>
+using EvaluatorOf = typename LastOf<E>::Type;
+
 template <class Scalar, int Dimension, class... Es>
 std::span<const Kernel<Scalar>> table_of(TypeList<Es...>) {
   static_assert((std::is_trivially_destructible_v<PreparedOf<Es, Scalar, Dimension>> && ...));
-  static constexpr std::array<Kernel<Scalar>, sizeof...(Es)> table{kernel<Es, Scalar, Dimension>()...};
+  static const std::array<Kernel<Scalar>, sizeof...(Es)> table{
+      kernel<Es, Scalar, Dimension>(points_of<EvaluatorOf<Es>, Scalar, Dimension>())...};
   return table;
 }
 

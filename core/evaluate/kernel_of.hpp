@@ -6,24 +6,32 @@
 #include <new>
 #include <type_traits>
 
+#include "core/evaluate/axes.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/kernel.hpp"
 
 namespace bezierbench::instantiate {
 
+/// Copies the coefficients of a view, whose degree the curve has.
+template <Form F, class Scalar, int Dimension>
+void fill(const CurveView<Scalar>& view, Curve<F, Scalar, Dimension>& curve) {
+  if constexpr (F == Form::rational) {
+    fill(view, curve.points);
+    for (int i = 0; i <= view.degree; ++i) curve.weights[i] = view.weights[static_cast<std::size_t>(i)];
+  } else {
+    // Whole points, as they are read afterwards: a vector that was written in parts is slow to read.
+    using Coefficient = Axes<Scalar, Dimension>;
+    const Scalar* from = view.coefficients.data();
+    Scalar* to = &curve(0, 0);
+    for (int i = 0; i <= view.degree; ++i) Coefficient::load(from + i * Dimension).store(to + i * Dimension);
+  }
+}
+
 template <Form F, int Dimension, class Scalar>
 Curve<F, Scalar, Dimension> load(const CurveView<Scalar>& view) {
-  if constexpr (F == Form::rational) {
-    Curve<F, Scalar, Dimension> curve(view.degree);
-    curve.points = load<Form::bernstein, Dimension>(view);
-    for (int i = 0; i <= view.degree; ++i) curve.weights[i] = view.weights[static_cast<std::size_t>(i)];
-    return curve;
-  } else {
-    Curve<F, Scalar, Dimension> curve(view.degree);
-    for (int i = 0; i <= view.degree; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) curve(axis, i) = view(axis, i);
-    return curve;
-  }
+  Curve<F, Scalar, Dimension> curve(view.degree);
+  fill(view, curve);
+  return curve;
 }
 
 template <Form F, class Scalar, int Dimension>
@@ -86,30 +94,45 @@ constexpr auto destroy() -> void (*)(void*) {
     return [](void* prepared) { std::destroy_at(static_cast<Prepared*>(prepared)); };
 }
 
-/// The kernel of one method.
+template <class Scalar>
+using EvaluatePoints = decltype(Kernel<Scalar>::evaluate);
+
+/// One point after the other, one axis after the other.
+template <class E, class Scalar, int Dimension>
+void evaluate_one_by_one(const void* prepared, std::span<const Scalar> t, Scalar* points) {
+  const auto& state = *static_cast<const PreparedOf<E, Scalar, Dimension>*>(prepared);
+  for (const Scalar at : t) {
+    const Point<Scalar, Dimension> point = E::evaluate(state, at);
+    for (int axis = 0; axis < Dimension; ++axis) *points++ = point[axis];
+  }
+}
+
+/// The kernel of one method whose points `evaluate` computes.
 template <Evaluator E, class Scalar, int Dimension>
-constexpr Kernel<Scalar> kernel() {
+constexpr Kernel<Scalar> kernel(EvaluatePoints<Scalar> evaluate) {
   using Prepared = PreparedOf<E, Scalar, Dimension>;
   return {&E::info,
           Dimension,
           sizeof(Prepared),
           alignof(Prepared),
           [](const CurveView<Scalar>& view, void* prepared) {
-            ::new (prepared) Prepared(E::prepare(load<E::info.form, Dimension>(view)));
+            if constexpr (PreparesNothing<E>)
+              fill(view, *::new (prepared) Prepared(view.degree));
+            else
+              ::new (prepared) Prepared(E::prepare(load<E::info.form, Dimension>(view)));
           },
-          [](const void* prepared, std::span<const Scalar> t, Scalar* points) {
-            const auto& state = *static_cast<const Prepared*>(prepared);
-            for (std::size_t k = 0; k < t.size(); ++k) {
-              const Point<Scalar, Dimension> point = E::evaluate(state, t[k]);
-              for (std::size_t axis = 0; axis < Dimension; ++axis)
-                points[k * Dimension + axis] = point[static_cast<Eigen::Index>(axis)];
-            }
-          },
+          evaluate,
           evaluator<E>(),
           conversion<E>(),
           evaluated_form<E>(),
           converted<E, Scalar, Dimension>(),
           destroy<Prepared>()};
+}
+
+/// The same, one axis after the other.
+template <Evaluator E, class Scalar, int Dimension>
+constexpr Kernel<Scalar> kernel() {
+  return kernel<E, Scalar, Dimension>(evaluate_one_by_one<E, Scalar, Dimension>);
 }
 
 }  // namespace bezierbench::instantiate

@@ -11,7 +11,7 @@
 
 namespace bezierbench {
 
-struct PowerSum {
+struct PowerSum : TakenAsGiven<Form::power> {
   static constexpr MethodInfo info{.id = "power_sum",
                                    .label = "Power sum, running t^j",
                                    .problem = Problem::evaluation,
@@ -23,12 +23,6 @@ struct PowerSum {
                                                        .underflow_scales_with_coefficients = true},
                                    .flops = "n + 2dn",
                                    .citation = "[Report 001], section 1.3"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::power, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -83,7 +83,10 @@ requires(Converter::target == Method::info.form) struct Via {
 
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<info.form, Scalar, Dimension, Degree>& curve) {
-    return Method::prepare(Converter::convert(curve));
+    if constexpr (PreparesNothing<Method>)
+      return Converter::convert(curve);
+    else
+      return Method::prepare(Converter::convert(curve));
   }
 
   template <class Prepared, class Scalar>

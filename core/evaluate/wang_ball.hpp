@@ -21,6 +21,8 @@
 // Fails: the coefficients grow like 1.7^n, and their rounding costs a factor of 1.41^n: all digits by about n = 110.
 #pragma once
 
+#include <tuple>
+
 #include "core/basis/binomial.hpp"
 #include "core/basis/integer_power.hpp"
 #include "core/evaluate/evaluator.hpp"
@@ -41,6 +43,8 @@ struct WangBall {
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> ball;
+
+    [[nodiscard]] auto parts() const { return std::tie(ball); }
   };
 
   template <class Scalar, int Dimension, int Degree>

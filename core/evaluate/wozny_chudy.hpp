@@ -12,7 +12,7 @@
 
 namespace bezierbench {
 
-struct WoznyChudy {
+struct WoznyChudy : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "wozny_chudy",
                                    .label = "Wozny-Chudy",
                                    .problem = Problem::evaluation,
@@ -20,12 +20,6 @@ struct WoznyChudy {
                                    .one_minus_t = OneMinusT::normalised,
                                    .flops = "n(5+3d) + 2, n + 1 of them divisions",
                                    .citation = "[Wozny and Chudy 2020], Algorithm 1.1"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

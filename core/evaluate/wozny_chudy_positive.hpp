@@ -16,7 +16,7 @@
 
 namespace bezierbench {
 
-struct WoznyChudyPositive {
+struct WoznyChudyPositive : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{
       .id = "wozny_chudy_positive",
       .label = "Wozny-Chudy, subtraction-free",
@@ -31,12 +31,6 @@ struct WoznyChudyPositive {
       .one_minus_t = OneMinusT::normalised,
       .flops = "n(6+3d) + 2, 2n + 1 of them divisions",
       .citation = "[Wozny and Chudy 2020], remark on the weights"};
-
-  template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> prepare(
-      const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    return curve;
-  }
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

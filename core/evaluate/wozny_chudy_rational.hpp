@@ -8,6 +8,8 @@
 // Fails: a weight of 0 between others makes 0/0. Outside [0,1] or with weights of both signs a denominator may vanish.
 #pragma once
 
+#include <tuple>
+
 #include "core/basis/lane_choice.hpp"
 #include "core/evaluate/evaluator.hpp"
 
@@ -25,7 +27,9 @@ struct WoznyChudyRational {
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> points;
-    PerCoefficient<Scalar, Degree> ratios;  ///< r_k at index k; index 0 is unused
+    PreparedRow<Scalar, Degree> ratios;  ///< r_k at index k; index 0 is unused
+
+    [[nodiscard]] auto parts() const { return std::tie(points, ratios); }
   };
 
   template <class Scalar, int Dimension, int Degree>

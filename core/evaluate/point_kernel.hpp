@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The function behind `Kernel::evaluate`: one point after the other, the axes of a point side by side, the degree known
+// at compile time where that is faster. Every way has the bits of the method for numbers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "core/evaluate/axes_curve.hpp"
+#include "core/evaluate/axes_triangle.hpp"
+#include "core/evaluate/kernel_of.hpp"
+
+namespace bezierbench::instantiate {
+
+/// An evaluator whose prepared state can be read with all axes of a coefficient at once.
+template <class E, class S, int Dimension>
+concept SideBySide = requires(const PreparedOf<E, S, Dimension>& state) {
+  as_axes<dynamic>(state);
+};
+
+/// The largest degree with a kernel of its own: what the method says (-1: none), else 20 for a triangle, whose values
+/// then stay in registers, and 12 for other methods, beyond which the loop over the degree costs little.
+template <class E>
+constexpr int largest_fixed_degree() {
+  if constexpr (requires { E::largest_fixed_degree; })
+    return E::largest_fixed_degree;
+  else
+    return E::info.cost_exponent > 1 ? 20 : 12;
+}
+
+/// All axes side by side, the degree fixed or dynamic.
+template <class E, class S, int Dimension, int Degree>
+[[gnu::flatten]] void evaluate_side_by_side(const void* prepared, std::span<const S> t, S* points) {
+  const auto view = as_axes<Degree>(*static_cast<const PreparedOf<E, S, Dimension>*>(prepared));
+  using A = typename AxesOf<std::remove_const_t<decltype(view)>>::Type;
+  for (const S at : t) {
+    E::evaluate(view, A(at))[0].template store<Dimension>(points);
+    points += Dimension;
+  }
+}
+
+template <class E, class S, int Dimension, int... Degree>
+constexpr auto fixed_degrees(std::integer_sequence<int, Degree...> /*degrees*/) {
+  return std::array{EvaluatePoints<S>(evaluate_side_by_side<E, S, Dimension, Degree>)...};
+}
+
+/// Chooses among the above, once per call.
+template <class E, class S, int Dimension>
+void evaluate_points(const void* prepared, std::span<const S> t, S* points) {
+  if constexpr (SideBySide<E, S, Dimension>) {
+    constexpr int largest = largest_fixed_degree<E>();
+    if constexpr (largest >= 0) {
+      static constexpr auto fixed = fixed_degrees<E, S, Dimension>(std::make_integer_sequence<int, largest + 1>());
+      const int degree = degree_of(*static_cast<const PreparedOf<E, S, Dimension>*>(prepared));
+      if (degree <= largest) return fixed[static_cast<std::size_t>(degree)](prepared, t, points);
+    }
+    evaluate_side_by_side<E, S, Dimension, dynamic>(prepared, t, points);
+  } else {
+    evaluate_one_by_one<E, S, Dimension>(prepared, t, points);
+  }
+}
+
+}  // namespace bezierbench::instantiate
