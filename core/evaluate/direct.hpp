@@ -50,9 +50,9 @@ struct Direct {
   static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
     const int n = curve.degree();
     const auto factorial = factorials<Scalar, Degree>(n);
-    auto binomial = per_coefficient<SharedBy<Scalar>, Degree>(n);
-    for (int i = 0; i <= n; ++i) binomial[i] = factorial[n] / (factorial[i] * factorial[n - i]);
-    return {curve, binomial};
+    Prepared<Scalar, Dimension, Degree> prepared{working_copy(curve), per_coefficient<SharedBy<Scalar>, Degree>(n)};
+    for (int i = 0; i <= n; ++i) prepared.binomial[i] = factorial[n] / (factorial[i] * factorial[n - i]);
+    return prepared;
   }
 
   template <class Scalar, int Dimension, int Degree>

@@ -35,7 +35,7 @@ struct WoznyChudyRational {
   template <class Scalar, int Dimension, int Degree>
   static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::rational, Scalar, Dimension, Degree>& curve) {
     const int n = curve.degree();
-    Prepared<Scalar, Dimension, Degree> prepared{curve.points, per_coefficient<Scalar, Degree>(n)};
+    Prepared<Scalar, Dimension, Degree> prepared{working_copy(curve.points), per_coefficient<Scalar, Degree>(n)};
     for (int k = 1; k <= n; ++k)
       prepared.ratios[k] =
           (static_cast<Scalar>(n - k + 1) * curve.weights[k]) / (static_cast<Scalar>(k) * curve.weights[k - 1]);
