@@ -306,8 +306,10 @@ void CertifiedPoints::certify() {
     }
   const double factor = error_factor(form_, degree_) * 0x1p-106 * (1 + 0x1p-40);
   for (std::size_t lane = 0; lane < Count; ++lane) {
-    const bool proved = (smallest_[lane] >= least_[lane]) & (magnitude_[lane] <= largest_magnitude);
-    points_.error[lane] = proved ? factor * magnitude_[lane] : unknown;
+    const double magnitude = magnitude_[lane];
+    const bool large_enough = smallest_[lane] >= least_[lane];
+    const bool small_enough = magnitude <= largest_magnitude;
+    points_.error[lane] = (large_enough & small_enough) ? factor * magnitude : unknown;
   }
 }
 

@@ -161,9 +161,10 @@ TEST(CertifiedPoints, DistancesAreThoseOfTheIntegers) {
     for (int round = 0; round < 400; ++round) {
       const auto curve = trials.curve(setting);
       const double t = trials.t();
-      points.load(round % CertifiedPoints::lanes, curve, t);
+      const std::size_t lane = static_cast<std::size_t>(round) % CertifiedPoints::lanes;
+      points.load(lane, curve, t);
       points.evaluate();
-      const auto point = points.point(round % CertifiedPoints::lanes);
+      const auto point = points.point(lane);
       const auto& truth = exact.point(curve, t);
       const Distance distance(truth);
       std::vector<double> computed;

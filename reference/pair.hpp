@@ -6,8 +6,8 @@
 //   product of pairs        drops low low (1), rounds low high (1), the fused sum (2) and the last sum (3): 8 |x y|
 //   pair times a double     rounds the fused sum (2): 3 |x y|
 //   sum of pairs            rounds the sum of the low parts (1) and the last sum (2): 4 (|x| + |y|)
-//   quotient of pairs       rounds the remainder, which is at most 3u |x|, three times (6) and what is divided by it (3),
-//                           and divides it by high instead of y (3): 16 |x / y|
+//   quotient of pairs       rounds the remainder, which is at most 3u |x|, three times (6) and what is divided by it
+//                           (3), and divides it by high instead of y (3): 16 |x / y|
 // each rounded up. An operation loses up to 2^-1072 more where a part of it is subnormal. Nothing may overflow.
 #pragma once
 

@@ -44,7 +44,7 @@ class Reader {
       const toml::node* head = root.get("suite");
       if (head == nullptr) fail(root, "[suite] is missing; add it with id, title and seed");
       if (!head->is_table()) fail(*head, "suite must be a table; write [suite]");
-      check_keys(*head->as_table(), {"id", "title", "seed"});
+      check_keys(*head->as_table(), {"id", "title", "seed", "seconds"});
       suites.push_back(suite(*head->as_table(), root, "[[study]]"));
     }
     return suites;
@@ -104,6 +104,11 @@ class Reader {
       read({file_, "seed"}, *node, seed);
       out.seed = static_cast<std::uint64_t>(seed);  // negative seeds become too large and are refused
       if (std::string what = seed_problem(out.seed); !what.empty()) fail(*node, what);
+    }
+    if (const toml::node* node = head.get("seconds")) {
+      std::int64_t seconds = 0;
+      read({file_, "seconds"}, *node, seconds);
+      if (seconds < 0) fail(*node, "seconds must be at least 0");
     }
     for (const toml::table* table : tables(parent, "study", header)) out.studies.push_back(study(*table));
     return out;
@@ -256,6 +261,10 @@ Suite parse_suite(std::string_view text, std::string_view file_name, const Vocab
 
 Suite read_suite(const std::filesystem::path& file, const Vocabulary& known) {
   return only_one(read_suites(file, known), file.string());
+}
+
+std::optional<std::int64_t> declared_seconds(std::string_view text) {
+  return toml::parse(text)["suite"]["seconds"].value<std::int64_t>();
 }
 
 }  // namespace bezierbench::suite

@@ -2,7 +2,9 @@
 // Suite files: TOML to values, with messages that name file, line and column.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -26,5 +28,10 @@ Suite parse_suite(std::string_view text, std::string_view file_name, const Vocab
 
 /// The only suite of a file. Throws Failure(Exit::usage) where there are several.
 Suite read_suite(const std::filesystem::path& file, const Vocabulary& known);
+
+/// The `seconds` of a document with one suite: what all its studies take of processor time, as its author measured it.
+/// It says nothing of what a run does, so a Suite has no such member, and a resolved suite no such key. Empty where it is
+/// left out. The text must be one that parse_suites reads.
+std::optional<std::int64_t> declared_seconds(std::string_view text);
 
 }  // namespace bezierbench::suite

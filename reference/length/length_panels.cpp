@@ -29,9 +29,9 @@ Real rounding_of_part(const Hodograph<Real>& h, const Real& largest_size, double
   return off;
 }
 
-/// What roundings in its values change the series of h by, with c = m + 1 coefficients. The values are right to 2 c units
-/// of the largest control vector, and interpolation raises that by at most 6 (its Lebesgue constant is 1 + 2/pi ln c at
-/// these nodes). The sums of c values lose c/8 units in each of c coefficients, twice for the factor 2.
+/// What roundings in its values change the series of h by, with c = m + 1 coefficients. The values are right to 2 c
+/// units of the largest control vector, and interpolation raises that by at most 6 (its Lebesgue constant is 1 + 2/pi
+/// ln c at these nodes). The sums of c values lose c/8 units in each of c coefficients, twice for the factor 2.
 template <class Real>
 Real rounding_of_series(const Hodograph<Real>& h) {
   const auto c = static_cast<double>(h.degree() + 1);

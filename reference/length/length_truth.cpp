@@ -102,12 +102,12 @@ AlongTruth::Bracket AlongTruth::bracket(double length) const {
     found.low = found.high = 0;
     return found;
   }
-  const PairReal off = 2 * off_ + length * of_difference;
+  const PairReal off = off_ + length * of_difference;
   if (length + off >= pairs_->whole()) return found;
   const PairReal t = pairs_->parameter_at(length);
   const PairReal speed = pairs_->speed_at(t);
   if (!(speed >= least_size)) return found;
-  const PairReal step = 4 * off / speed + of_difference;
+  const PairReal step = 1.5 * off / speed + of_difference;
   const PairReal low = t - step;
   const PairReal high = t + step;
   if (low <= 0)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The errors of lengths and of parameters at lengths, decided in pairs of doubles where their uncertainty allows it, and
-// in 70 digits where it does not. Both give the same bits.
+// The errors of lengths and of parameters at lengths, decided in pairs of doubles where their uncertainty allows it,
+// and in 70 digits where it does not. Both give the same bits.
 //
 // A length in pairs comes with a proved uncertainty (length_panels.hpp), some 1e-27 of it. The one in 70 digits lies
 // within that and its own, at most 1e-30 of the length. So every number that is asked for lies in a known interval, and
 // where both its ends are rounded to the same, so is the number in 70 digits. An interval that contains 0 decides
 // nothing: there the 70 digits say whether a method is exact.
 //
-// For a part of a curve to t inside a panel the uncertainty is eight times as large: a panel that is taken because chord
-// and largest speed differ by little, e, has |a_k| that sum to at most 3/2 e for k > 0, so a rule is within 3 e on any
-// part of it, where the panel counts with e/2.
+// For a part of a curve to t inside a panel the uncertainty is eight times as large: a panel that is taken because
+// chord and largest speed differ by little, e, has |a_k| that sum to at most 3/2 e for k > 0, so a rule is within 3 e
+// on any part of it, where the panel counts with e/2.
 //
 // A curve is left to the 70 digits if its degree exceeds 24, beyond which the factors of halving have more than 53 bits
 // and are rounded, or if it or its length is far from 1.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A real number as a pair of doubles, with the operators that true lengths are computed with.
 //
-// In units of u^2 = 2^-106 a product is off by at most 8 of itself, a quotient by 16, a square root by 6, and a sum by 4
-// of the sum of the sizes of its terms (pair.hpp). Numbers must stay away from overflow, and sums of interest from
+// In units of u^2 = 2^-106 a product is off by at most 8 of itself, a quotient by 16, a square root by 6, and a sum by
+// 4 of the sum of the sizes of its terms (pair.hpp). Numbers must stay away from overflow, and sums of interest from
 // 2^-900.
 #pragma once
 

@@ -206,10 +206,10 @@ Real SpeedSeries<Real>::largest() const {
   return sum;
 }
 
-/// A sum or a product loses at most an eighth of a unit. In Clenshaw's algorithm b_k = sum over j >= k of a_j U_(j-k)(z),
-/// |U_j| <= j + 1; step k loses less than a unit of the sizes in that sum, which the steps after it raise by at most
-/// |U_k|. So |a_j| counts (k + 1)(j - k + 1) times for each k <= j, together C(j+3, 3) times; half as often for the error
-/// of z, since |T_j'| <= j^2. Squares and root lose half a unit.
+/// A sum or a product loses at most an eighth of a unit. In Clenshaw's algorithm b_k = sum over j >= k of a_j
+/// U_(j-k)(z), |U_j| <= j + 1; step k loses less than a unit of the sizes in that sum, which the steps after it raise
+/// by at most |U_k|. So |a_j| counts (k + 1)(j - k + 1) times for each k <= j, together C(j+3, 3) times; half as often
+/// for the error of z, since |T_j'| <= j^2. Squares and root lose half a unit.
 template <class Real>
 Real SpeedSeries<Real>::rounding_of_speed() const {
   Real sum = 0;

@@ -219,20 +219,22 @@ std::string suite_schema() {
     definitions[std::string(kind->id)] = kind_schema(*kind);
     study["oneOf"].push_back({{"$ref", fmt::format("#/definitions/{}", kind->id)}});
   }
-  const Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
-                    {"title", "Suite of bezierbench"},
-                    {"type", "object"},
-                    {"required", {"schema_version", "suite", "study"}},
-                    {"additionalProperties", false},
-                    {"properties",
-                     {{"schema_version", {{"const", 1}}},
-                      {"suite",
-                       {{"type", "object"},
-                        {"required", {"id"}},
-                        {"additionalProperties", false},
-                        {"properties", {{"id", text_schema()}, {"title", text_schema()}, {"seed", whole_schema()}}}}},
-                      {"study", list_schema(std::move(study))}}},
-                    {"definitions", std::move(definitions)}};
+  const Json schema{
+      {"$schema", "http://json-schema.org/draft-07/schema#"},
+      {"title", "Suite of bezierbench"},
+      {"type", "object"},
+      {"required", {"schema_version", "suite", "study"}},
+      {"additionalProperties", false},
+      {"properties",
+       {{"schema_version", {{"const", 1}}},
+        {"suite",
+         {{"type", "object"},
+          {"required", {"id"}},
+          {"additionalProperties", false},
+          {"properties",
+           {{"id", text_schema()}, {"title", text_schema()}, {"seed", whole_schema()}, {"seconds", whole_schema()}}}}},
+        {"study", list_schema(std::move(study))}}},
+      {"definitions", std::move(definitions)}};
   return schema.dump(2) + "\n";
 }
 

@@ -21,11 +21,13 @@ namespace {
 
 std::string suites_csv() {
   const auto known = vocabulary_of_all_builds();
-  bundle::CsvTable table({"id", "file", "seed", "studies", "title"});
+  bundle::CsvTable table({"id", "file", "seed", "studies", "seconds", "title"});
   for (const auto& [file_name, text] : shipped_suites)
-    for (const auto& one : suite::parse_suites(text, file_name, known))
-      table.add_row(
-          {one.id, std::string(file_name), std::to_string(one.seed), std::to_string(one.studies.size()), one.title});
+    for (const auto& one : suite::parse_suites(text, file_name, known)) {
+      const auto seconds = suite::declared_seconds(text);
+      table.add_row({one.id, std::string(file_name), std::to_string(one.seed), std::to_string(one.studies.size()),
+                     seconds ? std::to_string(*seconds) : "", one.title});
+    }
   return table.text();
 }
 
@@ -73,7 +75,8 @@ void add_list(Command program, Exit& /*exit*/) {
   list.option("--format", *format, "text or csv").one_of({"text", "csv"});
   list.needs_command();
   add_topic(list, "methods", "evaluators, converted paths and conversions", methods_csv, format);
-  add_topic(list, "suites", "the suites that come with the program", suites_csv, format);
+  add_topic(list, "suites", "the suites that come with the program, and the processor time that each takes, in seconds",
+            suites_csv, format);
   add_topic(list, "studies", "their studies", studies_csv, format);
   add_kinds(list);
   add_topic(list, "generators", "how random inputs are drawn", generators_csv, format);
