@@ -52,7 +52,7 @@ function fillTable(cell, methods) {
   const timed = cell.mode !== data.answer.untimed;
   const td = (text, raw, mark) => make("td", { class: mark || false, "data-v": raw === null ? false : String(raw) }, text);
   for (const body of [...table.tBodies]) body.remove();
-  table.append(...methods.map((one) => make("tbody", { class: "one", "data-key": one.method },
+  table.append(...methods.map((one) => make("tbody", { class: "one", "data-key": one.method, hidden: !seen(one.method) },
     make("tr", {}, make("th", { class: "group", scope: "row" }, make("code", {}, one.method)),
       ...(timed ? [td(`${general(one.ns)} [${general(one.low)} – ${general(one.high)}]${one.noisy ? " ~" : ""}`, one.ns)] : []),
       td(general(one.error_u), one.error_u), td(general(one.bound_u), one.bound_u),
@@ -119,7 +119,7 @@ function draw(cell, methods) {
   dressFigure(element, series);
 }
 
-function showAnswer() {
+function showAnswer(rebuild = true) {
   const cell = chosenCell();
   const methods = ranked(cell);
   document.getElementById("answer-sentence").textContent = sentence(cell, methods);
@@ -127,7 +127,7 @@ function showAnswer() {
   draw(cell, methods);
   const narrowed = AXES.some(([axis]) => state.has(axis)) || state.has("tolerance");
   highlight(narrowed ? new Set(methods.filter((one) => one.front !== "no").map((one) => one.method)) : new Set());
-  picker(cell);
+  if (rebuild) picker(cell);
 }
 
 function picker(cell) {
@@ -143,10 +143,10 @@ function picker(cell) {
     }
     left = left.filter((one) => one[axis] === cell[axis]);
   }
-  const input = make("input", { inputmode: "decimal", size: 7, placeholder: "any", value: state.get("tolerance") ?? "", change: () => { remember("tolerance", input.value.trim()); showAnswer(); focusOn("tolerance"); } });
+  const input = make("input", { inputmode: "decimal", size: 7, placeholder: "any", value: state.get("tolerance") ?? "", change: () => { remember("tolerance", input.value.trim()); showAnswer(false); } });
   controls.push(make("label", {}, "tolerance ", input),
-    choice("in", [["u", "u p~"], ["coordinate", "coordinate units"]], state.get("in") ?? "u", (chosen) => { remember("in", chosen === "u" ? "" : chosen); showAnswer(); focusOn("in"); }));
-  const form = make("form", { "aria-label": "What you evaluate", submit: (event) => { event.preventDefault(); input.dispatchEvent(new Event("change")); } }, ...controls);
+    choice("in", [["u", "u p~"], ["coordinate", "coordinate units"]], state.get("in") ?? "u", (chosen) => { remember("in", chosen === "u" ? "" : chosen); showAnswer(false); }));
+  const form = make("form", { "aria-label": "What you evaluate", submit: (event) => event.preventDefault() }, ...controls);
   place.replaceChildren(form);
 }
 

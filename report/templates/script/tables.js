@@ -171,6 +171,7 @@ function viewBar() {
     choice("family", [["", "all"], ...families.map((one) => [one, one])], state.get("family") ?? "", (chosen) => { remember("family", chosen); refresh(); }));
   if (withUnits.length) bar.append(choice("errors in", UNITS, state.get("unit") ?? "u", (chosen) => { remember("unit", chosen === "u" ? "" : chosen); showUnits(); }));
   const answer = document.getElementById("answer") ?? document.getElementById("opening");
-  answer.closest("section").after(bar);
+  if (answer) answer.closest("section").after(bar);
+  else document.querySelector("main").prepend(bar);
   if (state.get("method") || state.get("family")) filterTables();
 }
