@@ -134,8 +134,8 @@ function showUnit(table, unit) {
   }
   const caption = table.querySelector("caption strong");
   caption.dataset.text ??= caption.textContent;
-  const words = { u: "over u p~", coordinate: "in coordinate units", ulp: "in ulp", relative: "relative to the value" };
-  caption.textContent = caption.dataset.text.replace("over u p~", words[unit]);
+  const words = { coordinate: "in coordinate units", ulp: "in ulp", relative: "relative to the value" };
+  caption.textContent = caption.dataset.text.replace(/over u\sp~/, (found) => (unit === "u" ? found : words[unit]));
 }
 
 const withUnits = tables.filter((table) => table.dataset.units !== undefined);
