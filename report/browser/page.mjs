@@ -175,15 +175,15 @@ async function figures(page) {
     .flatMap(([id, series]) => series.flatMap((one) => one.points.filter((point) => point[3]).map((point) => [id, point[0], point[1], point[3]])))[0]);
   check(replay, "no point knows what to replay");
   if (replay) {
-    const middle = () => page.evaluate((id) => document.getElementById(id).scrollIntoView({ behavior: "instant", block: "center" }), replay[0]);
-    await middle();
-    await page.waitForTimeout(300); // parts of the page that come near are laid out
-    await middle();
-    const at = await page.evaluate(([id, x, y]) => {
-      const svg = document.getElementById(id).querySelector("svg");
-      const matrix = svg.getScreenCTM();
+    const onScreen = () => page.evaluate(([id, x, y]) => {
+      const matrix = document.getElementById(id).querySelector("svg").getScreenCTM();
       return [matrix.a * x + matrix.e, matrix.d * y + matrix.f];
     }, replay);
+    for (let tries = 0; tries < 5; tries += 1) { // parts of the page that come near are laid out, and move the others
+      await page.evaluate((y) => scrollBy({ top: y - innerHeight / 2, behavior: "instant" }), (await onScreen())[1]);
+      await page.waitForTimeout(100);
+    }
+    const at = await onScreen();
     await page.evaluate(() => { window.copied = ""; });
     await page.mouse.click(...at);
     check(/^bezierbench replay \S+ \w+$/.test(await page.evaluate(() => window.copied)), `copied: ${await page.evaluate(() => window.copied)}`);
