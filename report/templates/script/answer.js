@@ -1,7 +1,7 @@
 // The answer: a picker over the cells of the bundle, which ranks the methods and draws them, time against error.
 
 const AXES = [["form", "form"], ["degree", "degree"], ["mode", "mode"], ["scalar", "scalar"], ["dimension", "axes"], ["where", "range"]];
-const WORTH = { yes: "✓ worth choosing", unresolved: "? perhaps", no: "beaten" };
+const WORTH = new Map([["yes", "✓ worth choosing"], ["unresolved", "? perhaps"], ["no", "beaten"]]);
 
 function useful(cell, one) {
   return one.error_u !== null && one.error_u * data.answer.roundoff[cell.scalar] <= data.answer.useless;
@@ -56,7 +56,7 @@ function fillTable(cell, methods) {
     make("tr", {}, make("th", { class: "group", scope: "row" }, make("code", {}, one.method)),
       ...(timed ? [td(`${general(one.ns)} [${general(one.low)} – ${general(one.high)}]${one.noisy ? " ~" : ""}`, one.ns)] : []),
       td(general(one.error_u), one.error_u), td(general(one.bound_u), one.bound_u),
-      ...(timed ? [td(WORTH[one.front] ?? "", one.front, one.front === "yes" ? "inside" : "")] : [])))));
+      ...(timed ? [td(WORTH.get(one.front) ?? "", one.front, one.front === "yes" ? "inside" : "")] : [])))));
   const caption = table.querySelector("caption strong");
   caption.textContent = `Methods for ${cell.words}, ${timed ? "fastest" : "least error"} first`;
   table.querySelectorAll("thead th").forEach((head) => head.removeAttribute("aria-sort"));
@@ -137,7 +137,7 @@ function picker(cell) {
   const controls = [];
   for (const [axis, label] of AXES) {
     const values = [...new Set(left.map((one) => one[axis]))].sort((a, b) => (typeof a === "number" ? a - b : 0));
-    const words = (one) => (axis === "form" ? data.answer.forms[one] ?? one : String(one));
+    const words = (one) => (axis === "form" ? new Map(Object.entries(data.answer.forms)).get(one) ?? one : String(one));
     if (values.length > 1 || ["form", "degree", "mode"].includes(axis)) {
       controls.push(choice(label, values.map((one) => [String(one), words(one)]), String(cell[axis]), (chosen) => { remember(axis, chosen); showAnswer(); focusOn(label); }));
     }

@@ -1,13 +1,14 @@
 // Tables: sort by a column, filter by method and family, another unit, copy.
 
 const UNITS = [["u", "u p~"], ["coordinate", "coordinate units"], ["ulp", "ulp"], ["relative", "relative"]];
+const roots = new Map(Object.entries(data.roots)); // ids are a bundle's: one may be called "constructor"
 const tables = [...document.querySelectorAll("main table")];
 const methodTables = tables.filter((table) => table.dataset.rows === "methods");
 
 function family(method) {
   const conversion = method.slice(0, method.lastIndexOf(":"));
   if (conversion) return `via ${conversion}`;
-  return method.startsWith("compensated_") ? "compensated" : method.startsWith("peer_") ? "other libraries" : data.roots[method] ?? method;
+  return method.startsWith("compensated_") ? "compensated" : method.startsWith("peer_") ? "other libraries" : roots.get(method) ?? method;
 }
 
 function seen(method) {
