@@ -9,6 +9,7 @@ from .wording import interval, shortest
 USELESS = 1e-3
 ROUNDOFF = {"double": 2.0 ** -53, "float": 2.0 ** -24}
 NO_TIME = "not timed"
+TYPICAL = 10  # degree
 MOST = 20_000  # candidates that the page's picker holds
 FORMS = {"bezier": "Bernstein form", "polynomial": "power form", "rational": "rational curves"}
 
@@ -110,12 +111,11 @@ def ranked(members, scalar):
 
 
 def default_cell(cells):
-    """The cell that a page shows first: Bernstein form, double, in the plane, one point at a time, of a middle degree."""
+    """The cell that a page shows first: Bernstein form, double, in the plane, one point at a time, of the degree next to TYPICAL."""
     def best(values, *wanted):
         return next((w for w in wanted if w in values), values[0])
     left = list(cells)
     for axis, wanted in (("form", ("bezier",)), ("scalar", ("double",)), ("mode", ("point",)), ("dimension", (2.0,))):
         chosen = best([getattr(c, axis) for c in left], *wanted)
         left = [c for c in left if getattr(c, axis) == chosen]
-    degrees = sorted({c.degree for c in left})
-    return next(c for c in left if c.degree == degrees[len(degrees) // 2])
+    return min(left, key=lambda c: abs(c.degree - TYPICAL))

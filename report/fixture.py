@@ -244,7 +244,8 @@ def search():
 
 def worst():
     return [dict(worst_id=f"w{i}", study=r["study"], curve=r["curve"], method=r["method"], scalar=r["scalar"], dimension=r["dimension"],
-                 degree=r["degree"], generator=r["generator"], trial=i, error_u=r["max_error_u"], **_bits(r["curve"]))
+                 degree=r["degree"], generator=r["generator"], trial=i, error_u=r["max_error_u"],
+                 **{**_bits(r["curve"]), **{c: r[c] for c in ("coordinate_range", "t_min", "t_max")}})
             for i, r in enumerate(_suites(), 1)]
 
 

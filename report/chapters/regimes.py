@@ -3,7 +3,7 @@
 
 from ..document import Heading, Text
 from ..error_tables import error_tables, swept
-from .suite_parts import figure, of_suite, replay
+from .suite_parts import figure, of_suite, replay, study_figure
 
 TITLE = "At the limits: parameters, coordinates, degrees, float, dimensions"
 SUITE = "regimes"
@@ -17,6 +17,7 @@ def blocks(bundle, findings):
     for study in table.distinct("study"):
         rows = table.select(study=study)
         yield Heading(bundle.title(study))
+        yield from study_figure(bundle, study)
         yield from error_tables(study, rows, *swept(rows))
     yield Text("u is that of the scalar: 2^-53 for double, 2^-24 for float. Means are over finite trials; where trials "
                "overflow, the finite "

@@ -9,7 +9,7 @@ from .canvas import finish, panels, styled
 from .method_lines import degree_axis, draw_methods, draw_paths, error_axis, looks, point_of, positive
 
 APART = ("curve", "scalar", "mode", "target")  # a panel for each value; over what else varies the largest value is drawn
-MOST = 16  # lines with a look of their own
+MOST = 20  # lines with a look of their own
 FAR, FARTHEST = 1e3, 1e5  # times the best, in the largest value of a line
 MOST_TICKS = 12  # places that are named
 NARROW = ("interval", "placement", "data")  # axes whose values are places side by side
@@ -72,12 +72,13 @@ def draw(bundle, study):
              for column, what in kind.measures for more, lines in _apart(_lines(part, where, axis, column, kind.method))]
     if not drawn:
         raise Missing(f"the study `{study}` has no value that a logarithmic axis can show")
-    names = list(dict.fromkeys(m for *_, lines in drawn for m in lines))
-    canvas, axes = panels(len(drawn), 1, height=max(2.6, 0.17 * min(len(names), MOST + 8)))
-    look = {m: {**style, "marker": style["marker"] or "o"} for m, style in looks(names).items()}
+    canvas, axes = panels(len(drawn), 1, height=max(2.6, 0.17 * min(max(len(lines) for *_, lines in drawn), MOST)))
     words = []
     for ax, (label, what, lines) in zip(axes[:, 0], drawn):
-        draw_methods(ax, lines, look) if len(names) <= MOST else draw_paths(ax, lines)
+        if len(lines) <= MOST:
+            draw_methods(ax, lines, {m: {**style, "marker": style["marker"] or "o"} for m, style in looks(list(lines)).items()})
+        else:
+            draw_paths(ax, lines)
         error_axis(ax)
         if side_by_side:
             named = values[::-(-len(values) // MOST_TICKS)]

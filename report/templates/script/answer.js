@@ -1,7 +1,7 @@
 // The answer: a picker over the cells of the bundle, which ranks the methods and draws them, time against error.
 
 const AXES = [["form", "form"], ["degree", "degree"], ["mode", "mode"], ["scalar", "scalar"], ["dimension", "axes"], ["where", "range"]];
-const WORTH = { yes: "✓ worth choosing", unresolved: "? perhaps", no: "beaten" };
+const WORTH = new Map([["yes", "✓ worth choosing"], ["unresolved", "? perhaps"], ["no", "beaten"]]);
 
 function useful(cell, one) {
   return one.error_u !== null && one.error_u * data.answer.roundoff[cell.scalar] <= data.answer.useless;
@@ -52,11 +52,11 @@ function fillTable(cell, methods) {
   const timed = cell.mode !== data.answer.untimed;
   const td = (text, raw, mark) => make("td", { class: mark || false, "data-v": raw === null ? false : String(raw) }, text);
   for (const body of [...table.tBodies]) body.remove();
-  table.append(...methods.map((one) => make("tbody", { class: "one", "data-key": one.method },
+  table.append(...methods.map((one) => make("tbody", { class: "one", "data-key": one.method, hidden: !seen(one.method) },
     make("tr", {}, make("th", { class: "group", scope: "row" }, make("code", {}, one.method)),
       ...(timed ? [td(`${general(one.ns)} [${general(one.low)} – ${general(one.high)}]${one.noisy ? " ~" : ""}`, one.ns)] : []),
       td(general(one.error_u), one.error_u), td(general(one.bound_u), one.bound_u),
-      ...(timed ? [td(WORTH[one.front] ?? "", one.front, one.front === "yes" ? "inside" : "")] : [])))));
+      ...(timed ? [td(WORTH.get(one.front) ?? "", one.front, one.front === "yes" ? "inside" : "")] : [])))));
   const caption = table.querySelector("caption strong");
   caption.textContent = `Methods for ${cell.words}, ${timed ? "fastest" : "least error"} first`;
   table.querySelectorAll("thead th").forEach((head) => head.removeAttribute("aria-sort"));
@@ -119,7 +119,7 @@ function draw(cell, methods) {
   dressFigure(element, series);
 }
 
-function showAnswer() {
+function showAnswer(rebuild = true) {
   const cell = chosenCell();
   const methods = ranked(cell);
   document.getElementById("answer-sentence").textContent = sentence(cell, methods);
@@ -127,7 +127,7 @@ function showAnswer() {
   draw(cell, methods);
   const narrowed = AXES.some(([axis]) => state.has(axis)) || state.has("tolerance");
   highlight(narrowed ? new Set(methods.filter((one) => one.front !== "no").map((one) => one.method)) : new Set());
-  picker(cell);
+  if (rebuild) picker(cell);
 }
 
 function picker(cell) {
@@ -137,16 +137,16 @@ function picker(cell) {
   const controls = [];
   for (const [axis, label] of AXES) {
     const values = [...new Set(left.map((one) => one[axis]))].sort((a, b) => (typeof a === "number" ? a - b : 0));
-    const words = (one) => (axis === "form" ? data.answer.forms[one] ?? one : String(one));
+    const words = (one) => (axis === "form" ? new Map(Object.entries(data.answer.forms)).get(one) ?? one : String(one));
     if (values.length > 1 || ["form", "degree", "mode"].includes(axis)) {
       controls.push(choice(label, values.map((one) => [String(one), words(one)]), String(cell[axis]), (chosen) => { remember(axis, chosen); showAnswer(); focusOn(label); }));
     }
     left = left.filter((one) => one[axis] === cell[axis]);
   }
-  const input = make("input", { inputmode: "decimal", size: 7, placeholder: "any", value: state.get("tolerance") ?? "", change: () => { remember("tolerance", input.value.trim()); showAnswer(); focusOn("tolerance"); } });
+  const input = make("input", { inputmode: "decimal", size: 7, placeholder: "any", value: state.get("tolerance") ?? "", change: () => { remember("tolerance", input.value.trim()); showAnswer(false); } });
   controls.push(make("label", {}, "tolerance ", input),
-    choice("in", [["u", "u p~"], ["coordinate", "coordinate units"]], state.get("in") ?? "u", (chosen) => { remember("in", chosen === "u" ? "" : chosen); showAnswer(); focusOn("in"); }));
-  const form = make("form", { "aria-label": "What you evaluate", submit: (event) => { event.preventDefault(); input.dispatchEvent(new Event("change")); } }, ...controls);
+    choice("in", [["u", "u p~"], ["coordinate", "coordinate units"]], state.get("in") ?? "u", (chosen) => { remember("in", chosen === "u" ? "" : chosen); showAnswer(false); }));
+  const form = make("form", { "aria-label": "What you evaluate", submit: (event) => event.preventDefault() }, ...controls);
   place.replaceChildren(form);
 }
 

@@ -1,13 +1,14 @@
 // Tables: sort by a column, filter by method and family, another unit, copy.
 
 const UNITS = [["u", "u p~"], ["coordinate", "coordinate units"], ["ulp", "ulp"], ["relative", "relative"]];
+const roots = new Map(Object.entries(data.roots)); // ids are a bundle's: one may be called "constructor"
 const tables = [...document.querySelectorAll("main table")];
 const methodTables = tables.filter((table) => table.dataset.rows === "methods");
 
 function family(method) {
   const conversion = method.slice(0, method.lastIndexOf(":"));
   if (conversion) return `via ${conversion}`;
-  return method.startsWith("compensated_") ? "compensated" : method.startsWith("peer_") ? "other libraries" : data.roots[method] ?? method;
+  return method.startsWith("compensated_") ? "compensated" : method.startsWith("peer_") ? "other libraries" : roots.get(method) ?? method;
 }
 
 function seen(method) {
@@ -134,8 +135,8 @@ function showUnit(table, unit) {
   }
   const caption = table.querySelector("caption strong");
   caption.dataset.text ??= caption.textContent;
-  const words = { u: "over u p~", coordinate: "in coordinate units", ulp: "in ulp", relative: "relative to the value" };
-  caption.textContent = caption.dataset.text.replace("over u p~", words[unit]);
+  const words = { coordinate: "in coordinate units", ulp: "in ulp", relative: "relative to the value" };
+  caption.textContent = caption.dataset.text.replace(/over u\sp~/, (found) => (unit === "u" ? found : words[unit]));
 }
 
 const withUnits = tables.filter((table) => table.dataset.units !== undefined);
@@ -171,6 +172,7 @@ function viewBar() {
     choice("family", [["", "all"], ...families.map((one) => [one, one])], state.get("family") ?? "", (chosen) => { remember("family", chosen); refresh(); }));
   if (withUnits.length) bar.append(choice("errors in", UNITS, state.get("unit") ?? "u", (chosen) => { remember("unit", chosen === "u" ? "" : chosen); showUnits(); }));
   const answer = document.getElementById("answer") ?? document.getElementById("opening");
-  answer.closest("section").after(bar);
+  if (answer) answer.closest("section").after(bar);
+  else document.querySelector("main").prepend(bar);
   if (state.get("method") || state.get("family")) filterTables();
 }
