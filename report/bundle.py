@@ -39,7 +39,8 @@ _KIND_OF_FILE = {"accuracy.csv": "accuracy", "unstable.csv": "accuracy", "conver
                  "timing.csv": "timing", "roofline.csv": "roofline", "derivative.csv": "derivative", "subdivision.csv": "subdivision",
                  "arc_length.csv": "arc_length", "arc_length_unstable.csv": "arc_length",
                  "inverse_arc_length.csv": "inverse_arc_length", "projection.csv": "projection",
-                 "projection_unstable.csv": "projection", "interpolation.csv": "interpolation", "fitting.csv": "fitting"}
+                 "projection_unstable.csv": "projection", "interpolation.csv": "interpolation", "fitting.csv": "fitting",
+                 "hard_cases.csv": "hard_cases"}
 
 
 @contextmanager

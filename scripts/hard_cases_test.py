@@ -48,6 +48,12 @@ class HardCases(unittest.TestCase):
             subprocess.run([PROGRAM, "run", ROOT / "experiments/suites/hard_cases.toml", "--out", bundle, "--quiet"], check=True)
             self.assertEqual((bundle / "hard_cases.csv").read_bytes(), TABLE.read_bytes())
             subprocess.run([PROGRAM, "verify", bundle], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run([ROOT / "scripts/report", bundle, "--out", f"{place}/report"], check=True, stdout=subprocess.DEVNULL)
+            kept = [0, 0]
+            for k, study in enumerate(("hard_cases-bezier", "hard_cases-polynomial")):
+                with open(f"{place}/report/tables/{study}-families.csv", encoding="utf-8") as table:
+                    kept[k] = sum(int(row["cases"]) for row in csv.DictReader(table))
+            self.assertEqual(sum(kept), len(rows()))  # the page counts every case
         self.assertLess(TABLE.stat().st_size, LARGEST_TABLE)
 
     def test_the_oracle_agrees(self):
