@@ -6,21 +6,32 @@ if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 set(BEZIERBENCH_PRECOMPILED <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory>
                             <optional> <random> <ranges> <set> <span> <sstream> <string> <string_view> <utility>
-                            <variant> <vector> <Eigen/Core> <Random123/philox.h> <fmt/format.h> <gmpxx.h>)
-# GCC takes a precompiled header only where the definitions that it looks at are those that it was compiled with.
-target_compile_definitions(numerics INTERFACE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
+                            <variant> <vector> <Eigen/Core>)
+# Of the packages that this build has.
+set(header_of_random123 <Random123/philox.h>)
+set(header_of_fmt::fmt <fmt/format.h>)
+set(header_of_gmp <gmpxx.h>)
+set(precompiled_packages Eigen3::Eigen)
+foreach(package random123 fmt::fmt gmp)
+  if(TARGET ${package})
+    list(APPEND precompiled_packages ${package})
+    list(APPEND BEZIERBENCH_PRECOMPILED ${header_of_${package}})
+    # GCC takes a precompiled header only where the definitions that it looks at are those that it was compiled with.
+    target_compile_definitions(numerics INTERFACE $<TARGET_PROPERTY:${package},INTERFACE_COMPILE_DEFINITIONS>)
+  endif()
+endforeach()
 # Of tests, which run for seconds and compile for minutes. Never of a library: the linker keeps one copy of a template that
 # several objects instantiate, and the one that is timed would be the less optimised.
 set(BEZIERBENCH_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
 
 add_library(precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-target_link_libraries(precompiled PUBLIC numerics PRIVATE Eigen3::Eigen fmt::fmt gmp random123)
+target_link_libraries(precompiled PUBLIC numerics PRIVATE ${precompiled_packages})
 target_precompile_headers(precompiled PRIVATE ${BEZIERBENCH_PRECOMPILED})
 
 if(BEZIERBENCH_TESTS)
   add_library(precompiled_tests OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-  target_link_libraries(precompiled_tests PUBLIC numerics GTest::gmock PRIVATE Eigen3::Eigen fmt::fmt gmp random123)
+  target_link_libraries(precompiled_tests PUBLIC numerics GTest::gmock PRIVATE ${precompiled_packages})
   target_compile_options(precompiled_tests PRIVATE ${BEZIERBENCH_TEST_OPTIONS})
   target_precompile_headers(precompiled_tests PRIVATE ${BEZIERBENCH_PRECOMPILED} <gmock/gmock.h> <gtest/gtest.h>)
 endif()

@@ -158,7 +158,7 @@ BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel) {
   static const auto all = all_known<Scalar>(Families());
   const auto& table = table_of<Scalar>(target);
   for (const auto& entry : all) {
-    const bool is_rational = entry.rational == kernel.evaluator;
+    const bool is_rational = entry.rational != nullptr && entry.rational == kernel.evaluator;
     if (entry.evaluator != kernel.evaluator && !is_rational) continue;
     const auto& family = *table.families[entry.family];
     if (entry.place >= family.count) return {};

@@ -7,7 +7,7 @@
 
 #include "core/convert/roster.hpp"
 #include "core/evaluate/kernel_of.hpp"
-#include "core/evaluate/point_families.hpp"
+#include "core/evaluate/points/point_families.hpp"
 #include "core/evaluate/roster.hpp"
 #include "core/evaluate/via.hpp"
 

@@ -6,7 +6,7 @@
 #include <new>
 #include <type_traits>
 
-#include "core/evaluate/axes.hpp"
+#include "core/evaluate/points/axes.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/kernel.hpp"
 

@@ -10,8 +10,8 @@
 #include <type_traits>
 
 #include "core/evaluate/evaluation_test.hpp"
-#include "core/evaluate/point_families.hpp"
-#include "core/evaluate/point_kernel.hpp"
+#include "core/evaluate/points/point_families.hpp"
+#include "core/evaluate/points/point_kernel.hpp"
 #include "core/evaluate/roster.hpp"
 
 namespace bezierbench {

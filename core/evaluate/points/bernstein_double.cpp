@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/evaluate/points.hpp"
+#include "core/evaluate/points/points.hpp"
 
 namespace bezierbench::instantiate {
 

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/evaluate/axes_curve.hpp"
-#include "core/evaluate/axes_triangle.hpp"
+#include "core/evaluate/points/axes_curve.hpp"
+#include "core/evaluate/points/axes_triangle.hpp"
 #include "core/evaluate/kernel_of.hpp"
 
 namespace bezierbench::instantiate {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/evaluate/axes.hpp"
+#include "core/evaluate/points/axes.hpp"
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-#include "core/evaluate/axes_curve.hpp"
+#include "core/evaluate/points/axes_curve.hpp"
 
 namespace bezierbench {
 

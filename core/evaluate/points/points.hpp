@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "core/evaluate/point_families.hpp"
-#include "core/evaluate/point_kernel.hpp"
+#include "core/evaluate/points/point_families.hpp"
+#include "core/evaluate/points/point_kernel.hpp"
 
 namespace bezierbench::instantiate {
 
