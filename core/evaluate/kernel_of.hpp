@@ -6,9 +6,9 @@
 #include <new>
 #include <type_traits>
 
-#include "core/evaluate/points/axes.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/kernel.hpp"
+#include "core/evaluate/points/axes.hpp"
 
 namespace bezierbench::instantiate {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/evaluate/points/axes.hpp"
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/points/axes.hpp"
 
 namespace bezierbench {
 

@@ -9,9 +9,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/evaluate/kernel_of.hpp"
 #include "core/evaluate/points/axes_curve.hpp"
 #include "core/evaluate/points/axes_triangle.hpp"
-#include "core/evaluate/kernel_of.hpp"
 
 namespace bezierbench::instantiate {
 
