@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """How near times come to the least that the processor could take, and which orders of speed would hold there."""
 
+from . import schema
 from .document import Bullets, Text
 from .wording import count, general, listing, percent, shortest, span
 
 HALF = 0.5  # of the limit, which a coding is asked to reach
 SHOWN = 8  # pairs of methods that a sentence names
-RACE = "scalar dimension degree mode target coordinate_range t_min t_max generator".split()
 
 
 def limited(rows):
@@ -72,12 +72,19 @@ def _chain(rows):
     return f" (its chain of dependent operations takes {span(min(factors), max(factors), lambda v: general(v, 2))} times the limit)"
 
 
+def _race(row):
+    """What tells the races of a table apart: its keys but the method, and the instruction set of a roofline."""
+    method = schema.table(row.file)["method"]
+    keys = [column for column, declared in schema.columns(row.file).items() if declared.get("key") and column != method]
+    return tuple(row[column] for column in (*keys, "target"))
+
+
 def orders(rows):
     """({pairs of methods: rows of both} whose order at the limits is that of the times, likewise those of which it is not), of the
     pairs of one race whose intervals are apart."""
     races, kept, turned = {}, {}, {}
     for row in limited(rows):
-        races.setdefault(tuple(row[c] for c in RACE), []).append(row)
+        races.setdefault(_race(row), []).append(row)
     for race in races.values():
         for first in race:
             for second in race:

@@ -178,7 +178,8 @@ TEST(Batch, UsesEveryTargetThatThisProcessorHas) {
   EXPECT_EQ(usable_targets(), usable);
 }
 
-/// The last values are worked out in the type of the chains: no step of any of them is left out.
+/// Every chain ends in the value that all of its steps, taken in its scalar type, lead to. A chain that the compiler
+/// shortened would end in another one.
 template <class Scalar>
 void expect_work(const OperationWork<Scalar>& work) {
   const auto [chains, beside] = work.chains;

@@ -169,8 +169,8 @@ TEST(BlossomSplit, GivesTheBitsOfDeCasteljau) {
       }
 }
 
-/// At t = 1 the method computes 1 + (2^-60 - 1) = 0, where the truth and p~ are 2^-60: the error is 2^53 u p~, but
-/// below u max |b_j|.
+/// At t = 1 the true point is b_1 = 2^-60, and p~ is the same. The method computes 1 + (2^-60 - 1) = 0. This error is
+/// 2^53 u p~, but less than u max |b_j|.
 TEST(LerpSplit, MayMissThePointByFarMoreThanUTimesPTilde) {
   const std::vector<double> c{1, 0x1p-60};
   const CurveView<double> curve{Form::bernstein, 1, 1, c};

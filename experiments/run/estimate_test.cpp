@@ -26,7 +26,8 @@ struct Nothing {
   void merge(const Nothing& /*other*/) {}
 };
 
-/// A replicate is a block and keeps the processor busy for its trials; in the first one, audited trials take longer.
+/// A job that computes for a fixed time per trial. A block is one replicate. The audited trials, which the first
+/// replicate has, take longer.
 class Busy final : public JobOf<Nothing> {
  public:
   Busy(const suite::Study& study, const JobContext& context)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "experiments/metric/observed_error.hpp"
+#include "experiments/metric/trial_scale.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
 #include "experiments/tables/judged_tables.hpp"
@@ -41,7 +42,8 @@ std::map<JudgedCell, double> observed_errors(const Tables& tables) {
 }
 
 double unit_roundoff_of(const TableRow& row) {
-  return row.text("scalar") == suite::name(suite::ScalarKind::float32) ? 0x1p-24 : 0x1p-53;
+  const bool in_float = row.text("scalar") == suite::name(suite::ScalarKind::float32);
+  return (in_float ? metric::float_arithmetic : metric::double_arithmetic).unit_roundoff;
 }
 
 }  // namespace

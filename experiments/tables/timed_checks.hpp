@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Holds the timed points of methods without a proved bound to what accuracy studies saw of the same cells.
+// The check of timed methods without a proved bound: their largest error is compared with the largest error that the
+// accuracy studies of the same bundle have in the same cell.
 #pragma once
 
 #include "experiments/tables/tables.hpp"

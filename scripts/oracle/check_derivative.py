@@ -4,12 +4,10 @@
 
 check_derivative.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
-import argparse
 import csv
 import math
 import random
 import sys
-import tempfile
 from fractions import Fraction
 from pathlib import Path
 
@@ -100,21 +98,11 @@ class Judge(check_eval.Judge):
             self.compare(printed == [list(value)] * len(printed), "worked", lambda p=printed, k=order: f"order {k}: {p}")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("program", type=Path)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        judge = Judge(options.program.resolve(), Path(folder))
-        judge.judge_worked()
-        for number, (case, orders) in enumerate(cases(options.seed)):
-            judge.judge_orders(number, case, orders)
-    for line in judge.mismatches[:check_eval.SHOWN]:
-        print(line)
-    print(f"oracle: {judge.comparisons} comparisons, {len(judge.mismatches)} mismatches")
-    return 1 if judge.mismatches else 0
+def judge_all(judge, seed):
+    judge.judge_worked()
+    for number, (case, orders) in enumerate(cases(seed)):
+        judge.judge_orders(number, case, orders)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(check_eval.main(__doc__, Judge, judge_all))

@@ -348,8 +348,14 @@ def close(a, b):
     return a == b or abs(a - b) <= 1e-9 * abs(b) or abs(a - b) <= 4 * TINY
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def judge_all(judge, seed):
+    for number, case in enumerate(cases(seed)):
+        judge.judge(number, case)
+
+
+def main(description, judge_class, judge_all_of):
+    """Has judge_all_of(judge, seed) judge the program of the command line: 1, to exit with, where anything does not match."""
+    parser = argparse.ArgumentParser(description=description.splitlines()[0])
     parser.add_argument("program", type=Path)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=Path, help="leave the curve files in this folder")
@@ -357,9 +363,8 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         folder = options.keep or Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
-        judge = Judge(options.program.resolve(), folder)
-        for number, case in enumerate(cases(options.seed)):
-            judge.judge(number, case)
+        judge = judge_class(options.program.resolve(), folder)
+        judge_all_of(judge, options.seed)
     for line in judge.mismatches[:SHOWN]:
         print(line)
     for kind, count in judge.kinds.most_common():
@@ -369,4 +374,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(__doc__, Judge, judge_all))

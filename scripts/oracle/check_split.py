@@ -7,11 +7,9 @@ these are c_i to c_n. For a rational curve the points (w c, w) are split and the
 
 check_split.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
-import argparse
 import csv
 import random
 import sys
-import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
@@ -84,20 +82,10 @@ class Judge(check_eval.Judge):
                 self.judge_row(case, {**row, "t": t}, *right[row["half"], int(row["index"]), row["axis"]])
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("program", type=Path)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
-        judge = Judge(options.program.resolve(), Path(folder))
-        for number, case in enumerate(cases(options.seed)):
-            judge.judge_split(number, case)
-    for line in judge.mismatches[:check_eval.SHOWN]:
-        print(line)
-    print(f"oracle: {judge.comparisons} comparisons, {len(judge.mismatches)} mismatches")
-    return 1 if judge.mismatches else 0
+def judge_all(judge, seed):
+    for number, case in enumerate(cases(seed)):
+        judge.judge_split(number, case)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(check_eval.main(__doc__, Judge, judge_all))

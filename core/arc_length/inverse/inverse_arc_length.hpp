@@ -12,7 +12,7 @@ namespace bezierbench {
 
 /// Let s(t) be the integral of |h| over [0, t], h the hodograph of a curve. A method returns t in [0, 1] such that the
 /// error |s(t) - target| is at most tolerance s(1). Its hodograph is not 0 and is scaled as for ArcLengthMethod.
-/// `target` is finite; for one below 0 or above s(1), as a rounded s(1) may be, the nearest end is the answer. The
+/// `target` is finite. A target below 0 gives t = 0, and one above s(1), as a rounded s(1) may be, gives t = 1. The
 /// tolerance applies to the length, not to t: where the speed is 0, the error of the length does not bound that of t.
 template <class M>
 concept InverseArcLengthMethod = requires(const Curve<Form::bernstein, double, 2>& hodograph, double target,
