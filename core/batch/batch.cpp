@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <type_traits>
 
 #include "core/batch/roster.hpp"
@@ -54,18 +55,14 @@ Parts<Scalar> parts_of(const void* prepared) {
     return {state.scaled.degree(), state.scaled.data(), state.lost.data(), state.given.data(), state.rounding.data()};
   else if constexpr (requires { state.high; })
     return {state.degree(), state.high.data(), state.low.data()};
-  else if constexpr (requires { state.lost; })
-    return {state.scaled.degree(), state.scaled.data(), state.lost.data()};
-  else if constexpr (requires { state.scaled; })
-    return {state.scaled.degree(), state.scaled.data()};
-  else if constexpr (requires { state.binomial; })
-    return {state.curve.degree(), state.curve.data(), state.binomial.data()};
-  else if constexpr (requires { state.ball; })
-    return {state.ball.degree(), state.ball.data()};
   else if constexpr (requires { state.nodes; })
     return {state.values.degree(), state.values.data(), state.nodes.data(), state.weights.data()};
-  else if constexpr (requires { state.ratios; })
-    return {state.points.degree(), state.points.data(), state.ratios.data()};
+  else if constexpr (requires { state.parts(); })
+    return std::apply(
+        [](const auto& curve, const auto&... further) {
+          return Parts<Scalar>{curve.degree(), curve.data(), further.data()...};
+        },
+        state.parts());
   else if constexpr (requires { state.weights; })
     return {state.degree(), state.points.data(), state.weights.data()};
   else
