@@ -17,9 +17,9 @@ Real largest(const std::vector<Real>& values) {
   return result;
 }
 
-/// A bound of what rounding adds to the length of the part. Each step of de Casteljau's algorithm rounds a coordinate by
-/// at most 4 units of the convex combination of magnitudes, which `largest_size` bounds. The quotient from / to, at which
-/// the curve is cut the second time, is rounded as well: this moves the beginning of the part.
+/// A bound of what rounding adds to the length of the part. Each step of de Casteljau's algorithm rounds a coordinate
+/// by at most 4 units of the convex combination of magnitudes, which `largest_size` bounds. The quotient from / to, at
+/// which the curve is cut the second time, is rounded as well: this moves the beginning of the part.
 template <class Real>
 Real rounding_of_part(const Hodograph<Real>& h, const Real& largest_size, double from, double to) {
   const Real unit = Precision<Real>::unit();
