@@ -1,0 +1,144 @@
+#!/usr/bin/python3 -I
+# SPDX-License-Identifier: MIT
+"""The record of what the shipped suites found: a bundle of each in results/atlas, its page in report/atlas.
+
+atlas.py suites PROGRAM        prints the ids of the suites that belong here
+atlas.py pages [SUITE ...]     renders the pages of the bundles (all of them) and the index
+atlas.py check PROGRAM         verifies every bundle, and that each has its page, the index names them all, and their size is
+                               within the limit; exit 1 where one of these fails
+atlas.py sample PROGRAM DIR    runs one deterministic study of every suite into DIR and compares it with the bundle, method by
+                               method and bit for bit; exit 1 where rows are missing or differ
+
+A page is Markdown with figures in SVG, which a browser shows where the repository lies. The page with controls, report.html, is made
+by `scripts/report results/atlas/SUITE`.
+"""
+import csv
+import io
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parent.parent))
+sys.dont_write_bytecode = True  # the source tree may be read-only
+from report.bundle import Bundle  # noqa: E402
+from report.chapters import opening  # noqa: E402
+from report.findings.roster import find_all  # noqa: E402
+from report.inline import to_plain  # noqa: E402
+from scripts.digests import Agreement  # noqa: E402
+
+ROOT = Path(__file__).resolve().parent.parent
+BUNDLES = ROOT / "results/atlas"
+PAGES = ROOT / "report/atlas"
+INDEX = PAGES / "README.md"
+ELSEWHERE = {"report": "../baseline/report.md", "hard_cases": "../../results/hard_cases/README.md"}  # committed there
+MOST_BYTES = 12 * 2**20  # of all bundles and pages together
+
+
+def shipped(program):
+    """The ids of the suites that the program comes with and that belong here."""
+    text = subprocess.run([program, "list", "suites", "--format", "csv"], check=True, capture_output=True, text=True).stdout
+    return [row["id"] for row in csv.DictReader(io.StringIO(text)) if row["id"] not in ELSEWHERE]
+
+
+def recorded():
+    return sorted(path.name for path in BUNDLES.iterdir() if (path / "bundle.json").exists()) if BUNDLES.exists() else []
+
+
+def render(suite):
+    """The page and figures of a suite's bundle, and nothing else, in report/atlas."""
+    with tempfile.TemporaryDirectory() as place:
+        out = Path(place) / "page"
+        subprocess.run([ROOT / "scripts/report", BUNDLES / suite, "--out", out], check=True, stdout=subprocess.DEVNULL)
+        page = PAGES / suite
+        shutil.rmtree(page, ignore_errors=True)
+        (page / "figures").mkdir(parents=True)
+        shutil.copy(out / "report.md", page / "README.md")
+        for figure in sorted((out / "figures").glob("*.svg")):
+            shutil.copy(figure, page / "figures")
+
+
+def index():
+    """The text of the index: what each suite asks, what it found, and how it was judged."""
+    lines = ["<!-- written by scripts/atlas.py -->", "# What the suites found", "",
+             "One bundle of every shipped suite, recorded on one machine, with its page. Accuracy is the same everywhere, bit for "
+             "bit; times are those of the machine that the page names. Sentences are computed from the bundles.", ""]
+    for suite in recorded():
+        bundle = Bundle(BUNDLES / suite)
+        tiles = {tile.label: tile for block in opening.blocks(bundle, None) for tile in getattr(block, "items", ())}
+        title = bundle.suites.get(suite) or suite
+        lines += [f"## [{title}]({suite}/README.md)", "",
+                  f"Suite `{suite}`: {tiles['judged'].value} {tiles['judged'].note}; violations: {tiles['violations'].value}; "
+                  f"noise: {tiles['noise'].value}. [Bundle](../../results/atlas/{suite}).", ""]
+        found, _ = find_all(bundle)
+        lines += [f"- {to_plain(finding.headline)}" for finding in found if finding.suite == suite]
+        lines.append("")
+    lines += ["## Elsewhere", ""] + [f"- [`{suite}`]({place})" for suite, place in ELSEWHERE.items()]
+    return "\n".join(lines) + "\n"
+
+
+def faults(program):
+    """A line for each thing that is not as it should be."""
+    here = recorded()
+    for suite in shipped(program):
+        if suite not in here:
+            yield f"suite {suite}: no bundle in results/atlas; make it with scripts/check atlas --update {suite}"
+    for suite in here:
+        verified = subprocess.run([program, "verify", BUNDLES / suite], capture_output=True, text=True)
+        if verified.returncode != 0:
+            yield f"results/atlas/{suite}: {(verified.stdout + verified.stderr).strip()}"
+        if not (PAGES / suite / "README.md").exists():
+            yield f"report/atlas/{suite}: no page; make it with scripts/atlas.py pages {suite}"
+    if here and INDEX.read_text(encoding="utf-8") != index():
+        yield "report/atlas/README.md is not what the bundles say; make it anew with scripts/atlas.py pages"
+    size = sum(path.stat().st_size for folder in (BUNDLES, PAGES) for path in folder.rglob("*") if path.is_file())
+    if size > MOST_BYTES:
+        yield f"results/atlas and report/atlas hold {size / 2**20:.1f} MiB, more than {MOST_BYTES / 2**20:g}"
+
+
+def sampled_study(bundle):
+    """The first study whose rows are digested; None in a bundle of times alone."""
+    with open(bundle / "digests.csv", newline="", encoding="utf-8") as file:
+        return next((row["study"] for row in csv.DictReader(file)), None)
+
+
+def sample(program, place):
+    """Whether one study of every suite comes out as recorded."""
+    holds = True
+    for suite in recorded():
+        study = sampled_study(BUNDLES / suite)
+        if study is None:
+            continue
+        fresh = Path(place) / suite
+        shutil.rmtree(fresh, ignore_errors=True)
+        subprocess.run([program, "run", ROOT / f"experiments/suites/{suite}.toml", "--only", study, "--no-timing", "--quiet", "--out", fresh],
+                       check=True)
+        found = Agreement(BUNDLES / suite, fresh, {study})
+        holds &= found.holds()
+        print(f"{suite}, study {study}: {found.counts()}", *found.named(), sep="\n", flush=True)
+    return holds
+
+
+def main(arguments):
+    match arguments:
+        case ["suites", program]:
+            print(*shipped(Path(program).resolve()), sep="\n")
+        case ["pages", *suites]:
+            for suite in suites or recorded():
+                render(suite)
+            PAGES.mkdir(exist_ok=True)
+            INDEX.write_text(index(), encoding="utf-8")
+        case ["check", program]:
+            found = list(faults(Path(program).resolve()))
+            print(*(found or ["the atlas is whole"]), sep="\n")
+            return 1 if found else 0
+        case ["sample", program, place]:
+            return 0 if sample(Path(program).resolve(), place) else 1
+        case _:
+            sys.exit(__doc__)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
