@@ -13,7 +13,7 @@ from pathlib import Path
 # The longest folder that contains a file decides.
 TABLE = {
     "core": ([], ["Eigen", "Highway"]),
-    "reference": (["core/curve_view.hpp", "core/error_free.hpp"], ["Boost.Multiprecision", "GMP/MPFR", "Highway"]),
+    "reference": (["core/curve_view.hpp", "core/api/control_points.hpp", "core/error_free.hpp"], ["Boost.Multiprecision", "GMP/MPFR", "Highway"]),
     "experiments": ([], []),
     "experiments/number": ([], []),
     "experiments/suite": (["core/curve_view.hpp", "core/method.hpp"], ["toml++"]),
