@@ -8,11 +8,12 @@
 #pragma once
 
 #include "core/basis/binomial_table.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/convert/conversion.hpp"
 
 namespace bezierbench {
 
-struct Differences {
+struct Differences : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "differences",
       .label = "Forward differences",
@@ -33,14 +34,14 @@ struct Differences {
   static constexpr Form target = Form::power;
 
   template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power, Scalar, Dimension, Degree> convert(
+  static Curve<Form::power, Scalar, Dimension, computed_degree<Degree>> convert(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& b) {
     const int n = b.degree();
-    const BinomialRow<Scalar, Degree> binomial(n);
-    Curve<Form::bernstein, Scalar, Dimension, Degree> difference(n);
+    const BinomialRow<Scalar, computed_degree<Degree>> binomial(n);
+    Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> difference(n);
     for (int i = 0; i <= n; ++i)
       for (int axis = 0; axis < Dimension; ++axis) difference(axis, i) = b(axis, i);
-    Curve<Form::power, Scalar, Dimension, Degree> q(n);
+    Curve<Form::power, Scalar, Dimension, computed_degree<Degree>> q(n);
     for (int j = 0; j <= n; ++j) {
       for (int axis = 0; axis < Dimension; ++axis) q(axis, j) = binomial[j] * difference(axis, 0);
       for (int i = 0; i < n - j; ++i)

@@ -11,11 +11,12 @@
 #pragma once
 
 #include "core/basis/binomial_table.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/convert/conversion.hpp"
 
 namespace bezierbench {
 
-struct DifferencesCentered {
+struct DifferencesCentered : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "differences_centered",
       .label = "Differences about t = 1/2",
@@ -35,13 +36,15 @@ struct DifferencesCentered {
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 
   template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power_centered, Scalar, Dimension, Degree> convert(
+  static Curve<Form::power_centered, Scalar, Dimension, computed_degree<Degree>> convert(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& b) {
     const int n = b.degree();
-    const BinomialRow<Scalar, Degree> binomial(n);
+    const BinomialRow<Scalar, computed_degree<Degree>> binomial(n);
     const Scalar half = Scalar(1) / Scalar(2);
-    auto difference = b;
-    Curve<Form::power_centered, Scalar, Dimension, Degree> q(n);
+    Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> difference(n);
+    for (int i = 0; i <= n; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) difference(axis, i) = b(axis, i);
+    Curve<Form::power_centered, Scalar, Dimension, computed_degree<Degree>> q(n);
     for (int j = 0; j <= n; ++j) {
       auto midpoint = difference;
       for (int level = 1; level <= n - j; ++level)

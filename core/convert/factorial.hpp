@@ -9,11 +9,12 @@
 #pragma once
 
 #include "core/basis/factorial.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/convert/conversion.hpp"
 
 namespace bezierbench {
 
-struct Factorial {
+struct Factorial : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "factorial",
       .label = "Factorial quotients",
@@ -35,11 +36,11 @@ struct Factorial {
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 
   template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::power, Scalar, Dimension, Degree> convert(
+  static Curve<Form::power, Scalar, Dimension, computed_degree<Degree>> convert(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& b) {
     const int n = b.degree();
-    const auto factorial = factorials<Scalar, Degree>(n);
-    Curve<Form::power, Scalar, Dimension, Degree> q(n);
+    const auto factorial = factorials<Scalar, computed_degree<Degree>>(n);
+    Curve<Form::power, Scalar, Dimension, computed_degree<Degree>> q(n);
     for (int j = 0; j <= n; ++j) {
       Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
       for (int i = 0; i <= j; ++i) {

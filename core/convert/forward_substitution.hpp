@@ -15,11 +15,12 @@
 
 #include "core/basis/amplification.hpp"
 #include "core/basis/factorial.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/convert/conversion.hpp"
 
 namespace bezierbench {
 
-struct ForwardSubstitution {
+struct ForwardSubstitution : SameForEveryAxis {
   static constexpr double bound_factor(int n, double u) {
     const double once = gamma_over_u(n + 5 + 4 * factorial_roundings(n, u), u);
     const bool first_order_holds = once * u * integer_power(5.0 / 3.0, n) <= 0.1;
@@ -46,11 +47,11 @@ struct ForwardSubstitution {
   static constexpr double coefficient_growth(int n) { return (n + 1) * integer_power(3.0, n); }
 
   template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(
+  static Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> convert(
       const Curve<Form::power, Scalar, Dimension, Degree>& q) {
     const int n = q.degree();
-    const auto factorial = factorials<Scalar, Degree>(n);
-    Curve<Form::bernstein, Scalar, Dimension, Degree> b(n);
+    const auto factorial = factorials<Scalar, computed_degree<Degree>>(n);
+    Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> b(n);
     for (int i = 0; i <= n; ++i) {
       Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
       for (int k = 0; k < i; ++k) {

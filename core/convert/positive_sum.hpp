@@ -10,11 +10,12 @@
 #pragma once
 
 #include "core/basis/binomial_table.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/convert/conversion.hpp"
 
 namespace bezierbench {
 
-struct PositiveSum {
+struct PositiveSum : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "positive_sum",
       .label = "Positive sum",
@@ -36,16 +37,21 @@ struct PositiveSum {
   static constexpr Form target = Form::bernstein;
 
   template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(
+  static Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> convert(
       const Curve<Form::power, Scalar, Dimension, Degree>& q) {
     const int n = q.degree();
-    const BinomialRow<Scalar, Degree> of_n(n);
-    Curve<Form::bernstein, Scalar, Dimension, Degree> b(n);
+    const BinomialRow<Scalar, computed_degree<Degree>> of_n(n);
+    Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> b(n);
     for (int i = 0; i <= n; ++i) {
-      double of_i = 1;  // C(i, j), updated along the row
+      const bool tabulated = i <= exact_binomial_degree;
+      const double* exact = detail::binomial_table<double>.data() + (tabulated ? detail::entries_before(i) : 0);
+      double of_i = 1;  // C(i, j)
       Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
       for (int j = 0; j <= i; ++j) {
-        if (j > 0) of_i = of_i * (i - j + 1) / j;
+        if (tabulated)
+          of_i = exact[j];
+        else if (j > 0)
+          of_i = of_i * (i - j + 1) / j;
         const SharedBy<Scalar> weight = static_cast<SharedBy<Scalar>>(of_i) / of_n[j];
         for (int axis = 0; axis < Dimension; ++axis) sum[axis] += weight * q(axis, j);
       }

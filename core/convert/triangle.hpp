@@ -9,11 +9,12 @@
 #pragma once
 
 #include "core/basis/binomial_table.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/convert/conversion.hpp"
 
 namespace bezierbench {
 
-struct Triangle {
+struct Triangle : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "triangle",
       .label = "Additive triangle",
@@ -34,11 +35,11 @@ struct Triangle {
   static constexpr Form target = Form::bernstein;
 
   template <class Scalar, int Dimension, int Degree>
-  static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(
+  static Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> convert(
       const Curve<Form::power, Scalar, Dimension, Degree>& q) {
     const int n = q.degree();
-    const BinomialRow<Scalar, Degree> binomial(n);
-    Curve<Form::bernstein, Scalar, Dimension, Degree> b(n);
+    const BinomialRow<Scalar, computed_degree<Degree>> binomial(n);
+    Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> b(n);
     for (int j = 0; j <= n; ++j)
       for (int axis = 0; axis < Dimension; ++axis) b(axis, j) = q(axis, j) / binomial[j];
     for (int k = 1; k <= n; ++k)

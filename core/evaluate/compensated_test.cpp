@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/basis/binomial_pairs.hpp"
 #include "core/convert/exact.hpp"
 #include "core/evaluate/compensated_de_casteljau.hpp"
 #include "core/evaluate/compensated_de_casteljau_k3.hpp"

@@ -17,8 +17,9 @@
 #include <tuple>
 
 #include "core/basis/amplification.hpp"
-#include "core/basis/binomial.hpp"
+#include "core/basis/binomial_pairs.hpp"
 #include "core/basis/integer_power.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/error_free.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
@@ -36,7 +37,7 @@ constexpr CorrectedPair operator*(const CorrectedPair& a, const CorrectedPair& b
   return {a.k + b.k + 1, a.q + b.q + a.k * b.k + 3 * (a.k + b.k) + 1};
 }
 
-struct CompensatedVolkSchumaker {
+struct CompensatedVolkSchumaker : SameForEveryAxis {
   /// A power by squaring, base.error included: result.value + result.error = base^exponent but for second order.
   template <class Scalar>
   static Expansion2<Scalar> power(const Expansion2<Scalar>& base, int exponent) {
@@ -94,11 +95,12 @@ struct CompensatedVolkSchumaker {
   };
 
   template <class Scalar, int Dimension, int Degree>
-  static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+  static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    constexpr int computed = computed_degree<Degree>;
     const int n = curve.degree();
-    const auto binomial = binomial_pairs<Scalar, Degree>(n);
-    using Coefficients = Curve<Form::bernstein, Scalar, Dimension, Degree>;
-    Prepared<Scalar, Dimension, Degree> prepared{Coefficients(n), Coefficients(n)};
+    const auto binomial = binomial_pairs<Scalar, computed>(n);
+    using Coefficients = Curve<Form::bernstein, Scalar, Dimension, computed>;
+    Prepared<Scalar, Dimension, computed> prepared{Coefficients(n), Coefficients(n)};
     for (int i = 0; i <= n; ++i)
       for (int axis = 0; axis < Dimension; ++axis) {
         const auto scaled = two_prod<Scalar>(binomial.high[i], curve(axis, i));

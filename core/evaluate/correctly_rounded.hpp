@@ -33,7 +33,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "core/basis/binomial.hpp"
+#include "core/basis/binomial_pairs.hpp"
 #include "core/basis/integer_power.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
 #include "core/evaluate/correctly_rounded_pair.hpp"

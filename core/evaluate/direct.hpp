@@ -13,11 +13,12 @@
 
 #include "core/basis/amplification.hpp"
 #include "core/basis/factorial.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {
 
-struct Direct {
+struct Direct : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "direct",
       .label = "Direct (Bernstein sum)",
@@ -47,10 +48,11 @@ struct Direct {
   };
 
   template <class Scalar, int Dimension, int Degree>
-  static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+  static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    constexpr int computed = computed_degree<Degree>;
     const int n = curve.degree();
-    const auto factorial = factorials<Scalar, Degree>(n);
-    Prepared<Scalar, Dimension, Degree> prepared{working_copy(curve), per_coefficient<SharedBy<Scalar>, Degree>(n)};
+    const auto factorial = factorials<Scalar, computed>(n);
+    Prepared<Scalar, Dimension, computed> prepared{working_copy(curve), per_coefficient<SharedBy<Scalar>, computed>(n)};
     for (int i = 0; i <= n; ++i) prepared.binomial[i] = factorial[n] / (factorial[i] * factorial[n - i]);
     return prepared;
   }

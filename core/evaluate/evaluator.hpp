@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 
@@ -46,8 +47,8 @@ using PreparedRow = typename PreparedRowType<Scalar, Degree>::Type;
 
 /// A copy of coefficients, or of values that belong to them, which a method may overwrite.
 template <Form F, class Scalar, int Dimension, int Degree>
-Curve<F, Scalar, Dimension, Degree> working_copy(const Curve<F, Scalar, Dimension, Degree>& curve) {
-  Curve<F, Scalar, Dimension, Degree> copy(curve.degree());
+Curve<F, Scalar, Dimension, computed_degree<Degree>> working_copy(const Curve<F, Scalar, Dimension, Degree>& curve) {
+  Curve<F, Scalar, Dimension, computed_degree<Degree>> copy(curve.degree());
   for (int i = 0; i <= curve.degree(); ++i)
     for (int axis = 0; axis < Dimension; ++axis) copy(axis, i) = curve(axis, i);
   return copy;

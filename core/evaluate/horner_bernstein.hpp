@@ -13,11 +13,12 @@
 
 #include "core/basis/amplification.hpp"
 #include "core/basis/binomial_table.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {
 
-struct HornerBernstein {
+struct HornerBernstein : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "horner_bernstein",
       .label = "Horner-Bernstein",
@@ -43,10 +44,11 @@ struct HornerBernstein {
   };
 
   template <class Scalar, int Dimension, int Degree>
-  static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+  static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    constexpr int computed = computed_degree<Degree>;
     const int n = curve.degree();
-    const BinomialRow<Scalar, Degree> binomial(n);
-    Prepared<Scalar, Dimension, Degree> prepared{Curve<Form::bernstein, Scalar, Dimension, Degree>(n)};
+    const BinomialRow<Scalar, computed> binomial(n);
+    Prepared<Scalar, Dimension, computed> prepared{Curve<Form::bernstein, Scalar, Dimension, computed>(n)};
     for (int i = 0; i <= n; ++i) {
       Point<Scalar, Dimension> scaled;
       for (int axis = 0; axis < Dimension; ++axis) scaled[axis] = curve(axis, i) * binomial[i];

@@ -10,11 +10,12 @@
 #pragma once
 
 #include "core/basis/fused.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
 
 namespace bezierbench {
 
-struct HornerBernsteinFma {
+struct HornerBernsteinFma : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "horner_bernstein_fma",
       .label = "Horner-Bernstein, fused",

@@ -16,7 +16,7 @@ namespace bezierbench::instantiate {
 template <Conversion C, class Scalar, int Dimension>
 constexpr ConversionKernel<Scalar> conversion_kernel() {
   return {&C::info, Dimension, [](const CurveView<Scalar>& view, Scalar* coefficients) {
-            const auto converted = C::convert(load<C::info.form, Dimension>(view));
+            const auto converted = convert<C, Dimension>(view);
             for (int i = 0; i <= view.degree; ++i)
               for (int axis = 0; axis < Dimension; ++axis) *coefficients++ = converted(axis, i);
           }};

@@ -6,9 +6,10 @@
 #include <new>
 #include <type_traits>
 
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/kernel.hpp"
-#include "core/evaluate/points/axes.hpp"
+#include "core/evaluate/points/axes_conversion.hpp"
 
 namespace bezierbench::instantiate {
 
@@ -51,6 +52,36 @@ concept Path = requires {
   typename E::First;
 };
 
+/// True where what a method does once per curve can be done for all axes at once.
+template <class E>
+constexpr bool prepares_all_axes() {
+  if constexpr (Path<E>)
+    return IsSameForEveryAxis<typename E::First> &&
+           (PreparesNothing<typename E::Second> || IsSameForEveryAxis<typename E::Second>);
+  else
+    return IsSameForEveryAxis<E>;
+}
+
+/// What the method prepares for a curve.
+template <class E, int Dimension, class Scalar>
+PreparedOf<E, Scalar, Dimension> prepare(const CurveView<Scalar>& view) {
+  if constexpr (Path<E> && prepares_all_axes<E>())
+    return as_points<Dimension>(E::prepare(axes_of<E::info.form, Dimension>(view)));
+  else if constexpr (prepares_all_axes<E>())
+    return E::prepare(Curve<E::info.form, Scalar, Dimension, viewed>(view.coefficients.data(), view.degree));
+  else
+    return E::prepare(load<E::info.form, Dimension>(view));
+}
+
+/// The curve in the other form.
+template <class C, int Dimension, class Scalar>
+Curve<C::target, Scalar, Dimension> convert(const CurveView<Scalar>& view) {
+  if constexpr (IsSameForEveryAxis<C>)
+    return as_points<Dimension>(C::convert(axes_of<C::info.form, Dimension>(view)));
+  else
+    return C::convert(load<C::info.form, Dimension>(view));
+}
+
 template <class E>
 constexpr const MethodInfo* evaluator() {
   if constexpr (Path<E>)
@@ -80,7 +111,7 @@ constexpr auto converted() -> void (*)(const CurveView<Scalar>&, std::vector<Sca
   if constexpr (Path<E>)
     return [](const CurveView<Scalar>& view, std::vector<Scalar>& coefficients) {
       coefficients.clear();
-      append(E::First::convert(load<E::info.form, Dimension>(view)), coefficients);
+      append(convert<typename E::First, Dimension>(view), coefficients);
     };
   else
     return nullptr;
@@ -119,7 +150,7 @@ constexpr Kernel<Scalar> kernel(EvaluatePoints<Scalar> evaluate) {
             if constexpr (PreparesNothing<E>)
               fill(view, *::new (prepared) Prepared(view.degree));
             else
-              ::new (prepared) Prepared(E::prepare(load<E::info.form, Dimension>(view)));
+              ::new (prepared) Prepared(prepare<E, Dimension>(view));
           },
           evaluate,
           evaluator<E>(),

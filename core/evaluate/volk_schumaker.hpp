@@ -12,12 +12,13 @@
 
 #include "core/basis/amplification.hpp"
 #include "core/basis/binomial.hpp"
+#include "core/basis/same_for_every_axis.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
 #include "core/evaluate/nearer_end.hpp"
 
 namespace bezierbench {
 
-struct VolkSchumaker {
+struct VolkSchumaker : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "volk_schumaker",
       .label = "Volk-Schumaker",

@@ -64,9 +64,27 @@ inline auto fused_vectors(const VectorType<float, 4>::Type& a, const VectorType<
 
 }  // namespace detail
 
+/// Where the coefficients of a curve over this scalar lie.
+enum class Held {
+  by_reference,  ///< in a prepared state, which the curve is a view of
+  by_value       ///< in the curve
+};
+
+namespace detail {
+
+/// A curve that is computed shares values among its axes; those of a view lie in its state.
+template <class Scalar, Held>
+struct SharedByAxes {};
+template <class Scalar>
+struct SharedByAxes<Scalar, Held::by_value> {
+  using Shared = Scalar;
+};
+
+}  // namespace detail
+
 /// `Dimension` coordinates.
-template <class ScalarT, int Dimension>
-class Axes {
+template <class ScalarT, int Dimension, Held held = Held::by_reference>
+class Axes : public detail::SharedByAxes<ScalarT, held> {
  public:
   using Scalar = ScalarT;
   static constexpr int dimension = Dimension;
@@ -87,7 +105,7 @@ class Axes {
 
   Axes() = default;
   /// The same value in all lanes.
-  explicit Axes(Scalar value) : vector_(value - Vector{}) {}
+  explicit(held == Held::by_reference) Axes(Scalar value) : vector_(value - Vector{}) {}
   template <std::integral Integer>
   explicit Axes(Integer value) : Axes(static_cast<Scalar>(value)) {}
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Methods that read a curve where it lies, without a copy, and the curves that they read then.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include "core/curve.hpp"
+
+namespace bezierbench {
+
+/// The base of conversions and evaluators whose work per curve is arithmetic on coefficients, the same on every axis,
+/// and which take a curve of `viewed` degree. A kernel then copies no curve before it, and converts all axes of a
+/// coefficient at once. Without this base a kernel copies the curve and goes axis by axis, with the same bits.
+struct SameForEveryAxis {};
+
+template <class Method>
+concept IsSameForEveryAxis = std::is_base_of_v<SameForEveryAxis, Method>;
+
+/// The degree, as a template argument, of a curve whose coefficients lie elsewhere; the curve knows it at run time.
+inline constexpr int viewed = -2;
+
+/// The same of what is computed from a curve.
+template <int Degree>
+inline constexpr int computed_degree = Degree == viewed ? dynamic : Degree;
+
+/// A view of coefficients that lie point by point.
+template <Form F, class ScalarT, int DimensionT>
+class Curve<F, ScalarT, DimensionT, viewed> {
+ public:
+  using Scalar = ScalarT;
+  static constexpr Form form = F;
+  static constexpr int dimension = DimensionT;
+
+  Curve(const Scalar* first, int degree) : first_(first), degree_(degree) {}
+
+  [[nodiscard]] int degree() const { return degree_; }
+  [[nodiscard]] Scalar operator()(int axis, int i) const {
+    return first_[static_cast<std::ptrdiff_t>(i) * DimensionT + axis];
+  }
+
+ private:
+  const Scalar* first_;
+  int degree_;
+};
+
+}  // namespace bezierbench
