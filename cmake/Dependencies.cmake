@@ -3,8 +3,24 @@
 if(POLICY CMP0167)
   cmake_policy(SET CMP0167 NEW) # Boost's own configuration: CMake 3.30 gave up FindBoost
 endif()
+
+# Packages without a CMake configuration of their own.
+function(bezierbench_system_library target header)
+  add_library(${target} INTERFACE)
+  find_path(${target}_INCLUDE ${header} REQUIRED)
+  target_include_directories(${target} SYSTEM INTERFACE ${${target}_INCLUDE})
+  foreach(name ${ARGN})
+    find_library(${target}_${name} ${name} REQUIRED)
+    target_link_libraries(${target} INTERFACE ${${target}_${name}})
+  endforeach()
+endfunction()
+
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Boost 1.74 REQUIRED)
+bezierbench_system_library(gmp gmpxx.h gmpxx gmp)
+if(NOT BEZIERBENCH_PROGRAM)
+  return() # the libraries need no more
+endif()
 find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
@@ -22,16 +38,5 @@ if(BEZIERBENCH_TESTS)
   include(GoogleTest)
 endif()
 
-# Packages without a CMake configuration of their own.
-function(bezierbench_system_library target header)
-  add_library(${target} INTERFACE)
-  find_path(${target}_INCLUDE ${header} REQUIRED)
-  target_include_directories(${target} SYSTEM INTERFACE ${${target}_INCLUDE})
-  foreach(name ${ARGN})
-    find_library(${target}_${name} ${name} REQUIRED)
-    target_link_libraries(${target} INTERFACE ${${target}_${name}})
-  endforeach()
-endfunction()
-bezierbench_system_library(gmp gmpxx.h gmpxx gmp)
 bezierbench_system_library(random123 Random123/philox.h)
 bezierbench_system_library(highway hwy/highway.h hwy)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The libraries that experiments/peers compares with. Each is optional: where something of one is missing there is no
-# target peer::NAME but the reason in PEER_NAME_MISSING. PEER_NAME_VERSION is what the bundle says of it.
+# target peer::NAME but the reason in PEER_NAME_MISSING. PEER_NAME_VERSION is what the bundle says of it. PEER_NAME_COPYLEFT
+# is the licence that a program takes on by linking it, empty where it keeps its own; docs/peers.md says what that means.
 
 # The version of the Debian package that owns a file: it names the patches, too.
 function(bezierbench_debian_version file result)
@@ -15,9 +16,10 @@ function(bezierbench_debian_version file result)
   endif()
 endfunction()
 
-# bezierbench_peer_library(NAME HEADER [HINTS folder...] [SUFFIXES folder...] [LIBRARIES name...])
+# bezierbench_peer_library(NAME HEADER [HINTS folder...] [SUFFIXES folder...] [LIBRARIES name...] [COPYLEFT licence])
 function(bezierbench_peer_library name header)
-  cmake_parse_arguments(PEER "" "" "HINTS;SUFFIXES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(PEER "" "COPYLEFT" "HINTS;SUFFIXES;LIBRARIES" ${ARGN})
+  set(PEER_${name}_COPYLEFT "${PEER_COPYLEFT}" PARENT_SCOPE)
   find_path(PEER_${name}_INCLUDE ${header} HINTS ${PEER_HINTS} PATH_SUFFIXES ${PEER_SUFFIXES})
   set(missing "")
   if(NOT EXISTS ${PEER_${name}_INCLUDE}/${header}) # nor where it was found once and is gone
@@ -46,13 +48,14 @@ endfunction()
 
 file(GLOB headers_of_2geom /usr/include/2geom-* /usr/local/include/2geom-*)
 bezierbench_peer_library(2geom 2geom/bezier.h HINTS ${headers_of_2geom}
-                         LIBRARIES 2geom gsl gslcblas) # it integrates with GSL
+                         LIBRARIES 2geom gsl gslcblas # it integrates with GSL
+                         COPYLEFT "GPL-3.0-or-later (of GSL)")
 bezierbench_peer_library(occt opencascade/BSplCLib.hxx LIBRARIES TKGeomBase TKG3d TKG2d TKMath TKernel)
 if(TARGET peer_occt) # its headers include each other by name alone
   target_include_directories(peer_occt SYSTEM INTERFACE ${PEER_occt_INCLUDE}/opencascade)
 endif()
-bezierbench_peer_library(sisl sisl.h LIBRARIES sisl)
-bezierbench_peer_library(gsl gsl/gsl_bspline.h LIBRARIES gsl gslcblas)
+bezierbench_peer_library(sisl sisl.h LIBRARIES sisl COPYLEFT AGPL-3.0-or-later)
+bezierbench_peer_library(gsl gsl/gsl_bspline.h LIBRARIES gsl gslcblas COPYLEFT GPL-3.0-or-later)
 bezierbench_peer_library(eigen unsupported/Eigen/Splines SUFFIXES eigen3)
 
 # Boost has bezier_polynomial since 1.78. Where the system's is older, scripts/setup --peers unpacks the headers of a newer

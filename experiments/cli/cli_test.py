@@ -11,7 +11,7 @@ class CommandLine(Case):
     def test_parser_says_one_line(self):
         suite = self.suite()
         for arguments, needle in [
-                ([], "subcommand"), (["rnu"], "rnu: unknown; did you mean \"run\"?"), (["list"], "subcommand"),
+                (["rnu"], "rnu: unknown; did you mean \"run\"?"), (["list"], "subcommand"),
                 (["list", "method"], "did you mean \"methods\"?"), (["curve"], "subcommand"),
                 (["curve", "evl"], "did you mean \"eval\"?"), (["--nonsense"], "--help"),
                 (["run"], "suites"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
@@ -23,10 +23,12 @@ class CommandLine(Case):
                 (["rnu", "--help"], "rnu: unknown; did you mean \"run\"?"), (["--help", "rnu"], "rnu: unknown"),
                 (["curve", "evl", "--help"], "did you mean \"eval\"?"), (["run", "--oot", "b", "--help"], "--oot"),
                 (["run", suite, "--out", ""], "--out"), (["run", suite, "--out", "b", "--out", "c"], "--out"),
-                (["verify"], "bundle"), (["verify", "b", "c"], "c"), (["curve", "eval", "--t", "0"], "--curve"),
+                (["verify"], "bundle"), (["verify", "b", "c"], "c: is one argument too many"), (["curve", "eval", "--t", "0"], "--curve"),
                 (["curve", "eval", "--curve", "c"], "--t"), (["curve", "convert", "--curve", "c"], "--method"),
                 (["curve", "eval", "--curve", "c", "--t", "0", "--form", "beta"], "beta"),
-                (["list", "methods", "--format", "xml"], "xml")]:
+                (["list", "methods", "--format", "xml"], "xml must be one of text, csv"),
+                (["list", "methods", "--format", "cvs"], "did you mean \"csv\"?"), (["list", "complte"], "unknown; known are"),
+                (["complte"], "unknown; did you mean \"compare\"?"), (["run", "--progres", "json"], "did you mean \"--progress\"?")]:
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, arguments, needle)
 

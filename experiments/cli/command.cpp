@@ -5,9 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
+#include <cctype>
+#include <cstdio>
 #include <utility>
 
+#include "experiments/cli/terminal/help.hpp"
+#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/nearest.hpp"
 
@@ -20,6 +23,22 @@ const CLI::App& chosen_command(const CLI::App& app) {
   return *command;
 }
 
+/// Option groups are commands without a name; hidden commands have no group.
+bool is_group(const CLI::App* app) { return app->get_name().empty(); }
+bool is_shown(const CLI::App* app) { return !is_group(app) && !app->get_group().empty(); }
+
+std::vector<std::string> shown_commands(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const auto* subcommand : command.get_subcommands(is_shown)) names.push_back(subcommand->get_name());
+  return names;
+}
+
+/// The name of a command with those of its parents.
+std::string full_name(const CLI::App& command) {
+  const auto* parent = command.get_parent();
+  return parent == nullptr ? command.get_name() : full_name(*parent) + ' ' + command.get_name();
+}
+
 /// The options that `command` takes, with those of its groups and parents.
 std::vector<std::string> options_of(const CLI::App& command) {
   std::vector<std::string> known;
@@ -28,13 +47,12 @@ std::vector<std::string> options_of(const CLI::App& command) {
       if (option->nonpositional()) known.push_back(option->get_name());
   };
   for (const auto* app = &command; app != nullptr; app = app->get_parent()) add(*app);
-  for (const auto* group : command.get_subcommands([](const CLI::App* app) { return app->get_name().empty(); }))
-    add(*group);
+  for (const auto* group : command.get_subcommands(is_group)) add(*group);
   return known;
 }
 
-/// The message about the first word that the parser did not recognise. Empty where it recognised all words, or where
-/// the word is one argument too many. The parser itself reports only what is missing, not that a word is mistyped.
+/// The message about the first word that the parser did not recognise, or about a command that is missing. Empty where
+/// neither is the case. The parser itself reports only what is missing, not that a word is mistyped.
 std::string misplaced_word(const CLI::App& app) {
   const auto words = app.remaining(true);
   const auto& command = chosen_command(app);
@@ -43,15 +61,66 @@ std::string misplaced_word(const CLI::App& app) {
     const auto name = option->substr(0, option->find('='));
     return fmt::format("{}: unknown option{}", name, suite::suggestion(name, options_of(command)));
   }
-  if (command.get_require_subcommand_min() == 0 || words.empty()) return "";
-  std::vector<std::string> known;
-  for (const auto* subcommand : command.get_subcommands({})) known.push_back(subcommand->get_name());
+  if (command.get_require_subcommand_min() == 0)
+    return words.empty() ? "" : fmt::format("{}: is one argument too many", words.front());
+  const auto known = shown_commands(command);
+  if (words.empty())
+    return fmt::format("{}: must be followed by a subcommand: {}", command.get_name(), fmt::join(known, ", "));
   return fmt::format("{}: unknown{}", words.front(), suite::suggestion(words.front(), known));
 }
 
-[[noreturn]] void refuse(const std::string& what) { throw Failure(Exit::usage, what + "; see --help"); }
+OptionNode node_of(const CLI::Option& option, const ValueNotes& notes, int alternative) {
+  OptionNode node;
+  if (option.nonpositional()) node.name = option.get_name();
+  const bool is_flag = option.get_expected_max() == 0;
+  if (const auto note = notes.find(&option); note != notes.end()) {
+    node.value = note->second.name;
+    node.values = note->second.values;
+  } else if (!is_flag) {
+    for (const char c : option.get_name().substr(option.nonpositional() ? 2 : 0))  // --degree takes a DEGREE
+      node.value += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  node.help = option.get_description();
+  node.required = option.get_required();
+  node.several = !is_flag && option.get_items_expected_max() > 1;
+  node.alternative = alternative;
+  return node;
+}
+
+void add_options(const CLI::App& app, const ValueNotes& notes, int alternative, std::vector<OptionNode>& options) {
+  const bool is_command = alternative < 0;  // a group has the help option of its command once more
+  for (const auto* option : app.get_options())
+    if (is_command || option != app.get_help_ptr()) options.push_back(node_of(*option, notes, alternative));
+}
+
+CommandNode tree_of(const CLI::App& app, const ValueNotes& notes) {
+  CommandNode node{full_name(app), app.get_description(), app.get_footer(), {}, {}};
+  add_options(app, notes, -1, node.options);
+  int alternative = 0;
+  for (const auto* group : app.get_subcommands(is_group)) add_options(*group, notes, alternative++, node.options);
+  if (app.get_fallthrough())
+    for (const auto* option : app.get_parent()->get_options())
+      if (option != app.get_parent()->get_help_ptr()) node.options.push_back(node_of(*option, notes, -1));
+  for (const auto* command : app.get_subcommands(is_shown)) node.commands.push_back(tree_of(*command, notes));
+  return node;
+}
+
+[[noreturn]] void refuse(const CLI::App& app, const std::string& what) {
+  throw Failure(Exit::usage, fmt::format("{}; see {} --help", what, full_name(chosen_command(app))));
+}
+
+/// Help is given for commands that exist, not for a mistyped one.
+void refuse_mistyped(const CLI::App& app) {
+  if (app.remaining(true).empty()) return;
+  if (const auto what = misplaced_word(app); !what.empty()) refuse(app, what);
+}
 
 }  // namespace
+
+Option Option::takes(const std::string& name, KnownValues values) {
+  (*notes_)[option_] = {name, std::move(values)};
+  return *this;
+}
 
 Option Option::required() {
   option_->required();
@@ -64,22 +133,32 @@ Option Option::once() {
 }
 
 Option Option::one_of(const std::vector<std::string>& words) {
-  option_->check(CLI::IsMember(words));
-  return *this;
+  option_->check([words](const std::string& word) {
+    if (std::ranges::find(words, word) != words.end()) return std::string();
+    return fmt::format("{} must be one of {}{}", echo(word), fmt::join(words, ", "),
+                       suite::nearest(word, words).empty() ? "" : suite::suggestion(word, words));
+  });
+  return takes(fmt::format("{}", fmt::join(words, "|")), [words] { return words; });
 }
 
 Option Option::within(int least, int most) {
   option_->check(CLI::Range(least, most));
-  return *this;
+  return takes("N");
 }
 
 Command Command::command(const std::string& name, const std::string& help) {
-  return Command(*app_->add_subcommand(name, help));
+  return {*app_->add_subcommand(name, help), *notes_};
+}
+
+void Command::hidden_command(const std::string& name, std::function<void(const std::vector<std::string>&)> action) {
+  auto* command = app_->add_subcommand(name)->group("")->prefix_command();
+  command->set_help_flag();  // --help is one of its words
+  command->callback([command, run = std::move(action)] { run(command->remaining()); });
 }
 
 template <class Value>
 Option Command::option(const std::string& name, Value& value, const std::string& help) {
-  return Option(*app_->add_option(name, value, help));
+  return {*app_->add_option(name, value, help), *notes_};
 }
 
 template Option Command::option(const std::string&, std::string&, const std::string&);
@@ -88,13 +167,13 @@ template Option Command::option(const std::string&, std::vector<std::string>&, c
 template Option Command::option(const std::string&, int&, const std::string&);
 
 Option Command::flag(const std::string& name, bool& value, const std::string& help) {
-  return Option(*app_->add_flag(name, value, help));
+  return {*app_->add_flag(name, value, help), *notes_};
 }
 
 Command Command::alternatives(const std::string& name, const std::string& help) {
   auto* group = app_->add_option_group(name, help);
   group->require_option(1);
-  return Command(*group);
+  return {*group, *notes_};
 }
 
 void Command::footer(const std::string& text) { app_->footer(text); }
@@ -104,20 +183,26 @@ void Command::action(std::function<void()> what) { app_->callback(std::move(what
 
 Program::Program(const std::string& name, const std::string& help, const std::string& version)
     : app_(std::make_unique<CLI::App>(help, name)) {
-  app_->set_version_flag("--version", version);
+  app_->set_help_flag("--help,-h", "say what the command does and takes");
+  app_->set_version_flag("--version", version, "say version, compiler and commit");
 }
 
 Program::~Program() = default;
 
+CommandNode Program::tree() const { return tree_of(*app_, notes_); }
+
 void Program::run(int argc, const char* const* argv) {
   try {
     app_->parse(argc, argv);
-  } catch (const CLI::Success& asked) {  // the user asked for help or version
-    if (const auto what = misplaced_word(*app_); !what.empty()) refuse(what);
-    app_->exit(asked, std::cout, std::cerr);
+  } catch (const CLI::CallForHelp&) {
+    refuse_mistyped(*app_);
+    fmt::print("{}", help_text(tree_of(chosen_command(*app_), notes_)));
+  } catch (const CLI::CallForVersion& version) {
+    refuse_mistyped(*app_);
+    fmt::print("{}\n", version.what());
   } catch (const CLI::ParseError& error) {
     const auto what = misplaced_word(*app_);
-    refuse(what.empty() ? error.what() : what);
+    refuse(*app_, what.empty() ? error.what() : what);
   }
 }
 

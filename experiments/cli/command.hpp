@@ -5,10 +5,13 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "experiments/cli/terminal/command_tree.hpp"
 
 namespace CLI {
 class App;
@@ -17,11 +20,20 @@ class Option;
 
 namespace bezierbench::cli {
 
+/// What help and completions say of the value of an option, beside what the parser knows.
+struct ValueNote {
+  std::string name;
+  KnownValues values;
+};
+using ValueNotes = std::map<const CLI::Option*, ValueNote>;
+
 /// An option or argument of a command, with the checks of its value.
 class Option {
  public:
-  explicit Option(CLI::Option& option) : option_(&option) {}
+  Option(CLI::Option& option, ValueNotes& notes) : option_(&option), notes_(&notes) {}
 
+  /// Names the value, for help (`--out FOLDER`), and says which values there are, for completions.
+  Option takes(const std::string& name, KnownValues values = {});
   Option required();
   Option once();  ///< one value only, of an option that could take several
   Option one_of(const std::vector<std::string>& words);
@@ -29,14 +41,18 @@ class Option {
 
  private:
   CLI::Option* option_;
+  ValueNotes* notes_;
 };
 
 /// A command, to which options and commands can be added. The program owns it.
 class Command {
  public:
-  explicit Command(CLI::App& app) : app_(&app) {}
+  Command(CLI::App& app, ValueNotes& notes) : app_(&app), notes_(&notes) {}
 
   Command command(const std::string& name, const std::string& help);
+
+  /// Adds a command for other programs, which no help shows. `action` gets all words that follow its name.
+  void hidden_command(const std::string& name, std::function<void(const std::vector<std::string>&)> action);
 
   /// Adds an option. Its value is written to `value` before the action runs; the value before that is the default. A
   /// name without -- is that of a positional argument. All numbers except small integers are read as text, for
@@ -56,6 +72,7 @@ class Command {
 
  private:
   CLI::App* app_;
+  ValueNotes* notes_;
 };
 
 extern template Option Command::option(const std::string&, std::string&, const std::string&);
@@ -71,14 +88,16 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  [[nodiscard]] Command command() { return Command(*app_); }
+  [[nodiscard]] Command command() { return {*app_, notes_}; }
+  [[nodiscard]] CommandNode tree() const;
 
-  /// Runs the action of the chosen command, or prints help or version to std::cout. Throws Failure(Exit::usage) for a
+  /// Runs the action of the chosen command, or prints help or version to standard output. Throws Failure(Exit::usage) for a
   /// wrong command line, and whatever the action throws.
   void run(int argc, const char* const* argv);
 
  private:
   std::unique_ptr<CLI::App> app_;
+  ValueNotes notes_;
 };
 
 }  // namespace bezierbench::cli

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <typeinfo>
+#include <vector>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/cli/commands/commands.hpp"
@@ -16,6 +17,9 @@
 #include "experiments/cli/startup/floating_point.hpp"
 #include "experiments/cli/startup/limits.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/startup/welcome.hpp"
+#include "experiments/cli/terminal/completion.hpp"
+#include "experiments/cli/terminal/manual.hpp"
 
 namespace {
 
@@ -38,8 +42,24 @@ int standard_output_failed() {
   return fail(Exit::input_output, "standard output: cannot be written; free space or choose another place");
 }
 
+/// Commands for the build and the shells, which no help shows.
+void add_hidden(bezierbench::cli::Program& program, bezierbench::cli::Command& root) {
+  namespace cli = bezierbench::cli;
+  root.hidden_command("complete", [&program](const std::vector<std::string>& words) {
+    for (const auto& line : cli::completions(program.tree(), words)) fmt::print("{}\n", line);
+  });
+  root.hidden_command("manual", [&program](const std::vector<std::string>& words) {
+    if (words.size() != 1) throw Failure(Exit::usage, "manual: must be followed by a folder");
+    cli::write_manual(program.tree(), words.front());
+  });
+}
+
 int run_program(int argc, char** argv) {
   namespace cli = bezierbench::cli;
+  if (argc == 1) {
+    fmt::print("{}", cli::welcome());
+    return std::fflush(stdout) == 0 ? static_cast<int>(Exit::fine) : standard_output_failed();
+  }
   cli::Program program("bezierbench", "How wrong is each way of evaluating a Bezier curve, and how fast is it here?",
                        cli::version_line());
   Exit exit = Exit::fine;
@@ -55,6 +75,7 @@ int run_program(int argc, char** argv) {
   cli::add_trials(root, exit);
   cli::add_doctor(root, exit);
   cli::add_curve(root, exit);
+  add_hidden(program, root);
   program.run(argc, argv);
   if (!std::cout.flush() || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return standard_output_failed();
   return static_cast<int>(exit);

@@ -28,8 +28,12 @@ AccuracyRow compare_pair(const std::string& file, const RowPair& pair, const std
   const auto field = [&](const auto& table, std::size_t row) {
     return table.has_column(column) ? table.at(row, column) : std::string();
   };
-  return {file,           pair.inputs,   found == results.end(), column, field(a, pair.a), field(b, pair.b),
-          a.line(pair.a), b.line(pair.b)};
+  AccuracyRow row{file,           pair.inputs,   found == results.end(), column, field(a, pair.a), field(b, pair.b),
+                  a.line(pair.a), b.line(pair.b)};
+  for (const std::string largest : {"max_error_u", "max_error"})
+    if (!row.largest && std::ranges::find(results, largest) != results.end())
+      row.largest = ResultPair{largest, a.at(pair.a, largest), b.at(pair.b, largest)};
+  return row;
 }
 
 /// The columns that are digested and that both tables have.
@@ -64,7 +68,7 @@ void compare_methods(const bundle::DeclaredTable& declared, const bundle::CsvDoc
     else if (differing.contains(rows))
       methods.differing.push_back(rows);
     else if (found->second == digest)
-      ++methods.agreeing;
+      methods.agreeing.push_back(rows);
     else
       methods.other_rows.push_back(rows);
   }
@@ -93,11 +97,6 @@ void compare_table(const bundle::DeclaredTable& declared, const bundle::CsvDocum
 }
 
 }  // namespace
-
-const AccuracyRow* AccuracyComparison::first_difference() const {
-  const auto found = std::ranges::find(rows, false, &AccuracyRow::identical);
-  return found == rows.end() ? nullptr : &*found;
-}
 
 AccuracyComparison compare_accuracy(const Side& a, const Side& b) {
   AccuracyComparison comparison;

@@ -13,6 +13,13 @@
 
 namespace bezierbench::compare {
 
+/// One result of two rows, as the files say it.
+struct ResultPair {
+  std::string column;
+  std::string a;
+  std::string b;
+};
+
 /// Two rows, one of each bundle, with the same inputs.
 struct AccuracyRow {
   std::string file;
@@ -23,11 +30,12 @@ struct AccuracyRow {
   std::string b;
   std::size_t line_a;
   std::size_t line_b;
+  std::optional<ResultPair> largest = std::nullopt;  ///< the largest error, in units of u p~ where both tables have it
 };
 
 /// How the rows of each method in each study compare, by the digest of the columns that are digested in both bundles.
 struct MethodComparison {
-  std::size_t agreeing = 0;
+  std::vector<bundle::Rows> agreeing;
   std::vector<bundle::Rows> differing;   ///< the same inputs, but other results
   std::vector<bundle::Rows> other_rows;  ///< other cells or other numbers of trials; rows that were paired agree
   std::vector<bundle::Rows> only_a;
@@ -41,9 +49,6 @@ struct AccuracyComparison {
   std::size_t only_b = 0;
   std::vector<std::string> left_out;  ///< files of both bundles whose rows do not say enough about their inputs
   MethodComparison methods;           ///< of all deterministic files, also those left out; empty where the seeds differ
-
-  /// The first pair of rows that differs; null where all are identical.
-  [[nodiscard]] const AccuracyRow* first_difference() const;
 };
 
 /// Compares the deterministic tables. Bundles with different seeds have different inputs, so that no row has a partner.

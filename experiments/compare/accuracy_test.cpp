@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/compare/changes.hpp"
 #include "experiments/compare/side_test.hpp"
 
 namespace bezierbench::compare {
@@ -27,7 +28,7 @@ TEST(Accuracy, TheSameIsIdentical) {
   const auto comparison = compare_accuracy(a, a);
   EXPECT_EQ(comparison.rows.size(), 4U);
   EXPECT_EQ(comparison.differing, 0U);
-  EXPECT_EQ(comparison.first_difference(), nullptr);
+  EXPECT_TRUE(method_changes(comparison).empty());
   EXPECT_EQ(comparison.rows.front().column, "max_error");
   EXPECT_EQ(comparison.rows.front().a, "3e-17");
 }
@@ -38,7 +39,7 @@ TEST(Accuracy, OneBitIsFoundWithBothValuesAndItsWorstInput) {
       side_of("b", {{"accuracy.csv", replaced(accuracy, "4e-17", "4.000000000000001e-17")}, {"worst.csv", worst}});
   const auto comparison = compare_accuracy(a, b);
   EXPECT_EQ(comparison.differing, 1U);
-  const auto* first = comparison.first_difference();
+  const auto* first = method_changes(comparison).front().differing.front();
   ASSERT_NE(first, nullptr);
   EXPECT_EQ(first->inputs.field("method"), "direct");
   EXPECT_EQ(first->column, "max_error");
@@ -79,7 +80,7 @@ TEST(Accuracy, SaysOfWhichMethodsItHolds) {
                                                     "s,new,3,10,ok,0,0\nt,direct,3,20,ok,0,0\n"}});
   const auto methods = compare_accuracy(a, b).methods;
   using Rows = bundle::Rows;
-  EXPECT_EQ(methods.agreeing, 1U);
+  EXPECT_EQ(methods.agreeing.size(), 1U);
   EXPECT_THAT(methods.differing, testing::ElementsAre(Rows{"accuracy.csv", "s", "direct"}));
   EXPECT_THAT(methods.other_rows, testing::ElementsAre(Rows{"accuracy.csv", "t", "direct"}));
   EXPECT_THAT(methods.only_a, testing::ElementsAre(Rows{"accuracy.csv", "s", "gone"}));
@@ -90,7 +91,7 @@ TEST(Accuracy, SaysOfWhichMethodsItHolds) {
 TEST(Accuracy, AColumnThatOneSideLacksIsNotCompared) {
   const auto a = side_of("a", {{"accuracy.csv", "study,method,max_error\ns,direct,1\n"}});
   const auto b = side_of("b", {{"accuracy.csv", "study,method,max_error,unbounded_trials\ns,direct,1,0\n"}});
-  EXPECT_EQ(compare_accuracy(a, b).methods.agreeing, 1U);
+  EXPECT_EQ(compare_accuracy(a, b).methods.agreeing.size(), 1U);
 }
 
 // The worst of 20 trials is not the worst of 10, and worst.csv does not say how many trials there were.
@@ -101,7 +102,7 @@ TEST(Accuracy, OfDifferentSuitesRowsWithoutTrialsAreLeftOut) {
   const auto comparison = compare_accuracy(a, b);
   EXPECT_EQ(comparison.rows.size(), 2U);
   EXPECT_THAT(comparison.left_out, testing::ElementsAre("worst.csv"));
-  EXPECT_EQ(comparison.methods.agreeing, 4U) << "in both tables, since the digests are the same";
+  EXPECT_EQ(comparison.methods.agreeing.size(), 4U) << "in both tables, since the digests are the same";
 }
 
 }  // namespace

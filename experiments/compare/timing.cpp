@@ -100,6 +100,14 @@ void normalise(std::vector<TimingRow>& rows) {
   }
 }
 
+/// Whether one side resolves x as the faster and the other side y.
+bool changed_places(const TimingRow& x, const TimingRow& y) {
+  using metric::Verdict;
+  const auto in_a = metric::verdict(ratio(x.a, y.a));
+  const auto in_b = metric::verdict(ratio(x.b, y.b));
+  return (in_a == Verdict::faster && in_b == Verdict::slower) || (in_a == Verdict::slower && in_b == Verdict::faster);
+}
+
 }  // namespace
 
 std::set<Inputs> timed_methods(const TimingComparison& timing) {
@@ -113,6 +121,7 @@ void rank(TimingComparison& timing, const std::set<Inputs>& counted) {
   std::map<Inputs, std::vector<TimingRow*>> races;
   for (auto& row : timing.rows) {
     row.rank_a = row.rank_b = 0;
+    row.changed_place = false;
     if (!row.is_sentinel() && counted.contains(row.inputs)) races[row.inputs.without_method()].push_back(&row);
   }
   for (const auto& [inputs, rivals] : races)
@@ -122,6 +131,8 @@ void rank(TimingComparison& timing, const std::set<Inputs>& counted) {
       };
       row->rank_a = 1 + static_cast<int>(std::ranges::count_if(rivals, faster_in(&TimingRow::a)));
       row->rank_b = 1 + static_cast<int>(std::ranges::count_if(rivals, faster_in(&TimingRow::b)));
+      row->changed_place =
+          std::ranges::any_of(rivals, [row](const TimingRow* rival) { return changed_places(*row, *rival); });
     }
 }
 

@@ -37,6 +37,9 @@ struct TimingRow {
   std::string quality;
   int rank_a = 0;  ///< 1 + number of methods in the same race that are certainly faster; 0 if not ranked
   int rank_b = 0;
+  /// Whether a ranked method of the same race is faster in one bundle and slower in the other, each by the verdict on
+  /// the ratio of both in that bundle. Ranks may differ without that, where only one bundle tells two methods apart.
+  bool changed_place = false;
 
   [[nodiscard]] bool is_sentinel() const { return inputs.field("method") == sentinel; }
   [[nodiscard]] bool is_ok() const { return quality == quality_ok; }
@@ -59,8 +62,9 @@ struct TimingComparison {
 /// The inputs of the rows of methods, without those of sentinels.
 [[nodiscard]] std::set<Inputs> timed_methods(const TimingComparison& timing);
 
-/// Ranks the rows whose inputs are in `counted` among each other; all other rows and sentinels get rank 0. A method is
-/// certainly faster than another where its interval ends before the other's begins.
+/// Ranks the rows whose inputs are in `counted` among each other and finds those that changed their place; all other
+/// rows and sentinels get rank 0. A method is certainly faster than another where its interval ends before the other's
+/// begins.
 void rank(TimingComparison& timing, const std::set<Inputs>& counted);
 
 }  // namespace bezierbench::compare

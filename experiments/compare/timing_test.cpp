@@ -147,6 +147,22 @@ TEST(Timing, RanksAreOfTheCertainlyFaster) {
   EXPECT_EQ(ranks, (std::vector<int>{1, 3, 2, 1, 2, 2, 0, 0}));
 }
 
+/// The methods that changed their place.
+std::string changed(const std::string& a, const std::string& b) {
+  std::string methods;
+  for (const auto& one : compare_timing(timed("a", a), timed("b", b)).rows)
+    if (one.changed_place) methods += one.inputs.field("method");
+  return methods;
+}
+
+TEST(Timing, PlacesChangeOnlyWhereBothSidesResolveTheRatio) {
+  const std::string ahead = row("x", 10) + row("y", 12);
+  EXPECT_EQ(changed(ahead, row("x", 12) + row("y", 10)), "xy");
+  EXPECT_EQ(changed(ahead, row("x", 20) + row("y", 30)), "");
+  EXPECT_EQ(changed(ahead, row("x", 12, 0.2) + row("y", 10, 0.2)), "") << "the second side cannot tell";
+  EXPECT_EQ(changed(ahead, row("x", 10.05) + row("y", 10)), "") << "within the margin";
+}
+
 // c has no y, so neither pair ranks y, and x has the same rank in a whichever bundle a is compared with.
 TEST(Timing, RanksOfSeveralBundlesAreAmongWhatAllHave) {
   const auto a = timed("a", row("x", 20) + row("y", 10) + row("z", 15));

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: MIT
+// What the program says on standard error while and after it works. Errors of writing are ignored.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace bezierbench::run {
 
-/// Writes one line about the run to standard error, escaped by experiments/echo.hpp. Errors of writing are ignored.
-void note(const std::string& line);
+/// What is said of a run's progress: nothing, lines for people, or objects of JSON for programs, one per line.
+enum class Telling { nothing, text, json };
+
+/// From now on note() writes JSON, so that everything on standard error is.
+void write_notes_as_json();
+
+/// Writes one line, escaped by experiments/echo.hpp. `head` is put before it, in colour on a terminal.
+void note(const std::string& line, std::string_view head = {});
+
+/// Writes one line of JSON as it is.
+void note_event(const std::string& json);
 
 }  // namespace bezierbench::run

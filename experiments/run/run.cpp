@@ -14,6 +14,7 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/check/verify.hpp"
+#include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
@@ -25,6 +26,7 @@
 #include "experiments/run/notes.hpp"
 #include "experiments/run/plan.hpp"
 #include "experiments/run/progress.hpp"
+#include "experiments/run/progress_text.hpp"
 #include "experiments/run/run_folder.hpp"
 
 namespace bezierbench::run {
@@ -45,13 +47,17 @@ class Share {
   [[nodiscard]] const std::vector<BlockSet::Run>& blocks() const { return blocks_; }
   [[nodiscard]] std::uint64_t count() const {
     std::uint64_t sum = 0;
-    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += blocks(job).second - blocks(job).first;
+    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += count(job);
     return sum;
   }
+  [[nodiscard]] std::uint64_t count(std::size_t job) const { return blocks(job).second - blocks(job).first; }
   [[nodiscard]] std::uint64_t count_done() const {
     std::uint64_t sum = 0;
-    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += checkpoints_.done(job).within(blocks(job)).size();
+    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += count_done(job);
     return sum;
+  }
+  [[nodiscard]] std::uint64_t count_done(std::size_t job) const {
+    return checkpoints_.done(job).within(blocks(job)).size();
   }
   [[nodiscard]] double cost_left() const {
     double sum = 0;
@@ -165,22 +171,42 @@ void describe(const RunRequest& request, const Plan& plan, bool already_complete
              already_complete ? " (already complete)" : "");
 }
 
+std::size_t cells_of(const Jobs& jobs) {
+  std::size_t sum = 0;
+  for (const auto& job : jobs) sum += job->extent().cells;
+  return sum;
+}
+
 /// Checks before the first block, not after hours, whether the machine is fit for timings.
 void require_machine(const Jobs& jobs, const Share& share) {
   for (std::size_t number = 0; number < jobs.size(); ++number)
     if (const auto [first, end] = share.blocks(number); first < end) jobs[number]->require_machine();
 }
 
-void work(const RunRequest& request, const Jobs& jobs, Checkpoints& checkpoints) {
+/// The work of this process that is left, study by study.
+std::vector<StudyWork> work_left(const RunRequest& request, const Jobs& jobs, const Share& share) {
+  std::vector<StudyWork> all;
+  for (const auto& one : request.suites)
+    for (const auto& study : one.studies) {
+      const auto job = all.size();
+      all.push_back({study.id, share.count(job) - share.count_done(job), share.cost_left(job), jobs[job]->exclusive()});
+    }
+  return all;
+}
+
+/// Returns the seconds that it took.
+double work(const RunRequest& request, const Jobs& jobs, Checkpoints& checkpoints) {
   const Share share(jobs, checkpoints, request.shard.value_or(Shard()));
   require_machine(jobs, share);
-  Progress progress(share.cost_left(), request.quiet);
+  if (request.telling == Telling::json)
+    note_event(beginning_json(jobs.size(), cells_of(jobs), share.count(), share.count_done()));
+  Progress progress(work_left(request, jobs, share), request.telling);
   const auto run_one = [&](std::size_t number, std::uint64_t block) {
     if (interrupted() || checkpoints.done(number, block)) return;
     auto result = jobs[number]->run_block(block);
     if (interrupted()) return;  // the block may be incomplete
     checkpoints.add(number, block, std::move(result));
-    progress.add(jobs[number]->cost(jobs[number]->part_of(block)));
+    progress.add(number, jobs[number]->cost(jobs[number]->part_of(block)));
   };
   std::vector<std::size_t> shared;
   std::vector<std::uint64_t> ends;  // of their blocks, numbered through; a list of all blocks might not fit in memory
@@ -203,10 +229,20 @@ void work(const RunRequest& request, const Jobs& jobs, Checkpoints& checkpoints)
     parallel_ranges(ends.empty() ? 0 : ends.back(), run_range);
   }
   for (const auto& [number, block] : exclusive_order(jobs, share.blocks())) run_one(number, block);
+  return progress.seconds();
+}
+
+void count_times(const tables::Tables& tables, Outcome& outcome) {
+  const auto timing = tables.all().find("timing.csv");
+  if (timing == tables.all().end()) return;
+  const auto document = bundle::parse_csv(timing->second.text(), timing->first);
+  outcome.times = document.row_count();
+  for (std::size_t row = 0; row < outcome.times; ++row)
+    if (document.at(row, "quality") == "noisy") ++outcome.noisy;
 }
 
 /// Completes the bundle when the blocks of this process are done, unless blocks of other shards are missing.
-Findings complete(const RunRequest& request, const Plan& plan, RunFolder& place, Checkpoints& checkpoints) {
+Outcome complete(const RunRequest& request, const Plan& plan, RunFolder& place, Checkpoints& checkpoints) {
   const auto lock = place.lock_bundle();
   if (request.shard) {
     if (place.directory().manifest().state == bundle::complete) return {};  // another shard did it
@@ -214,17 +250,26 @@ Findings complete(const RunRequest& request, const Plan& plan, RunFolder& place,
     require_same(found, plan, Exit::usage);
     for (const auto& line : checkpoints.load(found, Checkpoints::Whose::all)) note(line);
   }
+  Outcome outcome;
+  outcome.ending = Ending::partial;
   if (!checkpoints.all_settled()) {
-    if (!request.quiet)
+    if (request.telling == Telling::text)
       note(fmt::format("{}: {} is done, others are not", request.out.string(), name_of(request.shard)));
-    return {};
+    return outcome;
   }
-  return assemble(request, written_tables(request, plan), plan, place.directory());
+  const auto tables = written_tables(request, plan);
+  outcome.findings = assemble(request, tables, plan, place.directory());
+  outcome.ending = Ending::complete;
+  outcome.cells = cells_of(plan.jobs);
+  for (const auto& job : plan.jobs)
+    for (const auto& violation : job->violations()) outcome.violations += violation.count;
+  count_times(tables, outcome);
+  return outcome;
 }
 
 }  // namespace
 
-Findings run(const RunRequest& request) {
+Outcome run(const RunRequest& request) {
   const Plan plan(request);
   const auto before = existing(request, plan);
   const bool is_complete = before && before->state == bundle::complete;
@@ -233,15 +278,16 @@ Findings run(const RunRequest& request) {
     return {};
   }
   const auto already_complete = [&] {
-    auto findings = bundle::verify(request.out, [&](const std::string&, const std::string&) {
+    Outcome outcome;
+    auto& findings = outcome.findings = bundle::verify(request.out, [&](const std::string&, const std::string&) {
       return expected_of(request.suites, request.kinds);
     });
     if (!findings.empty())
       findings.push_back(request.out.string() +
                          ": complete, but not as it was written; restore it, or remove it and run the command again");
-    else if (!request.quiet)
+    else if (request.telling == Telling::text)
       note(request.out.string() + ": already complete, nothing to do");
-    return findings;
+    return outcome;
   };
   if (is_complete && !bundle::is_inner_folder(request.out / bundle::blocks_name)) return already_complete();
 
@@ -252,7 +298,7 @@ Findings run(const RunRequest& request) {
        checkpoints.load(place.found(), request.shard ? Checkpoints::Whose::own : Checkpoints::Whose::all))
     note(line);
   work_begins();
-  work(request, plan.jobs, checkpoints);
+  const double seconds = work(request, plan.jobs, checkpoints);
   if (interrupted()) {
     checkpoints.checkpoint();
     throw Failure(Exit::interrupted,
@@ -263,7 +309,9 @@ Findings run(const RunRequest& request) {
     checkpoints.checkpoint();
   else
     checkpoints.settle();
-  return complete(request, plan, place, checkpoints);
+  auto outcome = complete(request, plan, place, checkpoints);
+  outcome.seconds = seconds;
+  return outcome;
 }
 
 }  // namespace bezierbench::run

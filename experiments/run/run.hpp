@@ -11,6 +11,8 @@
 #include "experiments/bundle/machine.hpp"
 #include "experiments/run/blocks/shard.hpp"
 #include "experiments/run/kinds.hpp"
+#include "experiments/run/notes.hpp"
+#include "experiments/run/outcome.hpp"
 #include "experiments/suite/suite.hpp"
 #include "reference/true_point.hpp"
 
@@ -25,7 +27,7 @@ struct RunRequest {
   std::optional<Shard> shard;
   std::optional<std::chrono::milliseconds> checkpoint;  ///< between two files of finished blocks; if empty, by cost
   bool dry_run = false;
-  bool quiet = false;
+  Telling telling = Telling::text;
   bundle::BuildFacts build;
   std::string git_commit;
   bool git_clean = false;
@@ -35,12 +37,9 @@ struct RunRequest {
   std::string generators_csv;  ///< the list of generators, likewise
 };
 
-/// The findings of a run, lines for the user; any of them makes the exit code 1.
-using Findings = std::vector<std::string>;
-
 /// Runs all studies, or a shard of them, and writes the bundle once no block is missing. Until then blocks/ keeps the
 /// finished blocks, which are not run again. Throws Failure: interrupted when a signal arrived, usage when `out` holds
 /// another suite, seed or build, input_output when it cannot be written or another process does the same work there.
-Findings run(const RunRequest& request);
+Outcome run(const RunRequest& request);
 
 }  // namespace bezierbench::run

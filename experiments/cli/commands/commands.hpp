@@ -14,6 +14,7 @@ void add_list(Command program, Exit& exit);
 void add_verify(Command program, Exit& exit);
 void add_replay(Command program, Exit& exit);
 void add_choose(Command program, Exit& exit);
+void add_check(Command program, Exit& exit);
 void add_trials(Command program, Exit& exit);
 void add_doctor(Command program, Exit& exit);
 void add_curve(Command program, Exit& exit);

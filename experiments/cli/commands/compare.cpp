@@ -15,6 +15,8 @@
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/compare/comparison.hpp"
+#include "experiments/echo.hpp"
+#include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -24,6 +26,8 @@ struct CompareOptions {
   std::string format = "text";
   std::string fail_on;
   std::string out;
+  std::string method = "*";
+  bool all = false;
   bool damaged = false;
 };
 
@@ -32,6 +36,27 @@ struct Compared {
   std::vector<compare::Side> others;
   std::vector<compare::Pair> pairs;
 };
+
+/// Leaves the rows of the methods that the glob matches.
+void keep_methods(const std::string& glob, std::vector<compare::Pair>& pairs) {
+  const auto is_other = [&](const auto& row) { return !suite::matches(glob, row.inputs.field("method")); };
+  const auto are_other = [&](const bundle::Rows& rows) { return !suite::matches(glob, rows.method); };
+  bool found = false;
+  for (auto& pair : pairs) {
+    std::erase_if(pair.timing.rows, is_other);
+    std::erase_if(pair.accuracy.rows, is_other);
+    pair.accuracy.differing =
+        static_cast<std::size_t>(std::ranges::count(pair.accuracy.rows, false, &compare::AccuracyRow::identical));
+    auto& methods = pair.accuracy.methods;
+    for (auto* rows : {&methods.agreeing, &methods.differing, &methods.other_rows, &methods.only_a, &methods.only_b})
+      std::erase_if(*rows, are_other);
+    found = found || pair.has_common_rows();
+  }
+  if (!found)
+    throw Failure(Exit::usage, fmt::format("--method {}: no method that the bundles have in common matches; see "
+                                           "`list methods`",
+                                           echo(glob)));
+}
 
 Compared compared(const std::vector<std::string>& bundles, bundle::Damage damage) {
   if (bundles.size() < 2)
@@ -49,13 +74,15 @@ Compared compared(const std::vector<std::string>& bundles, bundle::Damage damage
   return all;
 }
 
-void print_text(const Compared& all) {
+void print_text(const Compared& all, bool every_row) {
   const bool two = all.pairs.size() == 1;
   for (std::size_t k = 0; k < all.pairs.size(); ++k) {
     const auto& pair = all.pairs[k];
-    fmt::print("{}\n{}", differences_text(all.base, all.others[k], pair), timing_summary(pair));
+    fmt::print("{}{}\n{}", verdict_line(pair), differences_text(all.base, all.others[k], pair, every_row),
+               timing_summary(pair));
     if (two && !pair.timing.rows.empty())
-      fmt::print("{}\n{}", timing_text(pair.timing), rank_changes_text(pair.timing));
+      fmt::print("{}\n{}", every_row ? timing_text(pair.timing) : changed_times_text(pair),
+                 rank_changes_text(pair.timing));
     fmt::print("{}", two ? "" : "\n");
   }
   if (!two) fmt::print("{}", standings_text(compare::standings(all.base, all.others, all.pairs)));
@@ -105,7 +132,8 @@ Exit judge(const Compared& all, bool slower_fails) {
 Exit run_compare(const CompareOptions& options) {
   if (options.damaged && !options.out.empty())
     throw Failure(Exit::usage, "--damaged: not with --out, whose tables would not say so; leave one of them out");
-  const Compared all = compared(options.bundles, damage_of(options.damaged));
+  Compared all = compared(options.bundles, damage_of(options.damaged));
+  if (options.method != "*") keep_methods(options.method, all.pairs);
   auto damaged = all.base.damaged;
   for (const auto& other : all.others) damaged.insert(damaged.end(), other.damaged.begin(), other.damaged.end());
   print_damage(damaged);
@@ -113,7 +141,7 @@ Exit run_compare(const CompareOptions& options) {
   if (options.format == "csv")
     fmt::print("{}", compare::comparison_table(all.pairs).text());
   else
-    print_text(all);
+    print_text(all, options.all);
   return judge(all, options.fail_on == "slower");
 }
 
@@ -128,6 +156,8 @@ void add_compare(Command program, Exit& exit) {
       .option("--fail-on", options->fail_on, "slower: exit 1 where a method is, in all repetitions and at quality ok")
       .one_of({"slower"});
   command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders");
+  command.option("--method", options->method, "only methods whose id matches this glob");
+  command.flag("--all", options->all, "every row, not only what changed");
   add_damaged(command, options->damaged);
   command.action([options, &exit] { exit = run_compare(*options); });
 }

@@ -3,6 +3,7 @@
 """`compare` from outside: what it finds, in which order, and what it refuses. Usage: compare_test.py BEZIERBENCH"""
 import csv
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -155,6 +156,47 @@ class Compare(Case):
             if row["kind"] == "timing" and row["method"] != "sentinel":
                 self.assertEqual(row["verdict"], "slower")
                 self.assertAlmostEqual(float(row["normalised"]), 1, places=12)
+
+    def test_the_verdict_comes_first(self):
+        def first_line(*more, code=FINE):
+            result = self.run_program("compare", "a", "b", *more)
+            self.assertEqual(result.returncode, code, result.stderr)
+            return result.stdout.decode().splitlines()[0]
+        self.assertRegex(first_line(), r"^verdict  accuracy identical in (\d+) rows; 0 slower, \d+ same, 0 faster, \d+ unresolved of 100 times$")
+        self.edit("accuracy.csv", lambda row: row.update(max_error="1") if row["method"] == "direct" else None)
+        self.assertRegex(first_line(code=FINDING), r"^verdict  accuracy differs in \d+ of \d+ rows; 0 slower")
+
+    def test_only_what_changed_and_the_worst_first(self):
+        self.still_times("a")
+        self.still_times("b")
+        self.scale_times(1.25, lambda row: row["method"] == "de_casteljau")
+        self.scale_times(1.5, lambda row: row["method"] == "direct")
+        self.scale_times(0.8, lambda row: row["method"] == "power_sum")
+
+        def worse(row):
+            factor = {"direct": 1.5, "de_casteljau": 3}.get(row["method"], 1)
+            if row["max_error_u"] and row["degree"] == "20":
+                row["max_error_u"] = repr(factor * float(row["max_error_u"]))
+        self.edit("accuracy.csv", worse)
+        result = self.run_program("compare", "a", "b")
+        self.assertEqual(result.returncode, FINDING)
+        text = result.stdout.decode()
+        accuracy, times = text[text.index("accuracy: "):].split("timing, b over a")
+        self.assertEqual([line.split()[0] for line in accuracy.splitlines() if " max_error_u " in line and "line" not in line],
+                         ["de_casteljau", "direct"])
+        names = [line.split()[0] for line in times.splitlines() if re.search(r"\] +(slower|faster) ", line)]
+        self.assertEqual(list(dict.fromkeys(names)), ["direct", "de_casteljau", "power_sum"])
+        whole = self.run_program("compare", "a", "b", "--all").stdout.decode()
+        self.assertGreater(len(whole.splitlines()), len(text.splitlines()) + 50)
+        self.assertIn("\n  horner ", whole)
+
+    def test_one_method(self):
+        self.edit("accuracy.csv", lambda row: row.update(max_error="1") if row["method"] == "direct" else None)
+        table = self.table("a", "b", "--method", "de_casteljau")
+        self.assertEqual({row["method"] for row in table}, {"de_casteljau"})
+        self.table("a", "b", "--method", "direct", code=FINDING)
+        self.assertEqual({row["method"] for row in self.table("a", "b", "--method", "*:horner")}, {"exact:horner", "factorial:horner", "differences:horner"})
+        self.refused(USAGE, ["compare", "a", "b", "--method", "de_castel"], "--method de_castel")
 
     def test_rank_changes(self):
         self.scale_times(100, lambda row: row["method"] == "horner_bernstein")

@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "experiments/cli/commands/aligned.hpp"
+#include "experiments/cli/commands/row_words.hpp"
+#include "experiments/compare/changes.hpp"
 #include "experiments/echo.hpp"
 
 namespace bezierbench::cli {
@@ -39,8 +41,8 @@ std::string recorded_text(const compare::Side& side, std::string_view label, con
                      printable(input->id));
 }
 
-std::string first_difference_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyRow& row) {
-  return fmt::format("  first: {}, {}\n  a: {} {}, line {}\n  b: {} {}, line {}\n{}{}", row.file,
+std::string difference_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyRow& row) {
+  return fmt::format("  the first of them: {}, {}\n  a: {} {}, line {}\n  b: {} {}, line {}\n{}{}", row.file,
                      printable(row.inputs.words()), row.column, printable(row.a), row.line_a, row.column,
                      printable(row.b), row.line_b, recorded_text(a, "a", row.inputs),
                      recorded_text(b, "b", row.inputs));
@@ -57,7 +59,7 @@ std::string named_rows(std::string_view what, const std::vector<bundle::Rows>& a
 }
 
 std::string methods_text(const compare::MethodComparison& methods) {
-  std::string text = fmt::format("  by table, study and method: {} agree", methods.agreeing);
+  std::string text = fmt::format("  by table, study and method: {} agree", methods.agreeing.size());
   std::string names;
   const auto tell = [&](std::string_view what, const std::vector<bundle::Rows>& all) {
     if (all.empty()) return;
@@ -71,7 +73,25 @@ std::string methods_text(const compare::MethodComparison& methods) {
   return text + "\n" + names;
 }
 
-std::string accuracy_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyComparison& accuracy) {
+/// A line for each method that differs, or for each of its rows, the largest growth first.
+std::string changed_methods_text(const compare::AccuracyComparison& accuracy, bool all) {
+  Lines lines{{"  method", "rows", "of", "result", "a", "b", "where"}};
+  for (const auto& change : compare::method_changes(accuracy)) {
+    const auto add = [&](const compare::AccuracyRow& row, bool is_first) {
+      const auto [column, a, b] = compare::shown_change(row);
+      lines.push_back({is_first ? "  " + change.method : "", is_first ? std::to_string(change.differing.size()) : "",
+                       is_first ? std::to_string(change.rows) : "", column, a, b, row_words(row.inputs)});
+    };
+    for (const auto* row : change.differing) {
+      add(*row, row == change.differing.front());
+      if (!all) break;
+    }
+  }
+  return aligned(lines);
+}
+
+std::string accuracy_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyComparison& accuracy,
+                          bool all) {
   std::string text;
   if (accuracy.rows.empty())
     text = "accuracy: no common rows\n";
@@ -79,7 +99,8 @@ std::string accuracy_text(const compare::Side& a, const compare::Side& b, const 
     text = fmt::format("accuracy: identical in all {} common rows\n", accuracy.rows.size());
   else
     text = fmt::format("accuracy: {} of {} common rows differ\n{}", accuracy.differing, accuracy.rows.size(),
-                       first_difference_text(a, b, *accuracy.first_difference()));
+                       changed_methods_text(accuracy, all) +
+                           difference_text(a, b, *compare::method_changes(accuracy).front().differing.front()));
   if (a.manifest.seed != b.manifest.seed)
     text += fmt::format("  seeds {} and {}: other inputs, so nothing to compare\n", a.manifest.seed, b.manifest.seed);
   else
@@ -97,6 +118,10 @@ std::string ratio_text(const compare::TimeRatio& of) {
   return fmt::format("{:.3f} [{:.3f}, {:.3f}]", of.ratio.median, of.ratio.low, of.ratio.high);
 }
 
+std::vector<std::string> header_of_times() {
+  return {"  method", "a ns", "b ns", "b/a", "", "in sentinels", "", "rank a b"};
+}
+
 std::vector<std::string> timing_line(const compare::TimingRow& row) {
   std::vector<std::string> line{"  " + row.inputs.field("method"), time_text(row.a), time_text(row.b),
                                 ratio_text(row.raw), std::string(metric::name(row.raw.verdict))};
@@ -107,27 +132,49 @@ std::vector<std::string> timing_line(const compare::TimingRow& row) {
   return line;
 }
 
+std::string counts_text(const compare::TimingComparison& timing) {
+  std::map<metric::Verdict, std::size_t> counts;
+  std::size_t methods = 0;
+  for (const auto& row : timing.rows) {
+    if (row.is_sentinel()) continue;
+    ++methods;
+    ++counts[row.raw.verdict];
+  }
+  using metric::Verdict;
+  return fmt::format("{} slower, {} same, {} faster, {} unresolved of {} times", counts[Verdict::slower],
+                     counts[Verdict::same], counts[Verdict::faster], counts[Verdict::unresolved], methods);
+}
+
+/// The verdict that compares methods: in sentinels where the machines differ.
+const compare::TimeRatio& judged_ratio(const compare::TimingRow& row, bool same_machine) {
+  return same_machine || !row.normalised ? row.raw : *row.normalised;
+}
+
 }  // namespace
 
-std::string differences_text(const compare::Side& a, const compare::Side& b, const compare::Pair& pair) {
-  return side_line("a", a) + side_line("b", b) + "\n" + facts_text(pair) + "\n" + accuracy_text(a, b, pair.accuracy);
+std::string verdict_line(const compare::Pair& pair) {
+  const auto& accuracy = pair.accuracy;
+  std::string text = "verdict  ";
+  if (accuracy.rows.empty())
+    text += "no accuracy in common";
+  else if (accuracy.differing == 0)
+    text += fmt::format("accuracy identical in {} rows", accuracy.rows.size());
+  else
+    text += fmt::format("accuracy differs in {} of {} rows", accuracy.differing, accuracy.rows.size());
+  return fmt::format("{}; {}{}\n", text, pair.timing.rows.empty() ? "no times in common" : counts_text(pair.timing),
+                     pair.same_machine ? "" : "; different machines");
+}
+
+std::string differences_text(const compare::Side& a, const compare::Side& b, const compare::Pair& pair, bool all) {
+  return side_line("a", a) + side_line("b", b) + "\n" + facts_text(pair) + "\n" +
+         accuracy_text(a, b, pair.accuracy, all);
 }
 
 std::string timing_summary(const compare::Pair& pair) {
   if (pair.timing.rows.empty()) return "timing: no common rows\n";
-  std::map<metric::Verdict, std::size_t> counts;
-  std::size_t doubtful = 0;
-  std::size_t methods = 0;
-  for (const auto& row : pair.timing.rows) {
-    if (row.is_sentinel()) continue;
-    ++methods;
-    ++counts[row.raw.verdict];
-    doubtful += row.is_ok() ? 0 : 1;
-  }
-  using metric::Verdict;
-  std::string text =
-      fmt::format("timing, b over a: {} slower, {} same, {} faster, {} unresolved of {}", counts[Verdict::slower],
-                  counts[Verdict::same], counts[Verdict::faster], counts[Verdict::unresolved], methods);
+  const auto doubtful = std::ranges::count_if(
+      pair.timing.rows, [](const compare::TimingRow& row) { return !row.is_sentinel() && !row.is_ok(); });
+  std::string text = "timing, b over a: " + counts_text(pair.timing);
   if (doubtful > 0) text += fmt::format("; {} doubtful, marked", doubtful);
   text +=
       pair.same_machine
@@ -139,8 +186,27 @@ std::string timing_summary(const compare::Pair& pair) {
   return text;
 }
 
+std::string changed_times_text(const compare::Pair& pair) {
+  std::vector<const compare::TimingRow*> changed;
+  for (const auto& row : pair.timing.rows) {
+    const auto verdict = judged_ratio(row, pair.same_machine).verdict;
+    if (!row.is_sentinel() && (verdict == metric::Verdict::slower || verdict == metric::Verdict::faster))
+      changed.push_back(&row);
+  }
+  if (changed.empty()) return "  none is slower or faster for certain\n";
+  const auto worst_first = [&](const auto* row) { return -judged_ratio(*row, pair.same_machine).ratio.median; };
+  std::ranges::stable_sort(changed, {}, worst_first);
+  Lines lines{header_of_times()};
+  for (const auto* row : changed) {
+    lines.push_back(timing_line(*row));
+    lines.back().insert(lines.back().begin() + 1, row_words(row->inputs));
+  }
+  lines.front().insert(lines.front().begin() + 1, "where");
+  return aligned(lines);
+}
+
 std::string timing_text(const compare::TimingComparison& timing) {
-  Lines lines{{"  method", "a ns", "b ns", "b/a", "", "in sentinels", "", "rank a b"}};
+  Lines lines{header_of_times()};
   std::optional<compare::Inputs> race;
   for (const auto& row : timing.rows) {
     if (auto inputs = row.inputs.without_method(); inputs != race) {
@@ -155,12 +221,15 @@ std::string timing_text(const compare::TimingComparison& timing) {
 std::string rank_changes_text(const compare::TimingComparison& timing) {
   std::string text;
   for (const auto& row : timing.rows)
-    if (row.rank_a != row.rank_b)
+    if (row.changed_place)
       text += fmt::format("  {}: {} in a, {} in b{}\n", printable(row.inputs.words()), row.rank_a, row.rank_b,
                           row.is_ok() ? "" : ", " + printable(row.quality));
   constexpr std::string_view among = "among the methods of a race that both bundles have";
-  return text.empty() ? fmt::format("ranks: none changed, {}\n", among)
-                      : fmt::format("ranks that changed, 1 + how many are certainly faster, {}\n{}", among, text);
+  return text.empty()
+             ? fmt::format("ranks: none changed, {}\n", among)
+             : fmt::format(
+                   "ranks that changed, where both bundles resolve it, 1 + how many are certainly faster, {}\n{}",
+                   among, text);
 }
 
 std::string standings_text(const std::vector<compare::Standing>& standings) {

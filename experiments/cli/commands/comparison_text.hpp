@@ -9,16 +9,23 @@
 
 namespace bezierbench::cli {
 
-/// The differences between machines and builds, and whether results differ, with the first input that shows it.
-std::string differences_text(const compare::Side& a, const compare::Side& b, const compare::Pair& pair);
+/// What the comparison found, in one line.
+std::string verdict_line(const compare::Pair& pair);
+
+/// The differences between machines and builds, and whether results differ: the largest change of each method, or with
+/// `all` each row that differs, and an input that shows the largest of all.
+std::string differences_text(const compare::Side& a, const compare::Side& b, const compare::Pair& pair, bool all);
 
 /// Counts of verdicts, and which of the two ratios to read.
 std::string timing_summary(const compare::Pair& pair);
 
+/// The timings that are certainly slower or faster, the slowest first.
+std::string changed_times_text(const compare::Pair& pair);
+
 /// Every timing, race by race.
 std::string timing_text(const compare::TimingComparison& timing);
 
-/// The methods that changed their order, as far as intervals show it.
+/// The methods that changed their order, as far as both bundles show it.
 std::string rank_changes_text(const compare::TimingComparison& timing);
 
 std::string standings_text(const std::vector<compare::Standing>& standings);

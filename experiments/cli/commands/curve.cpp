@@ -5,7 +5,7 @@
 namespace bezierbench::cli {
 
 void CurveOptions::add_to(Command command) {
-  command.option("--curve", file, "curve file (CSV)").required();
+  command.option("--curve", file, "curve file (CSV)").required().takes(file_value);
   command.option("--form", form, "form of the file").one_of({"bernstein", "power"});
 }
 

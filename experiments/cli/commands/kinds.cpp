@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/kinds.hpp"
@@ -23,26 +24,6 @@ using suite::Field;
 using suite::Kind;
 
 constexpr std::size_t columns = 80;
-
-/// `text` in lines of at most `columns` characters, broken at spaces. The first line begins with `head`, the others
-/// with `indent` spaces.
-std::string wrapped(std::string_view head, std::string_view text, std::size_t indent) {
-  std::string all;
-  std::string line(head);
-  bool has_word = false;
-  while (!text.empty()) {
-    const auto end = std::min(text.find(' '), text.size());
-    if (has_word && line.size() + 1 + end > columns) {
-      all += line + "\n";
-      line = std::string(indent, ' ');
-      has_word = false;
-    }
-    line += (has_word ? " " : "") + std::string(text.substr(0, end));
-    has_word = true;
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return all + line + "\n";
-}
 
 template <class Enum>
 std::string words_of() {
@@ -90,7 +71,7 @@ std::string key_text(const Kind& kind, const Field& field) {
   const auto type = std::visit(TypeText(), field.value(default_study(kind)));
   const auto example = fmt::format("{} = {}", field.key, example_of(kind, field));
   return wrapped(fmt::format("  {}: ", field.key),
-                 fmt::format("{}; {}; {}", field.meaning, type, default_of(kind, field)), 6) +
+                 fmt::format("{}; {}; {}", field.meaning, type, default_of(kind, field)), 6, columns) +
          fmt::format("      {}\n", example);
 }
 
@@ -120,9 +101,9 @@ std::vector<std::string> restrictions_of(const Kind& kind) {
 
 /// The description of a kind: its own keys, then its restrictions on the others.
 std::string own_text(const Kind& kind) {
-  std::string text = wrapped(fmt::format("{}: ", kind.id), kind.about, 4);
+  std::string text = wrapped(fmt::format("{}: ", kind.id), kind.about, 4, columns);
   for (const Field& field : kind.own) text += key_text(kind, field);
-  for (const auto& line : restrictions_of(kind)) text += wrapped("  ", line, 6);
+  for (const auto& line : restrictions_of(kind)) text += wrapped("  ", line, 6, columns);
   return text;
 }
 

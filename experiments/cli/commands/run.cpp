@@ -11,8 +11,11 @@
 
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/kinds.hpp"
+#include "experiments/cli/commands/run_ending.hpp"
 #include "experiments/cli/commands/shard.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/known_values.hpp"
+#include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/number/number.hpp"
@@ -35,6 +38,7 @@ struct RunOptions {
   std::optional<std::string> checkpoint;
   bool dry_run = false;
   bool quiet = false;
+  std::optional<std::string> progress;
   bool host_name = false;
   suite::Overrides overrides;
 };
@@ -56,11 +60,21 @@ std::chrono::milliseconds pause(const std::string& text) {
   return std::chrono::milliseconds(std::llround(*seconds * milliseconds));
 }
 
+run::Telling telling_of(const RunOptions& options) {
+  if (options.quiet && options.progress)
+    throw Failure(Exit::usage, fmt::format("--progress {}: must not stand beside --quiet", *options.progress));
+  if (options.quiet) return run::Telling::nothing;
+  return options.progress == "json" ? run::Telling::json : run::Telling::text;
+}
+
 Exit run(const RunOptions& options) {
   const auto known = vocabulary();
   auto request = request_of_this_build();
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
-  for (const auto& file : options.suites) {
+  request.telling = telling_of(options);
+  if (request.telling == run::Telling::json) run::write_notes_as_json();
+  for (const auto& word : options.suites) {
+    const auto file = suite_file(word).string();
     for (auto& one : suite::read_suites(file, known)) request.suites.push_back(std::move(one));
     suite::check_unique_ids(request.suites, file);
   }
@@ -71,12 +85,12 @@ Exit run(const RunOptions& options) {
   if (options.shard) request.shard = shard_of(*options.shard, [](const char* name) { return std::getenv(name); });
   if (options.checkpoint) request.checkpoint = pause(*options.checkpoint);
   request.dry_run = options.dry_run;
-  request.quiet = options.quiet;
   if (options.host_name) request.host_name = bundle::HostName::told;
   run::watch_for_interruption();
-  const auto findings = run::run(request);
-  for (const auto& finding : findings) say(finding);
-  return findings.empty() ? Exit::fine : Exit::finding;
+  const auto outcome = run::run(request);
+  for (const auto& finding : outcome.findings) say(finding);
+  if (!options.dry_run) tell_ending(outcome, options.out, request.telling);
+  return outcome.findings.empty() ? Exit::fine : Exit::finding;
 }
 
 }  // namespace
@@ -84,22 +98,31 @@ Exit run(const RunOptions& options) {
 void add_run(Command program, Exit& exit) {
   auto options = std::make_shared<RunOptions>();
   auto command = program.command("run", "run suites into a bundle");
-  command.option("suites", options->suites, "suite files (TOML)").required();
-  command.option("--out", options->out, "folder of the bundle").required();
+  command
+      .option("suites", options->suites, "ids of suites that come with the program, or files: words with a / or .toml")
+      .required()
+      .takes(suite_value, shipped_suites);
+  command.option("--out", options->out, "folder of the bundle").required().takes(folder_value);
   command.option("--jobs", options->jobs, "threads; default: all cores").within(1, 4096);
   command.option("--seed", options->seed, "another seed than the suite's");
-  command.option("--trials", options->trials, "trials per cell and replicate");
-  command.option("--set", options->overrides.set,
-                 "key=v1,v2 for every study; intervals as 0:0.2; a key that one of them does not have is refused");
-  command.option("--only", options->overrides.only, "only studies whose id matches this glob");
+  command.option("--trials", options->trials, "trials per cell and replicate").takes("N");
+  command
+      .option("--set", options->overrides.set,
+              "for every study; intervals as 0:0.2; a key that one of them does not have is refused")
+      .takes("KEY=V1,V2", known_settings);
+  command.option("--only", options->overrides.only, "only studies whose id matches this glob").takes("GLOB");
   command.option("--reference", options->reference, "how the truth is computed").one_of({"certified", "exact"});
-  command.option("--shard", options->shard, "i/N: do one part of N; auto: ask Open MPI, PMI or Slurm which");
-  command.option("--checkpoint", options->checkpoint,
-                 "seconds between two files of finished blocks; default: by cost, 2 at most");
+  command.option("--shard", options->shard, "do one part of N; auto: ask Open MPI, PMI or Slurm which")
+      .takes("I/N|auto", [] { return std::vector<std::string>{"auto"}; });
+  command
+      .option("--checkpoint", options->checkpoint, "between two files of finished blocks; default: by cost, 2 at most")
+      .takes("SECONDS");
   command.flag("--dry-run", options->dry_run, "say what would be done");
   command.flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
   command.flag("--host-name", options->host_name, "let machine.json say the host's name");
-  command.flag("--quiet", options->quiet, "no progress");
+  command.flag("--quiet", options->quiet, "say nothing but what is wrong");
+  command.option("--progress", options->progress, "on standard error: lines for people, or JSON, an object per line")
+      .one_of({"text", "json"});
   command.footer("\nWhat a [[study]] of a suite file says:\n\n" + kinds_text());
   command.action([options, &exit] {
     if (options->seed) options->overrides.seed = static_cast<std::uint64_t>(whole_number("--seed", *options->seed));

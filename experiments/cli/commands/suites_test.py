@@ -106,7 +106,7 @@ class Suites(Case):
                 self.refused(USAGE, ["run", "s.toml", "--out", "b"], f"bezierbench: {place}", needle)
 
     def test_file_that_cannot_be_read(self):
-        for name in ("absent.toml", ".", "absent/s.toml"):
+        for name in ("absent.toml", "./", "absent/s.toml"):
             with self.subTest(name=name):
                 self.refused(USAGE, ["run", name, "--out", "b"], f"bezierbench: {name}: cannot be read")
 

@@ -10,6 +10,7 @@
 #include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/damage.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/method_choice.hpp"
@@ -180,8 +181,9 @@ void add_trials(Command program, Exit& exit) {
   auto command = program.command("trials", "every trial of one cell of a bundle, as CSV");
   command.option("bundle", options->bundle, "folder of the bundle").required();
   command.option("--study", options->study, "its study, of kind accuracy").required();
-  command.option("--method", options->method, "its method").required();
-  command.option("--set", options->set, "axis=value, where the study has several; intervals as 0:0.2");
+  command.option("--method", options->method, "its method").required().takes("METHOD", methods_of(Problem::evaluation));
+  command.option("--set", options->set, "axis=value, where the study has several; intervals as 0:0.2")
+      .takes("AXIS=VALUE", known_settings);
   add_damaged(command, options->damaged);
   command.action([options, &exit] {
     const Chosen from = chosen(*options);

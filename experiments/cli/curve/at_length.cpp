@@ -12,6 +12,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/length/length_along.hpp"
 
@@ -124,7 +125,8 @@ void add_curve_at_length(Command curve) {
   target.option("--length", options->length, "length from the beginning, in coordinate units");
   target.option("--fraction", options->fraction, "of the length of the curve, from 0 to 1");
   command.option("--tolerance", options->tolerance, "relative to the length of the curve; default: 1e-9");
-  command.option("--method", options->methods, "method id; may be repeated; default: all");
+  command.option("--method", options->methods, "method id; may be repeated; default: all")
+      .takes("METHOD", methods_of(Problem::inverse_arc_length));
   command.action([options] { find(*options); });
 }
 

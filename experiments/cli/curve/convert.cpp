@@ -11,6 +11,7 @@
 #include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 
 namespace bezierbench::cli {
@@ -66,7 +67,10 @@ void add_curve_convert(Command curve) {
   auto options = std::make_shared<ConvertOptions>();
   auto command = curve.command("convert", "coefficients in the other form");
   options->curve.add_to(command);
-  command.option("--method", options->methods, "conversion id").required().once();
+  command.option("--method", options->methods, "conversion id")
+      .required()
+      .once()
+      .takes("METHOD", methods_of(Problem::conversion));
   command.action([options] { convert(*options); });
 }
 

@@ -12,6 +12,7 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/judged_coordinate.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"
@@ -98,8 +99,9 @@ void add_curve_eval(Command curve) {
   auto options = std::make_shared<EvalOptions>();
   auto command = curve.command("eval", "points of a curve");
   options->curve.add_to(command);
-  command.option("--t", options->t, "parameter; may be repeated").required();
-  command.option("--method", options->methods, "method id; may be repeated; default: all that apply");
+  command.option("--t", options->t, "parameter; may be repeated").required().takes("T");
+  command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
+      .takes("METHOD", methods_of(Problem::evaluation));
   command.action([options] { evaluate(*options); });
 }
 

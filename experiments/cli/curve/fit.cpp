@@ -12,6 +12,7 @@
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/point_file.hpp"
 #include "experiments/cli/curve/segment_rows.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/number/number.hpp"
 
 namespace bezierbench::cli {
@@ -58,10 +59,11 @@ void fit(const FitOptions& options) {
 void add_curve_fit(Command curve) {
   auto options = std::make_shared<FitOptions>();
   auto command = curve.command("fit", "a piecewise cubic near points");
-  command.option("--points", options->points, "point file (CSV)").required();
+  command.option("--points", options->points, "point file (CSV)").required().takes(file_value);
   command.option("--tolerance", options->tolerance, "largest distance of a point from the curve, in its units")
       .required();
-  command.option("--method", options->method, fmt::format("method id; default {}", default_method));
+  command.option("--method", options->method, fmt::format("method id; default {}", default_method))
+      .takes("METHOD", methods_of(Problem::fitting));
   command.action([options] { fit(*options); });
 }
 

@@ -46,7 +46,7 @@ void interpolate(const InterpolateOptions& options) {
 void add_curve_interpolate(Command curve) {
   auto options = std::make_shared<InterpolateOptions>();
   auto command = curve.command("interpolate", "the C2 natural cubic spline through points");
-  command.option("--points", options->points, "point file (CSV)").required();
+  command.option("--points", options->points, "point file (CSV)").required().takes(file_value);
   command.option("--method", options->method,
                  fmt::format("method id; default {}", interpolation_kernels().front().info->id));
   command.action([options] { interpolate(*options); });

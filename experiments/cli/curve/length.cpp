@@ -10,6 +10,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/length/true_length.hpp"
@@ -86,10 +87,11 @@ void add_curve_length(Command curve) {
   auto options = std::make_shared<LengthOptions>();
   auto command = curve.command("length", "the arc length of a curve or of a part of it");
   options->curve.add_to(command);
-  command.option("--from", options->from, "parameter of the beginning; default: 0");
-  command.option("--to", options->to, "parameter of the end; default: 1");
+  command.option("--from", options->from, "parameter of the beginning; default: 0").takes("T");
+  command.option("--to", options->to, "parameter of the end; default: 1").takes("T");
   command.option("--tolerance", options->tolerance, "relative to the length; default: 1e-9");
-  command.option("--method", options->methods, "method id; may be repeated; default: all");
+  command.option("--method", options->methods, "method id; may be repeated; default: all")
+      .takes("METHOD", methods_of(Problem::arc_length));
   command.action([options] { measure(*options); });
 }
 

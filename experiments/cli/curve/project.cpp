@@ -9,6 +9,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/projection.hpp"
@@ -66,8 +67,9 @@ void add_curve_project(Command curve) {
   auto options = std::make_shared<ProjectOptions>();
   auto command = curve.command("project", "the point of a curve that is nearest to a point");
   options->curve.add_to(command);
-  command.option("--point", options->point, "coordinates, separated by commas: X,Y or X,Y,Z").required();
-  command.option("--method", options->methods, "method id; may be repeated; default: all that apply");
+  command.option("--point", options->point, "coordinates, separated by commas").required().takes("X,Y[,Z]");
+  command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
+      .takes("METHOD", methods_of(Problem::projection));
   command.action([options] { project(*options); });
 }
 

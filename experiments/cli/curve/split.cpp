@@ -13,6 +13,7 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/judged_coordinate.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/subdivision/split_truth.hpp"
 
@@ -124,8 +125,9 @@ void add_curve_split(Command curve) {
   auto options = std::make_shared<SplitOptions>();
   auto command = curve.command("split", "both halves of a curve");
   options->curve.add_to(command);
-  command.option("--t", options->t, "where the curve is split").required();
-  command.option("--method", options->methods, "method id; may be repeated; default: all that apply");
+  command.option("--t", options->t, "where the curve is split").required().takes("T");
+  command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
+      .takes("METHOD", methods_of(Problem::subdivision));
   command.action([options] { split(*options); });
 }
 

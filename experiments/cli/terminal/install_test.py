@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""What `cmake --install` installs of the program works there. Usage: install_test.py BEZIERBENCH, in its build folder"""
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from program_case import ENVIRONMENT, FINE, PROGRAM, ROOT, Case, rows  # noqa: E402
+
+SCRIPTS = Path(__file__).resolve().parent / "completions"
+
+
+class Installed(Case):
+    def setUp(self):
+        super().setUp()
+        self.prefix = self.folder / "prefix"
+        subprocess.run(["cmake", "--install", Path(PROGRAM).parent, "--prefix", self.prefix, "--component", "program"],
+                       check=True, stdout=subprocess.DEVNULL, timeout=60)
+        self.program = self.prefix / "bin/bezierbench"
+
+    def run_installed(self, *arguments, program=None):
+        return subprocess.run([program or self.program, *arguments], cwd=self.folder, check=False, capture_output=True,
+                              timeout=60)
+
+    def test_places(self):
+        share = self.prefix / "share"
+        self.assertEqual(sorted(file.name for file in (share / "bezierbench/suites").iterdir()),
+                         sorted(file.name for file in (ROOT / "experiments/suites").iterdir()
+                                if file.suffix == ".toml" or file.name == "suite.schema.json"))
+        for source, place in (("bezierbench.bash", "bash-completion/completions/bezierbench"),
+                              ("_bezierbench", "zsh/site-functions/_bezierbench"),
+                              ("bezierbench.fish", "fish/vendor_completions.d/bezierbench.fish")):
+            self.assertEqual((share / place).read_bytes(), (SCRIPTS / source).read_bytes())
+        self.assertIn("bezierbench-curve-eval.1", [page.name for page in (share / "man/man1").iterdir()])
+
+    def test_its_suites_are_those_beside_it(self):
+        (self.prefix / "share/bezierbench/suites/report.toml").unlink()
+        listed = self.run_installed("list", "suites", "--format", "csv")
+        self.assertEqual(listed.returncode, FINE, listed.stderr)
+        ids = [row["id"] for row in rows(listed.stdout.decode())]
+        self.assertIn("ladder", ids)
+        self.assertNotIn("report", ids)
+
+    def test_it_runs_a_suite(self):
+        ran = self.run_installed("run", "report", "--trials", "10", "--set", "replicates=2", "--only", "2.3.1-bezier",
+                                 "--out", "b")
+        self.assertEqual(ran.returncode, FINE, ran.stderr)
+        told, following = ran.stderr.decode().splitlines()
+        self.assertIn("b: complete", told)
+        self.assertEqual(following, f"next: {self.program} verify b")
+        self.assertEqual(self.run_installed("verify", "b").returncode, FINE)
+
+    def test_called_by_a_link(self):
+        (self.folder / "link").symlink_to(self.program)
+        self.assertEqual(self.run_installed("list", "suites", program=self.folder / "link").returncode, FINE)
+
+    def test_a_program_without_its_suites_says_so(self):
+        alone = self.folder / "alone/bin/bezierbench"
+        alone.parent.mkdir(parents=True)
+        shutil.copy(self.program, alone)
+        self.assertEqual(self.run_installed("list", "methods", program=alone).returncode, FINE)
+        for arguments in (["list", "suites"], ["run", "report", "--out", "b"]):
+            result = self.run_installed(*arguments, program=alone)
+            self.assertEqual(result.returncode, ENVIRONMENT)
+            self.assert_one_line(result, "share/bezierbench/suites")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,184 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""What `run` says on a terminal, in a file and to programs, and shipped suites. Usage: progress_test.py BEZIERBENCH"""
+import json
+import os
+import pty
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from program_case import FINE, PATIENCE, PROGRAM, ROOT, STUDY, TIMING, USAGE, Case  # noqa: E402
+
+SHORT_TIMING = {**TIMING, "methods": '["direct", "de_casteljau"]', "modes": '["point"]'}
+QUICK = ["--trials", "10", "--set", "replicates=2", "--only", "2.3.1-*", "--no-timing"]
+
+
+class Terminal(Case):
+    def on_terminal(self, *arguments, **environment):
+        """Exit code, and all that the program writes with all its streams on a terminal of 80 columns."""
+        parent, child = pty.openpty()
+        subprocess.run(["stty", "cols", "80"], stdin=child, check=True)
+        kept = {key: text for key, text in os.environ.items() if key not in ("NO_COLOR", "COLUMNS")}
+        with subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdin=child, stdout=child, stderr=child,
+                              env={**kept, "TERM": "xterm", **environment}) as process:
+            os.close(child)
+            written = b""
+            while True:
+                try:
+                    piece = os.read(parent, 65536)
+                except OSError:  # the other end is closed
+                    break
+                if not piece:
+                    break
+                written += piece
+            code = process.wait(PATIENCE)
+        os.close(parent)
+        return code, written.decode()
+
+    def test_progress_is_rewritten_and_fits(self):
+        suite = self.suite({**STUDY, "id": '"' + "long" * 20 + '"', "trials": "200000"})
+        code, text = self.on_terminal("run", suite, "--out", "b", "--jobs", "1")
+        self.assertEqual(code, FINE, text)
+        lines = re.findall(r"\r([^\r\n\x1b]*)\x1b\[K", text)
+        told = [line for line in lines if line]
+        self.assertTrue(told, text)
+        for line in told:
+            self.assertRegex(line, r"^ *\d+ %, about .* left, long")
+            self.assertLess(len(line), 80)
+        self.assertEqual(lines[-1], "")  # it is gone at the end
+        self.assertRegex(text, r"b: complete in .*: 1 cell, no bound violated\r\nnext: ")
+
+    def test_colours(self):
+        for arguments in (["list", "suites"], ["rnu"], [], ["--help"]):
+            with self.subTest(arguments=arguments):
+                coloured = self.on_terminal(*arguments)[1]
+                self.assertIn("\x1b[", coloured)
+                plain = self.on_terminal(*arguments, NO_COLOR="1")[1]
+                self.assertNotIn("\x1b", plain)
+                self.assertEqual(re.sub(r"\x1b\[[0-9;]*m", "", coloured), plain)
+                self.assertNotIn("\x1b", self.on_terminal(*arguments, TERM="dumb")[1])
+                piped = self.run_program(*arguments)
+                self.assertNotIn(b"\x1b", piped.stdout + piped.stderr)
+
+    def test_lists_fit(self):
+        for topic in ("suites", "studies", "methods", "generators"):
+            wide = self.fine("list", topic)
+            with self.subTest(topic=topic):
+                code, text = self.on_terminal("list", topic, NO_COLOR="1")
+                self.assertEqual(code, FINE)
+                self.assertLessEqual(max(map(len, text.splitlines())), 80)
+                words = set(text.replace(";", "").split())
+                self.assertEqual([word for word in wide.replace(";", "").split() if word not in words], [])
+                narrow = self.fine("list", topic, env={**os.environ, "COLUMNS": "100"})
+                self.assertLessEqual(max(map(len, narrow.splitlines())), 100)
+                self.assertEqual(self.fine("list", topic, "--format", "csv", env={**os.environ, "COLUMNS": "40"}),
+                                 self.fine("list", topic, "--format", "csv"))
+
+    def test_help_fits(self):
+        for arguments in (["--help"], ["run", "--help"], ["curve", "at-length", "--help"], ["compare", "--help"]):
+            for columns in (60, 80, 120):
+                text = self.fine(*arguments, env={**os.environ, "COLUMNS": str(columns)}).split("\nWhat a [[study]]")[0]
+                self.assertLessEqual(max(map(len, text.splitlines())), columns, arguments)
+
+
+class WithoutWords(Case):
+    def test_five_lines(self):
+        lines = self.fine().splitlines()
+        self.assertEqual(len(lines), 5)
+        for line in lines:
+            self.assertLessEqual(len(line), 80)
+            self.assertTrue(line.startswith("bezierbench "), line)
+
+    def test_what_it_says_works(self):
+        self.write("c.csv", "x,y\n0,0\n1,1\n")
+        commands = [re.split(r"  +", line)[0].split()[1:] for line in self.fine().splitlines()]
+        for words in commands:
+            with self.subTest(words=words):
+                if words[0] == "run":
+                    words.append("--dry-run")
+                    words[words.index("b")] = "other"
+                names = {"b": ROOT / "results/baseline", "COMMAND": "run"}
+                self.assertTrue(self.fine(*(names.get(word, word) for word in words)))
+
+
+class ShippedSuites(Case):
+    def test_by_id(self):
+        self.bundle("report", *QUICK, name="id")
+        self.bundle(ROOT / "experiments/suites/report.toml", *QUICK, name="file")
+        self.assertEqual(self.manifest("id"), self.manifest("file"))
+
+    def test_file_names_are_ids(self):
+        for file in (ROOT / "experiments/suites").glob("*.toml"):
+            self.assertIn(f'\nid = "{file.stem}"\n', file.read_text(encoding="utf-8"))
+
+    def test_words(self):
+        self.refused(USAGE, ["run", "reprot", "--out", "b"], 'reprot: ', 'did you mean "report"?')
+        self.write("report", "")  # a file in the way changes nothing
+        self.refused(USAGE, ["run", "./report", "--out", "b"], "./report:")
+        self.assertIn("cells", self.fine("run", "report", "--out", "b", "--dry-run", *QUICK))
+
+
+class Progress(Case):
+    def events(self, *arguments):
+        result = self.run_program("run", *arguments, "--out", "b", "--progress", "json")
+        self.assertEqual((result.returncode, result.stdout), (FINE, b""), result.stderr)
+        return [json.loads(line) for line in result.stderr.decode().splitlines()]
+
+    def test_json(self):
+        suite = self.suite({**STUDY, "degree": "[3, 4]"}, {**STUDY, "id": '"other"'}, {**SHORT_TIMING, "degree": "[3, 4]"})
+        first, *progress, last = self.events(suite)
+        self.assertEqual({key: first[key] for key in ("event", "studies", "blocks_done")},
+                         {"event": "begin", "studies": 3, "blocks_done": 0})
+        self.assertLessEqual({"a", "other", "t"}, {event["study"] for event in progress})
+        shares = [event["share"] for event in progress]
+        self.assertEqual(shares, sorted(shares))
+        for event in progress:
+            self.assertEqual(set(event), {"event", "study", "study_share", "share", "studies_done", "studies",
+                                          "elapsed_s", "left_s"})
+        self.assertEqual((progress[-1]["share"], progress[-1]["studies_done"], progress[-1]["left_s"]), (1, 3, 0))
+        self.assertEqual({key: last[key] for key in ("event", "ending", "out", "cells", "violations", "findings")},
+                         {"event": "end", "ending": "complete", "out": "b", "cells": first["cells"], "violations": 0,
+                          "findings": 0})
+        self.assertGreater(last["times"], 0)
+        for command in last["next"]:
+            self.assertIn(" b", command)
+        self.assertEqual([event["ending"] for event in self.events(suite)], ["nothing_to_do"])
+
+    def test_documented(self):
+        """docs/terminal.md has every member of every event."""
+        text = (ROOT / "docs/terminal.md").read_text(encoding="utf-8")
+        for event in self.events(self.suite(SHORT_TIMING)):
+            for key in (*event, event["event"]):
+                self.assertIn(f"`{key}`", text)
+
+    def test_messages_are_json_as_well(self):
+        self.bundle()
+        result = self.run_program("run", "s.toml", "--seed", "7", "--out", "b", "--progress", "json")
+        self.assertEqual(result.returncode, USAGE)
+        event = json.loads(result.stderr)
+        self.assertEqual(event["event"], "message")
+        self.assertRegex(event["text"], r"^bezierbench: b: holds results of seed 1")
+
+    def test_the_end_of_a_run(self):
+        result = self.run_program("run", self.suite({**STUDY, "degree": "[3, 4]"}, SHORT_TIMING), "--out", "b")
+        self.assertEqual((result.returncode, result.stdout), (FINE, b""))
+        told, following = result.stderr.decode().splitlines()
+        self.assertRegex(told, r"^b: complete in .* s: 3 cells, no bound violated, \d+ of \d+ times noisy \(.* %\)$")
+        self.assertTrue(following.startswith("next: "), following)
+        command = following.removeprefix("next: ")
+        if "verify" in command:
+            self.assertEqual(subprocess.run(command, shell=True, cwd=self.folder, check=False).returncode, FINE)
+        else:
+            self.assertTrue((self.folder / command.split()[0]).exists(), command)
+
+    def test_quiet(self):
+        self.assertEqual(self.fine("run", self.suite(), "--quiet", "--out", "b"), "")
+        self.refused(USAGE, ["run", self.suite(), "--quiet", "--progress", "json", "--out", "b"], "--quiet")
+
+
+if __name__ == "__main__":
+    unittest.main()

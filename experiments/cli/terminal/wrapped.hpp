@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Text in lines of a given width.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bezierbench::cli {
+
+/// `text` cut at spaces into lines of at most `width` characters; a longer word has a line of its own. At least one
+/// line, which may be empty.
+std::vector<std::string> lines_of(std::string_view text, std::size_t width);
+
+/// `head` and `text` in lines of at most `width` characters. The first line begins with `head`, the others with `indent`
+/// spaces.
+std::string wrapped(std::string_view head, std::string_view text, std::size_t indent, std::size_t width);
+
+/// The number of characters of a UTF-8 text.
+std::size_t length_of(std::string_view text);
+
+/// `text` with spaces up to this number of characters.
+std::string padded(std::string_view text, std::size_t width);
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The parameters at which properties are decided.
+#pragma once
+
+#include <vector>
+
+#include "core/method.hpp"
+
+namespace bezierbench::properties {
+
+/// The ends, their neighbours, the middle, and both sides of [0, 1].
+inline std::vector<double> parameters() { return {0, 1, 0.5, 0.3, 0x1p-30, 1 - 0x1p-53, 0.9, -0.25, 1.5}; }
+
+/// Those at which the method has a value: outside [0, 1] sums of weights may vanish, and some methods end there.
+inline std::vector<double> parameters_for(const MethodInfo& info) {
+  auto ts = parameters();
+  if (info.form == Form::rational || info.unit_interval_only)
+    std::erase_if(ts, [](double t) { return t < 0 || t > 1; });
+  return ts;
+}
+
+}  // namespace bezierbench::properties

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// A method that does something wrong must be found by the properties that it breaks, and by no others.
+#include "experiments/properties/properties.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace bezierbench::properties {
+namespace {
+
+/// What is wrong with a method: changes a coordinate of the point at t[k].
+using Fault = double (*)(double value, std::size_t k, std::span<const double> t);
+Fault fault;
+
+template <int Dimension>
+void evaluate_wrongly(const void* prepared, std::span<const double> t, double* points) {
+  static const auto right = find_kernel<double>("de_casteljau", Form::bernstein, Dimension)->evaluate;
+  right(prepared, t, points);
+  for (std::size_t k = 0; k < t.size(); ++k) points[k * Dimension] = fault(points[k * Dimension], k, t);
+}
+
+/// The properties that de Casteljau's algorithm loses by a fault in the first coordinate.
+std::vector<std::string_view> lost_by(Fault one) {
+  fault = one;
+  std::array<Kernel<double>, 3> wrong{*find_kernel<double>("de_casteljau", Form::bernstein, 1),
+                                      *find_kernel<double>("de_casteljau", Form::bernstein, 2),
+                                      *find_kernel<double>("de_casteljau", Form::bernstein, 3)};
+  wrong[0].evaluate = evaluate_wrongly<1>;
+  wrong[1].evaluate = evaluate_wrongly<2>;
+  wrong[2].evaluate = evaluate_wrongly<3>;
+  const Evaluator method{{&wrong[0], &wrong[1], &wrong[2]}, find_kernel<float>("de_casteljau", Form::bernstein, 2)};
+  std::vector<std::string_view> lost;
+  for (const auto& property : properties()) {
+    EXPECT_TRUE(property.concerns(method.info())) << property.id;
+    const auto outcome = property.decide(method);
+    EXPECT_EQ(outcome.broken() == 0, outcome.first().empty());
+    if (outcome.broken() > 0) lost.push_back(property.id);
+  }
+  return lost;
+}
+
+TEST(Properties, AreKeptByARightMethod) {
+  EXPECT_THAT(lost_by([](double value, std::size_t, std::span<const double>) { return value; }), testing::IsEmpty());
+}
+
+TEST(Properties, AreLostByAConstantOffset) {
+  EXPECT_THAT(lost_by([](double value, std::size_t, std::span<const double>) { return value + 1e-6; }),
+              testing::ElementsAre("bound", "bound_underflow", "mild_curves", "constants", "affine_maps",
+                                   "powers_of_two", "axes", "end_points"));
+}
+
+TEST(Properties, AreLostByAnErrorThatGrowsWithT) {
+  EXPECT_THAT(lost_by([](double value, std::size_t k, std::span<const double> t) { return value * (1 + 1e-6 * t[k]); }),
+              testing::ElementsAre("bound", "bound_underflow", "mild_curves", "constants", "affine_maps", "reversal",
+                                   "axes", "end_points"));
+}
+
+TEST(Properties, AreLostByTheLastOfMany) {
+  EXPECT_THAT(lost_by([](double value, std::size_t k, std::span<const double> t) {
+                return k > 0 && k + 1 == t.size() ? value / 2 : value;
+              }),
+              testing::IsSupersetOf({"bound", "batches", "end_points"}));
+}
+
+}  // namespace
+}  // namespace bezierbench::properties

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/run/progress_state.hpp"
+#include "experiments/run/progress_text.hpp"
+
+namespace bezierbench::run {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(ProgressState, NamesTheStudyAndItsShare) {
+  ProgressState state({{"a", 2, 100, false}, {"b", 4, 300, false}});
+  state.add(1, 75, 3);
+  const auto view = state.view();
+  EXPECT_EQ(view.study, "b");
+  EXPECT_DOUBLE_EQ(view.study_share, 0.25);
+  EXPECT_DOUBLE_EQ(view.share, 75.0 / 400);
+  EXPECT_EQ(view.studies_done, 0U);
+  EXPECT_EQ(view.studies, 2U);
+}
+
+TEST(ProgressState, TimeLeftFollowsTheTimeThatWasTaken) {
+  ProgressState state({{"a", 4, 400, false}});
+  state.add(0, 100, 3);
+  EXPECT_DOUBLE_EQ(state.view().left, 9);
+  state.add(0, 100, 4);
+  EXPECT_DOUBLE_EQ(state.view().left, 4);
+  EXPECT_DOUBLE_EQ(state.view().elapsed, 4);
+}
+
+// Timings have one thread, the others all: what one phase took says nothing about the other.
+TEST(ProgressState, TimingsHaveAPaceOfTheirOwn) {
+  constexpr double claimed = 1e9;  // the cost of what is to take a second
+  ProgressState state({{"a", 2, 8 * claimed, false}, {"t", 2, 10 * claimed, true}});
+  state.add(0, 4 * claimed, 1);
+  EXPECT_DOUBLE_EQ(state.view().left, 1 + 10);
+  state.add(0, 4 * claimed, 2);
+  EXPECT_EQ(state.view().studies_done, 1U);
+  state.add(1, 5 * claimed, 22);
+  EXPECT_DOUBLE_EQ(state.view().left, 20);
+  state.add(1, 5 * claimed, 42);
+  EXPECT_DOUBLE_EQ(state.view().left, 0);
+  EXPECT_DOUBLE_EQ(state.view().share, 1);
+  EXPECT_EQ(state.view().studies_done, 2U);
+}
+
+TEST(ProgressState, WhatAnEarlierRunFinishedIsDone) {
+  ProgressState state({{"a", 0, 0, false}, {"b", 1, 5, false}});
+  EXPECT_EQ(state.view().studies_done, 1U);
+  state.add(1, 5, 1);
+  EXPECT_EQ(state.view().studies_done, 2U);
+}
+
+TEST(ProgressText, Durations) {
+  EXPECT_EQ(duration(0), "0 s");
+  EXPECT_EQ(duration(59.4), "59 s");
+  EXPECT_EQ(duration(59.6), "1 min 00 s");
+  EXPECT_EQ(duration(3599), "59 min 59 s");
+  EXPECT_EQ(duration(2 * 3600 + 5 * 60 + 59), "2 h 05 min");
+}
+
+TEST(ProgressText, LineAndJsonSayTheSame) {
+  const ProgressView view{"2.3.1", 0.5, 0.999, 4, 11, 12.3456, 63};
+  EXPECT_EQ(progress_line(view), " 99 %, about 1 min 03 s left, 2.3.1 (4 of 11 studies done)");
+  EXPECT_EQ(Json::parse(progress_json(view)),
+            Json::parse(R"({"event": "progress", "study": "2.3.1", "study_share": 0.5, "share": 0.999,
+                            "studies_done": 4, "studies": 11, "elapsed_s": 12.346, "left_s": 63})"));
+}
+
+TEST(ProgressText, Ending) {
+  Outcome outcome;
+  outcome.ending = Ending::complete;
+  outcome.cells = 154;
+  outcome.times = 120;
+  outcome.noisy = 3;
+  outcome.seconds = 48;
+  EXPECT_EQ(ending_line(outcome), "complete in 48 s: 154 cells, no bound violated, 3 of 120 times noisy (2.5 %)");
+  outcome.findings = {"bound violated 7 times"};
+  outcome.cells = 1;
+  outcome.violations = 7;
+  outcome.times = 0;
+  EXPECT_EQ(ending_line(outcome), "complete in 48 s: 1 cell, bounds violated 7 times");
+  const auto json = Json::parse(ending_json(outcome, "a\"\x1b", {"verify b"}));
+  EXPECT_EQ(json.at("out"), "a\"\\x1b");
+  EXPECT_EQ(json.at("violations"), 7);
+  EXPECT_EQ(json.at("findings"), 1);
+  EXPECT_EQ(json.at("next"), Json::array({"verify b"}));
+}
+
+TEST(ProgressText, BytesThatAreNoTextBreakNoJson) {
+  EXPECT_EQ(Json::parse(message_json("a\xff\n\"")).at("text"), "a\\xff\\x0a\"");
+}
+
+}  // namespace
+}  // namespace bezierbench::run
