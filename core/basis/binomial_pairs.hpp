@@ -14,8 +14,8 @@ struct BinomialPairs {
   PerCoefficient<SharedBy<Scalar>, Degree> low;
 };
 
-/// The row C(n,0..n), split into two Scalars: from the table where that is exact, else by the recurrence of binomial.hpp
-/// in double-double.
+/// The row C(n,0..n), split into two Scalars: from the table where that is exact, else by the recurrence of
+/// binomial.hpp in double-double.
 template <class Scalar, int Degree>
 BinomialPairs<Scalar, Degree> binomial_pairs(int n) {
   using Shared = SharedBy<Scalar>;
