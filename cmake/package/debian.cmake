@@ -12,7 +12,7 @@ set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/bezierbench RENAME copyright COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/libbezierbench-dev RENAME copyright COMPONENT methods)
 get_cmake_property(CPACK_COMPONENTS_ALL COMPONENTS)
-set(for_compiling methods reference harness c_development)
+set(for_compiling methods reference harness)
 foreach(component ${CPACK_COMPONENTS_ALL})
   string(TOUPPER ${component} upper)
   if(component IN_LIST for_compiling)
@@ -30,6 +30,13 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "The program: it judges methods against exa
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libbezierbench-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libgmp-dev")
+if(c IN_LIST CPACK_COMPONENTS_ALL) # it lies in the other package, whose Python module needs its library
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", bezierbench (= ${PROJECT_VERSION})")
+endif()
+if(harness IN_LIST CPACK_COMPONENTS_ALL) # what it links
+  set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
+      "libbenchmark-dev, libfmt-dev, libhwy-dev, libssl-dev, libtbb-dev, libtomlplusplus-dev")
+endif()
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "For C++: header-only methods with proved error bounds, and correctly rounded points.")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)
