@@ -91,8 +91,8 @@ class Program {
   [[nodiscard]] Command command() { return {*app_, notes_}; }
   [[nodiscard]] CommandNode tree() const;
 
-  /// Runs the action of the chosen command, or prints help or version to standard output. Throws Failure(Exit::usage) for a
-  /// wrong command line, and whatever the action throws.
+  /// Runs the action of the chosen command, or prints help or version to standard output. Throws Failure(Exit::usage)
+  /// for a wrong command line, and whatever the action throws.
   void run(int argc, const char* const* argv);
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "build_facts.hpp"
 #include "experiments/bundle/machine.hpp"
@@ -8,12 +9,16 @@
 #include "experiments/cli/startup/floating_point.hpp"
 #include "experiments/race/clock.hpp"
 #include "experiments/race/counters.hpp"
+#include "experiments/terminal.hpp"
 
 namespace bezierbench::cli {
 namespace {
 
 void print(std::string_view aspect, std::string_view state, std::string_view text) {
-  fmt::print("{:<15} {:<8} {}\n", aspect, state, text);
+  const auto colour = state == "fine"      ? fmt::terminal_color::green
+                      : state == "warning" ? fmt::terminal_color::yellow
+                                           : fmt::terminal_color::red;
+  fmt::print("{:<15} {} {}\n", aspect, styled(STDOUT_FILENO, fmt::fg(colour), fmt::format("{:<8}", state)), text);
 }
 
 }  // namespace

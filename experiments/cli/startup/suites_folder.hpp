@@ -20,8 +20,8 @@ std::vector<std::string> shipped_suites();
 /// with this id. Throws Failure(Exit::usage) where there is none.
 std::filesystem::path suite_file(const std::string& word);
 
-/// scripts/NAME of the source from which the program was built, if it is still in its build folder and the script there.
-/// Empty for an installed program.
+/// scripts/NAME of the source from which the program was built, if it is still in its build folder and the script is
+/// there. Empty for an installed program.
 std::filesystem::path script_of_source(const std::string& name);
 
 }  // namespace bezierbench::cli

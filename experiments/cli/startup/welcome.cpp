@@ -21,7 +21,7 @@ constexpr std::array<Deed, 5> deeds{{
     {"bezierbench run report --out b", "repeat the source report"},
     {"bezierbench choose b --degree 4 --tolerance 10", "the best methods of it"},
     {"bezierbench curve eval --curve c.csv --t 0.5", "one curve and its true errors"},
-    {"bezierbench COMMAND --help", "more; man bezierbench as well"},
+    {"bezierbench --help", "all commands"},
 }};
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace bezierbench::cli {
 /// line, which may be empty.
 std::vector<std::string> lines_of(std::string_view text, std::size_t width);
 
-/// `head` and `text` in lines of at most `width` characters. The first line begins with `head`, the others with `indent`
-/// spaces.
+/// `head` and `text` in lines of at most `width` characters. The first line begins with `head`, the others with
+/// `indent` spaces.
 std::string wrapped(std::string_view head, std::string_view text, std::size_t indent, std::size_t width);
 
 /// The number of characters of a UTF-8 text.
