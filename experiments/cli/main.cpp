@@ -72,6 +72,7 @@ int run_program(int argc, char** argv) {
   cli::add_verify(root, exit);
   cli::add_replay(root, exit);
   cli::add_choose(root, exit);
+  cli::add_check(root, exit);
   cli::add_trials(root, exit);
   cli::add_doctor(root, exit);
   cli::add_curve(root, exit);

@@ -17,9 +17,9 @@ AccuracyComparison compared(const std::string& a, const std::string& b) {
 }
 
 TEST(Changes, AreByMethodAndTheWorstFirst) {
-  const auto accuracy = compared("s,x,3,9,ok,1,2\ns,x,4,9,ok,1,2\ns,y,3,9,ok,1,2\ns,z,3,9,ok,1,2\n",
-                                 "s,x,3,9,ok,1,3\ns,x,4,9,ok,1,8\ns,y,3,9,ok,1,10\ns,z,3,9,ok,1,2\n");
-  const auto changes = method_changes(accuracy);
+  const auto comparison = compared("s,x,3,9,ok,1,2\ns,x,4,9,ok,1,2\ns,y,3,9,ok,1,2\ns,z,3,9,ok,1,2\n",
+                                   "s,x,3,9,ok,1,3\ns,x,4,9,ok,1,8\ns,y,3,9,ok,1,10\ns,z,3,9,ok,1,2\n");
+  const auto changes = method_changes(comparison);
   ASSERT_EQ(changes.size(), 2U);
   EXPECT_EQ(changes[0].method, "y");
   EXPECT_EQ(changes[1].method, "x");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What an evaluator must do, whatever it is. Its tests and the command `check` go through this one list.
 //
-// Each property is decided on inputs from a fixed seed: one that is broken is broken for certain, one that holds was not
-// broken by these inputs.
+// Each property is decided on inputs from a fixed seed: one that is broken is broken for certain, one that holds was
+// not broken by these inputs.
 #pragma once
 
 #include <array>

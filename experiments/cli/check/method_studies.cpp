@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/cli/check/method_studies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/echo.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/judge/companions.hpp"
+#include "experiments/judge/methods.hpp"
+#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/nearest.hpp"
+#include "experiments/suite/pattern.hpp"
+#include "experiments/suite/reader.hpp"
+#include "shipped_suites.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+constexpr int in_the_plane = 2;
+
+std::vector<const MethodInfo*> all_methods() {
+  std::vector<const MethodInfo*> all;
+  for (const auto& kernel : judge::methods<double>(in_the_plane)) all.push_back(kernel.info);
+  for (const auto& kernel : conversion_kernels<double>(in_the_plane)) all.push_back(kernel.info);
+  for (const auto* info : judge::companion_infos()) all.push_back(info);
+  return all;
+}
+
+/// The problem that the methods of a study solve; empty for a study without methods.
+std::optional<Problem> problem_of(const suite::Study& study) {
+  const auto& kind = suite::kind_of(study);
+  if (suite::find_field(kind, "methods") == nullptr) return std::nullopt;
+  if (kind.chains) return Problem::conversion;
+  if (kind.companion) return kind.companion;
+  if (!kind.timed || study.methods.empty()) return Problem::evaluation;
+  for (const auto* info : all_methods())
+    if (info->problem != Problem::conversion && suite::means(study.methods.front(), info->id)) return info->problem;
+  return std::nullopt;
+}
+
+/// Whether the study names the method, or all that apply, which peers are not among.
+bool names(const suite::Study& study, const std::string& id) {
+  if (study.methods.empty()) return !suite::is_peer(id);
+  return std::ranges::any_of(study.methods, [&](const auto& pattern) { return suite::means(pattern, id); });
+}
+
+/// Whether a method takes the curves of the study and solves its problem.
+bool applies(const suite::Study& study, const std::vector<const MethodInfo*>& methods) {
+  const auto problem = problem_of(study);
+  return std::ranges::any_of(
+      methods, [&](const MethodInfo* info) { return problem == info->problem && study.curve == info->form; });
+}
+
+/// The studies that `keep` keeps, with no other method.
+template <class Keep>
+std::vector<suite::Suite> only(std::vector<suite::Suite> suites, const std::string& id, const Keep& keep) {
+  for (auto& one : suites) {
+    std::erase_if(one.studies, [&](const suite::Study& study) { return !keep(study); });
+    for (auto& study : one.studies) study.methods = {id};
+  }
+  std::erase_if(suites, [](const suite::Suite& one) { return one.studies.empty(); });
+  return suites;
+}
+
+}  // namespace
+
+std::vector<const MethodInfo*> methods_named(const std::string& id) {
+  auto named = all_methods();
+  std::vector<std::string> known;
+  for (const auto* info : named) known.emplace_back(info->id);
+  std::erase_if(named, [&](const MethodInfo* info) { return info->id != id; });
+  if (named.empty())
+    throw Failure(Exit::usage,
+                  fmt::format("{}: no such method{}; see `list methods`", echo(id), suite::suggestion(id, known)));
+  return named;
+}
+
+std::vector<suite::Suite> studies_that_judge(const std::vector<suite::Suite>& suites, const std::string& id) {
+  const auto methods = methods_named(id);
+  return only(suites, id, [&](const suite::Study& study) {
+    return !suite::kind_of(study).timed && names(study, id) && applies(study, methods);
+  });
+}
+
+std::vector<suite::Suite> studies_that_time(const std::vector<suite::Suite>& suites, const std::string& id) {
+  const auto methods = methods_named(id);
+  return only(suites, id, [&](const suite::Study& study) {
+    return suite::is_kind<suite::TimingKeys>(study) && applies(study, methods);
+  });
+}
+
+std::vector<suite::Suite> quick_suite() {
+  constexpr std::string_view file = "quick.toml";
+  const auto* const found = std::ranges::find(shipped_suites, file, &ShippedSuite::file_name);
+  return suite::parse_suites(found->text, file, vocabulary());
+}
+
+}  // namespace bezierbench::cli
