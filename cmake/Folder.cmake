@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# bezierbench_folder(NAME [SUBFOLDERS] [JOINED n] [JOINED_TESTS n] DEPENDS target...): the sources of this folder, and with
-# SUBFOLDERS those of the folders in it, become the library NAME, their *_test.cpp the test program NAME_test. Files are
-# globbed so that adding a method or a study needs no second list.
+# bezierbench_folder(NAME [SUBFOLDERS] [POSITION_INDEPENDENT] [JOINED n] [JOINED_TESTS n] DEPENDS target...): the sources of
+# this folder, and with SUBFOLDERS those of the folders in it, become the library NAME, their *_test.cpp the test program
+# NAME_test. Files are globbed so that adding a method or a study needs no second list.
 #
 # With JOINED GCC compiles up to n sources as one translation unit, with JOINED_TESTS up to n tests, since most of a short
 # one's time goes into what it includes. Names in the unnamed namespaces of such a folder are different from each other.
@@ -16,7 +16,7 @@ function(bezierbench_join target number)
 endfunction()
 
 function(bezierbench_folder name)
-  cmake_parse_arguments(FOLDER "SUBFOLDERS" "JOINED;JOINED_TESTS" "DEPENDS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(FOLDER "SUBFOLDERS;POSITION_INDEPENDENT" "JOINED;JOINED_TESTS" "DEPENDS;TEST_DEPENDS" ${ARGN})
   set(patterns *.cpp)
   if(FOLDER_SUBFOLDERS)
     list(APPEND patterns */*.cpp)
@@ -30,6 +30,9 @@ function(bezierbench_folder name)
     target_link_libraries(${name} PUBLIC numerics ${FOLDER_DEPENDS})
     target_precompile_headers(${name} REUSE_FROM precompiled)
     bezierbench_join(${name} "${FOLDER_JOINED}")
+    if(FOLDER_POSITION_INDEPENDENT AND NOT CMAKE_POSITION_INDEPENDENT_CODE)
+      set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON DISABLE_PRECOMPILE_HEADERS ON)
+    endif()
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE numerics ${FOLDER_DEPENDS})

@@ -14,12 +14,12 @@
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/startup/floating_point.hpp"
 #include "experiments/cli/startup/limits.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/cli/startup/welcome.hpp"
 #include "experiments/cli/terminal/completion.hpp"
 #include "experiments/cli/terminal/manual.hpp"
+#include "experiments/number/floating_point.hpp"
 
 namespace {
 
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
     bezierbench::cli::require_stack();
     bezierbench::cli::report_exhausted_memory();
     bezierbench::bundle::ignore_file_size_signal();
-    const auto faults = bezierbench::cli::floating_point_faults();
+    const auto faults = bezierbench::number::floating_point_faults();
     if (!faults.empty())
       return fail(Exit::environment,
                   fmt::format("this build or process does not compute in IEEE 754 double: {}; run `bezierbench doctor`",

@@ -6,7 +6,7 @@
 #include "experiments/bundle/machine.hpp"
 #include "experiments/bundle/timing_fitness.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/startup/floating_point.hpp"
+#include "experiments/number/floating_point.hpp"
 #include "experiments/race/clock.hpp"
 #include "experiments/race/counters.hpp"
 #include "experiments/terminal.hpp"
@@ -25,7 +25,7 @@ void print(std::string_view aspect, std::string_view state, std::string_view tex
 
 void add_doctor(Command program, Exit& exit) {
   program.command("doctor", "is this machine fit to measure on?").action([&exit] {
-    const auto faults = floating_point_faults();
+    const auto faults = number::floating_point_faults();
     for (const auto& fault : faults) print("floating point", "unfit", fault);
     if (faults.empty()) print("floating point", "fine", "IEEE 754 double, to nearest, no contraction, subnormals kept");
     const auto machine =

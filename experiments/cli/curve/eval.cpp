@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -16,7 +15,7 @@
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "experiments/metric/coordinate_error.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/exact_curve.hpp"
 
@@ -30,15 +29,10 @@ struct EvalOptions {
 };
 
 /// The field of the column bound_u for one axis.
-std::string bound_units(const MethodInfo& info, const CurveFile& curve, int axis, double t,
-                        const reference::Rational& truth, const reference::Rational& p_tilde) {
+std::string bound_of(const MethodInfo& info, const CurveFile& curve, int axis, double t,
+                     const reference::Rational& truth, const reference::Rational& p_tilde) {
   if (!info.bound) return "";
-  std::vector<double> coefficients;
-  for (int i = 0; i <= curve.degree(); ++i) coefficients.push_back(curve.view()(axis, i));
-  metric::TrialScale scale;
-  scale.set({curve.form, 1, curve.degree(), coefficients, curve.weights}, t);
-  const double length = std::abs(reference::round_to(reference::binary64, truth));
-  return bound_field(scale.bound(*info.bound, metric::double_arithmetic, length), p_tilde);
+  return bound_field(metric::coordinate_bound(*info.bound, curve.view(), axis, t, truth), p_tilde);
 }
 
 /// The methods that chosen() returns, without those that have no point at some t. Throws Failure(usage) for a method
@@ -86,7 +80,7 @@ void evaluate(const EvalOptions& options) {
                                              p_tildes[k].coordinate(axis)))
           row.push_back(std::move(field));
         row.push_back(
-            bound_units(*kernel->info, curve, axis, ts[k], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)));
+            bound_of(*kernel->info, curve, axis, ts[k], truths[k].coordinate(axis), p_tildes[k].coordinate(axis)));
         table.add_row(std::move(row));
       }
     }

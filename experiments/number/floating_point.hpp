@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Checks at startup that floating-point arithmetic is what bounds and digests assume.
+// Checks that floating-point arithmetic is what bounds and digests assume.
 #pragma once
 
 #include <string>
 #include <vector>
 
-namespace bezierbench::cli {
+namespace bezierbench::number {
 
 /// The ways in which this process differs from IEEE 754 double arithmetic to nearest, one line each: contraction,
 /// flushed subnormals, another rounding mode, excess precision. Empty where there is none.
 std::vector<std::string> floating_point_faults();
 
-}  // namespace bezierbench::cli
+}  // namespace bezierbench::number

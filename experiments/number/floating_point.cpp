@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/startup/floating_point.hpp"
+#include "experiments/number/floating_point.hpp"
 
 #include <limits>
 
-namespace bezierbench::cli {
+namespace bezierbench::number {
 namespace {
 
 /// Hides a value from the optimiser, so that the processor computes what follows.
@@ -32,4 +32,4 @@ std::vector<std::string> floating_point_faults() {
   return faults;
 }
 
-}  // namespace bezierbench::cli
+}  // namespace bezierbench::number

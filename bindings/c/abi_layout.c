@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+/* Prints what programs compiled with the header have built in: sizes and members of structs, values of constants. */
+#include <bezierbench/bezierbench.h>
+#include <stdio.h>
+
+#define STRUCT(type) printf("struct %s size %zu\n", #type, sizeof(type))
+#define MEMBER(type, member) \
+  printf("member %s.%s at %zu size %zu\n", #type, #member, offsetof(type, member), sizeof(((type*)0)->member))
+#define VALUE(name) printf("value %s = %d\n", #name, (int)(name))
+
+int main(void) {
+  STRUCT(bb_curve);
+  MEMBER(bb_curve, form);
+  MEMBER(bb_curve, dimension);
+  MEMBER(bb_curve, degree);
+  MEMBER(bb_curve, points);
+  MEMBER(bb_curve, weights);
+  STRUCT(bb_method);
+  MEMBER(bb_method, id);
+  MEMBER(bb_method, label);
+  MEMBER(bb_method, problem);
+  MEMBER(bb_method, bound);
+  MEMBER(bb_method, flops);
+  MEMBER(bb_method, citation);
+  MEMBER(bb_method, form);
+  MEMBER(bb_method, min_degree);
+  MEMBER(bb_method, max_degree);
+  MEMBER(bb_method, max_degree_float);
+  MEMBER(bb_method, unit_interval_only);
+  MEMBER(bb_method, bit_stable);
+  STRUCT(bb_error);
+  MEMBER(bb_error, exact);
+  MEMBER(bb_error, error);
+  MEMBER(bb_error, error_ulp);
+  MEMBER(bb_error, error_u);
+  STRUCT(bb_bound);
+  MEMBER(bb_bound, bound);
+  MEMBER(bb_bound, bound_u);
+  STRUCT(bb_length);
+  MEMBER(bb_length, length);
+  MEMBER(bb_length, error_estimate);
+  MEMBER(bb_length, evaluations);
+  MEMBER(bb_length, converged);
+  STRUCT(bb_foot);
+  MEMBER(bb_foot, t);
+  MEMBER(bb_foot, distance);
+  MEMBER(bb_foot, candidates);
+  MEMBER(bb_foot, converged);
+  VALUE(BB_OK);
+  VALUE(BB_ERROR_NULL);
+  VALUE(BB_ERROR_METHOD);
+  VALUE(BB_ERROR_FORM);
+  VALUE(BB_ERROR_DIMENSION);
+  VALUE(BB_ERROR_DEGREE);
+  VALUE(BB_ERROR_NOT_FINITE);
+  VALUE(BB_ERROR_PARAMETER);
+  VALUE(BB_ERROR_TOLERANCE);
+  VALUE(BB_ERROR_NO_POINT);
+  VALUE(BB_ERROR_NO_BOUND);
+  VALUE(BB_ERROR_NOT_CERTAIN);
+  VALUE(BB_ERROR_OVERFLOW);
+  VALUE(BB_ERROR_ENVIRONMENT);
+  VALUE(BB_ERROR_MEMORY);
+  VALUE(BB_ERROR_COUNT);
+  VALUE(BB_ERROR_INTERNAL);
+  VALUE(BB_BERNSTEIN);
+  VALUE(BB_POWER);
+  VALUE(BB_RATIONAL);
+  return 0;
+}

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+// The C interface against the definitions and the reference, and everything that it must refuse.
+#include <bezierbench/bezierbench.h>
+#include <gtest/gtest.h>
+#include <immintrin.h>
+
+#include <array>
+#include <cfenv>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// (0,0) (1,2) (3,0.1): 2t + t^2, 4t - 3.9 t^2 but for the rounding of 0.1.
+constexpr std::array points{0.0, 0.0, 1.0, 2.0, 3.0, 0.1};
+constexpr bb_curve parabola{BB_BERNSTEIN, 2, 2, points.data(), nullptr};
+constexpr std::array weights{1.0, 0.5, 1.0};
+constexpr bb_curve rational{BB_RATIONAL, 2, 2, points.data(), weights.data()};
+constexpr std::array parameters{0.0, 0.25, 0.5, 0.875, 1.0};
+constexpr auto count = parameters.size();
+
+std::vector<bb_method> methods(const std::string& problem) {
+  std::vector<bb_method> result;
+  for (std::size_t i = 0; i < bb_method_count(); ++i) {
+    bb_method method;
+    EXPECT_EQ(bb_method_at(i, &method), BB_OK);
+    if (method.problem == problem) result.push_back(method);
+  }
+  return result;
+}
+
+std::string exact_text(const bb_curve& curve, double t, int axis) {
+  std::size_t needed = 0;
+  EXPECT_EQ(bb_curve_exact_text(&curve, t, axis, nullptr, 0, &needed), BB_ERROR_COUNT);
+  std::string text(needed, '?');
+  EXPECT_EQ(bb_curve_exact_text(&curve, t, axis, text.data(), needed - 1, nullptr), BB_ERROR_COUNT);
+  EXPECT_EQ(bb_curve_exact_text(&curve, t, axis, text.data(), needed, nullptr), BB_OK);
+  EXPECT_EQ(text.back(), '\0');
+  text.pop_back();
+  return text;
+}
+
+TEST(C, EveryMethodIsWithinItsBound) {
+  const std::array forms{parabola, bb_curve{BB_POWER, 2, 2, points.data(), nullptr}, rational};
+  int judged = 0;
+  for (const auto& method : methods("evaluation")) {
+    const auto& curve = forms[static_cast<std::size_t>(method.form)];
+    std::array<double, 2 * count> values{};
+    ASSERT_EQ(bb_curve_evaluate(method.id, &curve, parameters.data(), count, values.data()), BB_OK) << method.id;
+    std::array<bb_error, 2 * count> errors{};
+    ASSERT_EQ(bb_curve_error(&curve, parameters.data(), count, values.data(), errors.data()), BB_OK);
+    std::array<bb_bound, 2 * count> bounds{};
+    const int status = bb_curve_bound(method.id, &curve, parameters.data(), count, bounds.data());
+    if (*method.bound == '\0') {
+      EXPECT_EQ(status, BB_ERROR_NO_BOUND) << method.id;
+      continue;
+    }
+    ASSERT_EQ(status, BB_OK) << method.id;
+    for (std::size_t i = 0; i < values.size(); ++i) EXPECT_LE(errors[i].error, bounds[i].bound) << method.id;
+    ++judged;
+  }
+  EXPECT_GT(judged, 20);
+}
+
+TEST(C, ExactPointsAreRoundedOnce) {
+  std::array<double, 2 * count> exact{};
+  ASSERT_EQ(bb_exact(2, 2, points.data(), parameters.data(), count, exact.data()), BB_OK);
+  for (std::size_t i = 0; i < count; ++i) {
+    const long double t = parameters[i];  // of few bits, so that these sums are exact in long double
+    EXPECT_EQ(exact[2 * i], static_cast<double>(2 * t + t * t));
+    EXPECT_EQ(exact[2 * i + 1], static_cast<double>(4 * t * (1 - t) + t * t * points[5]));
+  }
+  EXPECT_EQ(exact_text(parabola, 0.5, 0), "5/4");
+  EXPECT_EQ(exact_text(rational, 0.5, 0), "4/3");  // (0 + 2/2 1 + 3) / (1 + 2/2 + 1)
+  EXPECT_EQ(exact_text(parabola, 1, 0), "3");
+  EXPECT_EQ(exact_text(parabola, -1, 0), "-1");
+}
+
+TEST(C, ErrorsAreInEveryUnit) {
+  const double t = 0.5;
+  const std::array values{1.25 + 0x1p-52, not_a_number};
+  std::array<bb_error, 2> errors{};
+  ASSERT_EQ(bb_curve_error(&parabola, &t, 1, values.data(), errors.data()), BB_OK);
+  EXPECT_EQ(errors[0].exact, 1.25);
+  EXPECT_EQ(errors[0].error, 0x1p-52);
+  EXPECT_EQ(errors[0].error_ulp, 1);
+  EXPECT_EQ(errors[0].error_u, 2 / 1.25);
+  EXPECT_EQ(errors[1].error, infinity);
+}
+
+TEST(C, APreparedCurveGivesTheSameBits) {
+  for (const auto& method : methods("evaluation")) {
+    if (method.form != BB_BERNSTEIN) continue;
+    auto copy = points;
+    const bb_curve curve{BB_BERNSTEIN, 2, 2, copy.data(), nullptr};
+    bb_prepared* prepared = nullptr;
+    ASSERT_EQ(bb_prepare(method.id, &curve, &prepared), BB_OK);
+    copy.fill(not_a_number);  // it is independent of the array
+    std::array<double, 2 * count> once{};
+    std::array<double, 2 * count> again{};
+    EXPECT_EQ(bb_evaluate(method.id, 2, 2, points.data(), parameters.data(), count, once.data()), BB_OK);
+    EXPECT_EQ(bb_prepared_evaluate(prepared, parameters.data(), count, again.data()), BB_OK);
+    EXPECT_EQ(once, again) << method.id;
+    bb_prepared_free(prepared);
+  }
+  bb_prepared_free(nullptr);
+}
+
+TEST(C, FloatIsJudgedInFloat) {
+  constexpr std::array<float, 3> line{0.1F, 0.7F, 0.3F};
+  constexpr std::array<float, 2> t{0.3F, 0.9F};
+  std::array<float, 2> values{};
+  std::array<float, 2> exact{};
+  ASSERT_EQ(bb_evaluate_float("correctly_rounded", 1, 2, line.data(), t.data(), 2, values.data()), BB_OK);
+  ASSERT_EQ(bb_exact_float(1, 2, line.data(), t.data(), 2, exact.data()), BB_OK);
+  EXPECT_EQ(values, exact);
+}
+
+TEST(C, LengthsOfALineAreItsPart) {
+  constexpr std::array<double, 4> ends{0, 0, 3, 4};
+  const bb_curve line{BB_BERNSTEIN, 2, 1, ends.data(), nullptr};
+  double exact = 0;
+  double error = 1;
+  ASSERT_EQ(bb_exact_arc_length(&line, 0.25, 0.75, &exact), BB_OK);
+  EXPECT_EQ(exact, 2.5);
+  ASSERT_EQ(bb_arc_length_error(&line, 0.25, 0.75, 2.5, &error), BB_OK);
+  EXPECT_EQ(error, 0);
+  ASSERT_EQ(bb_arc_length_error(&line, 0.25, 0.75, 2, &error), BB_OK);
+  EXPECT_EQ(error, 0.5);
+  for (const auto& method : methods("arc_length")) {
+    bb_length length{};
+    ASSERT_EQ(bb_arc_length(method.id, &line, 0.25, 0.75, 1e-9, &length), BB_OK) << method.id;
+    EXPECT_NEAR(length.length, 2.5, 1e-8) << method.id;
+    EXPECT_GT(length.evaluations, 0);
+  }
+}
+
+TEST(C, TheFootOfAPointOverALine) {
+  constexpr std::array<double, 4> ends{0, 0, 4, 0};
+  const bb_curve line{BB_BERNSTEIN, 2, 1, ends.data(), nullptr};
+  constexpr std::array<double, 2> point{1, 3};
+  double t = 0;
+  double distance = 0;
+  ASSERT_EQ(bb_exact_project(&line, point.data(), &t, &distance), BB_OK);
+  EXPECT_EQ(t, 0.25);
+  EXPECT_EQ(distance, 3);
+  double error = 0;
+  ASSERT_EQ(bb_project_error(&line, point.data(), 0.25, 3.5, &error), BB_OK);
+  EXPECT_EQ(error, 0.5);
+  int found = 0;
+  for (const auto& method : methods("projection")) {
+    bb_foot foot{};
+    const int status = bb_project(method.id, &line, point.data(), &foot);
+    if (status == BB_ERROR_DEGREE) continue;
+    ASSERT_EQ(status, BB_OK) << method.id;
+    EXPECT_NEAR(foot.t, 0.25, 1e-6) << method.id;
+    EXPECT_NEAR(foot.distance, 3, 1e-6) << method.id;
+    ++found;
+  }
+  EXPECT_GT(found, 1);
+}
+
+TEST(C, AFitIsAsNearAsItSays) {
+  std::vector<double> data;
+  for (int i = 0; i <= 40; ++i) data.insert(data.end(), {std::cos(0.1 * i), std::sin(0.1 * i)});
+  for (const auto& method : methods("fitting")) {
+    bb_fitted* fitted = nullptr;
+    ASSERT_EQ(bb_fit(method.id, 2, data.data(), data.size() / 2, 1e-3, &fitted), BB_OK);
+    ASSERT_GT(bb_fitted_segments(fitted), 0U);
+    EXPECT_EQ(bb_fitted_points(fitted)[0], data[0]);
+    EXPECT_EQ(bb_fitted_points(fitted)[8 * bb_fitted_segments(fitted) - 1], data.back());
+    double error = infinity;
+    EXPECT_EQ(bb_fitted_exact_error(fitted, &error), BB_OK);
+    EXPECT_LE(error, bb_fitted_max_error(fitted));
+    EXPECT_LE(bb_fitted_max_error(fitted), 1e-3);
+    bb_fitted_free(fitted);
+  }
+  bb_fitted_free(nullptr);
+  bb_fitted* none = nullptr;
+  EXPECT_EQ(bb_fit("schneider", 2, data.data(), 1, 1e-3, &none), BB_ERROR_COUNT);
+  EXPECT_EQ(bb_fit("schneider", 2, data.data(), 2, -1, &none), BB_ERROR_TOLERANCE);
+  EXPECT_EQ(bb_fit("horner", 2, data.data(), 2, 0, &none), BB_ERROR_METHOD);
+  EXPECT_EQ(none, nullptr);
+}
+
+TEST(C, WhatIsWrongIsRefusedAndNothingIsWritten) {
+  const double t = 0.5;
+  double out = 7;
+  const auto evaluate = [&](const char* method, int dimension, int degree, const double* b, const double* at) {
+    return bb_evaluate(method, dimension, degree, b, at, 1, &out);
+  };
+  const double* b = points.data();
+  EXPECT_EQ(evaluate(nullptr, 1, 2, b, &t), BB_ERROR_NULL);
+  EXPECT_EQ(evaluate("de_casteljau", 1, 2, nullptr, &t), BB_ERROR_NULL);
+  EXPECT_EQ(evaluate("de_casteljau", 1, 2, b, nullptr), BB_ERROR_NULL);
+  EXPECT_EQ(bb_evaluate("de_casteljau", 1, 2, b, &t, 1, nullptr), BB_ERROR_NULL);
+  EXPECT_EQ(evaluate("", 1, 2, b, &t), BB_ERROR_METHOD);
+  EXPECT_EQ(evaluate("horner", 1, 2, b, &t), BB_ERROR_FORM);
+  EXPECT_EQ(evaluate("de_casteljau", 0, 2, b, &t), BB_ERROR_DIMENSION);
+  EXPECT_EQ(evaluate("de_casteljau", 4, 2, b, &t), BB_ERROR_DIMENSION);
+  EXPECT_EQ(evaluate("de_casteljau", 1, -1, b, &t), BB_ERROR_DEGREE);
+  EXPECT_EQ(evaluate("de_casteljau", 1, 1024, b, &t), BB_ERROR_DEGREE);
+  const std::vector<double> many(1024, 1.0);
+  EXPECT_EQ(evaluate("direct", 1, 1023, many.data(), &t), BB_ERROR_DEGREE);
+  EXPECT_EQ(evaluate("de_casteljau", 1, 2, b, &not_a_number), BB_ERROR_NOT_FINITE);
+  const std::array lost{0.0, infinity};
+  EXPECT_EQ(evaluate("de_casteljau", 1, 1, lost.data(), &t), BB_ERROR_NOT_FINITE);
+  const double outside = 1.5;
+  EXPECT_EQ(evaluate("correctly_rounded", 1, 2, b, &outside), BB_ERROR_PARAMETER);
+  EXPECT_EQ(out, 7);
+  EXPECT_EQ(bb_evaluate("de_casteljau", 1, 2, b, nullptr, 0, nullptr), BB_OK);  // no points are fine
+  bb_method method;
+  EXPECT_EQ(bb_method_at(bb_method_count(), &method), BB_ERROR_COUNT);
+}
+
+TEST(C, CurvesAreChecked) {
+  const double t = 0.5;
+  std::array<double, 2> out{};
+  const auto exact = [&](const bb_curve& curve) { return bb_curve_exact(&curve, &t, 1, out.data()); };
+  EXPECT_EQ(bb_curve_exact(nullptr, &t, 1, out.data()), BB_ERROR_NULL);
+  EXPECT_EQ(exact({3, 2, 2, points.data(), nullptr}), BB_ERROR_FORM);
+  EXPECT_EQ(exact({BB_RATIONAL, 2, 2, points.data(), nullptr}), BB_ERROR_NULL);
+  constexpr std::array<double, 3> zeros{};
+  EXPECT_EQ(exact({BB_RATIONAL, 2, 2, points.data(), zeros.data()}), BB_ERROR_NO_POINT);
+  constexpr std::array<double, 3> cancelling{1, -1, 1};  // 1 - 4 t (1 - t) is 0 at 1/2
+  EXPECT_EQ(exact({BB_RATIONAL, 2, 2, points.data(), cancelling.data()}), BB_ERROR_NO_POINT);
+  double length = 0;
+  EXPECT_EQ(bb_exact_arc_length(&rational, 0, 1, &length), BB_ERROR_FORM);
+  EXPECT_EQ(bb_exact_arc_length(&parabola, 0.5, 0.25, &length), BB_ERROR_PARAMETER);
+  EXPECT_EQ(bb_exact_arc_length(&parabola, 0, not_a_number, &length), BB_ERROR_PARAMETER);
+  bb_length found;
+  EXPECT_EQ(bb_arc_length("chord_sum", &parabola, 0, 1, 0, &found), BB_ERROR_TOLERANCE);
+}
+
+/// Everything that computes, for its status.
+std::vector<int> statuses() {
+  std::array<double, 2> out{};
+  const double t = 0.5;
+  bb_error error[2];
+  bb_bound bound[2];
+  bb_length length;
+  bb_foot foot;
+  bb_fitted* fitted = nullptr;
+  bb_prepared* prepared = nullptr;
+  return {bb_evaluate("horner_bernstein", 2, 2, points.data(), &t, 1, out.data()),
+          bb_exact(2, 2, points.data(), &t, 1, out.data()),
+          bb_curve_error(&parabola, &t, 1, out.data(), error),
+          bb_curve_bound("de_casteljau", &parabola, &t, 1, bound),
+          bb_arc_length("gauss_legendre_24", &parabola, 0, 1, 1e-9, &length),
+          bb_exact_arc_length(&parabola, 0, 1, out.data()),
+          bb_project("scan_refine", &parabola, points.data(), &foot),
+          bb_prepare("de_casteljau", &parabola, &prepared) == BB_OK ? (bb_prepared_free(prepared), BB_OK)
+                                                                    : BB_ERROR_ENVIRONMENT,
+          bb_fit("gauss_newton", 2, points.data(), 3, 1, &fitted) == BB_OK ? (bb_fitted_free(fitted), BB_OK)
+                                                                           : BB_ERROR_ENVIRONMENT};
+}
+
+TEST(C, AnotherRoundingModeIsRefused) {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const auto found = statuses();
+    const int after = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(after, mode);
+    for (const int status : found) EXPECT_EQ(status, BB_ERROR_ENVIRONMENT);
+  }
+  for (const int status : statuses()) EXPECT_EQ(status, BB_OK);
+}
+
+#ifdef __SSE2__
+TEST(C, FlushedSubnormalsAreRefused) {
+  const unsigned before = _mm_getcsr();
+  for (const unsigned bit : {0x8000U, 0x0040U}) {  // flush to zero, denormals are zero
+    _mm_setcsr(before | bit);
+    const auto found = statuses();
+    _mm_setcsr(before);
+    for (const int status : found) EXPECT_EQ(status, BB_ERROR_ENVIRONMENT);
+  }
+}
+#endif
+
+TEST(C, TheFlagsOfTheCallerAreLeftAlone) {
+  std::feclearexcept(FE_ALL_EXCEPT);
+  statuses();
+  EXPECT_EQ(std::fetestexcept(FE_ALL_EXCEPT), 0);
+  std::feraiseexcept(FE_OVERFLOW);
+  statuses();
+  EXPECT_NE(std::fetestexcept(FE_OVERFLOW), 0);
+  std::feclearexcept(FE_ALL_EXCEPT);
+}
+
+TEST(C, ThreadsDoNotDisturbEachOther) {
+  std::vector<double> t;
+  for (int i = 0; i <= 200; ++i) t.push_back(i / 200.0);
+  bb_prepared* prepared = nullptr;
+  ASSERT_EQ(bb_prepare("compensated_de_casteljau", &parabola, &prepared), BB_OK);
+  const auto work = [&] {
+    std::vector<double> values(2 * t.size());
+    std::vector<double> exact(values.size());
+    std::vector<bb_error> errors(values.size());
+    EXPECT_EQ(bb_prepared_evaluate(prepared, t.data(), t.size(), values.data()), BB_OK);
+    EXPECT_EQ(bb_exact(2, 2, points.data(), t.data(), t.size(), exact.data()), BB_OK);
+    EXPECT_EQ(bb_curve_error(&parabola, t.data(), t.size(), values.data(), errors.data()), BB_OK);
+    double length = 0;
+    EXPECT_EQ(bb_exact_arc_length(&parabola, 0, 1, &length), BB_OK);
+    exact.push_back(length);
+    exact.insert(exact.end(), values.begin(), values.end());
+    for (const auto& error : errors) exact.push_back(error.error);
+    return exact;
+  };
+  const auto alone = work();
+  std::vector<std::vector<double>> results(8);
+  std::vector<std::thread> threads;
+  for (auto& result : results)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 3; ++k) result = work();
+    });
+  for (auto& thread : threads) thread.join();
+  for (const auto& result : results) EXPECT_EQ(result, alone);
+  bb_prepared_free(prepared);
+}
+
+TEST(C, EveryStatusHasASentence) {
+  for (int status = BB_OK; status <= BB_ERROR_INTERNAL; ++status) {
+    const std::string sentence = bb_strerror(status);
+    EXPECT_FALSE(sentence.empty());
+    EXPECT_NE(sentence, bb_strerror(-1)) << status;
+  }
+}
+
+}  // namespace

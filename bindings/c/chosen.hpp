@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The method of an id in the table of a problem.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "bindings/c/curve.hpp"
+#include "core/method.hpp"
+
+namespace bezierbench::c {
+
+/// The entry of the table (entries have an `info`) that takes the curve. Throws Refused that says whether the id, the
+/// form or the degree is wrong.
+template <class Table, class Scalar>
+const typename Table::element_type& chosen(const Table& table, const char* id, const CurveView<Scalar>& curve) {
+  require_pointers(id);
+  const std::string_view wanted = id;
+  bb_status reason = BB_ERROR_METHOD;
+  for (const auto& entry : table) {
+    if (entry.info->id != wanted) continue;
+    if (entry.info->form != curve.form) {
+      if (reason == BB_ERROR_METHOD) reason = BB_ERROR_FORM;  // another entry of this id may take the form
+    } else if (entry.info->template supports<Scalar>(curve.degree)) {
+      return entry;
+    } else {
+      reason = BB_ERROR_DEGREE;
+    }
+  }
+  throw Refused{reason};
+}
+
+/// `count` finite parameters in the domain of the method.
+template <class Scalar>
+std::span<const Scalar> parameters(const MethodInfo& info, const Scalar* t, std::size_t count) {
+  const auto values = finite_values(t, count);
+  if (info.unit_interval_only)
+    require(std::ranges::all_of(values, [](Scalar x) { return x >= 0 && x <= 1; }), BB_ERROR_PARAMETER);
+  return values;
+}
+
+}  // namespace bezierbench::c

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Points by a method.
+#include <memory>
+
+#include "bindings/c/chosen.hpp"
+#include "bindings/c/prepared.hpp"
+
+using namespace bezierbench;
+
+struct bb_prepared {
+  c::Prepared<double> state;
+};
+
+namespace {
+
+template <class Scalar>
+c::Prepared<Scalar> prepared(const char* method, const CurveView<Scalar>& curve) {
+  return {c::chosen(kernels<Scalar>(curve.dimension), method, curve), curve};
+}
+
+template <class Scalar>
+void evaluate(const c::Prepared<Scalar>& curve, const Scalar* t, std::size_t count, Scalar* out) {
+  const auto at = c::parameters(curve.info(), t, count);
+  if (at.empty()) return;
+  c::require_pointers(out);
+  curve.evaluate(at, out);
+}
+
+}  // namespace
+
+int bb_evaluate(const char* method, int dimension, int degree, const double* points, const double* t, std::size_t count,
+                double* out) {
+  return c::guarded([&] { evaluate(prepared(method, c::bezier_curve(dimension, degree, points)), t, count, out); });
+}
+
+int bb_evaluate_float(const char* method, int dimension, int degree, const float* points, const float* t,
+                      std::size_t count, float* out) {
+  return c::guarded([&] { evaluate(prepared(method, c::bezier_curve(dimension, degree, points)), t, count, out); });
+}
+
+int bb_curve_evaluate(const char* method, const bb_curve* curve, const double* t, std::size_t count, double* out) {
+  return c::guarded([&] { evaluate(prepared(method, c::curve_of(curve)), t, count, out); });
+}
+
+int bb_prepare(const char* method, const bb_curve* curve, bb_prepared** result) {
+  return c::guarded([&] {
+    c::require_pointers(result);
+    *result = new bb_prepared{prepared(method, c::curve_of(curve))};
+  });
+}
+
+int bb_prepared_evaluate(const bb_prepared* curve, const double* t, std::size_t count, double* out) {
+  return c::guarded([&] {
+    c::require_pointers(curve);
+    evaluate(curve->state, t, count, out);
+  });
+}
+
+void bb_prepared_free(bb_prepared* curve) { delete curve; }

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Piecewise cubics near points.
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "bindings/c/chosen.hpp"
+#include "core/fit/kernel.hpp"
+#include "reference/fit_distance.hpp"
+
+using namespace bezierbench;
+
+struct bb_fitted {
+  int dimension;
+  std::vector<double> data;
+  Fit fit;
+};
+
+namespace {
+
+std::size_t values_of(int dimension, std::size_t count) {
+  const auto d = static_cast<std::size_t>(dimension);
+  c::require(count <= std::numeric_limits<std::size_t>::max() / d / sizeof(double), BB_ERROR_MEMORY);
+  return count * d;
+}
+
+const FittingKernel& chosen(const char* method, int dimension) {
+  c::require_pointers(method);
+  for (const auto& kernel : fitting_kernels(dimension))
+    if (kernel.info->id == method) return kernel;
+  throw c::Refused{BB_ERROR_METHOD};
+}
+
+}  // namespace
+
+int bb_fit(const char* method, int dimension, const double* points, std::size_t count, double tolerance,
+           bb_fitted** fitted) {
+  return c::guarded([&] {
+    c::require(dimension >= 1 && dimension <= c::max_dimension, BB_ERROR_DIMENSION);
+    const auto& kernel = chosen(method, dimension);
+    c::require(count >= 2, BB_ERROR_COUNT);
+    const auto data = c::finite_values(points, values_of(dimension, count));
+    c::require(std::isfinite(tolerance) && tolerance >= 0, BB_ERROR_TOLERANCE);
+    c::require_pointers(fitted);
+    auto fit = kernel.fit(data, tolerance);
+    c::require(fit.converged, BB_ERROR_OVERFLOW);
+    *fitted = new bb_fitted{dimension, {data.begin(), data.end()}, std::move(fit)};
+  });
+}
+
+std::size_t bb_fitted_segments(const bb_fitted* fitted) {
+  return fitted == nullptr ? 0 : static_cast<std::size_t>(fitted->fit.segments(fitted->dimension));
+}
+
+const double* bb_fitted_points(const bb_fitted* fitted) {
+  return fitted == nullptr ? nullptr : fitted->fit.control_points.data();
+}
+
+double bb_fitted_max_error(const bb_fitted* fitted) {
+  return fitted == nullptr ? std::numeric_limits<double>::quiet_NaN() : fitted->fit.max_error;
+}
+
+int bb_fitted_exact_error(const bb_fitted* fitted, double* error) {
+  return c::guarded([&] {
+    c::require_pointers(fitted, error);
+    std::vector<reference::NearPlace> places;
+    for (std::size_t i = 0; i < fitted->fit.t.size(); ++i) places.push_back({fitted->fit.segment[i], fitted->fit.t[i]});
+    const auto squared =
+        reference::largest_squared_distance(fitted->dimension, fitted->data, fitted->fit.control_points, places);
+    *error = reference::square_root(reference::binary64, squared);
+  });
+}
+
+void bb_fitted_free(bb_fitted* fitted) { delete fitted; }

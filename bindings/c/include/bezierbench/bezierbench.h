@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * bezierbench in C: Bezier evaluators by name, the exact reference, and errors and bounds of what was computed.
+ *
+ * Every function that returns int returns BB_OK or another bb_status, and writes its results only where that is BB_OK.
+ * Points are written coordinate by coordinate: x0 y0 x1 y1 ... in the plane; results likewise, in the order of t. A
+ * dimension is 1, 2 or 3, a degree 0 to 1023; coordinates, weights and parameters are finite.
+ *
+ * All functions may be called by several threads at once, also with one bb_prepared or bb_fitted, as long as none frees
+ * it. Methods and reference compute in IEEE 754 arithmetic to nearest: in another rounding mode, or where subnormal
+ * numbers are flushed to zero, a function returns BB_ERROR_ENVIRONMENT. Floating-point exception flags and traps of the
+ * caller are left as they were. No C++ exception leaves the library; exhausted memory is BB_ERROR_MEMORY, except in big
+ * integers of the reference, where GMP ends the process unless the caller gave it functions of its own.
+ */
+#ifndef BEZIERBENCH_BEZIERBENCH_H
+#define BEZIERBENCH_BEZIERBENCH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define BB_API __attribute__((visibility("default")))
+#else
+#define BB_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a function returns. Values keep their meaning; later versions may add some. */
+typedef enum bb_status {
+  BB_OK = 0,
+  BB_ERROR_NULL = 1,         /* a pointer is null that must not be */
+  BB_ERROR_METHOD = 2,       /* no method for this problem has this id */
+  BB_ERROR_FORM = 3,         /* no such form, or not one that the method or the function takes */
+  BB_ERROR_DIMENSION = 4,    /* not 1, 2 or 3 */
+  BB_ERROR_DEGREE = 5,       /* below 0, above 1023, or not one that the method takes */
+  BB_ERROR_NOT_FINITE = 6,   /* a coordinate, weight or parameter is NaN or infinite */
+  BB_ERROR_PARAMETER = 7,    /* a parameter is outside of the domain of the method or the function */
+  BB_ERROR_TOLERANCE = 8,    /* a tolerance is out of range */
+  BB_ERROR_NO_POINT = 9,     /* the weights of the rational curve sum to zero there */
+  BB_ERROR_NO_BOUND = 10,    /* the method has no proved bound */
+  BB_ERROR_NOT_CERTAIN = 11, /* the true length is not certain to 30 digits */
+  BB_ERROR_OVERFLOW = 12,    /* a control point of the result exceeds the largest double */
+  BB_ERROR_ENVIRONMENT = 13, /* the thread does not round to nearest, or flushes subnormal numbers */
+  BB_ERROR_MEMORY = 14,      /* memory is exhausted */
+  BB_ERROR_COUNT = 15,       /* too few points, an index beyond the end, or a buffer that is too small */
+  BB_ERROR_INTERNAL = 16     /* a defect of this library */
+} bb_status;
+
+/* The forms in which a curve can be given. */
+typedef enum bb_form {
+  BB_BERNSTEIN = 0, /* sum b_i B_i(t): control points */
+  BB_POWER = 1,     /* sum q_j t^j: coefficients, ascending */
+  BB_RATIONAL = 2   /* sum w_i b_i B_i(t) / sum w_i B_i(t): control points and weights */
+} bb_form;
+
+/* A curve, which owns nothing. */
+typedef struct bb_curve {
+  int form; /* a bb_form */
+  int dimension;
+  int degree;
+  const double* points;  /* (degree + 1) * dimension values, not premultiplied by weights */
+  const double* weights; /* degree + 1 values, not all of them 0, for BB_RATIONAL; otherwise null */
+} bb_curve;
+
+/* ---- The library ---- */
+
+/* The version of the library: 65536 * major + 256 * minor + patch. */
+BB_API unsigned bb_version(void);
+
+/* A sentence for a bb_status; static, never null. */
+BB_API const char* bb_strerror(int status);
+
+/* ---- Methods ---- */
+
+/* What is known of a method. Strings are static. Several methods have one id where they solve one problem for curves
+ * that are given in different forms. */
+typedef struct bb_method {
+  const char* id;         /* for example "de_casteljau" */
+  const char* label;      /* for people */
+  const char* problem;    /* "evaluation", "arc_length", "projection" or "fitting" */
+  const char* bound;      /* the proved bound in words; empty where there is none */
+  const char* flops;      /* per point, in the degree n and the dimension d */
+  const char* citation;   /* the source of the method */
+  int form;               /* a bb_form: what the method takes */
+  int min_degree;         /* the degrees that it takes */
+  int max_degree;         /* in double */
+  int max_degree_float;   /* in float */
+  int unit_interval_only; /* 1 where t outside of [0,1] is outside of its domain */
+  int bit_stable;         /* 0 where the C library decides the last bits */
+} bb_method;
+
+/* The number of methods, and method number `index` of them. */
+BB_API size_t bb_method_count(void);
+BB_API int bb_method_at(size_t index, bb_method* method);
+
+/* ---- Points of a Bezier curve ---- */
+
+/* The points at t[0] to t[count - 1] by a method, and the true points, each coordinate rounded once. */
+BB_API int bb_evaluate(const char* method, int dimension, int degree, const double* points, const double* t,
+                       size_t count, double* out);
+BB_API int bb_exact(int dimension, int degree, const double* points, const double* t, size_t count, double* out);
+
+/* The same in float; the true points are those of the float coordinates, rounded to float. */
+BB_API int bb_evaluate_float(const char* method, int dimension, int degree, const float* points, const float* t,
+                             size_t count, float* out);
+BB_API int bb_exact_float(int dimension, int degree, const float* points, const float* t, size_t count, float* out);
+
+/* ---- Points of a curve in any form ---- */
+
+BB_API int bb_curve_evaluate(const char* method, const bb_curve* curve, const double* t, size_t count, double* out);
+BB_API int bb_curve_exact(const bb_curve* curve, const double* t, size_t count, double* out);
+
+/* A curve as a method prepared it, for many calls. It is independent of the arrays that it was made from. */
+typedef struct bb_prepared bb_prepared;
+BB_API int bb_prepare(const char* method, const bb_curve* curve, bb_prepared** prepared);
+BB_API int bb_prepared_evaluate(const bb_prepared* prepared, const double* t, size_t count, double* out);
+BB_API void bb_prepared_free(bb_prepared* prepared); /* null is allowed */
+
+/* The true coordinate `axis` of the point at t as text, "numerator" or "numerator/denominator" in lowest terms, with a
+ * final zero. `needed` (may be null) gets the bytes that this takes, also where the result is BB_ERROR_COUNT because
+ * `size` bytes are too few. */
+BB_API int bb_curve_exact_text(const bb_curve* curve, double t, int axis, char* text, size_t size, size_t* needed);
+
+/* ---- Errors and bounds ---- */
+
+/* The error of one coordinate; infinite where the value is not finite. */
+typedef struct bb_error {
+  double exact;     /* the true value, rounded once */
+  double error;     /* |value - true value|, rounded once */
+  double error_ulp; /* over the spacing of doubles at the true value */
+  double error_u;   /* over u p~, with u = 2^-53 and p~ = sum |b_i B_i(t)| on this axis; 0 for no error */
+} bb_error;
+
+/* A proved bound for the error of one coordinate; infinite where nothing is proved. */
+typedef struct bb_bound {
+  double bound;   /* in coordinate units */
+  double bound_u; /* over u p~; infinite, too, where p~ is 0 */
+} bb_bound;
+
+/* Judges any values, one point for each t, from wherever they are; errors[k * dimension + axis]. */
+BB_API int bb_curve_error(const bb_curve* curve, const double* t, size_t count, const double* values, bb_error* errors);
+
+/* The bounds of a method for its points at each t; bounds[k * dimension + axis]. */
+BB_API int bb_curve_bound(const char* method, const bb_curve* curve, const double* t, size_t count, bb_bound* bounds);
+
+/* ---- Arc length of a Bezier curve (BB_BERNSTEIN) ---- */
+
+typedef struct bb_length {
+  double length;
+  double error_estimate; /* of the method, absolute; NaN where it has none */
+  int64_t evaluations;   /* of the speed or, for chords, of the curve */
+  int converged;         /* 1 where error_estimate is at most tolerance times the length */
+} bb_length;
+
+/* The length between the parameters 0 <= from <= to <= 1, up to `tolerance` > 0 times that length. */
+BB_API int bb_arc_length(const char* method, const bb_curve* curve, double from, double to, double tolerance,
+                         bb_length* length);
+
+/* The true length, rounded once, and the error |length - true length| of any `length`, rounded once: 0 where it is
+ * within 1e-30 of the length. */
+BB_API int bb_exact_arc_length(const bb_curve* curve, double from, double to, double* length);
+BB_API int bb_arc_length_error(const bb_curve* curve, double from, double to, double length, double* error);
+
+/* ---- Projection of a point on a Bezier curve (BB_BERNSTEIN, degree at least 1) ---- */
+
+typedef struct bb_foot {
+  double t;        /* in [0,1] */
+  double distance; /* from the point */
+  int candidates;  /* parameters or pieces whose distances were compared */
+  int converged;   /* 0 where the method gave up; the foot is the best that it found */
+} bb_foot;
+
+/* The nearest point of the curve to `point`, which has `dimension` coordinates. */
+BB_API int bb_project(const char* method, const bb_curve* curve, const double* point, bb_foot* foot);
+
+/* The true foot (of equally near ones the first) and its distance, each rounded once. */
+BB_API int bb_exact_project(const bb_curve* curve, const double* point, double* t, double* distance);
+
+/* The error of a foot: |distance - true distance|, or how much farther than the nearest point the curve is at t, where
+ * that is more than twice as much. Infinite where t or distance is not finite. */
+BB_API int bb_project_error(const bb_curve* curve, const double* point, double t, double distance, double* error);
+
+/* ---- Piecewise cubics near points ---- */
+
+/* A fit: cubic Bezier segments, of four control points each. */
+typedef struct bb_fitted bb_fitted;
+
+/* Fits two points or more, in order, so that none is farther than `tolerance` >= 0 from the curve. */
+BB_API int bb_fit(const char* method, int dimension, const double* points, size_t count, double tolerance,
+                  bb_fitted** fitted);
+BB_API size_t bb_fitted_segments(const bb_fitted* fitted);
+BB_API const double* bb_fitted_points(const bb_fitted* fitted); /* 4 * dimension values a segment; valid until freed */
+BB_API double bb_fitted_max_error(const bb_fitted* fitted);     /* as the method bounds it: at most the tolerance */
+BB_API int bb_fitted_exact_error(const bb_fitted* fitted, double* error); /* the true one, rounded once */
+BB_API void bb_fitted_free(bb_fitted* fitted);                            /* null is allowed */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "bindings/c/status.hpp"
+
+#include <new>
+
+#include "experiments/number/floating_point.hpp"
+#include "reference/length/length_panels.hpp"
+
+namespace bezierbench::c {
+
+bb_status status_of_exception() noexcept {
+  try {
+    throw;
+  } catch (const Refused& refused) {
+    return refused.status;
+  } catch (const std::bad_alloc&) {
+    return BB_ERROR_MEMORY;
+  } catch (const reference::NotCertain&) {
+    return BB_ERROR_NOT_CERTAIN;
+  } catch (...) {
+    return BB_ERROR_INTERNAL;
+  }
+}
+
+bool computes_in_ieee_754() { return number::floating_point_faults().empty(); }
+
+}  // namespace bezierbench::c
+
+unsigned bb_version() { return BEZIERBENCH_VERSION_NUMBER; }
+
+const char* bb_strerror(int status) {
+  switch (status) {
+    case BB_OK: return "success";
+    case BB_ERROR_NULL: return "a pointer is null";
+    case BB_ERROR_METHOD: return "no method for this problem has this id; see bb_method_at()";
+    case BB_ERROR_FORM: return "the method or function does not take curves in this form";
+    case BB_ERROR_DIMENSION: return "the dimension is not 1, 2 or 3";
+    case BB_ERROR_DEGREE: return "the degree is out of range, or not one that the method takes";
+    case BB_ERROR_NOT_FINITE: return "a coordinate, weight or parameter is not finite";
+    case BB_ERROR_PARAMETER: return "a parameter is outside of the domain of the method or function";
+    case BB_ERROR_TOLERANCE: return "the tolerance is out of range";
+    case BB_ERROR_NO_POINT: return "the weights sum to zero, so the curve has no point there";
+    case BB_ERROR_NO_BOUND: return "the method has no proved bound";
+    case BB_ERROR_NOT_CERTAIN: return "the true length is not certain to 30 digits";
+    case BB_ERROR_OVERFLOW: return "a control point of the result exceeds the largest double; scale the points down";
+    case BB_ERROR_ENVIRONMENT: return "this thread does not round to nearest, or flushes subnormal numbers to zero";
+    case BB_ERROR_MEMORY: return "memory is exhausted";
+    case BB_ERROR_COUNT: return "too few points, an index beyond the end, or a buffer that is too small";
+    case BB_ERROR_INTERNAL: return "a defect of libbezierbench; please report it";
+    default: return "not a status of this version of libbezierbench";
+  }
+}

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""bezierbench in Python: Bezier evaluators by name, the exact reference, errors and bounds, and readers of bundles.
+
+>>> import bezierbench
+>>> bezierbench.evaluate([[0, 0], [1, 2], [3, 0]], 0.5)
+array([1.25, 1.  ])
+
+It calls libbezierbench.so, whose header bezierbench.h says what each function promises. Functions may be called by several
+threads at once; the library runs without the interpreter's lock.
+"""
+
+from ._library import Error
+from .bundles import Bundle, BundleError, numbers, read
+from .listing import Method, methods, version
+from .points import Bounds, Errors, Prepared, bound, error, evaluate, exact, exact_fractions
+from .problems import (
+    ExactFoot,
+    Fit,
+    Foot,
+    Length,
+    arc_length,
+    arc_length_error,
+    exact_arc_length,
+    exact_project,
+    fit,
+    project,
+    project_error,
+)
+
+__all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "Fit", "Foot", "Length", "Method", "Prepared",
+           "arc_length", "arc_length_error", "bound", "error", "evaluate", "exact", "exact_arc_length", "exact_fractions",
+           "exact_project", "fit", "methods", "numbers", "project", "project_error", "read", "version"]

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+"""Arrays of the caller as the library takes them."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._library import Curve
+
+FORMS = {"bernstein": 0, "power": 1, "rational": 2}
+FORM_NAMES = {number: name for name, number in FORMS.items()}
+Array = NDArray[Any]
+
+
+def point_rows(points: ArrayLike, dtype: type = np.float64) -> Array:
+    """Points as an array of shape (count, dimension); a flat sequence is a curve of dimension 1."""
+    rows: Array = np.ascontiguousarray(points, dtype=dtype)
+    if rows.ndim == 1:
+        rows = rows.reshape(-1, 1)
+    if rows.ndim != 2 or rows.size == 0:
+        raise ValueError(f"points have the shape {rows.shape}; give one row for each point: (count, dimension)")
+    return rows
+
+
+def parameters(t: ArrayLike, dtype: type = np.float64) -> Array:
+    """Parameters as an array, of which a scalar has no dimension and others have one."""
+    values: Array = np.asarray(t, dtype=dtype)
+    if values.ndim > 1:
+        raise ValueError(f"t has the shape {values.shape}; give a number or a flat sequence")
+    return values if values.ndim == 0 else np.ascontiguousarray(values)
+
+
+def address(values: Array) -> int:
+    return int(values.ctypes.data)
+
+
+class GivenCurve:
+    """A curve for the library, with the arrays that it points to."""
+
+    def __init__(self, points: ArrayLike, form: str = "bernstein", weights: ArrayLike | None = None) -> None:
+        self.points = point_rows(points)
+        count, self.dimension = self.points.shape
+        if weights is not None:
+            if form not in ("bernstein", "rational"):
+                raise ValueError(f"weights belong to control points, not to the form {form!r}")
+            form = "rational"
+        elif form == "rational":
+            raise ValueError("a rational curve needs weights")
+        if form not in FORMS:
+            raise ValueError(f"no form {form!r}; use {', '.join(FORMS)}")
+        self.weights = None if weights is None else np.ascontiguousarray(weights, dtype=np.float64)
+        if self.weights is not None and self.weights.shape != (count,):
+            raise ValueError(f"weights have the shape {self.weights.shape}; give one for each of the {count} points")
+        self.form = form
+        self.entry = Curve(FORMS[form], self.dimension, count - 1, address(self.points),
+                           None if self.weights is None else address(self.weights))
+
+    @property
+    def pointer(self) -> Any:
+        return ctypes.byref(self.entry)

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+"""Arc length, projection and fitting, with their true results."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import Array, GivenCurve, address, point_rows
+from ._library import FootEntry, LengthEntry, check, library
+
+
+class Length(NamedTuple):
+    length: float
+    error_estimate: float  # of the method, absolute; NaN where it has none
+    evaluations: int  # of the speed or, for chords, of the curve
+    converged: bool
+
+
+class Foot(NamedTuple):
+    t: float
+    distance: float
+    candidates: int  # parameters or pieces whose distances were compared
+    converged: bool  # False where the method gave up; it is then the best that it found
+
+
+class ExactFoot(NamedTuple):
+    t: float
+    distance: float
+
+
+class Fit(NamedTuple):
+    segments: Array  # of shape (count, 4, dimension): cubic Bezier segments
+    max_error: float  # the distance of the points from the curve, as the method bounds it
+    exact_error: float  # the true one, rounded once
+
+
+def arc_length(points: ArrayLike, method: str = "gauss_legendre_adaptive", *, start: float = 0, stop: float = 1,
+               tolerance: float = 1e-9) -> Length:
+    """The length of a Bezier curve between two parameters in [0,1], up to `tolerance` times that length."""
+    curve = GivenCurve(points)
+    found = LengthEntry()
+    check(library.bb_arc_length(method.encode(), curve.pointer, start, stop, tolerance, ctypes.byref(found)))
+    return Length(found.length, found.error_estimate, found.evaluations, bool(found.converged))
+
+
+def exact_arc_length(points: ArrayLike, *, start: float = 0, stop: float = 1) -> float:
+    """The true length, rounded once."""
+    curve = GivenCurve(points)
+    length = ctypes.c_double()
+    check(library.bb_exact_arc_length(curve.pointer, start, stop, ctypes.byref(length)))
+    return length.value
+
+
+def arc_length_error(points: ArrayLike, length: float, *, start: float = 0, stop: float = 1) -> float:
+    """|length - true length|, rounded once; 0 where it is within 1e-30 of the length."""
+    curve = GivenCurve(points)
+    error = ctypes.c_double()
+    check(library.bb_arc_length_error(curve.pointer, start, stop, length, ctypes.byref(error)))
+    return error.value
+
+
+def _point(point: ArrayLike, curve: GivenCurve) -> Array:
+    coordinates = np.ascontiguousarray(point, dtype=np.float64).reshape(-1)
+    if coordinates.size != curve.dimension:
+        raise ValueError(f"the point has {coordinates.size} coordinates, the curve {curve.dimension}")
+    return coordinates
+
+
+def project(points: ArrayLike, point: ArrayLike, method: str = "subdivide_hull") -> Foot:
+    """The nearest point of a Bezier curve to `point`."""
+    curve = GivenCurve(points)
+    at = _point(point, curve)
+    found = FootEntry()
+    check(library.bb_project(method.encode(), curve.pointer, address(at), ctypes.byref(found)))
+    return Foot(found.t, found.distance, found.candidates, bool(found.converged))
+
+
+def exact_project(points: ArrayLike, point: ArrayLike) -> ExactFoot:
+    """The true nearest point, of equally near ones the first: its parameter and distance, each rounded once."""
+    curve = GivenCurve(points)
+    at = _point(point, curve)
+    t, distance = ctypes.c_double(), ctypes.c_double()
+    check(library.bb_exact_project(curve.pointer, address(at), ctypes.byref(t), ctypes.byref(distance)))
+    return ExactFoot(t.value, distance.value)
+
+
+def project_error(points: ArrayLike, point: ArrayLike, t: float, distance: float) -> float:
+    """The error of a foot: |distance - true distance|, or how much farther than the nearest point the curve is at t, where
+    that is more than twice as much."""
+    curve = GivenCurve(points)
+    at = _point(point, curve)
+    error = ctypes.c_double()
+    check(library.bb_project_error(curve.pointer, address(at), t, distance, ctypes.byref(error)))
+    return error.value
+
+
+def fit(points: ArrayLike, tolerance: float, method: str = "gauss_newton") -> Fit:
+    """Cubic Bezier segments, one after the other, with no point farther than `tolerance` from them."""
+    rows = point_rows(points)
+    count, dimension = rows.shape
+    handle = ctypes.c_void_p()
+    check(library.bb_fit(method.encode(), dimension, address(rows), count, tolerance, ctypes.byref(handle)))
+    try:
+        error = ctypes.c_double()
+        check(library.bb_fitted_exact_error(handle, ctypes.byref(error)))
+        segments = library.bb_fitted_segments(handle)
+        control = np.ctypeslib.as_array(library.bb_fitted_points(handle), (segments, 4, dimension)).copy()
+        return Fit(control, library.bb_fitted_max_error(handle), error.value)
+    finally:
+        library.bb_fitted_free(handle)

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: MIT
+"""The Python package against rational arithmetic, and a bundle against its files."""
+import csv
+import math
+import shutil
+import sys
+import tempfile
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+
+if len(sys.argv) > 1:  # the installed package, instead of the one beside this file
+    sys.path.insert(0, sys.argv.pop())
+import bezierbench
+
+ROOT = Path(__file__).resolve().parents[2]
+CURVE = [[0.0, 0.0], [1.0, 2.0], [3.0, 0.1]]
+T = [0.0, 0.1, 0.7, 1.0]
+
+
+def de_casteljau(values, t):
+    """One coordinate of a Bezier curve in rational arithmetic."""
+    row, t = [Fraction(value) for value in values], Fraction(t)
+    while len(row) > 1:
+        row = [(1 - t) * a + t * b for a, b in zip(row, row[1:])]
+    return row[0]
+
+
+def truths(t):
+    return [de_casteljau([point[axis] for point in CURVE], t) for axis in range(2)]
+
+
+class Points(unittest.TestCase):
+    def test_shapes(self):
+        self.assertEqual(bezierbench.evaluate(CURVE, 0.5).shape, (2,))
+        self.assertEqual(bezierbench.exact(CURVE, 0.5).shape, (2,))
+        self.assertEqual(bezierbench.evaluate(CURVE, T).shape, (4, 2))
+        self.assertEqual(bezierbench.exact(CURVE, []).shape, (0, 2))
+        self.assertEqual(bezierbench.evaluate([1, 2, 4], 0.5).shape, (1,))
+        self.assertEqual(bezierbench.evaluate(np.asfortranarray(CURVE), np.array(T)[::-1]).shape, (4, 2))
+
+    def test_exact_points_are_rounded_once(self):
+        for t, point in zip(T, bezierbench.exact(CURVE, T)):
+            self.assertEqual([float(x) for x in truths(t)], list(point))
+            self.assertEqual(bezierbench.exact_fractions(CURVE, t), truths(t))
+
+    def test_long_fractions(self):
+        points = np.random.default_rng(1).uniform(-1, 1, 60)
+        self.assertEqual(bezierbench.exact_fractions(points, 0.3), [de_casteljau(points, 0.3)])
+
+    def test_order_of_points_and_axes(self):
+        values = bezierbench.evaluate(CURVE, T, "correctly_rounded")
+        self.assertTrue(np.array_equal(values, bezierbench.exact(CURVE, T)))
+        self.assertEqual(list(values[-1]), CURVE[-1])
+
+    def test_errors_and_bounds(self):
+        values = bezierbench.evaluate(CURVE, T)
+        judged = bezierbench.error(CURVE, T, values)
+        for k, t in enumerate(T):
+            for axis in range(2):
+                difference = abs(Fraction(values[k, axis]) - truths(t)[axis])
+                self.assertEqual(judged.error[k, axis], float(difference))
+        proved = bezierbench.bound(CURVE, T, "de_casteljau")
+        self.assertTrue((judged.error <= proved.bound).all())
+        self.assertTrue((judged.error_u[1:] <= proved.bound_u[1:]).all())
+        self.assertEqual(bezierbench.error(CURVE, 0.0, [1.0, math.nan]).error[1], math.inf)
+
+    def test_other_forms(self):
+        power = bezierbench.evaluate([1.0, 2.0, 3.0], 0.5, form="power")
+        self.assertEqual(list(power), [2.75])
+        half = bezierbench.exact_fractions(CURVE, 0.5, weights=[1, 0.5, 1])
+        self.assertEqual(half[0], Fraction(4, 3))
+
+    def test_float(self):
+        points = np.array(CURVE, dtype=np.float32)
+        exact = bezierbench.exact(points, T)
+        self.assertEqual(exact.dtype, np.float32)
+        self.assertTrue(np.array_equal(bezierbench.evaluate(points, T, "correctly_rounded"), exact))
+
+    def test_a_prepared_curve(self):
+        prepared = bezierbench.Prepared(CURVE, "wozny_chudy")
+        self.assertTrue(np.array_equal(prepared(T), bezierbench.evaluate(CURVE, T, "wozny_chudy")))
+
+    def test_threads(self):
+        t = np.linspace(0, 1, 500)
+        alone = bezierbench.exact(CURVE, t)
+        with ThreadPoolExecutor(8) as pool:
+            for result in pool.map(lambda _: bezierbench.exact(CURVE, t), range(16)):
+                self.assertTrue(np.array_equal(result, alone))
+
+    def test_what_is_wrong_is_refused(self):
+        for status, call in [(2, lambda: bezierbench.evaluate(CURVE, 0.5, "de_castlejau")),
+                             (3, lambda: bezierbench.evaluate(CURVE, 0.5, "horner")),
+                             (6, lambda: bezierbench.evaluate(CURVE, math.nan)),
+                             (7, lambda: bezierbench.evaluate(CURVE, 2, "correctly_rounded")),
+                             (10, lambda: bezierbench.bound(CURVE, 0.5, "direct_pow"))]:
+            with self.assertRaises(bezierbench.Error) as caught:
+                call()
+            self.assertEqual(caught.exception.status, status)
+        for call in [lambda: bezierbench.evaluate([], 0.5), lambda: bezierbench.evaluate(CURVE, [[0.5]]),
+                     lambda: bezierbench.evaluate(CURVE, 0.5, weights=[1, 2]),
+                     lambda: bezierbench.evaluate(CURVE, 0.5, form="hermite"),
+                     lambda: bezierbench.error(CURVE, [0.5], [1.0, 2.0]), lambda: bezierbench.project(CURVE, [1.0])]:
+            with self.assertRaises(ValueError):
+                call()
+
+
+class Problems(unittest.TestCase):
+    def test_length(self):
+        line = [[0, 0], [3, 4]]
+        self.assertEqual(bezierbench.exact_arc_length(line, start=0.25, stop=0.75), 2.5)
+        self.assertEqual(bezierbench.arc_length_error(line, 4.5), 0.5)
+        found = bezierbench.arc_length(CURVE)
+        self.assertTrue(found.converged)
+        self.assertLess(bezierbench.arc_length_error(CURVE, found.length), 1e-9 * found.length)
+
+    def test_projection(self):
+        line = [[0, 0], [4, 0]]
+        self.assertEqual(bezierbench.exact_project(line, [1, 3]), (0.25, 3))
+        self.assertEqual(bezierbench.project_error(line, [1, 3], 0.25, 3.5), 0.5)
+        found = bezierbench.project(CURVE, [1, 1])
+        self.assertLess(bezierbench.project_error(CURVE, [1, 1], found.t, found.distance), 1e-9)
+
+    def test_fit(self):
+        angles = np.linspace(0, 4, 41)
+        data = np.column_stack([np.cos(angles), np.sin(angles)])
+        found = bezierbench.fit(data, 1e-3)
+        self.assertEqual(found.segments.shape[1:], (4, 2))
+        self.assertTrue(np.array_equal(found.segments[0, 0], data[0]))
+        self.assertTrue(np.array_equal(found.segments[-1, 3], data[-1]))
+        self.assertLessEqual(found.exact_error, found.max_error)
+        self.assertLessEqual(found.max_error, 1e-3)
+
+    def test_every_listed_method_is_there(self):
+        problems = {method.problem for method in bezierbench.methods()}
+        self.assertEqual(problems, {"evaluation", "arc_length", "projection", "fitting"})
+        for method in bezierbench.methods("evaluation", "bernstein"):
+            bezierbench.evaluate(CURVE, 0.5, method.id)
+        for method in bezierbench.methods("arc_length"):
+            bezierbench.arc_length(CURVE, method.id)
+        for method in bezierbench.methods("fitting"):
+            bezierbench.fit(CURVE, 0.1, method.id)
+
+
+class Bundles(unittest.TestCase):
+    baseline = ROOT / "results/baseline"
+
+    def test_tables_are_those_of_the_files(self):
+        bundle = bezierbench.read(self.baseline, frames=False)
+        self.assertEqual(bundle.info["state"], "complete")
+        self.assertEqual(len(bundle), len(list(self.baseline.glob("*.csv"))))
+        with open(self.baseline / "accuracy.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        table = bundle["accuracy"]
+        self.assertEqual(list(table["method"]), [row["method"] for row in rows])
+        self.assertEqual([int(row["degree"]) for row in rows], list(table["degree"]))
+        for row, value in zip(rows, table["max_error_u"]):
+            self.assertTrue(float(row["max_error_u"]) == value if row["max_error_u"] else math.isnan(value))
+
+    def test_worst_cases_can_be_evaluated(self):
+        worst = bezierbench.read(self.baseline, frames=False)["worst"]
+        judged = 0
+        for k, method in enumerate(worst["method"]):
+            if worst["curve"][k] != "bezier" or worst["scalar"][k] != "double":
+                continue
+            points = bezierbench.numbers(worst["coefficients"][k]).reshape(worst["dimension"][k], -1).T
+            t = worst["t"][k]
+            judged_error = bezierbench.error(points, t, bezierbench.evaluate(points, t, method)).error
+            self.assertAlmostEqual(math.hypot(*judged_error) / worst["error"][k], 1, delta=1e-6)
+            judged += 1
+        self.assertGreater(judged, 10)
+
+    def test_what_is_damaged_is_refused(self):
+        with self.assertRaises(FileNotFoundError):
+            bezierbench.read(ROOT / "results")
+        with tempfile.TemporaryDirectory() as folder:
+            copy = Path(folder) / "bundle"
+            shutil.copytree(self.baseline, copy)
+            file = copy / "accuracy.csv"
+            file.write_text(file.read_text(encoding="utf-8").replace("400000", "400001", 1), encoding="utf-8")
+            with self.assertRaisesRegex(bezierbench.BundleError, "accuracy.csv: not what SHA256SUMS lists"):
+                bezierbench.read(copy)
+            (copy / "SHA256SUMS").unlink()
+            with self.assertRaisesRegex(bezierbench.BundleError, "SHA256SUMS"):
+                bezierbench.read(copy)
+
+    def test_frames(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        table = bezierbench.read(self.baseline)["accuracy"]
+        self.assertIsInstance(table, pandas.DataFrame)
+        self.assertGreater(table.query("method == 'de_casteljau'").max_error_u.max(), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
