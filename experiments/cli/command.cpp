@@ -63,6 +63,11 @@ Option Option::once() {
   return *this;
 }
 
+Option Option::one_each_time() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
 Option Option::one_of(const std::vector<std::string>& words) {
   option_->check(CLI::IsMember(words));
   return *this;

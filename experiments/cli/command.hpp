@@ -23,7 +23,8 @@ class Option {
   explicit Option(CLI::Option& option) : option_(&option) {}
 
   Option required();
-  Option once();  ///< one value only, of an option that could take several
+  Option once();           ///< one value only, of an option that could take several
+  Option one_each_time();  ///< one value each time that it is given, as often as one likes
   Option one_of(const std::vector<std::string>& words);
   Option within(int least, int most = std::numeric_limits<int>::max());
 

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/schema/columns.hpp"
+#include "experiments/suite/outside.hpp"
+#include "experiments/suite/pattern.hpp"
 #include "experiments/suite/writer.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/tables/scorecard.hpp"
@@ -38,14 +41,40 @@ bundle::Manifest manifest_of(const RunRequest& request, const std::string& suite
   return manifest;
 }
 
+/// The study without the names of methods from outside; empty where it names no other.
+std::optional<suite::Study> with_own_methods(suite::Study study) {
+  const bool names_some = !study.methods.empty();
+  std::erase_if(study.methods, [](const auto& id) { return suite::is_outside(id); });
+  if (names_some && study.methods.empty()) return std::nullopt;
+  return study;
+}
+
+/// The job of a study for a method from outside. A study that names such methods takes no others of them.
+std::unique_ptr<Job> outside_job(const RunRequest& request, const suite::Study& study,
+                                 const suite::OutsideMethod& method, const JobContext& context) {
+  const auto means = [&](const std::string& entry) {
+    return suite::is_outside(entry) && suite::matches(entry, method.id);
+  };
+  if (std::ranges::any_of(study.methods, suite::is_outside) && std::ranges::none_of(study.methods, means))
+    return nullptr;
+  return request.kinds.make_outside_job ? request.kinds.make_outside_job(study, method, context) : nullptr;
+}
+
 }  // namespace
 
 Plan::Plan(const RunRequest& request)
-    : suite_text(suite::to_toml(request.suites)),
+    : suite_text(suite::to_toml(request.suites) + suite::to_toml(request.outside)),
       manifest(manifest_of(request, suite_text)),
       reference(reference::name(request.tier)) {
   for (const auto& one : request.suites)
-    for (const auto& study : one.studies) jobs.push_back(request.kinds.make_job(study, {one.seed, request.tier}));
+    for (const auto& study : one.studies)
+      if (auto own = with_own_methods(study); own) studies.push_back({std::move(*own), {one.seed, request.tier}});
+  for (const auto& [study, context] : studies) jobs.push_back(request.kinds.make_job(study, context));
+  // Last, so that no row of another method is elsewhere than without them.
+  for (const auto& one : request.suites)
+    for (const auto& study : one.studies)
+      for (const auto& method : request.outside)
+        if (auto job = outside_job(request, study, method, {one.seed, request.tier})) jobs.push_back(std::move(job));
 }
 
 std::optional<std::string> difference(const bundle::Manifest& theirs, const bundle::Manifest& ours) {

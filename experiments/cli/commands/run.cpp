@@ -12,6 +12,7 @@
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/kinds.hpp"
 #include "experiments/cli/commands/shard.hpp"
+#include "experiments/cli/outside/outside_options.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
@@ -56,12 +57,15 @@ std::chrono::milliseconds pause(const std::string& text) {
   return std::chrono::milliseconds(std::llround(*seconds * milliseconds));
 }
 
-Exit run(const RunOptions& options) {
-  const auto known = vocabulary();
-  auto request = request_of_this_build();
+Exit run(const RunOptions& options, const OutsideOptions& outside) {
+  const auto methods = outside.methods();
+  auto request = request_of_this_build(methods);
+  auto known = vocabulary();
+  for (const auto& method : request.outside) known.methods.push_back(method.id);
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   for (const auto& file : options.suites) {
     for (auto& one : suite::read_suites(file, known)) request.suites.push_back(std::move(one));
+    require_recorded(file, methods);
     suite::check_unique_ids(request.suites, file);
   }
   suite::apply(options.overrides, request.suites, known);
@@ -81,8 +85,9 @@ Exit run(const RunOptions& options) {
 
 }  // namespace
 
-void add_run(Command program, Exit& exit) {
+void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> own) {
   auto options = std::make_shared<RunOptions>();
+  auto outside = std::make_shared<OutsideOptions>(own);
   auto command = program.command("run", "run suites into a bundle");
   command.option("suites", options->suites, "suite files (TOML)").required();
   command.option("--out", options->out, "folder of the bundle").required();
@@ -101,10 +106,11 @@ void add_run(Command program, Exit& exit) {
   command.flag("--host-name", options->host_name, "let machine.json say the host's name");
   command.flag("--quiet", options->quiet, "no progress");
   command.footer("\nWhat a [[study]] of a suite file says:\n\n" + kinds_text());
-  command.action([options, &exit] {
+  outside->add(command);
+  command.action([options, outside, &exit] {
     if (options->seed) options->overrides.seed = static_cast<std::uint64_t>(whole_number("--seed", *options->seed));
     if (options->trials) options->overrides.trials = whole_number("--trials", *options->trials);
-    exit = run(*options);
+    exit = run(*options, *outside);
   });
 }
 
