@@ -47,7 +47,7 @@ int run_program(int argc, char** argv, std::span<const outside::OwnMethod> own) 
   add_run(root, exit, own);
   add_merge(root, exit);
   add_compare(root, exit);
-  add_list(root, exit);
+  add_list(root, exit, own);
   add_verify(root, exit);
   add_replay(root, exit, own);
   add_choose(root, exit);

@@ -11,6 +11,7 @@
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/schema/columns.hpp"
+#include "experiments/suite/fault.hpp"
 #include "experiments/suite/outside.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "experiments/suite/writer.hpp"
@@ -49,15 +50,24 @@ std::optional<suite::Study> with_own_methods(suite::Study study) {
   return study;
 }
 
-/// The job of a study for a method from outside. A study that names such methods takes no others of them.
-std::unique_ptr<Job> outside_job(const RunRequest& request, const suite::Study& study,
-                                 const suite::OutsideMethod& method, const JobContext& context) {
-  const auto means = [&](const std::string& entry) {
-    return suite::is_outside(entry) && suite::matches(entry, method.id);
-  };
-  if (std::ranges::any_of(study.methods, suite::is_outside) && std::ranges::none_of(study.methods, means))
-    return nullptr;
-  return request.kinds.make_outside_job ? request.kinds.make_outside_job(study, method, context) : nullptr;
+/// The jobs of a study for methods from outside: of those that it names, if it names any, else of all. Throws
+/// Failure(usage) where none that it names can be asked for its inputs.
+void add_outside_jobs(const RunRequest& request, const suite::Study& study, const JobContext& context, Jobs& jobs) {
+  const auto named = std::ranges::find_if(study.methods, suite::is_outside);
+  const bool names_some = named != study.methods.end();
+  const auto before = jobs.size();
+  for (const auto& method : request.outside) {
+    const auto means = [&](const std::string& entry) {
+      return suite::is_outside(entry) && suite::matches(entry, method.id);
+    };
+    if ((names_some && std::ranges::none_of(study.methods, means)) || !request.kinds.make_outside_job) continue;
+    if (auto job = request.kinds.make_outside_job(study, method, context)) jobs.push_back(std::move(job));
+  }
+  if (names_some && jobs.size() == before)
+    suite::refuse(study, {"methods", static_cast<std::size_t>(named - study.methods.begin()), "kind",
+                          fmt::format("method \"{}\" is from outside and cannot be asked in this study, because of its "
+                                      "kind, form or scalar; remove it",
+                                      *named)});
 }
 
 }  // namespace
@@ -72,9 +82,7 @@ Plan::Plan(const RunRequest& request)
   for (const auto& [study, context] : studies) jobs.push_back(request.kinds.make_job(study, context));
   // Last, so that no row of another method is elsewhere than without them.
   for (const auto& one : request.suites)
-    for (const auto& study : one.studies)
-      for (const auto& method : request.outside)
-        if (auto job = outside_job(request, study, method, {one.seed, request.tier})) jobs.push_back(std::move(job));
+    for (const auto& study : one.studies) add_outside_jobs(request, study, {one.seed, request.tier}, jobs);
 }
 
 std::optional<std::string> difference(const bundle::Manifest& theirs, const bundle::Manifest& ours) {

@@ -14,7 +14,7 @@ namespace bezierbench::cli {
 void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> own);
 void add_merge(Command program, Exit& exit);
 void add_compare(Command program, Exit& exit);
-void add_list(Command program, Exit& exit);
+void add_list(Command program, Exit& exit, std::span<const outside::OwnMethod> own);
 void add_verify(Command program, Exit& exit);
 void add_replay(Command program, Exit& exit, std::span<const outside::OwnMethod> own);
 void add_choose(Command program, Exit& exit);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,7 +43,7 @@ std::string studies_csv() {
   return table.text();
 }
 
-void add_topic(Command list, const std::string& topic, const std::string& help, std::string (*csv)(),
+void add_topic(Command list, const std::string& topic, const std::string& help, const std::function<std::string()>& csv,
                const std::shared_ptr<std::string>& format) {
   auto command = list.command(topic, help);
   command.takes_options_of_its_parent();
@@ -69,12 +70,17 @@ void add_kinds(Command list) {
 
 }  // namespace
 
-void add_list(Command program, Exit& /*exit*/) {
+void add_list(Command program, Exit& /*exit*/, std::span<const outside::OwnMethod> own) {
   auto format = std::make_shared<std::string>("text");
   auto list = program.command("list", "what there is to run");
   list.option("--format", *format, "text or csv").one_of({"text", "csv"});
   list.needs_command();
-  add_topic(list, "methods", "evaluators, converted paths and conversions", methods_csv, format);
+  const auto methods = [own] {
+    std::vector<suite::OutsideMethod> records;
+    for (const auto& method : own) records.push_back(outside::own(method, {}, nullptr)->record());
+    return methods_csv(records);
+  };
+  add_topic(list, "methods", "evaluators, converted paths and conversions", methods, format);
   add_topic(list, "suites", "the suites that come with the program, and the processor time that each takes, in seconds",
             suites_csv, format);
   add_topic(list, "studies", "their studies", studies_csv, format);

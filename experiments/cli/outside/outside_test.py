@@ -2,6 +2,7 @@
 """Methods from outside: the examples in experiments/examples, and methods that do what they must not."""
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -60,6 +61,16 @@ class Outside(Case):
         self.assertTrue(worst)
         self.assertIn(": the same\n", self.fine("replay", bundle, worst[0]["worst_id"], *options))
         return worst[0]["worst_id"]
+
+
+class Page(unittest.TestCase):
+    def test_snippets_are_the_examples(self):
+        """Every snippet of docs/own_method.md is the text of an example below its opening comment."""
+        page = (ROOT / "docs/own_method.md").read_text()
+        for name in ("cpp/mine.cpp", "plugin/mine.c", "program/mine.py", "answers/answer.py"):
+            text = (EXAMPLES / name).read_text()
+            self.assertIn("\n" + text[re.search(r"^(#include|import)", text, re.MULTILINE).start():] + "```\n", page, name)
+            self.assertLess(len(text.splitlines()), 40, name)
 
 
 class Ways(Outside):
@@ -129,20 +140,11 @@ class Ways(Outside):
         self.assert_others_unchanged("b", "without")
         self.assert_numbers_of(self.outside_rows("b"), self.ours("b", "de_casteljau_lerp"))
         self.assertEqual([row["checked"] for row in self.outside_rows("b", "timing.csv")], ["yes"])
+        listed = subprocess.run([program, "list", "methods", "--format", "csv"], check=True, capture_output=True, text=True)
+        self.assertEqual(rows(listed.stdout)[-1]["id"], "own_lerp")
         worst = self.outside_rows("b", "worst.csv")[0]["worst_id"]
         replayed = subprocess.run([program, "replay", "b", worst], cwd=self.folder, check=True, capture_output=True, text=True)
         self.assertIn(": the same\n", replayed.stdout)
-
-    def test_javascript(self):
-        modules = next((folder for folder in (os.environ.get("BEZIERBENCH_NODE_MODULES"), ROOT / "build/javascript/node_modules")
-                        if folder and (pathlib.Path(folder) / "bezier-js").exists()), None)
-        if shutil.which("node") is None or modules is None:
-            self.skipTest("no node, or no bezier-js in build/javascript (npm install --prefix build/javascript bezier-js)")
-        (self.folder / "node_modules").symlink_to(pathlib.Path(modules).resolve())
-        self.write("mine.mjs", (EXAMPLES / "javascript/mine.mjs").read_bytes())
-        self.bundle(self.suite(**SMALL), "--program", "node mine.mjs")
-        self.assertEqual([row["status"] for row in self.outside_rows("b")], ["ok", "ok"])
-        self.assertLess(max(float(row["max_error_u"]) for row in self.outside_rows("b")), 10)
 
 
 class Faults(Outside):
@@ -217,6 +219,9 @@ class Faults(Outside):
         self.refused(USAGE, ["run", suite, "--out", "b"], "program_mine")
         self.bundle(suite, "--program", ANSWER)
         self.assertEqual([row["method"] for row in rows((self.folder / "b/accuracy.csv").read_text())], ["program_mine"] * 2)
+        for changes in ({"curve": '"polynomial"'}, {"scalar": '["float"]'}, {"kind": '"search"', "budget": "100"}):
+            wrong = self.suite(**{**SMALL, "methods": '["program_mine"]', **changes}, name="wrong.toml")
+            self.refused(USAGE, ["run", wrong, "--out", "d", "--program", ANSWER], "wrong.toml", "program_mine")
         # The bundle's own suite names a method that must be given again: nothing is started because a file says so.
         self.refused(USAGE, ["run", "b/suite.toml", "--out", "c"], "program_mine")
 

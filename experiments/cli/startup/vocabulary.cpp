@@ -64,8 +64,6 @@ suite::Vocabulary vocabulary_of_all_builds() {
   return known;
 }
 
-std::string methods_csv() { return methods_csv({}); }
-
 std::string methods_csv(std::span<const suite::OutsideMethod> outside) {
   tables::Tables tables;
   for (const auto& kernel : judge::methods<double>(any_dimension)) tables.add(row_of(*kernel.info));

@@ -18,8 +18,6 @@ suite::Vocabulary vocabulary_of_all_builds();
 
 /// The table of `list methods --format csv`, which every bundle contains, with these methods at its end.
 std::string methods_csv(std::span<const suite::OutsideMethod> outside);
-/// The same without any.
-std::string methods_csv();
 
 /// The table of `list generators --format csv`, which every bundle contains.
 std::string generators_csv();
