@@ -42,15 +42,19 @@ TABLE = {
         ["core/curve.hpp", "core/method.hpp"],
         ["2geom", "Open CASCADE", "SISL", "GSL", "Eigen", "Boost.Math"],
     ),
-    "experiments/plugin": (["core/curve.hpp", "core/method.hpp"], []),
+    "experiments/outside": (
+        ["core/curve_view.hpp", "core/method.hpp", "experiments/suite", "experiments/bundle"],
+        [],
+    ),
     "experiments/studies": (
         ["core", "reference"]
-        + [f"experiments/{f}" for f in "suite sample metric judge race bundle tables run peers plugin".split()],
+        + [f"experiments/{f}" for f in "suite sample metric judge race bundle tables run peers outside".split()],
         ["oneTBB"],
     ),
     "experiments/cli": (["core", "reference", "experiments"], ["CLI11"]),
     "experiments/programs": (["core", "reference", "experiments"], []),
     "bindings": (["core", "reference", "experiments/metric", "experiments/number"], ["GMP/MPFR"]),
+    "experiments/examples": ([], ["bezierbench"]),  # what users of the installed package write
 }
 
 # Additions to the table: (files, what they may include as well, why).
@@ -76,6 +80,8 @@ ADDITIONS = [
     (r"experiments/race/timed_check", "reference/exact_curve.hpp", "a method is checked against the truth, then timed"),
     (r"experiments/judge/", "experiments/peers/peers.hpp", "methods of other libraries are judged as ours are"),
     (r"experiments/peers/", "core/evaluate/kernel.hpp", "a peer is handed over as what the harness sees of any method"),
+    (r"experiments/outside/", "core/evaluate/kernel.hpp", "code from outside is handed over as what the harness sees"),
+    (r"experiments/outside/harness", "core/evaluate/kernel_of.hpp", "a method of a user's program becomes a kernel as ours do"),
     (r"experiments/peers/", "core/arc_length/kernel.hpp", "likewise"),
     (r"experiments/peers/", "core/project/kernel.hpp", "likewise"),
     (r"experiments/peers/", "core/evaluate/kernel_of.hpp", "an adapter becomes a kernel by the step that our methods take"),
@@ -113,6 +119,7 @@ PACKAGES = [
     ("sys/", "POSIX"),
     ("linux/", "POSIX"),
     ("gnu/", "POSIX"),
+    ("bezierbench/", "bezierbench"),
     ("build_facts.hpp", "CMake"),
     ("git_facts.hpp", "CMake"),
     ("schemas.hpp", "CMake"),
@@ -121,7 +128,7 @@ PACKAGES = [
 PACKAGES += [
     (f"{name}.h", "POSIX")
     for name in (
-        "cpuid dirent dlfcn errno fcntl immintrin link malloc poll pthread pwd regex sched signal spawn stdlib string "
+        "cpuid dirent dlfcn errno fcntl immintrin link malloc poll pthread pwd regex sched signal spawn stddef stdlib string "
         "strings termios time unistd x86intrin xmmintrin"
     ).split()
 ]

@@ -132,6 +132,11 @@ Option Option::once() {
   return *this;
 }
 
+Option Option::one_each_time() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
 Option Option::one_of(const std::vector<std::string>& words) {
   option_->check([words](const std::string& word) {
     if (std::ranges::find(words, word) != words.end()) return std::string();

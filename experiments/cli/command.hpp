@@ -35,7 +35,8 @@ class Option {
   /// Names the value, for help (`--out FOLDER`), and says which values there are, for completions.
   Option takes(const std::string& name, KnownValues values = {});
   Option required();
-  Option once();  ///< one value only, of an option that could take several
+  Option once();           ///< one value only, of an option that could take several
+  Option one_each_time();  ///< one value each time that it is given, as often as one likes
   Option one_of(const std::vector<std::string>& words);
   Option within(int least, int most = std::numeric_limits<int>::max());
 

@@ -81,6 +81,32 @@ struct GroupJudge<Scalar>::Scratch {
 
 template <class Scalar>
 void GroupJudge<Scalar>::judge(TrialNumber first, std::int64_t count, bool check, CellTally& block) const {
+  judge_group(first, count, block, [&](Scratch& scratch) {
+    for (std::size_t m = 0; m < methods_.count(); ++m) {
+      if (!methods_.supported(methods_[m])) continue;
+      scratch.points.evaluate(methods_[m], scratch.computed[m]);
+      if (check) scratch.points.check_first(methods_[m], scratch.computed[m]);
+      scratch.own_kernel[m] = methods_[m].is_judged_alone() ? static_cast<std::uint64_t>(count) : check ? 1 : 0;
+    }
+  });
+}
+
+template <class Scalar>
+void GroupJudge<Scalar>::judge(TrialNumber first, std::span<const double> given, CellTally& block) const {
+  const auto dimension = static_cast<std::size_t>(cell_.dimension);
+  const std::size_t count = given.size() / dimension;
+  judge_group(first, static_cast<std::int64_t>(count), block, [&](Scratch& scratch) {
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t axis = 0; axis < dimension; ++axis)
+        scratch.computed.front()[axis][k] = given[k * dimension + axis];
+    scratch.own_kernel.front() = count;
+  });
+}
+
+template <class Scalar>
+template <class Evaluate>
+void GroupJudge<Scalar>::judge_group(TrialNumber first, std::int64_t count, CellTally& block,
+                                     const Evaluate& evaluate) const {
   thread_local Scratch scratch;
   const std::span group(scratch.group.data(), static_cast<std::size_t>(count));
   draw(group, first, scratch);
@@ -88,12 +114,7 @@ void GroupJudge<Scalar>::judge(TrialNumber first, std::int64_t count, bool check
   find_truth(group, scratch);
   scratch.computed.assign(methods_.count(), {});
   scratch.own_kernel.assign(methods_.count(), 0);
-  for (std::size_t m = 0; m < methods_.count(); ++m) {
-    if (!methods_.supported(methods_[m])) continue;
-    scratch.points.evaluate(methods_[m], scratch.computed[m]);
-    if (check) scratch.points.check_first(methods_[m], scratch.computed[m]);
-    scratch.own_kernel[m] = methods_[m].is_judged_alone() ? group.size() : check ? 1 : 0;
-  }
+  evaluate(scratch);
   for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
     if (methods_.is_exact(k)) {
       measure_from_truth(group, scratch);

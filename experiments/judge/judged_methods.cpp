@@ -20,13 +20,28 @@ constexpr std::string_view exact_baseline = "exact";
 
 template <class Scalar>
 JudgedMethods<Scalar>::JudgedMethods(const suite::Study& study, const sample::Cell& cell) : degree_(cell.degree) {
-  for (const auto* method : chosen_kernels<Scalar>(study, cell)) {
-    methods_.emplace_back(*method);
-    bounds_.emplace_back();
-    if (!method->info->bound) continue;
-    bounds_.back().emplace(*method->info->bound, cell.degree, ScalarFacts<Scalar>::arithmetic);
-    amplifications_.insert(method->info->bound->amplification);
-  }
+  for (const auto* method : chosen_kernels<Scalar>(study, cell)) add(*method);
+  add_baselines(study, cell);
+}
+
+template <class Scalar>
+JudgedMethods<Scalar>::JudgedMethods(const suite::Study& study, const sample::Cell& cell, const Kernel<Scalar>& method)
+    : degree_(cell.degree) {
+  add(method);
+  add_baselines(study, cell);
+}
+
+template <class Scalar>
+void JudgedMethods<Scalar>::add(const Kernel<Scalar>& method) {
+  methods_.emplace_back(method);
+  bounds_.emplace_back();
+  if (!method.info->bound) return;
+  bounds_.back().emplace(*method.info->bound, degree_, ScalarFacts<Scalar>::arithmetic);
+  amplifications_.insert(method.info->bound->amplification);
+}
+
+template <class Scalar>
+void JudgedMethods<Scalar>::add_baselines(const suite::Study& study, const sample::Cell& cell) {
   amplifications_.insert(p_tilde_of(study.curve));
   for (std::size_t k = 0; k < study.baseline.size(); ++k) {
     const std::string& id = study.baseline[k];

@@ -18,6 +18,8 @@ class JudgedMethods {
  public:
   /// Throws Failure(usage) for methods and baselines that do not take the study's curves.
   JudgedMethods(const suite::Study& study, const sample::Cell& cell);
+  /// One method only, which need not be in the roster; the kernel must outlive the object.
+  JudgedMethods(const suite::Study& study, const sample::Cell& cell, const Kernel<Scalar>& method);
 
   [[nodiscard]] std::size_t count() const { return methods_.size(); }
   [[nodiscard]] std::size_t baseline_count() const { return baselines_.size(); }
@@ -53,6 +55,9 @@ class JudgedMethods {
   }
 
  private:
+  void add(const Kernel<Scalar>& method);
+  void add_baselines(const suite::Study& study, const sample::Cell& cell);
+
   int degree_;
   std::vector<GroupMethod<Scalar>> methods_;
   std::vector<std::optional<metric::BoundAtDegree>> bounds_;

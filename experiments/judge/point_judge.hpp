@@ -38,6 +38,12 @@ class PointJudge {
     const auto d = static_cast<std::size_t>(kernel.dimension);
     std::array<Scalar, reference::max_dimension> point{};
     evaluate_once(kernel, inputs.curve(), inputs.t(), storage_, std::span<Scalar>(point.data(), d));
+    return judge(kernel, inputs, std::span<const Scalar>(point.data(), d));
+  }
+
+  /// Judges a point that was computed elsewhere. Of the kernel only what describes it is used.
+  PointVerdict judge(const Kernel<Scalar>& kernel, const TrialInputs<Scalar>& inputs, std::span<const Scalar> point) {
+    const std::size_t d = point.size();
     PointVerdict verdict;
     verdict.finite = true;
     for (std::size_t axis = 0; axis < d; ++axis) {

@@ -12,8 +12,8 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
+#include "experiments/race/judged_race.hpp"
 #include "experiments/race/stack_offset.hpp"
-#include "experiments/race/timed_problem.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
 
@@ -30,7 +30,8 @@ std::array<const RaceCellLap*, 2> sentinels_of(const std::vector<RaceCellLap>& l
   return {&laps[laps.size() - 2], &laps.back()};
 }
 
-/// Races all rivals and the sentinels against each other. A rival whose results were wrong is not `checked`.
+}  // namespace
+
 RaceCellLaps race_of(const RaceCell& race_cell, const suite::Study& study, JudgedRivals judged, std::size_t repetition,
                      const RaceOptions& options) {
   if (judged.call) judged.rivals.push_back(*judged.call);
@@ -49,8 +50,6 @@ RaceCellLaps race_of(const RaceCell& race_cell, const suite::Study& study, Judge
         race_cell.scalar, [&]<class Scalar>(Scalar /*zero*/) { return measured_operations<Scalar>(options.clock); }));
   return result;
 }
-
-}  // namespace
 
 Lap RaceCellLap::rounds() const {
   Lap all;

@@ -3,11 +3,13 @@
 // them.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "experiments/run/job.hpp"
+#include "experiments/suite/outside.hpp"
 #include "experiments/suite/suite.hpp"
 
 namespace bezierbench::run {
@@ -17,6 +19,11 @@ struct Kinds {
   std::unique_ptr<Job> (*make_job)(const suite::Study& study, const JobContext& context) = nullptr;
   /// The tables that the study writes wherever it has rows, by file name: one of each list.
   std::vector<std::vector<std::string>> (*tables_of)(const suite::Study& study) = nullptr;
+  /// The work of one study on a method from outside; null where studies of this kind take none, or not this one. A
+  /// method that is not at hand can be written and merged, but not run.
+  std::function<std::unique_ptr<Job>(const suite::Study& study, const suite::OutsideMethod& method,
+                                     const JobContext& context)>
+      make_outside_job = nullptr;
 };
 
 }  // namespace bezierbench::run

@@ -4,12 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/schema/columns.hpp"
+#include "experiments/suite/fault.hpp"
+#include "experiments/suite/outside.hpp"
+#include "experiments/suite/pattern.hpp"
 #include "experiments/suite/writer.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/tables/scorecard.hpp"
@@ -38,14 +42,47 @@ bundle::Manifest manifest_of(const RunRequest& request, const std::string& suite
   return manifest;
 }
 
+/// The study without the names of methods from outside; empty where it names no other.
+std::optional<suite::Study> with_own_methods(suite::Study study) {
+  const bool names_some = !study.methods.empty();
+  std::erase_if(study.methods, [](const auto& id) { return suite::is_outside(id); });
+  if (names_some && study.methods.empty()) return std::nullopt;
+  return study;
+}
+
+/// The jobs of a study for methods from outside: of those that it names, if it names any, else of all. Throws
+/// Failure(usage) where none that it names can be asked for its inputs.
+void add_outside_jobs(const RunRequest& request, const suite::Study& study, const JobContext& context, Jobs& jobs) {
+  const auto named = std::ranges::find_if(study.methods, suite::is_outside);
+  const bool names_some = named != study.methods.end();
+  const auto before = jobs.size();
+  for (const auto& method : request.outside) {
+    const auto means = [&](const std::string& entry) {
+      return suite::is_outside(entry) && suite::matches(entry, method.id);
+    };
+    if ((names_some && std::ranges::none_of(study.methods, means)) || !request.kinds.make_outside_job) continue;
+    if (auto job = request.kinds.make_outside_job(study, method, context)) jobs.push_back(std::move(job));
+  }
+  if (names_some && jobs.size() == before)
+    suite::refuse(study, {"methods", static_cast<std::size_t>(named - study.methods.begin()), "kind",
+                          fmt::format("method \"{}\" is from outside and cannot be asked in this study, because of its "
+                                      "kind, form or scalar; remove it",
+                                      *named)});
+}
+
 }  // namespace
 
 Plan::Plan(const RunRequest& request)
-    : suite_text(suite::to_toml(request.suites)),
+    : suite_text(suite::to_toml(request.suites) + suite::to_toml(request.outside)),
       manifest(manifest_of(request, suite_text)),
       reference(reference::name(request.tier)) {
   for (const auto& one : request.suites)
-    for (const auto& study : one.studies) jobs.push_back(request.kinds.make_job(study, {one.seed, request.tier}));
+    for (const auto& study : one.studies)
+      if (auto own = with_own_methods(study); own) studies.push_back({std::move(*own), {one.seed, request.tier}});
+  for (const auto& [study, context] : studies) jobs.push_back(request.kinds.make_job(study, context));
+  // Last, so that no row of another method is elsewhere than without them.
+  for (const auto& one : request.suites)
+    for (const auto& study : one.studies) add_outside_jobs(request, study, {one.seed, request.tier}, jobs);
 }
 
 std::optional<std::string> difference(const bundle::Manifest& theirs, const bundle::Manifest& ours) {

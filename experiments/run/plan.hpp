@@ -16,13 +16,20 @@
 
 namespace bezierbench::run {
 
+/// A study with a job for our own methods.
+struct PlannedStudy {
+  suite::Study study;
+  JobContext context;
+};
+
 struct Plan {
   explicit Plan(const RunRequest& request);
 
-  Jobs jobs;
-  std::string suite_text;     ///< the resolved suites
-  bundle::Manifest manifest;  ///< state `partial`
-  std::string reference;      ///< the tier
+  Jobs jobs;                          ///< those of `studies` in their order, then those for methods from outside
+  std::vector<PlannedStudy> studies;  ///< without the names of methods from outside
+  std::string suite_text;             ///< the resolved suites
+  bundle::Manifest manifest;          ///< state `partial`
+  std::string reference;              ///< the tier
 };
 
 /// The first difference between two manifests whose results must not be mixed, for example "seed 1, this run has 2".

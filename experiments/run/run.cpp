@@ -138,15 +138,13 @@ Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, 
               .disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
                       bytes_per_row * static_cast<double>(extent.rows)};
   std::vector<ResultsOfStudy> results;
-  std::size_t job = 0;
-  for (const auto& one : request.suites)
-    for (const auto& study : one.studies) {
-      const auto estimated = estimate(study, request.kinds, {one.seed, request.tier});
-      const double seconds = nanosecond * estimated.per_cost * share.cost_left(job);
-      needs.seconds += seconds;
-      needs.memory += estimated.result_memory;
-      results.push_back({estimated, seconds, *plan.jobs[job++]});
-    }
+  for (std::size_t job = 0; job < plan.studies.size(); ++job) {  // what methods from outside take is not known
+    const auto estimated = estimate(plan.studies[job].study, request.kinds, plan.studies[job].context);
+    const double seconds = nanosecond * estimated.per_cost * share.cost_left(job);
+    needs.seconds += seconds;
+    needs.memory += estimated.result_memory;
+    results.push_back({estimated, seconds, *plan.jobs[job]});
+  }
   needs.disk += blocks_on_disk(results, needs.seconds, static_cast<double>(share.count()));
   needs.memory += kilobyte * static_cast<double>(used_so_far().ru_maxrss);  // of pilots: what a trial takes meanwhile
   return needs;
@@ -162,7 +160,8 @@ void describe(const RunRequest& request, const Plan& plan, bool already_complete
   const Share share(plan.jobs, checkpoints, request.shard.value_or(Shard()));
   const Needs needs = already_complete ? Needs{} : needs_of(request, plan, share, extent);
   constexpr double megabyte = 1e6;
-  fmt::print("studies      {}\ncells        {}\nevaluations  {}\n", plan.jobs.size(), extent.cells, extent.evaluations);
+  fmt::print("studies      {}\ncells        {}\nevaluations  {}\n", plan.studies.size(), extent.cells,
+             extent.evaluations);
   fmt::print("blocks       {}{}, {} of them done\n", share.count(),
              request.shard ? fmt::format(" of {}", name_of(request.shard)) : "",
              already_complete ? share.count() : share.count_done());

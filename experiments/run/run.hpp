@@ -19,8 +19,9 @@
 namespace bezierbench::run {
 
 struct RunRequest {
-  Kinds kinds;                       ///< the roster of studies/
-  std::vector<suite::Suite> suites;  ///< resolved: overrides applied
+  Kinds kinds;                                ///< the roster of studies/
+  std::vector<suite::Suite> suites;           ///< resolved: overrides applied
+  std::vector<suite::OutsideMethod> outside;  ///< methods that every study takes beside its own, where its kind can
   std::filesystem::path out;
   int jobs = 0;  ///< threads; 0: all cores
   reference::Tier tier = reference::Tier::certified;

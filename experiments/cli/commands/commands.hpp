@@ -2,21 +2,27 @@
 // The subcommands: each adds its options and its action to the parser.
 #pragma once
 
+#include <span>
+
 #include "experiments/cli/command.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/outside/own.hpp"
 
 namespace bezierbench::cli {
 
-void add_run(Command program, Exit& exit);
+/// `own`: methods that this program has beside those of the roster.
+void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> own);
 void add_merge(Command program, Exit& exit);
 void add_compare(Command program, Exit& exit);
-void add_list(Command program, Exit& exit);
+void add_list(Command program, Exit& exit, std::span<const outside::OwnMethod> own);
 void add_verify(Command program, Exit& exit);
-void add_replay(Command program, Exit& exit);
+void add_replay(Command program, Exit& exit, std::span<const outside::OwnMethod> own);
 void add_choose(Command program, Exit& exit);
 void add_check(Command program, Exit& exit);
 void add_trials(Command program, Exit& exit);
 void add_doctor(Command program, Exit& exit);
+void add_inputs(Command program, Exit& exit);
+void add_judge(Command program, Exit& exit);
 void add_curve(Command program, Exit& exit);
 
 }  // namespace bezierbench::cli

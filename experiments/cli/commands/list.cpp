@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -76,7 +77,7 @@ std::string fitted_csv(const std::string& csv, const std::vector<std::string>& f
   return fitted(std::move(lines), terminal_width(STDOUT_FILENO));
 }
 
-void add_topic(Command list, const std::string& topic, const std::string& help, std::string (*csv)(),
+void add_topic(Command list, const std::string& topic, const std::string& help, const std::function<std::string()>& csv,
                const std::shared_ptr<std::string>& format, const std::vector<std::string>& for_programs = {}) {
   auto command = list.command(topic, help);
   command.takes_options_of_its_parent();
@@ -109,12 +110,17 @@ void add_kinds(Command list) {
 
 }  // namespace
 
-void add_list(Command program, Exit& /*exit*/) {
+void add_list(Command program, Exit& /*exit*/, std::span<const outside::OwnMethod> own) {
   auto format = std::make_shared<std::string>("text");
   auto list = program.command("list", "what there is to run");
   list.option("--format", *format, "text, in the width of the terminal, or csv, for programs").one_of({"text", "csv"});
   list.needs_command();
-  add_topic(list, "methods", "evaluators, converted paths and conversions", methods_csv, format);
+  const auto methods = [own] {
+    std::vector<suite::OutsideMethod> records;
+    for (const auto& method : own) records.push_back(outside::own(method, {}, nullptr)->record());
+    return methods_csv(records);
+  };
+  add_topic(list, "methods", "evaluators, converted paths and conversions", methods, format);
   add_topic(list, "suites", "the suites that come with the program, and the processor time that each takes, in seconds",
             suites_csv, format, {"file", "seed"});
   add_topic(list, "studies", "their studies", studies_csv, format);

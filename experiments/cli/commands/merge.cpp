@@ -10,6 +10,7 @@
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/interruption.hpp"
+#include "experiments/suite/outside.hpp"
 #include "experiments/suite/reader.hpp"
 
 namespace bezierbench::cli {
@@ -26,7 +27,10 @@ Exit merge(const MergeOptions& options) {
   auto request = request_of_this_build();
   const auto first = bundle::BundleDirectory::open(bundles.front());
   constexpr const char* name = "suite.toml";
-  request.suites = suite::parse_suites(first.read_listed(name), (first.path() / name).string(), vocabulary());
+  const auto text = first.read_listed(name);
+  const auto place = (first.path() / name).string();
+  request.suites = suite::parse_suites(text, place, vocabulary());
+  record_outside(request, suite::parse_outside(text, place));
   request.out = options.out;
   const auto findings = run::merge(std::move(request), bundles);
   for (const auto& finding : findings) say(finding);

@@ -9,6 +9,7 @@
 #include "experiments/cli/commands/worst_record.hpp"
 #include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
+#include "experiments/cli/outside/outside_options.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/echo.hpp"
@@ -17,6 +18,7 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/studies/outside/outside_jobs.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -60,16 +62,13 @@ void print_result(const judge::PointVerdict& verdict, const reference::ExactPoin
   if (verdict.bound_u) fmt::print("  bound      {}\n", number::decimal(*verdict.bound_u));
 }
 
+/// Prints what is found of the record and of the point that was computed anew.
 template <class Scalar>
-Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
-  const auto* kernel = judge::find_method<Scalar>(record.text("method"), cell.curve, cell.dimension);
-  if (kernel == nullptr) record.malformed("method", "is not one that this program knows");
-  judge::TrialInputs<Scalar> inputs(cell.curve, cell);
-  inputs.assign(record.input(cell));
+Exit print_replay(const std::string& id, const WorstRecord& record, const sample::Cell& cell,
+                  const Kernel<Scalar>* kernel, const judge::TrialInputs<Scalar>& inputs,
+                  judge::PointJudge<Scalar>& judge, const judge::PointVerdict& verdict) {
   const double recorded = record.number("error");
   const double recorded_u = record.error_u();
-  judge::PointJudge<Scalar> judge;
-  const auto verdict = judge.judge(*kernel, inputs);
   const auto& truth = judge.truth(inputs);
   fmt::print("{}\n",
              printable(fmt::format("{}: study {}, method {}, {} {}, degree {}", id, record.text("study"),
@@ -90,12 +89,53 @@ Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell
   return same ? Exit::fine : Exit::finding;
 }
 
+template <class Scalar>
+Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
+  const auto* kernel = judge::find_method<Scalar>(record.text("method"), cell.curve, cell.dimension);
+  if (kernel == nullptr) record.malformed("method", "is not one that this program knows");
+  judge::TrialInputs<Scalar> inputs(cell.curve, cell);
+  inputs.assign(record.input(cell));
+  judge::PointJudge<Scalar> judge;
+  return print_replay(id, record, cell, kernel, inputs, judge, judge.judge(*kernel, inputs));
+}
+
+/// Asks a method from outside again.
+Exit replay_outside(const std::string& id, const WorstRecord& record, const sample::Cell& cell,
+                    const outside::Methods& given) {
+  const auto& name = record.text("method");
+  const auto* method = outside::find(given, name);
+  if (method == nullptr)
+    throw Failure(Exit::usage, fmt::format("{}: {} is a method from outside; give it with --plugin, --program or "
+                                           "--answers",
+                                           id, name));
+  judge::TrialInputs<double> inputs(cell.curve, cell);
+  inputs.assign(record.input(cell));
+  const auto curve = inputs.curve();
+  const auto answer = method->points({cell.curve,
+                                      cell.dimension,
+                                      cell.degree,
+                                      {inputs.t()},
+                                      {curve.coefficients.begin(), curve.coefficients.end()},
+                                      {curve.weights.begin(), curve.weights.end()}});
+  if (answer.status != outside::Status::ok) {
+    say(fmt::format("{}: {} at this input: {}; see docs/own_method.md", name, outside::name(answer.status),
+                    answer.detail));
+    return Exit::finding;
+  }
+  const studies::JudgedOutside judged(method->record(), cell.curve, method);
+  const auto& kernel = judged.described(cell.dimension);
+  judge::PointJudge<double> judge;
+  return print_replay(id, record, cell, &kernel, inputs, judge,
+                      judge.judge(kernel, inputs, std::span<const double>(answer.points)));
+}
+
 }  // namespace
 
-void add_replay(Command program, Exit& exit) {
+void add_replay(Command program, Exit& exit, std::span<const outside::OwnMethod> own) {
   struct Options {
     std::string bundle;
     std::string id;
+    std::optional<std::string> answers;
     bool damaged = false;
   };
   auto options = std::make_shared<Options>();
@@ -103,11 +143,20 @@ void add_replay(Command program, Exit& exit) {
   command.option("bundle", options->bundle, "folder of the bundle").required();
   command.option("id", options->id, "worst_id of worst.csv or search_id of search.csv").required();
   add_damaged(command, options->damaged);
-  command.action([options, &exit] {
+  auto outside = std::make_shared<OutsideOptions>(own);
+  outside->add(command);
+  command.option("--answers", options->answers, "file that `judge` was given");
+  command.action([options, outside, &exit] {
     bundle::CheckedReader reader(options->bundle, damage_of(options->damaged));
     const WorstRecord record = find_worst_record(reader, options->id);
     const auto cell = record.cell();
     print_damage(reader.told());
+    if (suite::is_outside(record.text("method"))) {
+      auto given = outside->methods();
+      if (options->answers) given.push_back(read_answers(*options->answers, record.text("method")));
+      exit = replay_outside(options->id, record, cell, given);
+      return;
+    }
     exit = record.scalar() == suite::ScalarKind::float32 ? replay<float>(options->id, record, cell)
                                                          : replay<double>(options->id, record, cell);
   });

@@ -13,6 +13,7 @@
 #include "experiments/cli/commands/kinds.hpp"
 #include "experiments/cli/commands/run_ending.hpp"
 #include "experiments/cli/commands/shard.hpp"
+#include "experiments/cli/outside/outside_options.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
@@ -67,15 +68,18 @@ run::Telling telling_of(const RunOptions& options) {
   return options.progress == "json" ? run::Telling::json : run::Telling::text;
 }
 
-Exit run(const RunOptions& options) {
-  const auto known = vocabulary();
-  auto request = request_of_this_build();
+Exit run(const RunOptions& options, const OutsideOptions& outside) {
+  const auto methods = outside.methods();
+  auto request = request_of_this_build(methods);
+  auto known = vocabulary();
+  for (const auto& method : request.outside) known.methods.push_back(method.id);
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   request.telling = telling_of(options);
   if (request.telling == run::Telling::json) run::write_notes_as_json();
   for (const auto& word : options.suites) {
     const auto file = suite_file(word).string();
     for (auto& one : suite::read_suites(file, known)) request.suites.push_back(std::move(one));
+    require_recorded(file, methods);
     suite::check_unique_ids(request.suites, file);
   }
   suite::apply(options.overrides, request.suites, known);
@@ -95,8 +99,9 @@ Exit run(const RunOptions& options) {
 
 }  // namespace
 
-void add_run(Command program, Exit& exit) {
+void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> own) {
   auto options = std::make_shared<RunOptions>();
+  auto outside = std::make_shared<OutsideOptions>(own);
   auto command = program.command("run", "run suites into a bundle");
   command
       .option("suites", options->suites, "ids of suites that come with the program, or files: words with a / or .toml")
@@ -124,10 +129,11 @@ void add_run(Command program, Exit& exit) {
   command.option("--progress", options->progress, "on standard error: lines for people, or JSON, an object per line")
       .one_of({"text", "json"});
   command.footer("\nWhat a [[study]] of a suite file says:\n\n" + kinds_text());
-  command.action([options, &exit] {
+  outside->add(command);
+  command.action([options, outside, &exit] {
     if (options->seed) options->overrides.seed = static_cast<std::uint64_t>(whole_number("--seed", *options->seed));
     if (options->trials) options->overrides.trials = whole_number("--trials", *options->trials);
-    exit = run(*options);
+    exit = run(*options, *outside);
   });
 }
 

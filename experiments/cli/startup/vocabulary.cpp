@@ -64,11 +64,19 @@ suite::Vocabulary vocabulary_of_all_builds() {
   return known;
 }
 
-std::string methods_csv() {
+std::string methods_csv(std::span<const suite::OutsideMethod> outside) {
   tables::Tables tables;
   for (const auto& kernel : judge::methods<double>(any_dimension)) tables.add(row_of(*kernel.info));
   for (const auto* info : conversion_infos()) tables.add(row_of(*info));
   for (const auto* info : judge::companion_infos()) tables.add(row_of(*info));
+  for (const auto& method : outside)
+    tables.add(row_of({.id = method.id,
+                       .label = method.label,
+                       .form = method.form,
+                       .min_degree = method.min_degree,
+                       .max_degree = method.max_degree,
+                       .flops = "not known",
+                       .citation = "from outside"}));
   return tables.table(methods_name).text();
 }
 

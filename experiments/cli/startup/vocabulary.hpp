@@ -2,8 +2,10 @@
 // The ids that suites may use, from the rosters, for the suite reader.
 #pragma once
 
+#include <span>
 #include <string>
 
+#include "experiments/suite/outside.hpp"
 #include "experiments/suite/vocabulary.hpp"
 
 namespace bezierbench::cli {
@@ -14,8 +16,8 @@ suite::Vocabulary vocabulary();
 /// The same ids, and those of methods that only other builds have; suites that come with the program may name these.
 suite::Vocabulary vocabulary_of_all_builds();
 
-/// The table of `list methods --format csv`, which every bundle contains.
-std::string methods_csv();
+/// The table of `list methods --format csv`, which every bundle contains, with these methods at its end.
+std::string methods_csv(std::span<const suite::OutsideMethod> outside);
 
 /// The table of `list generators --format csv`, which every bundle contains.
 std::string generators_csv();

@@ -43,6 +43,16 @@ AccuracyCell<Scalar>::AccuracyCell(const suite::Study& study, const run::JobCont
       judge_(study_, cell_, sampler_, methods_, tier_, context.audited_trials) {}
 
 template <class Scalar>
+AccuracyCell<Scalar>::AccuracyCell(const suite::Study& study, const run::JobContext& context, const sample::Cell& cell,
+                                   const Kernel<Scalar>& method)
+    : study_(study),
+      cell_(cell),
+      tier_(context.tier),
+      sampler_(context.seed, study.id, cell),
+      methods_(study, cell, method),
+      judge_(study_, cell_, sampler_, methods_, tier_, context.audited_trials) {}
+
+template <class Scalar>
 std::int64_t AccuracyCell<Scalar>::blocks_per_replicate() const {
   return (study_.trials - 1) / block_trials + 1;
 }
@@ -67,23 +77,57 @@ run::Extent AccuracyCell<Scalar>::extent() const {
 }
 
 template <class Scalar>
-judge::CellTally AccuracyCell<Scalar>::run_block(std::size_t block) const {
+typename AccuracyCell<Scalar>::Range AccuracyCell<Scalar>::range_of(std::size_t block) const {
   const auto replicate = static_cast<std::int64_t>(block) / blocks_per_replicate();
   const auto part = static_cast<std::int64_t>(block) % blocks_per_replicate();
   const auto first = part * block_trials;
-  const auto last = std::min(study_.trials, first + block_trials);
+  return {replicate, first, std::min(study_.trials, first + block_trials)};
+}
+
+template <class Scalar>
+std::pair<std::uint64_t, std::uint64_t> AccuracyCell<Scalar>::trials_of(std::size_t block) const {
+  const auto [replicate, first, end] = range_of(block);
+  const auto before = replicate * study_.trials;
+  return {static_cast<std::uint64_t>(before + first), static_cast<std::uint64_t>(before + end)};
+}
+
+template <class Scalar>
+judge::CellTally AccuracyCell<Scalar>::empty_block() const {
   judge::CellTally work;
   work.blocks_per_replicate = blocks_per_replicate();
   work.judgements.resize(methods_.judgement_count());
+  return work;
+}
+
+template <class Scalar>
+judge::CellTally AccuracyCell<Scalar>::run_block(std::size_t block) const {
+  const auto [replicate, first, end] = range_of(block);
+  auto work = empty_block();
   constexpr auto together = static_cast<std::int64_t>(judge::trials_at_once);
-  for (auto trial = first; trial < last && !run::interrupted(); trial += together)
-    judge_.judge({replicate, trial}, std::min(together, last - trial), trial == first, work);
+  for (auto trial = first; trial < end && !run::interrupted(); trial += together)
+    judge_.judge({replicate, trial}, std::min(together, end - trial), trial == first, work);
   work.end_block(replicate);
   return work;
 }
 
 template <class Scalar>
-void AccuracyCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& tables) const {
+judge::CellTally AccuracyCell<Scalar>::judge_block(std::size_t block, std::span<const double> points) const {
+  const auto range = range_of(block);
+  auto work = empty_block();
+  const auto together = judge::trials_at_once * static_cast<std::size_t>(cell_.dimension);
+  for (auto trial = range.first; !points.empty() && !run::interrupted();
+       trial += static_cast<std::int64_t>(judge::trials_at_once)) {
+    const auto group = points.first(std::min(together, points.size()));
+    judge_.judge({range.replicate, trial}, group, work);
+    points = points.subspan(group.size());
+  }
+  work.end_block(range.replicate);
+  return work;
+}
+
+template <class Scalar>
+void AccuracyCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& tables,
+                                 std::string_view failure) const {
   for (std::size_t m = 0; m < methods_.count(); ++m) {
     for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
       if (methods_.is_baseline(m, k)) continue;
@@ -92,6 +136,8 @@ void AccuracyCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& 
       row.set("trials", trials()).set("baseline", study_.baseline[k]);
       if (!methods_.judged(m, k)) {
         row.set("status", methods_.supported(methods_[m]) ? "baseline_degree_unsupported" : "degree_unsupported");
+      } else if (!failure.empty()) {
+        row.set("status", failure);
       } else {
         const judge::Judgement& judgement = tally.judgements[methods_.index(m, k)];
         row.set("status", "ok");
@@ -102,7 +148,7 @@ void AccuracyCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& 
     }
   }
   for (std::size_t m = 0; m < methods_.count(); ++m)
-    if (methods_.supported(methods_[m])) write_reference(m, tally, tables);
+    if (methods_.supported(methods_[m]) && failure.empty()) write_reference(m, tally, tables);
   if (tally.audit.count() > 0)
     tables.add(tables::Row("audit.csv")
                    .set("study", study_.id)

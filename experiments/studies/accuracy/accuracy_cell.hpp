@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "experiments/judge/cell_tally.hpp"
@@ -22,22 +25,38 @@ class AccuracyCell {
  public:
   /// `study` must outlive the cell. Throws Failure(usage) for methods and baselines that do not take its curves.
   AccuracyCell(const suite::Study& study, const run::JobContext& context, const sample::Cell& cell);
+  /// For one method only, whose points are computed elsewhere; `method` describes it and must outlive the cell.
+  AccuracyCell(const suite::Study& study, const run::JobContext& context, const sample::Cell& cell,
+               const Kernel<Scalar>& method);
   AccuracyCell(const AccuracyCell&) = delete;
   AccuracyCell& operator=(const AccuracyCell&) = delete;
 
   [[nodiscard]] std::size_t blocks() const;
   [[nodiscard]] judge::CellTally run_block(std::size_t block) const;
+  /// The same for given points of the first trials of the block, point by point; the others are not judged.
+  [[nodiscard]] judge::CellTally judge_block(std::size_t block, std::span<const double> points) const;
+  /// Trial numbers of a block, counted on through the replicates: the first, and one past the last.
+  [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> trials_of(std::size_t block) const;
+  [[nodiscard]] const sample::Sampler& sampler() const { return sampler_; }
+  [[nodiscard]] const sample::Cell& cell() const { return cell_; }
   /// As of a job: of one block.
   [[nodiscard]] double cost() const;
   [[nodiscard]] run::Extent extent() const;
 
-  /// `tally` is of all blocks.
-  void write(const judge::CellTally& tally, tables::Tables& tables) const;
+  /// `tally` is of all blocks. With `failure`, the status of methods that gave no answer, rows have no numbers.
+  void write(const judge::CellTally& tally, tables::Tables& tables, std::string_view failure = {}) const;
   void collect(const judge::CellTally& tally, std::vector<tables::Series>& series) const;
   void collect(const judge::CellTally& tally, std::vector<run::Violation>& violations) const;
 
  private:
+  struct Range {
+    std::int64_t replicate;
+    std::int64_t first;
+    std::int64_t end;
+  };
   [[nodiscard]] std::int64_t blocks_per_replicate() const;
+  [[nodiscard]] Range range_of(std::size_t block) const;
+  [[nodiscard]] judge::CellTally empty_block() const;
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
   [[nodiscard]] std::vector<std::string> cell_fields(std::size_t method) const {
     return tables::cell_fields(study_, cell_, methods_.info(method).id, judge::ScalarFacts<Scalar>::kind);

@@ -44,10 +44,12 @@ void set_median(tables::Row& row, std::string_view column, std::span<const doubl
   if (!counts.empty()) row.set(column, metric::median_interval(counts, metric::timing_confidence).median);
 }
 
-race::TimedWork work_of(const race::RaceCell& race_cell, const MethodInfo& method) {
-  return judge::with_scalar(race_cell.scalar, [&]<class Scalar>(Scalar /*zero*/) {
-    const auto& kernel = *judge::find_method<Scalar>(method.id, method.form, race_cell.cell.dimension);
-    return race::TimedWork{kernel.evaluator, kernel.conversion, race_cell.cell.degree, race_cell.cell.dimension};
+/// Empty for a method from outside, whose operations are not known.
+std::optional<race::TimedWork> work_of(const race::RaceCell& race_cell, const MethodInfo& method) {
+  return judge::with_scalar(race_cell.scalar, [&]<class Scalar>(Scalar /*zero*/) -> std::optional<race::TimedWork> {
+    const auto* kernel = judge::find_method<Scalar>(method.id, method.form, race_cell.cell.dimension);
+    if (kernel == nullptr) return std::nullopt;
+    return race::TimedWork{kernel->evaluator, kernel->conversion, race_cell.cell.degree, race_cell.cell.dimension};
   });
 }
 
@@ -57,7 +59,9 @@ void set_limit(tables::Row& row, const race::RaceCell& race_cell, std::size_t m,
   if (call == nullptr) return;
   const double call_ns = metric::median(call->repetition_ns());
   row.set("call_ns", call_ns);
-  const auto limit = race::limit(work_of(race_cell, *race_cell.methods[m]), race_cell.mode, times);
+  const auto work = work_of(race_cell, *race_cell.methods[m]);
+  if (!work) return;
+  const auto limit = race::limit(*work, race_cell.mode, times);
   if (!limit) return;
   const double ns = metric::median(race_cell.laps[m].repetition_ns());
   row.set("limit_ns", limit->ns)
@@ -84,25 +88,7 @@ tables::Row row_of(const suite::Study& study, suite::Mode mode, const race::Race
 void add_race_cell(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
                    const race::Pace& fastest) {
   const auto base = race::relative_to(race_cell, study);
-  const auto beside = race::pace(race_cell.laps);
-  const auto times = race::median_of(race_cell.operations);
-  for (std::size_t m = 0; m < race_cell.methods.size(); ++m) {
-    const auto& lap = race_cell.laps[m];
-    tables::Row row = row_of(study, race_cell.mode, lap, beside);
-    row.set("method", race_cell.methods[m]->id)
-        .set("scalar", suite::name(race_cell.scalar))
-        .set("dimension", race_cell.cell.dimension)
-        .set("degree", race_cell.cell.degree)
-        .set("quality", quality(race_cell, lap, fastest))
-        .set_each(tables::drawn_columns(), tables::drawn_fields(race_cell.cell))
-        .set_each(judge::case_columns(), judge::case_fields(race_cell.case_values));
-    if (base) set_ratio(row, race_cell, lap, *base);
-    set_interval(row, {"sentinel_units", "sentinel_units_low", "sentinel_units_high"},
-                 quotients(lap.repetition_ns(), race_cell.laps.back().repetition_ns()));
-    row.set("max_error_u", lap.max_error_u);
-    set_limit(row, race_cell, m, times);
-    tables.add(row);
-  }
+  for (std::size_t m = 0; m < race_cell.methods.size(); ++m) add_timing_row(tables, study, race_cell, m, base, fastest);
 }
 
 /// The sentinel over all race cells of a mode.
@@ -123,6 +109,25 @@ void add_sentinel(tables::Tables& tables, const suite::Study& study, const std::
 }
 
 }  // namespace
+
+void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
+                    std::size_t method, std::optional<std::size_t> base, const race::Pace& fastest) {
+  const auto& lap = race_cell.laps[method];
+  tables::Row row = row_of(study, race_cell.mode, lap, race::pace(race_cell.laps));
+  row.set("method", race_cell.methods[method]->id)
+      .set("scalar", suite::name(race_cell.scalar))
+      .set("dimension", race_cell.cell.dimension)
+      .set("degree", race_cell.cell.degree)
+      .set("quality", quality(race_cell, lap, fastest))
+      .set_each(tables::drawn_columns(), tables::drawn_fields(race_cell.cell))
+      .set_each(judge::case_columns(), judge::case_fields(race_cell.case_values));
+  if (base) set_ratio(row, race_cell, lap, *base);
+  set_interval(row, {"sentinel_units", "sentinel_units_low", "sentinel_units_high"},
+               quotients(lap.repetition_ns(), race_cell.laps.back().repetition_ns()));
+  row.set("max_error_u", lap.max_error_u);
+  set_limit(row, race_cell, method, race::median_of(race_cell.operations));
+  tables.add(row);
+}
 
 void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
                        tables::Tables& tables) {

@@ -2,6 +2,8 @@
 // timing.csv: the times of a study's race cells, a row per method, and a row per mode for the sentinel.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "experiments/race/race_cell.hpp"
@@ -18,5 +20,9 @@ namespace bezierbench::studies {
 /// them.
 void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
                        tables::Tables& tables);
+
+/// The row of the method at place `method` of a race cell with laps. Its ratio is to the method at place `base`.
+void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
+                    std::size_t method, std::optional<std::size_t> base, const race::Pace& fastest);
 
 }  // namespace bezierbench::studies

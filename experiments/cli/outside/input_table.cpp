@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/cli/outside/input_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/judge/input_fields.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/outside/answers.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/suite/outside.hpp"
+#include "experiments/suite/reader.hpp"
+#include "experiments/suite/writer.hpp"
+#include "experiments/tables/cell_fields.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+const std::vector<std::string>& columns() {
+  static const auto all = [] {
+    std::vector<std::string> names{"suite", "seed", "study", "trials", "curve", "dimension", "degree"};
+    for (const auto* more : {&tables::drawn_columns(), &judge::input_columns()})
+      names.insert(names.end(), more->begin(), more->end());
+    names.insert(names.begin() + 11, "trial");
+    names.insert(names.end(), outside::answer_columns.begin(), outside::answer_columns.end());
+    return names;
+  }();
+  return all;
+}
+
+bool has_inputs(const suite::Study& study) {
+  return suite::is_kind<suite::AccuracyKeys>(study) && std::ranges::count(study.scalar, suite::ScalarKind::float64) > 0;
+}
+
+void add_cell(const suite::Suite& of, const suite::Study& study, const sample::Cell& cell, bundle::CsvTable& table) {
+  const sample::Sampler sampler(of.seed, study.id, cell);
+  sample::Trial trial;
+  for (std::int64_t k = 0; k < study.trials; ++k) {
+    sampler.draw(static_cast<std::uint64_t>(k), trial);
+    std::vector<std::string> fields{of.id,
+                                    std::to_string(of.seed),
+                                    study.id,
+                                    std::to_string(study.trials),
+                                    std::string(suite::name(study.curve)),
+                                    std::to_string(cell.dimension),
+                                    std::to_string(cell.degree)};
+    const auto append = [&](const std::vector<std::string>& more) {
+      fields.insert(fields.end(), more.begin(), more.end());
+    };
+    append(tables::drawn_fields(cell));
+    fields.push_back(std::to_string(k));
+    append(judge::input_fields(trial, cell.dimension));
+    append(std::vector<std::string>(outside::answer_columns.size()));
+    table.add_row(std::move(fields));
+  }
+}
+
+template <class T>
+void add_once(std::vector<T>& values, const T& value) {
+  if (std::ranges::find(values, value) == values.end()) values.push_back(value);
+}
+
+template <class T>
+T& find_or_add(std::vector<T>& all, const std::string& id) {
+  const auto found = std::ranges::find(all, id, &T::id);
+  if (found != all.end()) return *found;
+  all.emplace_back().id = id;
+  return all.back();
+}
+
+/// Adds the values of one row to the axes of its study.
+void add_row(const bundle::CsvDocument& table, std::size_t row, const std::string& method,
+             std::vector<suite::Suite>& suites) {
+  const auto number = [&](std::string_view column) {
+    if (const auto value = number::parse_number(table.at(row, column))) return *value;
+    throw Failure(Exit::input_output, fmt::format("{}:{}: {} is not a number; write what `bezierbench inputs` wrote",
+                                                  table.file_name(), table.line(row), column));
+  };
+  const auto whole = [&](std::string_view column) { return static_cast<std::int64_t>(number(column)); };
+  auto& of = find_or_add(suites, table.at(row, "suite"));
+  of.title = "Inputs that were answered elsewhere";
+  of.seed = static_cast<std::uint64_t>(whole("seed"));
+  const bool is_new = std::ranges::find(of.studies, table.at(row, "study"), &suite::Study::id) == of.studies.end();
+  auto& study = find_or_add(of.studies, table.at(row, "study"));
+  if (is_new) {
+    study.title = "Inputs that were answered elsewhere";
+    study.coordinate_range.clear();
+    study.t_interval.clear();
+    study.generator.clear();
+    study.dimension.clear();
+    study.methods = {method};
+    study.trials = whole("trials");
+  }
+  if (const auto form = suite::parse<Form>(table.at(row, "curve"))) study.curve = *form;
+  add_once(study.dimension, static_cast<int>(whole("dimension")));
+  add_once(study.degree, static_cast<int>(whole("degree")));
+  add_once(study.coordinate_range, number("coordinate_range"));
+  add_once(study.t_interval, suite::Interval{number("t_min"), number("t_max")});
+  add_once(study.generator, table.at(row, "generator"));
+}
+
+}  // namespace
+
+bundle::CsvTable input_table(const std::vector<suite::Suite>& suites) {
+  constexpr double largest = 1e9;
+  double bytes = 0;
+  for (const auto& one : suites)
+    for (const auto& study : one.studies)
+      if (has_inputs(study))
+        for (const auto& cell : sample::cells(study))
+          bytes += static_cast<double>(study.trials) * static_cast<double>(judge::bytes_of_input(cell));
+  if (bytes == 0)
+    throw Failure(Exit::usage, "no study of kind accuracy in double is among them; choose others, see `list studies`");
+  if (bytes > largest)
+    throw Failure(Exit::usage, fmt::format("the inputs would be {:.0f} GB; choose fewer with --trials, --only or --set",
+                                           bytes / largest));
+  bundle::CsvTable table(columns());
+  for (const auto& one : suites)
+    for (const auto& study : one.studies)
+      if (has_inputs(study))
+        for (const auto& cell : sample::cells(study)) add_cell(one, study, cell, table);
+  return table;
+}
+
+std::vector<suite::Suite> suites_of(const bundle::CsvDocument& table, const std::string& method) {
+  std::vector<suite::Suite> suites;
+  for (std::size_t row = 0; row < table.row_count(); ++row) add_row(table, row, method, suites);
+  if (suites.empty())
+    throw Failure(Exit::input_output,
+                  fmt::format("{}: has no rows; write what `bezierbench inputs` wrote", table.file_name()));
+  auto known = vocabulary();
+  known.methods.push_back(method);
+  try {  // what a file says goes through the checks of a suite
+    return suite::parse_suites(suite::to_toml(suites), "suite.toml", known);
+  } catch (const Failure& failure) {
+    throw Failure(Exit::input_output, fmt::format("{}: is not of a suite ({}); write what `bezierbench inputs` wrote",
+                                                  table.file_name(), failure.what()));
+  }
+}
+
+}  // namespace bezierbench::cli

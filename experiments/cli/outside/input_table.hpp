@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The table that `inputs` writes and `judge` reads.
+#pragma once
+
+#include <vector>
+
+#include "experiments/bundle/csv.hpp"
+#include "experiments/suite/suite.hpp"
+
+namespace bezierbench::cli {
+
+/// A row for each trial of the first replicate of each cell in double of the accuracy studies, with empty answers.
+/// Throws Failure(usage) where there is no such study, and for more inputs than a file should have.
+bundle::CsvTable input_table(const std::vector<suite::Suite>& suites);
+
+/// The suites that such a table is of, with one replicate of each study and `method` as its only method. Throws
+/// Failure(input_output) for a table that is none.
+std::vector<suite::Suite> suites_of(const bundle::CsvDocument& table, const std::string& method);
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// `judge`: the errors of answers to what `inputs` wrote, as accuracy.csv has them.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/outside/input_table.hpp"
+#include "experiments/cli/outside/outside_options.hpp"
+#include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/this_build.hpp"
+#include "experiments/run/interruption.hpp"
+#include "experiments/studies/outside/outside.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct JudgeOptions {
+  std::string file;
+  std::optional<std::string> id;
+  std::optional<std::string> out;
+};
+
+/// Prints the rows of accuracy.csv; a status that is not ok is a finding.
+Exit print_rows(const run::RunRequest& request, const outside::Method& method) {
+  tables::Tables tables;
+  for (const auto& one : request.suites)
+    for (const auto& study : one.studies) {
+      const auto job = studies::outside_job(study, method.record(), &method, {one.seed, request.tier});
+      if (!job) continue;
+      run::run_all(*job);
+      job->write(tables);
+    }
+  const auto text = tables.table("accuracy.csv").text();
+  fmt::print("{}", text);
+  const auto rows = bundle::parse_csv(text, "accuracy.csv");
+  for (std::size_t row = 0; row < rows.row_count(); ++row)
+    if (rows.at(row, "status") != "ok") return Exit::finding;
+  return Exit::fine;
+}
+
+Exit judge(const JudgeOptions& options) {
+  const outside::Methods methods{read_answers(options.file, options.id)};
+  auto request = request_of_this_build(methods);
+  request.suites =
+      suites_of(bundle::parse_csv(bundle::read_file(options.file), options.file), methods.front()->record().id);
+  run::watch_for_interruption();
+  if (!options.out) return print_rows(request, *methods.front());
+  if (options.out->empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
+  request.out = *options.out;
+  request.quiet = true;
+  const auto findings = run::run(request);
+  for (const auto& finding : findings) say(finding);
+  return findings.empty() ? Exit::fine : Exit::finding;
+}
+
+}  // namespace
+
+void add_judge(Command program, Exit& exit) {
+  auto options = std::make_shared<JudgeOptions>();
+  auto command = program.command("judge", "the errors of answers to inputs, from anywhere");
+  command.option("file", options->file, "what `inputs` wrote, with the answers in columns x, y and z").required();
+  command.option("--id", options->id, "of the method, answers_NAME; default: after the file");
+  command.option("--out", options->out, "folder of a bundle; without it the rows of accuracy.csv are printed");
+  command.action([options, &exit] { exit = judge(*options); });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: MIT
+"""Methods from outside: the examples in experiments/examples, and methods that do what they must not."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from program_case import FINDING, FINE, PROGRAM, ROOT, STUDY, TIMING, USAGE, Case, rows  # noqa: E402
+
+EXAMPLES = ROOT / "experiments/examples"
+INCLUDE = next((str(base / "include") for base in pathlib.Path(PROGRAM).parents
+                if (base / "include/bezierbench/plugin.h").exists()), None)
+ANSWER = f"{sys.executable} {EXAMPLES}/program/mine.py"
+SMALL = {"trials": "300", "degree": "[1, 3]", "methods": '["de_casteljau", "horner_bernstein"]'}
+
+
+def compiled(folder, source, name, *options):
+    """A shared object from C or C++; the test is skipped where there is no compiler."""
+    compiler = shutil.which("c++" if str(source).endswith("cpp") else "cc")
+    if compiler is None or INCLUDE is None:
+        raise unittest.SkipTest("no C compiler, or no bezierbench/plugin.h beside the program")
+    out = folder / name
+    subprocess.run([compiler, "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC", f"-I{INCLUDE}",
+                    *options, str(source), "-o", str(out)], check=True)
+    return out
+
+
+class Outside(Case):
+    def own_rows(self, bundle, table="accuracy.csv"):
+        return [row for row in rows((self.folder / bundle / table).read_text())
+                if not row["method"].startswith(("plugin_", "program_", "answers_", "own_"))]
+
+    def outside_rows(self, bundle, table="accuracy.csv"):
+        return [row for row in rows((self.folder / bundle / table).read_text())
+                if row["method"].startswith(("plugin_", "program_", "answers_", "own_"))]
+
+    def assert_others_unchanged(self, with_outside, without):
+        """All deterministic rows of other methods are those of a run without the method, byte for byte."""
+        theirs_only = {row["method"] for row in self.outside_rows(with_outside)}
+        for name in ("accuracy.csv", "worst.csv", "reference.csv", "digests.csv"):
+            lines = (self.folder / without / name).read_text().splitlines()
+            theirs = (self.folder / with_outside / name).read_text().splitlines()
+            self.assertEqual([line for line in theirs if not theirs_only.intersection(line.split(","))], lines, name)
+
+    def assert_numbers_of(self, given, ours):
+        """Rows of a method from outside have the numbers of our method, which computes the same."""
+        numbers = [key for key in given[0] if key.endswith(("_error", "_error_u", "_ulp", "_relative")) or key == "non_finite"]
+        self.assertEqual(len(given), len(ours))
+        for a, b in zip(given, ours):
+            self.assertEqual([a["status"], *(a[key] for key in numbers)], ["ok", *(b[key] for key in numbers)])
+
+    def ours(self, bundle, method="de_casteljau"):
+        return [row for row in self.own_rows(bundle) if row["method"] == method]
+
+    def replayed(self, bundle, method, *options):
+        worst = [row for row in self.outside_rows(bundle, "worst.csv") if row["method"] == method]
+        self.assertTrue(worst)
+        self.assertIn(": the same\n", self.fine("replay", bundle, worst[0]["worst_id"], *options))
+        return worst[0]["worst_id"]
+
+
+class Page(unittest.TestCase):
+    def test_snippets_are_the_examples(self):
+        """Every snippet of docs/own_method.md is the text of an example below its opening comment."""
+        page = (ROOT / "docs/own_method.md").read_text()
+        for name in ("cpp/mine.cpp", "plugin/mine.c", "program/mine.py", "answers/answer.py"):
+            text = (EXAMPLES / name).read_text()
+            self.assertIn("\n" + text[re.search(r"^(#include|import)", text, re.MULTILINE).start():] + "```\n", page, name)
+            self.assertLess(len(text.splitlines()), 40, name)
+
+
+class Ways(Outside):
+    def test_program(self):
+        suite = self.suite(**SMALL)
+        self.bundle(suite, name="without")
+        self.bundle(suite, "--program", ANSWER)
+        self.assert_others_unchanged("b", "without")
+        self.assert_numbers_of(self.outside_rows("b"), self.ours("b"))
+        self.assertIn("program_mine", (self.folder / "b/suite.toml").read_text())
+        worst = self.replayed("b", "program_mine", "--program", ANSWER)
+        self.refused(USAGE, ["replay", "b", worst], "program_mine")
+        # The same command again has nothing to do; another method is another run; shards come to the same bytes.
+        self.assertEqual(self.fine("run", suite, "--program", ANSWER, "--quiet", "--out", "b"), "")
+        self.refused(USAGE, ["run", suite, "--out", "b"], "resolved suite")
+        for k in (1, 2):
+            self.fine("run", suite, "--program", ANSWER, "--quiet", "--shard", f"{k}/2", "--out", f"shard{k}")
+        self.fine("merge", "shard1", "shard2", "--out", "merged")
+        for name in ("accuracy.csv", "worst.csv", "suite.toml", "digests.csv", "methods.csv"):
+            self.assertEqual((self.folder / "merged" / name).read_bytes(), (self.folder / "b" / name).read_bytes(), name)
+
+    def test_plugin(self):
+        mine = compiled(self.folder, EXAMPLES / "plugin/mine.c", "mine.so")
+        timing = {**TIMING, "modes": '["point"]', "methods": '["de_casteljau"]'}
+        suite = self.suite({**STUDY, **SMALL}, timing)
+        self.bundle(suite, name="without")
+        self.bundle(suite, "--plugin", mine)
+        self.assert_others_unchanged("b", "without")
+        self.assert_numbers_of(self.outside_rows("b"), self.ours("b"))
+        self.replayed("b", "plugin_mine", "--plugin", mine)
+        timed, = self.outside_rows("b", "timing.csv")
+        self.assertEqual((timed["checked"], timed["relative_to"], timed["mode"]), ("yes", "de_casteljau", "point"))
+        self.assertGreater(float(timed["median_ns"]), 0)
+
+    def test_answers(self):
+        suite = self.suite(**{**SMALL, "trials": "50"})
+        self.fine("inputs", suite, "--out", "questions.csv")
+        answered = subprocess.run([sys.executable, EXAMPLES / "answers/answer.py", self.folder / "questions.csv"],
+                                  check=True, capture_output=True, text=True).stdout
+        self.write("mine.csv", answered)
+        self.bundle(suite, name="without")
+        judged = rows(self.fine("judge", "mine.csv"))
+        self.assertEqual([row["method"] for row in judged], ["answers_mine"] * 2)
+        self.assert_numbers_of(judged, self.ours("without"))
+        self.assertEqual(self.fine("judge", "mine.csv", "--out", "b"), "")
+        self.assert_complete("b")
+        self.assertEqual(self.outside_rows("b"), judged)
+        self.replayed("b", "answers_mine", "--answers", "mine.csv")
+        # A cell in which an answer is missing has no numbers, and neither has one whose input is not the suite's.
+        lines = answered.splitlines()
+        lines[1] = lines[1].rsplit(",", 3)[0] + ",,,"
+        self.write("gap.csv", "\n".join(lines) + "\n")
+        result = self.run_program("judge", "gap.csv")
+        self.assertEqual((result.returncode, [row["status"] for row in rows(result.stdout.decode())]),
+                         (FINDING, ["missing", "ok"]))
+
+    def test_own(self):
+        program = pathlib.Path(os.environ.get("BEZIERBENCH_OWN") or
+                               pathlib.Path(PROGRAM).parent / "examples/bezierbench_own_example")
+        if not program.exists():
+            self.skipTest("the example of the harness is not built: experiments/examples/cpp")
+        methods = '["de_casteljau_lerp"]'
+        suite = self.suite({**STUDY, **SMALL, "methods": methods}, {**TIMING, "modes": '["point"]', "methods": methods})
+        self.bundle(suite, name="without")
+        subprocess.run([program, "run", suite, "--quiet", "--out", "b"], cwd=self.folder, check=True)
+        self.assert_complete("b")
+        self.assert_others_unchanged("b", "without")
+        self.assert_numbers_of(self.outside_rows("b"), self.ours("b", "de_casteljau_lerp"))
+        self.assertEqual([row["checked"] for row in self.outside_rows("b", "timing.csv")], ["yes"])
+        listed = subprocess.run([program, "list", "methods", "--format", "csv"], check=True, capture_output=True, text=True)
+        self.assertEqual(rows(listed.stdout)[-1]["id"], "own_lerp")
+        worst = self.outside_rows("b", "worst.csv")[0]["worst_id"]
+        replayed = subprocess.run([program, "replay", "b", worst], cwd=self.folder, check=True, capture_output=True, text=True)
+        self.assertIn(": the same\n", replayed.stdout)
+
+
+class Faults(Outside):
+    FAULTS = ["ok", "crashed", "timed_out", "wrote_out_of_bounds", "changed_rounding", "leaked", "non_finite",
+              "refused", "exited"]
+
+    def test_faulty_plugins(self):
+        plugins = [compiled(self.folder, EXAMPLES / "plugin/faulty.c", f"faulty{k}.so", f"-DFAULT={k}")
+                   for k in range(len(self.FAULTS))]
+        throws = compiled(self.folder, self.folder / self.write("throws.cpp", """
+            #include <bezierbench/plugin.h>
+            extern "C" {
+            static void* prepare(const struct bezierbench_curve*) { throw 1; }
+            static void evaluate(const void*, const double*, size_t, double*) {}
+            static const struct bezierbench_method method = {1, "plugin_throws", "", BEZIERBENCH_BERNSTEIN, 0, 100,
+                                                             prepare, evaluate, nullptr};
+            const struct bezierbench_method* bezierbench_plugin(void) { return &method; }
+            }"""), "throws.so")
+        suite = self.suite(**{**SMALL, "degree": "[3]"})
+        self.bundle(suite, name="without")
+        given = [word for plugin in [*plugins, throws] for word in ("--plugin", str(plugin))]
+        result = self.run_program("run", suite, *given, "--outside-seconds", "1", "--quiet", "--out", "b")
+        self.assertEqual((result.returncode, result.stdout), (FINE, b""), result.stderr)
+        self.assertIn(b"plugin_faulty_1: crashed in study a: signal 6", result.stderr)
+        self.assert_complete("b")
+        self.assert_others_unchanged("b", "without")
+        status = {row["method"]: row["status"] for row in self.outside_rows("b")}
+        expected = {f"plugin_faulty_{k}": word for k, word in enumerate(self.FAULTS)}
+        self.assertEqual(status, {**expected, "plugin_throws": "threw"})
+        for row in self.outside_rows("b"):
+            self.assertEqual(bool(row["max_error"]), row["status"] == "ok", row)
+        wrong = next(row for row in self.outside_rows("b") if row["method"] == "plugin_faulty_0")
+        self.assertGreater(float(wrong["max_error_u"]), 1e12)  # the first control point in place of the curve's
+
+    def program(self, name, text):
+        return f"{sys.executable} {self.folder / self.write(name + '.py', text)}"
+
+    def test_faulty_programs(self):
+        answer = "import sys\ncount = int(sys.stdin.readline().split()[-1])\nprint('program_NAME')\n"
+        texts = {"malformed": "print('0 word\\n' * count)", "few": "print('0 0\\n' * (count - 1))",
+                 "many": "print('0 0\\n' * (count + 1))", "flood": "print('0 0\\n' * 10**7 * (count > 0))",
+                 "exits": "sys.exit(count > 0)", "hangs": "\nwhile count > 0: pass",
+                 "dies": "import os\nif count > 0: os.abort()", "nan": "print('nan nan\\n' * count)",
+                 "eats": "held = bytearray(count * 10**9)\nprint('0 0\\n' * count)"}
+        given = [word for name, text in texts.items()
+                 for word in ("--program", self.program(name, answer.replace("NAME", name) + text))]
+        suite = self.suite(**{**SMALL, "degree": "[3]"})
+        self.bundle(suite, name="without")
+        result = self.run_program("run", suite, *given, "--outside-seconds", "3", "--quiet", "--out", "b")
+        self.assertEqual((result.returncode, result.stdout), (FINE, b""), result.stderr)
+        self.assert_complete("b")
+        self.assert_others_unchanged("b", "without")
+        status = {row["method"][len("program_"):]: row["status"] for row in self.outside_rows("b")}
+        self.assertIn(status.pop("flood"), ("crashed", "exited"))  # the limit of its output
+        self.assertEqual(status, {"malformed": "malformed", "few": "malformed", "many": "malformed", "exits": "exited",
+                                  "hangs": "timed_out", "dies": "crashed", "nan": "non_finite", "eats": "exited"})
+
+    def test_what_is_no_method_is_refused(self):
+        suite = self.suite(**SMALL)
+        self.write("text.so", "no shared object")
+        for option, value, needle in (("--program", "exit 3", "code 3"), ("--program", "true", "wrote nothing"),
+                                      ("--program", "echo mine", "program_"), ("--program", "echo program_a round", "form"),
+                                      ("--program", "echo program_a power 3 2", "degrees"), ("--plugin", "text.so", "text.so"),
+                                      ("--plugin", "none.so", "none.so")):
+            code = USAGE if value != "none.so" else 4
+            self.refused(code, ["run", suite, "--out", "b", option, value], needle)
+        self.refused(USAGE, ["run", suite, "--out", "b", "--program", ANSWER, "--program", ANSWER], "program_mine")
+        self.refused(4, ["judge", suite], "s.toml")
+
+    def test_a_suite_names_them(self):
+        suite = self.suite(**{**SMALL, "methods": '["program_mine"]'})
+        self.refused(USAGE, ["run", suite, "--out", "b"], "program_mine")
+        self.bundle(suite, "--program", ANSWER)
+        self.assertEqual([row["method"] for row in rows((self.folder / "b/accuracy.csv").read_text())], ["program_mine"] * 2)
+        for changes in ({"curve": '"polynomial"'}, {"scalar": '["float"]'}, {"kind": '"search"', "budget": "100"}):
+            wrong = self.suite(**{**SMALL, "methods": '["program_mine"]', **changes}, name="wrong.toml")
+            self.refused(USAGE, ["run", wrong, "--out", "d", "--program", ANSWER], "wrong.toml", "program_mine")
+        # The bundle's own suite names a method that must be given again: nothing is started because a file says so.
+        self.refused(USAGE, ["run", "b/suite.toml", "--out", "c"], "program_mine")
+
+
+if __name__ == "__main__":
+    unittest.main()

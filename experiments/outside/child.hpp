@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A child process for code from outside: whatever that code does, this process and its results stay as they are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace bezierbench::outside {
+
+/// Limits of one child process, which computes one block of trials.
+struct Limits {
+  double seconds = 10;             ///< by the clock on the wall
+  std::uint64_t megabytes = 1024;  ///< of memory that is written to, beyond that of this process
+};
+
+enum class End { exited, signalled, timed_out, interrupted };
+
+struct Ended {
+  End end = End::exited;
+  int code = 0;        ///< the exit code, or the number of the signal
+  std::string output;  ///< what it wrote to its standard output
+  std::string errors;  ///< the beginning of what it wrote to its standard error
+};
+
+/// Runs `work` in a fork of this process, in a process group of its own, and waits for its end; when `work` returns, the
+/// child exits with code 0. Its standard input is a file with `input`, its standard output and error are files, which
+/// together hold at most `most_output` bytes each; every other file is closed. All signals have their default actions.
+/// Processes that the child leaves behind in its group are killed. `stop` is called meanwhile; true ends the child as
+/// interrupted. May be called from any thread. Throws Failure(environment) where no process can be started.
+Ended run_in_child(const std::function<void()>& work, std::string_view input, std::size_t most_output,
+                   const Limits& limits, bool (*stop)());
+
+/// In a child: a descriptor for its answer in place of standard output; what is printed from then on goes to standard
+/// error.
+int keep_output_for_answer();
+
+/// Writes all bytes, or ends the child.
+void write_all(int file, std::string_view bytes);
+
+}  // namespace bezierbench::outside

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* The interface of a plug-in: a shared object with a method of your own that `bezierbench run --plugin FILE.so` judges
+ * and times. It is C99 and includes the standard library only. docs/own_method.md has a worked example. */
+#ifndef BEZIERBENCH_PLUGIN_H
+#define BEZIERBENCH_PLUGIN_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Version of this interface. Members are added at the end of a structure only, with a new version. */
+#define BEZIERBENCH_PLUGIN_VERSION 1
+
+enum bezierbench_form { BEZIERBENCH_BERNSTEIN = 0, BEZIERBENCH_POWER = 1, BEZIERBENCH_RATIONAL = 2 };
+
+/* One curve. Coefficient i (ascending) of axis a is points[i * dimension + a]; there are degree + 1 of each axis. They
+ * are control points in Bernstein form and in rational form, where they are not premultiplied, else the coefficients of
+ * powers of t. `weights` has degree + 1 values for a rational curve and is NULL for any other. */
+struct bezierbench_curve {
+  enum bezierbench_form form;
+  int dimension; /* 1, 2 or 3 */
+  int degree;
+  const double* points;
+  const double* weights;
+};
+
+struct bezierbench_method {
+  unsigned version;  /* BEZIERBENCH_PLUGIN_VERSION */
+  const char* id;    /* "plugin_" and lower-case letters, digits and _ */
+  const char* label; /* for people */
+  enum bezierbench_form form;
+  int min_degree;
+  int max_degree;
+  /* All work that is done once for a curve. `curve` is valid during the call only. Returns what `evaluate` reads, or
+   * NULL where the method cannot take this curve. */
+  void* (*prepare)(const struct bezierbench_curve* curve);
+  /* Writes the points at t[0] to t[count - 1]: points[k * dimension + a] is coordinate a of the point at t[k]. */
+  void (*evaluate)(const void* prepared, const double* t, size_t count, double* points);
+  /* Ends what `prepare` returned. May be NULL where there is nothing to do. */
+  void (*destroy)(void* prepared);
+};
+
+/* What the shared object exports: its method, which stays valid as long as the object is loaded. */
+#ifdef __GNUC__
+__attribute__((visibility("default")))
+#endif
+const struct bezierbench_method*
+bezierbench_plugin(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
