@@ -242,6 +242,15 @@ def search():
             for i, (study, m, n, status, a, b, bound) in enumerate(cases, 1)]
 
 
+def guarantees():
+    verdicts = {("de_casteljau", "ends_exact"): ("proved", 0), ("de_casteljau", "monotone"): ("refuted", 5),
+                ("correctly_rounded", "ends_exact"): ("proved", 0), ("correctly_rounded", "monotone"): ("not_refuted", 0)}
+    shown = dict(t="0x1p-2", t_next="0x1.8p-2", coefficients="0x1p+0 0x1p+1 0x1p+0 0x1p+1")
+    return [dict(study="guarantees-few", method=m, scalar="double", dimension=2, degree=n, property=p, verdict=v, trials=100,
+                 broken=k, searched=50, largest=k / 5, offset="", **(shown if v != "proved" else dict(t="", t_next="", coefficients="")))
+            for n in (1, 3) for (m, p), (v, k) in verdicts.items()]
+
+
 def worst():
     return [dict(worst_id=f"w{i}", study=r["study"], curve=r["curve"], method=r["method"], scalar=r["scalar"], dimension=r["dimension"],
                  degree=r["degree"], generator=r["generator"], trial=i, error_u=r["max_error_u"],
@@ -390,7 +399,7 @@ FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": sc
          "arc_length_unstable.csv": arc_length_unstable,
          "inverse_arc_length.csv": inverse_arc_length, "spacing.csv": spacing, "projection.csv": projection,
          "projection_unstable.csv": projection_unstable, "interpolation.csv": interpolation, "fitting.csv": fitting,
-         "fitting_example.csv": fitting_example, "search.csv": search, "worst.csv": worst, "methods.csv": methods, "generators.csv": generators,
+         "fitting_example.csv": fitting_example, "search.csv": search, "worst.csv": worst, "guarantees.csv": guarantees, "methods.csv": methods, "generators.csv": generators,
          "audit.csv": audit, "timing.csv": timing, "complexity.csv": complexity, "pareto.csv": pareto, "roofline.csv": roofline}
 INFO = {"schema_version": 1, "suites": {"ids": ["report"], "digest": "00"}, "seed": 1, "state": "complete",
         "accuracy_digest": "ab", "program_version": "0.1.0", "git_commit": "none & <none>", "git_clean": True, "fp_flags": "-x"}
@@ -401,7 +410,7 @@ def _placeholder(file, column):
     return "" if schema.may_be_empty(file, column) else 1 if schema.holds_numbers(file, column) else "x"
 
 
-KNOWN = ("ladder regimes conditioning conversion worst rational peers derivative arc_length inverse_arc_length projection interpolation "
+KNOWN = ("ladder regimes conditioning conversion worst guarantees rational peers derivative arc_length inverse_arc_length projection interpolation "
          "fitting subdivision companion_speed companion_peers speed roofline").split()
 PRINTED = ("2.2", "2.3", "2.4")  # how the ids of studies with printed values begin
 TITLES = {"companion_speed-fitting": 'Fits to "points"'}

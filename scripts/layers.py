@@ -28,6 +28,7 @@ TABLE = {
         ["core", "experiments/suite", "experiments/sample", "experiments/metric", "experiments/judge"],
         ["Google Benchmark"],
     ),
+    "experiments/guarantees": (["core", "reference", "experiments/sample", "experiments/judge/workspace.hpp"], []),
     "experiments/bundle": ([], ["nlohmann/json", "OpenSSL"]),
     "experiments/tables": (
         ["reference/published", "experiments/suite", "experiments/sample", "experiments/bundle", "experiments/metric"],
@@ -48,7 +49,7 @@ TABLE = {
     ),
     "experiments/studies": (
         ["core", "reference"]
-        + [f"experiments/{f}" for f in "suite sample metric judge race bundle tables run peers outside".split()],
+        + [f"experiments/{f}" for f in "suite sample metric judge race guarantees bundle tables run peers outside".split()],
         ["oneTBB"],
     ),
     "experiments/cli": (["core", "reference", "experiments"], ["CLI11"]),

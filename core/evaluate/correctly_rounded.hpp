@@ -25,6 +25,10 @@
 //   The power, and the product of it and the sum: `CorrectedPair` of compensated_volk_schumaker.hpp.
 //   Underflow: an operation loses at most eta, which the steps after it multiply by at most r^i L^n <= 1 in all; e is
 //   larger by 2^900 (in float 2^80). Overflow: A <= 2 max|b| / L^n.
+// Keeps: what the exact p has and rounding, which is monotone and keeps numbers, does not lose. ends_exact, finite,
+//   constant_reproduced, in_hull: p lies between control points, which are numbers. monotone: p is, with its control
+//   points. reversal: p is the same. axes_independent: a coordinate depends on its exact value only. scaling_by_two:
+//   for b_i multiples of beta, t of tau and beta tau^n >= eta, p is a multiple of eta, and exact where it is subnormal.
 // Fails: where the curve is subnormal, or p cancels to below 2^-38 max|b|, a point takes microseconds. t outside [0,1]
 //   is outside its domain and gives NaN.
 #pragma once
@@ -37,6 +41,7 @@
 #include "core/basis/integer_power.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
 #include "core/evaluate/correctly_rounded_pair.hpp"
+#include "core/evaluate/guarantee.hpp"
 
 namespace bezierbench {
 
@@ -66,6 +71,12 @@ struct CorrectlyRounded {
                           .result_roundings = 1},
       .flops = "10dn + 10d + 8 log2 n + 12",
       .citation = "[Schumaker and Volk 1986]; [Graillat et al. 2009]; [de Dinechin et al. 2013]; bound derived here"};
+
+  static constexpr std::array guarantees{
+      Guarantee{Property::ends_exact},       Guarantee{Property::constant_reproduced},
+      Guarantee{Property::in_hull},          Guarantee{Property::monotone},
+      Guarantee{Property::reversal},         Guarantee{Property::scaling_by_two},
+      Guarantee{Property::axes_independent}, Guarantee{Property::finite}};
 
   template <class Scalar, int Dimension, int Degree>
   using Prepared = RoundedState<Form::bernstein, Scalar, Dimension, Degree>;

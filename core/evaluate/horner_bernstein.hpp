@@ -6,6 +6,11 @@
 // Bound: gamma_(3n+1) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i, i-1 in t^i, 1
 //   product, 1 addition and 3 per later step (1-t, product, sum). The most are 3n + binomial roundings for i = 1; for i
 //   = 0 there are 3n. A t^i that underflows loses up to C(n,i) max|b| eta.
+// Keeps: ends_exact: at t = 0 every step is p 1 + c_i 0 = p = b_0, at t = 1 the last one is p 0 + c_n 1 = b_n.
+//   axes_independent: a coordinate is computed from its own axis and t. scaling_by_two: t^i, c_i t^i and p of step i
+//   are multiples of tau^i and beta tau^i as in triangle_scheme.hpp, and at most 2^n max|b|. total: no number is larger
+//   than (2 (1 + |t|))^n (1 + u)^(4n) max(1, |b|). reversal and finite for n = 1: that is a step of
+//   de_casteljau.
 // Fails: C(n,i) b_i overflows at high degrees (always past 1029, in float past 131). t^i underflows for large n.
 #pragma once
 
@@ -15,6 +20,7 @@
 #include "core/basis/binomial_table.hpp"
 #include "core/basis/same_for_every_axis.hpp"
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/guarantee.hpp"
 
 namespace bezierbench {
 
@@ -34,6 +40,10 @@ struct HornerBernstein : SameForEveryAxis {
       .one_minus_t = OneMinusT::summed,
       .flops = "n(1+3d) + 1",
       .citation = "[Farin 2002], nested multiplication"};
+
+  static constexpr std::array guarantees{Guarantee{Property::ends_exact},       Guarantee{Property::reversal, 1},
+                                         Guarantee{Property::finite, 1},        Guarantee{Property::scaling_by_two},
+                                         Guarantee{Property::axes_independent}, Guarantee{Property::total}};
 
   /// Column i holds C(n,i) b_i.
   template <class Scalar, int Dimension, int Degree>

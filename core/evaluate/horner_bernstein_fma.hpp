@@ -6,11 +6,13 @@
 // Bound: gamma_(2n+2) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i, i-1 in t^i, 1
 //   product, 1 fused step and 2 per later step (1-t and the step). The most are 2n + 1 + binomial roundings, for i = 1.
 //   Underflow as for horner_bernstein.
+// Keeps: as horner_bernstein, but for reversal. finite for n = 1: as in de_casteljau, with s W exact.
 // Fails: as horner_bernstein.
 #pragma once
 
 #include "core/basis/fused.hpp"
 #include "core/basis/same_for_every_axis.hpp"
+#include "core/evaluate/guarantee.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
 
 namespace bezierbench {
@@ -31,6 +33,10 @@ struct HornerBernsteinFma : SameForEveryAxis {
       .one_minus_t = OneMinusT::summed,
       .flops = "n(1+d) + dn fma + 1",
       .citation = "[Farin 2002], nested multiplication, with fused steps"};
+
+  static constexpr std::array guarantees{Guarantee{Property::ends_exact}, Guarantee{Property::finite, 1},
+                                         Guarantee{Property::scaling_by_two}, Guarantee{Property::axes_independent},
+                                         Guarantee{Property::total}};
 
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {

@@ -12,6 +12,7 @@
 #include "experiments/studies/conversion/conversion.hpp"
 #include "experiments/studies/derivative/derivative.hpp"
 #include "experiments/studies/fitting/fitting.hpp"
+#include "experiments/studies/guarantees/guarantees.hpp"
 #include "experiments/studies/hard_cases/hard_cases.hpp"
 #include "experiments/studies/interpolation/interpolation.hpp"
 #include "experiments/studies/inverse_arc_length/inverse_arc_length.hpp"
@@ -45,7 +46,8 @@ constexpr std::array kinds{
     StudyKind{suite::InterpolationKeys::kind, interpolation_job, {"interpolation"}},
     StudyKind{suite::FittingKeys::kind, fitting_job, {"fitting"}},
     StudyKind{suite::SubdivisionKeys::kind, subdivision_job, {"subdivision"}},
-    StudyKind{suite::HardCasesKeys::kind, hard_cases_job, {"hard_cases"}}};
+    StudyKind{suite::HardCasesKeys::kind, hard_cases_job, {"hard_cases"}},
+    StudyKind{suite::GuaranteesKeys::kind, guarantees_job, {"guarantees|guarantees_unstable"}}};
 
 const StudyKind& find(const suite::Study& study) {
   const auto found =

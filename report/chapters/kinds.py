@@ -6,7 +6,7 @@ from typing import Callable
 
 from ..error_tables import error_tables, swept
 from ..search_tables import search_table
-from . import (arc_length, conversion, derivative, fitting, hard_cases, interpolation, inverse_arc_length, projection, roofline,
+from . import (arc_length, conversion, derivative, fitting, guarantees, hard_cases, interpolation, inverse_arc_length, projection, roofline,
                subdivision, timing)
 
 OF_U = (("mean_error_u", "mean error, u p~"), ("max_error_u", "largest error, u p~"))
@@ -55,6 +55,7 @@ KINDS = {
     "fitting": Kind("fitting.csv", fitting.study_tables,
                     (("mean_segments", "mean segments"), ("max_error_over_tolerance", "largest error / tolerance")),
                     ("tolerance", "points")),
+    "guarantees": Kind("guarantees.csv", guarantees.study_tables, (), ("degree",)),
     "hard_cases": Kind("hard_cases.csv", hard_cases.study_tables, (), ("degree",), "family"),
 }
 

@@ -9,7 +9,7 @@ from ..file_names import safe, with_unique_ids
 from . import studies
 from .suite_parts import COMPANION_PEERS
 
-NAMES = """opening answer found scorecard tables figures truth ladder regimes conditioning conversion worst rational derivative arc_length
+NAMES = """opening answer found scorecard tables figures truth ladder regimes conditioning conversion worst guarantees rational derivative arc_length
            inverse_arc_length projection interpolation fitting subdivision timing choosing roofline peers comparison audit
            method_list how_measured provenance""".split()
 ROSTER = tuple(import_module(f".{name}", __package__) for name in NAMES)

@@ -2,11 +2,13 @@
 #include "experiments/cli/startup/vocabulary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "build_facts.hpp"
+#include "core/evaluate/guarantees.hpp"
 #include "core/evaluate/kernel.hpp"
 #include "experiments/judge/companions.hpp"
 #include "experiments/judge/methods.hpp"
@@ -28,6 +30,16 @@ void add_once(std::vector<std::string>& ids, std::string_view id) {
 constexpr const char* methods_name = "methods.csv";
 constexpr const char* generators_name = "generators.csv";
 
+/// `finite monotone:1`
+std::string guarantees_text(const MethodInfo& info) {
+  std::vector<std::string> words;
+  for (const auto& one : guarantees_of(info))
+    words.push_back(one.max_degree < max_degree ? fmt::format("{}:{}", name(one.property), one.max_degree)
+                                                : std::string(name(one.property)));
+  std::ranges::sort(words);
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
 tables::Row row_of(const MethodInfo& info) {
   tables::Row row(methods_name);
   row.set("id", info.id)
@@ -38,7 +50,8 @@ tables::Row row_of(const MethodInfo& info) {
       .set("bound", info.bound ? info.bound->text : info.promise)
       .set("bit_stable", info.bit_stable ? "yes" : "no")
       .set("flops", info.flops)
-      .set("citation", info.citation);
+      .set("citation", info.citation)
+      .set("guarantees", guarantees_text(info));
   return row;
 }
 

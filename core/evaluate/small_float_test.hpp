@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// A binary floating-point format of few bits, emulated, with so few numbers that a test can go through all of them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/error_free.hpp"
+
+namespace bezierbench {
+
+/// Numbers with `Precision` bits and exponents LowestExponent .. HighestExponent of the leading bit, subnormal ones,
+/// the infinities and NaN, as IEEE 754 has them: every operation rounds once, to nearest, ties to even.
+/// SmallFloat<11, -14, 15> is binary16. The exact results fit into a double, or into its sum and error.
+template <int Precision, int LowestExponent, int HighestExponent>
+class SmallFloat {
+ public:
+  SmallFloat() = default;
+  explicit SmallFloat(double value) : value_(rounded(value, 0)) {}
+
+  [[nodiscard]] double value() const { return value_; }
+
+  friend SmallFloat operator+(SmallFloat a, SmallFloat b) { return sum(a.value_, b.value_); }
+  friend SmallFloat operator-(SmallFloat a, SmallFloat b) { return sum(a.value_, -b.value_); }
+  friend SmallFloat operator*(SmallFloat a, SmallFloat b) { return SmallFloat(a.value_ * b.value_); }
+  friend SmallFloat operator-(SmallFloat a) { return SmallFloat(-a.value_); }
+  SmallFloat& operator+=(SmallFloat b) { return *this = *this + b; }
+  SmallFloat& operator*=(SmallFloat b) { return *this = *this * b; }
+  /// *this b + c, rounded once.
+  [[nodiscard]] SmallFloat fused(const SmallFloat& b, const SmallFloat& c) const {
+    return sum(value_ * b.value_, c.value_);
+  }
+  friend bool operator==(SmallFloat a, SmallFloat b) { return a.value_ == b.value_; }
+  friend auto operator<=>(SmallFloat a, SmallFloat b) { return a.value_ <=> b.value_; }
+
+  /// All finite numbers in ascending order; 0 once.
+  static std::vector<SmallFloat> all() {
+    std::vector<SmallFloat> numbers;
+    const double largest = std::ldexp(2 - std::ldexp(2.0, -Precision), HighestExponent);
+    for (double value = 0; value <= largest; value += spacing(value)) {
+      numbers.push_back(SmallFloat(value));
+      if (value > 0) numbers.push_back(SmallFloat(-value));
+    }
+    std::ranges::sort(numbers);
+    return numbers;
+  }
+
+ private:
+  static double spacing(double value) {
+    const int exponent = value == 0 ? LowestExponent : std::max(LowestExponent, std::ilogb(value));
+    return std::ldexp(1.0, exponent - Precision + 1);
+  }
+  static SmallFloat sum(double a, double b) {
+    const auto exact = two_sum(a, b);
+    SmallFloat result;
+    result.value_ = rounded(exact.value, exact.error);
+    return result;
+  }
+  /// value + error, where the error is far below the last place of the format at the value.
+  static double rounded(double value, double error) {
+    if (!std::isfinite(value) || value == 0) return value;
+    const double unit = spacing(value);
+    const double scaled = value / unit;
+    double whole = std::nearbyint(scaled);
+    if (std::abs(scaled - std::trunc(scaled)) == 0.5 && error != 0 && std::isfinite(error))  // a tie, but for the error
+      whole = error > 0 ? std::ceil(scaled) : std::floor(scaled);
+    const double result = whole * unit;
+    return std::abs(result) >= std::ldexp(1.0, HighestExponent + 1)
+               ? std::copysign(std::numeric_limits<double>::infinity(), result)
+               : result;
+  }
+
+  double value_ = 0;
+};
+
+}  // namespace bezierbench
