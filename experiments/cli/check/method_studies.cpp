@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
@@ -15,7 +16,6 @@
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "experiments/suite/reader.hpp"
-#include "shipped_suites.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -94,9 +94,7 @@ std::vector<suite::Suite> studies_that_time(const std::vector<suite::Suite>& sui
 }
 
 std::vector<suite::Suite> quick_suite() {
-  constexpr std::string_view file = "quick.toml";
-  const auto* const found = std::ranges::find(shipped_suites, file, &ShippedSuite::file_name);
-  return suite::parse_suites(found->text, file, vocabulary());
+  return suite::read_suites(suite_file("quick"), vocabulary());
 }
 
 }  // namespace bezierbench::cli
