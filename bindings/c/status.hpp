@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every function of the C interface does around its work: checks the floating-point environment, and turns refusals
-// and exceptions into a bb_status.
+// What every function of the C interface does around its work: checks the floating-point environment, and turns
+// refusals and exceptions into a bb_status.
 #pragma once
 
 #include <cfenv>
