@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/commands/class_choice.hpp"
+#include "experiments/cli/choose/class_choice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,10 @@ TEST(ClassChoice, TakesEveryRowWithinTheClass) {
                               {"table", "de_casteljau", "1,0.2,0.8", "0.1,7,15,2"},
                               {"other", "de_casteljau", "100,0,1", "30,11,15,200"},
                               {"other", "de_casteljau", "10,-1,1", "40,12,15,900"}});
-  judge_class(group, {10, {0, 1}}, tables, std::nullopt, "");
+  const auto cells = judge_class(group, {10, {0, 1}}, tables, std::nullopt, "");
+  EXPECT_EQ(cells,
+            (std::vector<std::string>{"truth: R 10, t in [0, 1], continuous", "table: R 10, t in [0, 1], continuous",
+                                      "table: R 1, t in [0.2, 0.8], continuous"}));
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].errors.in_u.observed, 7);
   EXPECT_EQ(group.choices[0].errors.absolute.observed, 2);

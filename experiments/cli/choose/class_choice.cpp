@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/commands/class_choice.hpp"
+#include "experiments/cli/choose/class_choice.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -40,6 +40,12 @@ std::optional<DrawnClass> widest_judged(const tables::ChoiceGroup& group, const 
     if (const auto one = drawn_class(row); !widest || !lies_within(one, *widest)) widest = one;
   });
   return widest;
+}
+
+std::string cell_words(const tables::TableRow& row) {
+  return fmt::format("{}: R {}, t in [{}, {}], {}{}", row.text("study"), row.text("coordinate_range"),
+                     row.text("t_min"), row.text("t_max"), row.text("generator"),
+                     row.has("trials") ? ", " + row.text("trials") + " trials" : "");
 }
 
 /// The observed errors of one method.
@@ -114,11 +120,17 @@ std::vector<double> judged_ranges(const tables::ChoiceGroup& group, const tables
   return {ranges.begin(), ranges.end()};
 }
 
-void judge_class(tables::ChoiceGroup& group, const DrawnClass& of, const tables::JudgedTables& judged,
-                 const std::optional<bundle::CsvDocument>& methods, const std::string& accuracy_study) {
+std::vector<std::string> judge_class(tables::ChoiceGroup& group, const DrawnClass& of,
+                                     const tables::JudgedTables& judged,
+                                     const std::optional<bundle::CsvDocument>& methods,
+                                     const std::string& accuracy_study) {
   std::map<std::string, Seen> seen;
   for (const auto& choice : group.choices) seen[choice.method];
   std::vector<std::string> studies;
+  std::vector<std::string> cells;
+  const auto add_once = [](std::vector<std::string>& texts, const std::string& text) {
+    if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
+  };
   judged.each_row(accuracy_study, [&](const tables::TableRow& row) {
     const auto method = seen.find(row.text("method"));
     if (method == seen.end() || !is_of_kind(row, group)) return;
@@ -126,13 +138,15 @@ void judge_class(tables::ChoiceGroup& group, const DrawnClass& of, const tables:
     if (!lies_within(drawn, of)) return;
     method->second.errors.add(judged, row);
     method->second.of_the_class = method->second.of_the_class || is_same(drawn, of);
-    if (std::ranges::find(studies, row.text("study")) == studies.end()) studies.push_back(row.text("study"));
+    add_once(studies, row.text("study"));
+    add_once(cells, cell_words(row));
   });
   std::erase_if(group.choices, [&](const tables::Choice& one) { return !seen.at(one.method).of_the_class; });
   for (auto& choice : group.choices) choice.errors = seen.at(choice.method).errors;
   group.accuracy_study = fmt::format("{}", fmt::join(studies, ", "));
-  if (!methods) return;
-  is_float(group) ? add_class_bounds<float>(group, of, *methods) : add_class_bounds<double>(group, of, *methods);
+  if (methods)
+    is_float(group) ? add_class_bounds<float>(group, of, *methods) : add_class_bounds<double>(group, of, *methods);
+  return cells;
 }
 
 double least_p_tilde(const tables::ChoiceGroup& group, const DrawnClass& of) {

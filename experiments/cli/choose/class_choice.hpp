@@ -30,9 +30,12 @@ std::vector<double> judged_ranges(const tables::ChoiceGroup& group, const tables
 
 /// Sets the errors of the group's methods over all rows whose range and interval lie within the class, and the bounds
 /// of the class. Only rows of `accuracy_study` count, unless it is empty. Removes methods without a row for the class
-/// itself. `methods` is methods.csv: a bound is used only if the one stated there is that of this program.
-void judge_class(tables::ChoiceGroup& group, const DrawnClass& of, const tables::JudgedTables& judged,
-                 const std::optional<bundle::CsvDocument>& methods, const std::string& accuracy_study);
+/// itself. `methods` is methods.csv: a bound is used only if the one stated there is that of this program. Returns the
+/// cells of these rows in words, each once: `truth: R 1, t in [0, 1], continuous, 1000 trials`.
+std::vector<std::string> judge_class(tables::ChoiceGroup& group, const DrawnClass& of,
+                                     const tables::JudgedTables& judged,
+                                     const std::optional<bundle::CsvDocument>& methods,
+                                     const std::string& accuracy_study);
 
 /// The least p~ to which bounds in units of u p~ apply in the class.
 double least_p_tilde(const tables::ChoiceGroup& group, const DrawnClass& of);

@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: MIT
 """`choose` from outside, and pareto.csv beside it. Usage: choose_test.py BEZIERBENCH"""
 import csv
+import fnmatch
 import io
+import re
+import shlex
 import sys
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import FINDING, HEAD, INPUT_OUTPUT, USAGE, Case  # noqa: E402
+from program_case import FINDING, FINE, HEAD, INPUT_OUTPUT, ROOT, USAGE, Case  # noqa: E402
 
 METHODS = ["de_casteljau", "compensated_de_casteljau", "horner_bernstein", "differences:horner"]
 # No error in units of u p~ is proved for all curves that go through rounded power coefficients, up to t = 1.
@@ -123,6 +126,62 @@ class Choose(Case):
         self.retime({"de_casteljau": (58, 50, 66)})
         self.assertEqual({row["method"]: row["pareto"] for row in self.chosen("--tolerance", "1e9")}
                          ["differences:horner"], "no")  # horner_bernstein still beats it
+
+    def lines(self, *more, code=FINE):
+        result = self.run_program("choose", "b", "--degree", "8", *more)
+        self.assertEqual(result.returncode, code, result.stderr)
+        return result.stdout.decode().splitlines()
+
+    def test_names_the_winner_and_what_speaks_for_others(self):
+        apart = {"de_casteljau": (50, 49, 51), "compensated_de_casteljau": (90, 89, 91), "horner_bernstein": (10, 9, 11),
+                 "differences:horner": (5, 4, 6), ELSEWHERE: (70, 69, 71)}
+        self.retime(apart)
+        wide = self.lines("--tolerance", "1e9")
+        self.assertEqual(wide[0], "differences:horner, the fastest of 5 (of 5) within 1e9 u p~")
+        self.assertRegex(wide[1], r"^  5 ns \[4, 6\] a point, error \S+ u p~; proved for the trials$")
+        self.assertRegex(wide[2], r"^  the fastest that is proved: horner_bernstein$")
+        self.assertRegex(wide[3], r"^  10 ns \[9, 11\] a point")
+        narrow = self.lines("--tolerance", "30")
+        self.assertTrue(narrow[0].startswith("horner_bernstein, the fastest of 3 (of 5) within 30 u p~"), narrow[0])
+        self.assertEqual(narrow[2], "")  # no other is as fast, and it is proved
+        self.retime({**apart, "de_casteljau": (11, 10.5, 12)})
+        self.assertEqual(self.lines("--tolerance", "30")[2], "  not certainly faster than de_casteljau")
+
+    def test_says_which_cells_it_rests_on(self):
+        lines = self.lines("--tolerance", "1e9")
+        start = lines.index("times of study race; largest errors of 4 cells:")
+        self.assertEqual(lines[start + 1:start + 5],
+                         ["  truth: R 1, t in [0, 1], continuous, 300 trials", "  more: R 0.5, t in [0, 1], continuous, 900 trials",
+                          "  more: R 1, t in [0, 1], continuous, 900 trials", "  small: R 1, t in [0, 1], continuous, 20 trials"])
+        self.assertNotIn("R 8", "\n".join(lines))
+
+    def test_fits_a_narrow_terminal(self):
+        self.assertLessEqual(max(map(len, self.lines("--tolerance", "1e9"))), 80)
+
+    def offered(self, *wish):
+        """The command that a refusal offers, as words; quick and speed are suites that come with the program."""
+        message = self.refused(USAGE, ["choose", "b", "--tolerance", "1e9", *wish]).stderr.decode()
+        words = shlex.split(re.search("`bezierbench (.*)`", message)[1])
+        self.assertEqual(words[0], "run")
+        return words[:1] + [str(ROOT / f"experiments/suites/{words[1]}.toml")] + words[2:]
+
+    def test_offers_a_command_that_makes_a_bundle_that_can(self):
+        for wish in (["--degree", "3", "--form", "rational"], ["--degree", "2", "--form", "rational", "--range", "7",
+                                                               "--scalar", "float", "--dimension", "3", "--mode", "one_shot"]):
+            with self.subTest(wish=wish):
+                command = self.offered(*wish)
+                self.run_program(*command, "--quiet", timeout=600)
+                told = self.fine("choose", command[command.index("--out") + 1], "--tolerance", "1e9", *wish)
+                self.assertIn(", the fastest of ", told)
+
+    def test_offers_a_suite_that_has_the_mode(self):
+        for mode in ("point", "one_shot", "latency", "batch"):
+            for form in ("bernstein", "power"):
+                command = self.offered("--degree", "9", "--mode", mode, "--form", form)
+                chosen = command[command.index("--only") + 1]
+                studies = [row["id"] for row in csv.DictReader(io.StringIO(self.fine("list", "studies", "--format", "csv")))]
+                self.assertEqual(len(fnmatch.filter(studies, chosen)), 2, chosen)
+                self.assertIn(f'"{mode}"', Path(command[1]).read_text())
 
     def test_coordinate_units(self):
         errors = self.largest("max_error")

@@ -6,49 +6,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "experiments/bundle/csv.hpp"
-#include "experiments/cli/commands/aligned.hpp"
-#include "experiments/cli/commands/class_choice.hpp"
+#include "experiments/cli/choose/choice_text.hpp"
+#include "experiments/cli/choose/class_choice.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/judge/method_choice.hpp"
-#include "experiments/metric/pareto.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/choices.hpp"
 
 namespace bezierbench::cli {
 namespace {
-
-struct Wish {
-  std::string bundle;
-  int degree = 0;
-  std::string tolerance_text;
-  double tolerance = 0;
-  std::string unit = "u";
-  std::optional<std::string> range_text;
-  std::optional<double> range;
-  std::string form = "bernstein";
-  std::string mode = "point";
-  std::string scalar = "double";
-  int dimension = 2;
-  std::string study;
-  std::string accuracy_study;
-  std::string format = "text";
-  bool use_damaged = false;
-  std::vector<std::string> damaged;  ///< damaged files of the bundle that were used nevertheless
-
-  [[nodiscard]] const tables::LargestError& error_of(const tables::Choice& choice) const {
-    return unit == "u" ? choice.errors.in_u : choice.errors.absolute;
-  }
-};
 
 std::string form_name(const tables::ChoiceGroup& group) {
   const auto curve = suite::parse<Form>(group.curve);
@@ -70,9 +45,8 @@ Evidence read_evidence(Wish& wish) {
   };
   auto timing = table("timing.csv");
   if (!timing)
-    throw Failure(
-        Exit::usage,
-        fmt::format("{}: has no times; run a timing suite into it, or choose from another bundle", wish.bundle));
+    throw Failure(Exit::usage,
+                  fmt::format("{}: has no times; choose from another bundle{}", wish.bundle, remedy(wish)));
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
     if (auto found = table(file)) accuracies.push_back(std::move(*found));
@@ -106,30 +80,19 @@ std::vector<Demand> demands_of(const Wish& wish) {
 std::vector<tables::ChoiceGroup> matching(std::vector<tables::ChoiceGroup> groups, const Wish& wish) {
   if (groups.empty())
     throw Failure(Exit::usage,
-                  fmt::format("{}: no method{} has both a time and an error; run a suite that times and one "
-                              "that judges the same methods at the same degrees into one bundle",
-                              wish.bundle, wish.accuracy_study.empty() ? "" : " of study " + wish.accuracy_study));
+                  fmt::format("{}: no method{} has both a time and an error; choose from another bundle{}", wish.bundle,
+                              wish.accuracy_study.empty() ? "" : " of study " + wish.accuracy_study, remedy(wish)));
   for (const auto& demand : demands_of(wish)) {
     std::vector<std::string> there;
     for (const auto& group : groups)
       if (auto value = demand.of(group); std::ranges::find(there, value) == there.end()) there.push_back(value);
     std::erase_if(groups, [&](const auto& group) { return demand.of(group) != demand.value; });
     if (groups.empty())
-      throw Failure(Exit::usage, fmt::format("{}: nothing with {} {} has both a time and an error; there is {}",
-                                             wish.bundle, demand.what, demand.value, fmt::join(there, ", ")));
+      throw Failure(Exit::usage,
+                    fmt::format("{}: nothing with {} {} has both a time and an error; there is {}{}", wish.bundle,
+                                demand.what, demand.value, fmt::join(there, ", "), remedy(wish)));
   }
   return groups;
-}
-
-/// The methods of one race cell, and the class of curves of the choice.
-struct JudgedRace {
-  tables::ChoiceGroup group;
-  DrawnClass of;
-};
-
-std::string in_words(const DrawnClass& of) {
-  return fmt::format("coordinates in [{0}, {1}], t in [{2}, {3}]", number::decimal(-of.range),
-                     number::decimal(of.range), number::decimal(of.t.min), number::decimal(of.t.max));
 }
 
 /// The race cells whose methods were judged on the class of the choice.
@@ -140,11 +103,12 @@ std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& gro
   for (auto group : groups) {
     const auto of = class_of(group, evidence.judged, wish.range);
     if (!of) continue;
-    missing = fmt::format("{}: nothing with degree {}, {} was judged; ranges of coordinates that were: {}; see --range",
-                          wish.bundle, wish.degree, in_words(*of),
-                          fmt::join(judged_ranges(group, evidence.judged, wish.accuracy_study), ", "));
-    judge_class(group, *of, evidence.judged, evidence.methods, wish.accuracy_study);
-    if (!group.choices.empty()) races.push_back({std::move(group), *of});
+    missing =
+        fmt::format("{}: nothing with degree {}, {} was judged; ranges of coordinates that were: {}; see --range{}",
+                    wish.bundle, wish.degree, in_words(*of),
+                    fmt::join(judged_ranges(group, evidence.judged, wish.accuracy_study), ", "), remedy(wish));
+    auto cells = judge_class(group, *of, evidence.judged, evidence.methods, wish.accuracy_study);
+    if (!group.choices.empty()) races.push_back({std::move(group), *of, std::move(cells)});
   }
   if (races.empty()) throw Failure(Exit::usage, missing);
   return races;
@@ -164,80 +128,6 @@ JudgedRace one_of(const std::vector<JudgedRace>& races) {
 }
 
 bool is_quick_to_slow(const tables::Choice& a, const tables::Choice& b) { return a.ns.median < b.ns.median; }
-
-/// The value to four digits, for people.
-std::string brief(double value) { return fmt::format("{:.4g}", value); }
-
-/// The evidence that a method keeps the tolerance, and the bound that proves it.
-struct Assurance {
-  std::string_view tolerance = "observed";
-  std::optional<double> bound;
-  std::string_view bound_of;
-};
-
-constexpr std::string_view proved = "proved";
-constexpr std::string_view proved_for_trials = "proved for the trials";
-
-Assurance assurance(const tables::LargestError& error, double tolerance) {
-  const bool by_class = error.class_bound && *error.class_bound <= tolerance;
-  if (!by_class && error.bound && *error.bound <= tolerance) return {proved_for_trials, error.bound, "trials"};
-  Assurance given;
-  if (by_class) given.tolerance = proved;
-  given.bound = error.class_bound ? error.class_bound : error.bound;
-  given.bound_of = error.class_bound ? "class" : error.bound ? "trials" : "";
-  return given;
-}
-
-/// The table of the methods within the tolerance, best first. Its column `pareto` compares all methods of the group.
-bundle::CsvTable within(const JudgedRace& race, const Wish& wish) {
-  const auto write = wish.format == "csv" ? number::decimal : brief;
-  const auto& choices = race.group.choices;
-  std::vector<metric::Tradeoff> tradeoffs;
-  for (const auto& choice : choices) tradeoffs.push_back({choice.ns, wish.error_of(choice).observed});
-  const auto fronts = metric::pareto_front(tradeoffs);
-  std::vector<std::string> columns{"method", "mode", "ns",     "ns_low",    "ns_high", "observed_max",
-                                   "bound",  "unit", "pareto", "tolerance", "quality", "bound_of"};
-  std::vector<std::string> of;  // the same in every row; the heading for people has it
-  if (wish.format == "csv") {
-    columns.insert(columns.end(), {"coordinate_range", "t_min", "t_max", "least_p_tilde"});
-    of = {number::decimal(race.of.range), number::decimal(race.of.t.min), number::decimal(race.of.t.max),
-          number::decimal(least_p_tilde(race.group, race.of))};
-  }
-  bundle::CsvTable table(columns);
-  for (std::size_t m = 0; m < choices.size(); ++m) {
-    const auto& choice = choices[m];
-    const auto& error = wish.error_of(choice);
-    if (!(error.observed <= wish.tolerance)) continue;
-    const auto sure = assurance(error, wish.tolerance);
-    std::vector<std::string> row{choice.method,
-                                 race.group.mode,
-                                 write(choice.ns.median),
-                                 write(choice.ns.low),
-                                 write(choice.ns.high),
-                                 write(error.observed),
-                                 sure.bound ? write(*sure.bound) : "",
-                                 wish.unit,
-                                 std::string(metric::name(fronts[m])),
-                                 std::string(sure.tolerance),
-                                 choice.quality,
-                                 std::string(sure.bound_of)};
-    row.insert(row.end(), of.begin(), of.end());
-    table.add_row(std::move(row));
-  }
-  return table;
-}
-
-/// Prints the options and the sources of the numbers, then an explanation of the words in the table.
-void print_heading(const JudgedRace& race, const Wish& wish) {
-  const auto& group = race.group;
-  fmt::print("degree {}, {} form, {}, {} axes, {}\n", printable(group.degree), wish.form, printable(group.scalar),
-             printable(group.dimension), in_words(race.of));
-  fmt::print("times of study {}, largest errors of all rows on such curves: {}\n", printable(group.study),
-             printable(group.accuracy_study));
-  fmt::print("{}: for every such curve and t", proved);
-  if (wish.unit == "u") fmt::print(" with p~ of at least {}", brief(least_p_tilde(group, race.of)));
-  fmt::print("; {}: for the inputs that were judged\n\n", proved_for_trials);
-}
 
 std::string none_is_right_enough(const JudgedRace& race, const Wish& wish) {
   const auto best = std::ranges::min_element(
@@ -271,15 +161,13 @@ Exit choose(Wish wish) {
   });
   auto race = one_of(judged_races(matching(std::move(groups), wish), evidence, wish));
   std::ranges::stable_sort(race.group.choices, is_quick_to_slow);
-  const auto table = within(race, wish);
   print_damage(wish.damaged);
   if (wish.format == "csv") {
-    fmt::print("{}", table.text());
+    fmt::print("{}", csv_table(race, wish).text());
   } else {
-    print_heading(race, wish);
-    fmt::print("{}", aligned_csv(table.text()));
+    fmt::print("{}{}{}", winner_text(race, wish), heading_text(race, wish), methods_table(race, wish));
   }
-  if (table.row_count() > 0) return Exit::fine;
+  if (!within(race, wish).empty()) return Exit::fine;
   say(none_is_right_enough(race, wish));
   return Exit::finding;
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// What a user wants of a method, and the methods that a bundle has for it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/cli/choose/class_choice.hpp"
+#include "experiments/tables/choices.hpp"
+
+namespace bezierbench::cli {
+
+struct Wish {
+  std::string bundle;
+  int degree = 0;
+  std::string tolerance_text;
+  double tolerance = 0;
+  std::string unit = "u";
+  std::optional<std::string> range_text;
+  std::optional<double> range;
+  std::string form = "bernstein";
+  std::string mode = "point";
+  std::string scalar = "double";
+  int dimension = 2;
+  std::string study;
+  std::string accuracy_study;
+  std::string format = "text";
+  bool use_damaged = false;
+  std::vector<std::string> damaged;  ///< damaged files of the bundle that were used nevertheless
+
+  [[nodiscard]] const tables::LargestError& error_of(const tables::Choice& choice) const {
+    return unit == "u" ? choice.errors.in_u : choice.errors.absolute;
+  }
+};
+
+/// The methods of one race cell, and the class of curves of the choice.
+struct JudgedRace {
+  tables::ChoiceGroup group;
+  DrawnClass of;
+  std::vector<std::string> cells;  ///< in which the methods were judged
+};
+
+/// `coordinates in [-1, 1], t in [0, 1]`.
+std::string in_words(const DrawnClass& of);
+
+/// The command that makes a bundle in which such a choice can be made, as the end of a message. Empty where no suite
+/// that comes with the program has errors and times of such methods.
+std::string remedy(const Wish& wish);
+
+}  // namespace bezierbench::cli

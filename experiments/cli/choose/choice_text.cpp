@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/cli/choose/choice_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "experiments/cli/commands/aligned.hpp"
+#include "experiments/echo.hpp"
+#include "experiments/metric/pareto.hpp"
+#include "experiments/number/number.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+/// The value to four digits, for people.
+std::string brief(double value) { return fmt::format("{:.4g}", value); }
+
+/// The evidence that a method keeps the tolerance, and the bound that proves it.
+struct Assurance {
+  std::string_view tolerance = "observed";
+  std::optional<double> bound;
+  std::string_view bound_of;
+};
+
+constexpr std::string_view proved = "proved";
+constexpr std::string_view proved_for_trials = "proved for the trials";
+constexpr std::string_view for_trials = "for trials";  // in a narrow column
+
+Assurance assurance(const tables::LargestError& error, double tolerance) {
+  const bool by_class = error.class_bound && *error.class_bound <= tolerance;
+  if (!by_class && error.bound && *error.bound <= tolerance) return {proved_for_trials, error.bound, "trials"};
+  Assurance given;
+  if (by_class) given.tolerance = proved;
+  given.bound = error.class_bound ? error.class_bound : error.bound;
+  given.bound_of = error.class_bound ? "class" : error.bound ? "trials" : "";
+  return given;
+}
+
+/// Whether each method of the race is worth choosing, compared with all others.
+std::vector<metric::Front> fronts(const JudgedRace& race, const Wish& wish) {
+  std::vector<metric::Tradeoff> tradeoffs;
+  for (const auto& choice : race.group.choices) tradeoffs.push_back({choice.ns, wish.error_of(choice).observed});
+  return metric::pareto_front(tradeoffs);
+}
+
+std::string_view unit_words(const Wish& wish) { return wish.unit == "u" ? "u p~" : "coordinate units"; }
+
+std::string in_few_words(const tables::Choice& choice, const Wish& wish) {
+  const auto& error = wish.error_of(choice);
+  return fmt::format("{:.4g} ns [{:.4g}, {:.4g}] a point, error {} {}", choice.ns.median, choice.ns.low, choice.ns.high,
+                     brief(error.observed), unit_words(wish));
+}
+
+}  // namespace
+
+std::vector<const tables::Choice*> within(const JudgedRace& race, const Wish& wish) {
+  std::vector<const tables::Choice*> kept;
+  for (const auto& choice : race.group.choices)
+    if (wish.error_of(choice).observed <= wish.tolerance) kept.push_back(&choice);
+  return kept;
+}
+
+bundle::CsvTable csv_table(const JudgedRace& race, const Wish& wish) {
+  bundle::CsvTable table({"method", "mode", "ns", "ns_low", "ns_high", "observed_max", "bound", "unit", "pareto",
+                          "tolerance", "quality", "bound_of", "coordinate_range", "t_min", "t_max", "least_p_tilde"});
+  const auto front = fronts(race, wish);
+  for (const auto* choice : within(race, wish)) {
+    const auto& error = wish.error_of(*choice);
+    const auto sure = assurance(error, wish.tolerance);
+    table.add_row({choice->method, race.group.mode, number::decimal(choice->ns.median), number::decimal(choice->ns.low),
+                   number::decimal(choice->ns.high), number::decimal(error.observed),
+                   sure.bound ? number::decimal(*sure.bound) : "", wish.unit,
+                   std::string(metric::name(front[static_cast<std::size_t>(choice - race.group.choices.data())])),
+                   std::string(sure.tolerance), choice->quality, std::string(sure.bound_of),
+                   number::decimal(race.of.range), number::decimal(race.of.t.min), number::decimal(race.of.t.max),
+                   number::decimal(least_p_tilde(race.group, race.of))});
+  }
+  return table;
+}
+
+std::string winner_text(const JudgedRace& race, const Wish& wish) {
+  const auto kept = within(race, wish);
+  if (kept.empty()) return "";
+  const auto& best = *kept.front();
+  const auto proof = [&](const tables::Choice* choice) {
+    return assurance(wish.error_of(*choice), wish.tolerance).tolerance;
+  };
+  std::string text = fmt::format("{}, the fastest of {} (of {}) within {} {}\n  {}; {}\n", printable(best.method),
+                                 kept.size(), race.group.choices.size(), wish.tolerance_text, unit_words(wish),
+                                 in_few_words(best, wish), proof(&best));
+  std::vector<std::string> equals;
+  for (const auto* choice : kept)
+    if (choice != &best && choice->ns.low <= best.ns.high) equals.push_back(printable(choice->method));
+  constexpr std::size_t most_named = 2;
+  const std::size_t count = equals.size();
+  equals.resize(std::min(count, most_named));
+  if (count > 0)
+    text += fmt::format("  not certainly faster than {}{}\n", fmt::join(equals, ", "),
+                        count > most_named ? fmt::format(" and {} more", count - most_named) : "");
+  if (const auto sure = std::ranges::find(kept, proved, proof); proof(&best) != proved && sure != kept.end())
+    text +=
+        fmt::format("  the fastest that is proved: {}\n  {}\n", printable((*sure)->method), in_few_words(**sure, wish));
+  return text + "\n";
+}
+
+std::string heading_text(const JudgedRace& race, const Wish& wish) {
+  const auto& group = race.group;
+  std::string text =
+      fmt::format("degree {}, {} form, {}, {} axes, mode {}\n{}\n", printable(group.degree), wish.form,
+                  printable(group.scalar), printable(group.dimension), printable(group.mode), in_words(race.of));
+  text += fmt::format("times of study {}; largest errors of {} cells:\n", printable(group.study), race.cells.size());
+  constexpr std::size_t most_cells = 4;
+  for (std::size_t k = 0; k < std::min(most_cells, race.cells.size()); ++k)
+    text += fmt::format("  {}\n", printable(race.cells[k]));
+  if (race.cells.size() > most_cells) text += fmt::format("  and {} more\n", race.cells.size() - most_cells);
+  text += fmt::format("{}: for every such curve and t", proved);
+  if (wish.unit == "u") text += fmt::format("\n  with p~ of at least {}", brief(least_p_tilde(group, race.of)));
+  text += fmt::format("\n{}: {}, the inputs that were judged\n", for_trials, proved_for_trials);
+  return text + "~: a time whose interval cannot be believed\npareto: no other is faster and as right\n\n";
+}
+
+std::string methods_table(const JudgedRace& race, const Wish& wish) {
+  const auto front = fronts(race, wish);
+  std::vector<std::vector<std::string>> lines{{"method", "ns", "error", "bound", "tolerance", "pareto"}};
+  for (const auto* choice : within(race, wish)) {
+    const auto& error = wish.error_of(*choice);
+    const auto sure = assurance(error, wish.tolerance);
+    lines.push_back({choice->method, brief(choice->ns.median) + (choice->quality == "ok" ? "" : " ~"),
+                     brief(error.observed), sure.bound ? brief(*sure.bound) : "",
+                     std::string(sure.tolerance == proved_for_trials ? for_trials : sure.tolerance),
+                     std::string(metric::name(front[static_cast<std::size_t>(choice - race.group.choices.data())]))});
+  }
+  return aligned(std::move(lines));
+}
+
+}  // namespace bezierbench::cli
