@@ -2,6 +2,7 @@
 // A child process for code from outside: whatever that code does, this process and its results stay as they are.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,6 +16,13 @@ struct Limits {
   double seconds = 10;             ///< by the clock on the wall
   std::uint64_t megabytes = 1024;  ///< of memory that is written to, beyond that of this process
 };
+
+/// The limits of the process that says what a method is, once for a run: a busy machine may take long to start it.
+inline Limits to_describe(Limits limits) {
+  constexpr double least_seconds = 20;
+  limits.seconds = std::max(limits.seconds, least_seconds);
+  return limits;
+}
 
 enum class End { exited, signalled, timed_out, interrupted };
 

@@ -133,7 +133,7 @@ class Plugin final : public Method {
       write_all(answer, bytes.bytes());
     };
     constexpr std::size_t room = 1U << 20U;
-    auto ended = run_in_child(work, {}, room, limits_, stop_);
+    auto ended = run_in_child(work, {}, room, to_describe(limits_), stop_);
     if (ended.end == End::exited && ended.code == 0) try {
         number::ByteReader reader(ended.output);
         reader(told);

@@ -118,7 +118,7 @@ class Program final : public Method {
     const auto refuse = [&](std::string_view what) {
       throw Failure(Exit::usage, fmt::format("--program {}: {}; see docs/own_method.md", echo(command), echo(what)));
     };
-    const auto ended = run(Batch());
+    const auto ended = run(Batch(), to_describe(limits_));
     if (ended.end != End::exited || ended.code != 0) refuse(failed(ended).detail);
     std::string_view text = ended.output;
     const auto first = next_line(text);
@@ -129,7 +129,7 @@ class Program final : public Method {
   [[nodiscard]] const suite::OutsideMethod& record() const override { return record_; }
 
   [[nodiscard]] Answer points(const Batch& batch) const override {
-    const auto ended = run(batch);
+    const auto ended = run(batch, limits_);
     if (ended.end != End::exited || ended.code != 0) return failed(ended);
     std::string_view text = ended.output;
     const auto first = next_line(text);
@@ -140,7 +140,7 @@ class Program final : public Method {
   }
 
  private:
-  [[nodiscard]] Ended run(const Batch& batch) const {
+  [[nodiscard]] Ended run(const Batch& batch, const Limits& limits) const {
     constexpr std::size_t longest_number = 64;
     constexpr std::size_t room = 1U << 20U;
     const auto numbers = batch.count() * static_cast<std::size_t>(batch.dimension);
@@ -149,7 +149,7 @@ class Program final : public Method {
       constexpr int not_found = 127;
       _exit(not_found);
     };
-    auto ended = run_in_child(work, program_input(batch), room + longest_number * numbers, limits_, stop_);
+    auto ended = run_in_child(work, program_input(batch), room + longest_number * numbers, limits, stop_);
     constexpr int signalled = 128;  // the shell's code for a command that a signal ended, less its number
     if (ended.end == End::exited && ended.code > signalled && ended.code < signalled + NSIG) {
       ended.end = End::signalled;

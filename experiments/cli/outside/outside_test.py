@@ -92,6 +92,12 @@ class Ways(Outside):
         for name in ("accuracy.csv", "worst.csv", "suite.toml", "digests.csv", "methods.csv"):
             self.assertEqual((self.folder / "merged" / name).read_bytes(), (self.folder / "b" / name).read_bytes(), name)
 
+    def test_replicates(self):
+        """Blocks of several replicates go into one process; numbers are those of our method all the same."""
+        suite = self.suite(**{**SMALL, "trials": "30", "replicates": "70", "baseline": '["exact", "horner_bernstein"]'})
+        self.bundle(suite, "--program", ANSWER)
+        self.assert_numbers_of(self.outside_rows("b"), self.ours("b"))
+
     def test_plugin(self):
         mine = compiled(self.folder, EXAMPLES / "plugin/mine.c", "mine.so")
         timing = {**TIMING, "modes": '["point"]', "methods": '["de_casteljau"]'}
@@ -166,7 +172,7 @@ class Faults(Outside):
         suite = self.suite(**{**SMALL, "degree": "[3]"})
         self.bundle(suite, name="without")
         given = [word for plugin in [*plugins, throws] for word in ("--plugin", str(plugin))]
-        result = self.run_program("run", suite, *given, "--outside-seconds", "1", "--quiet", "--out", "b")
+        result = self.run_program("run", suite, *given, "--outside-seconds", "5", "--quiet", "--out", "b")
         self.assertEqual((result.returncode, result.stdout), (FINE, b""), result.stderr)
         self.assertIn(b"plugin_faulty_1: crashed in study a: signal 6", result.stderr)
         self.assert_complete("b")
@@ -193,7 +199,7 @@ class Faults(Outside):
                  for word in ("--program", self.program(name, answer.replace("NAME", name) + text))]
         suite = self.suite(**{**SMALL, "degree": "[3]"})
         self.bundle(suite, name="without")
-        result = self.run_program("run", suite, *given, "--outside-seconds", "3", "--quiet", "--out", "b")
+        result = self.run_program("run", suite, *given, "--outside-seconds", "5", "--quiet", "--out", "b")
         self.assertEqual((result.returncode, result.stdout), (FINE, b""), result.stderr)
         self.assert_complete("b")
         self.assert_others_unchanged("b", "without")

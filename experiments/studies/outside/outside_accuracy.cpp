@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Errors of a method from outside. A block of trials is one batch, in a process of its own.
+// Errors of a method from outside. A block is one batch, in a process of its own: trials of several replicates where these
+// have few, since to start a process may take as long as a thousand answers.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <deque>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "experiments/judge/trial_inputs.hpp"
@@ -44,10 +47,10 @@ class OutsideAccuracyJob final : public run::JobOf<OutsideTally> {
   }
 
   [[nodiscard]] std::size_t parts() const override { return cells_.size(); }
-  [[nodiscard]] std::size_t blocks_per_part() const override { return cells_.front().blocks(); }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return (cells_.front().blocks() - 1) / together() + 1; }
   [[nodiscard]] double cost(std::size_t part) const override {
     constexpr double of_a_process = 2e7;
-    return of_a_process + cells_[part].cost();
+    return of_a_process + static_cast<double>(together()) * cells_[part].cost();
   }
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
@@ -67,7 +70,19 @@ class OutsideAccuracyJob final : public run::JobOf<OutsideTally> {
  private:
   using Cell = AccuracyCell<double>;
 
-  [[nodiscard]] outside::Batch batch_of(const Cell& cell, std::size_t block) const;
+  /// Blocks of a cell that one batch holds.
+  [[nodiscard]] std::size_t together() const {
+    constexpr std::uint64_t most_trials = 1024;
+    const auto [first, end] = cells_.front().trials_of(0);
+    return std::max<std::size_t>(1, most_trials / (end - first));
+  }
+  /// The first block of a cell in a batch, and one past the last.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> blocks_in(const Cell& cell, std::size_t batch) const {
+    return {batch * together(), std::min(cell.blocks(), (batch + 1) * together())};
+  }
+  void add_inputs(const Cell& cell, std::size_t block, outside::Batch& batch) const;
+  /// The errors of points of the blocks in a batch, or nothing of them where there are none.
+  [[nodiscard]] judge::CellTally judged(const Cell& cell, std::size_t batch, std::span<const double> points) const;
   /// The status that stands for numbers; empty where there are some.
   static std::string_view failure(const OutsideTally& state) {
     const auto status = static_cast<Status>(state.status);
@@ -82,8 +97,7 @@ class OutsideAccuracyJob final : public run::JobOf<OutsideTally> {
   mutable std::deque<std::atomic<bool>> late_;  ///< cells in which a block took too long; no other is asked
 };
 
-outside::Batch OutsideAccuracyJob::batch_of(const Cell& cell, std::size_t block) const {
-  outside::Batch batch{study_.curve, cell.cell().dimension, cell.cell().degree, {}, {}, {}};
+void OutsideAccuracyJob::add_inputs(const Cell& cell, std::size_t block, outside::Batch& batch) const {
   judge::TrialInputs<double> inputs(study_.curve, cell.cell());
   const auto [first, end] = cell.trials_of(block);
   for (auto trial = first; trial < end; ++trial) {
@@ -93,7 +107,23 @@ outside::Batch OutsideAccuracyJob::batch_of(const Cell& cell, std::size_t block)
     batch.coefficients.insert(batch.coefficients.end(), curve.coefficients.begin(), curve.coefficients.end());
     batch.weights.insert(batch.weights.end(), curve.weights.begin(), curve.weights.end());
   }
-  return batch;
+}
+
+judge::CellTally OutsideAccuracyJob::judged(const Cell& cell, std::size_t batch, std::span<const double> points) const {
+  const auto [first_block, end_block] = blocks_in(cell, batch);
+  std::optional<judge::CellTally> sum;
+  for (auto block = first_block; block < end_block; ++block) {
+    const auto [first, end] = cell.trials_of(block);
+    const auto of_block =
+        points.first(std::min(points.size(), (end - first) * static_cast<std::size_t>(cell.cell().dimension)));
+    points = points.subspan(of_block.size());
+    auto tally = cell.judge_block(block, of_block);
+    if (sum)
+      sum->merge(tally);
+    else
+      sum = std::move(tally);
+  }
+  return std::move(*sum);
 }
 
 OutsideTally OutsideAccuracyJob::work(std::size_t block) const {
@@ -101,13 +131,16 @@ OutsideTally OutsideAccuracyJob::work(std::size_t block) const {
   const std::size_t of_cell = block % blocks_per_part();
   const Cell& cell = cells_[part];
   const auto nothing = [&](Status status) {
-    return OutsideTally{cell.judge_block(of_cell, {}), static_cast<std::uint8_t>(status)};
+    return OutsideTally{judged(cell, of_cell, {}), static_cast<std::uint8_t>(status)};
   };
   if (!method_.info().supports<double>(cell.cell().degree)) return nothing(Status::ok);
   if (late_[part]) return nothing(Status::timed_out);
-  const auto answer = method_.method().points(batch_of(cell, of_cell));
+  outside::Batch batch{study_.curve, cell.cell().dimension, cell.cell().degree, {}, {}, {}};
+  const auto [first, end] = blocks_in(cell, of_cell);
+  for (auto k = first; k < end; ++k) add_inputs(cell, k, batch);
+  const auto answer = method_.method().points(batch);
   if (run::interrupted()) return nothing(Status::ok);  // the engine drops what was not finished
-  if (answer.status == Status::ok) return {cell.judge_block(of_cell, answer.points), 0};
+  if (answer.status == Status::ok) return {judged(cell, of_cell, answer.points), 0};
   if (answer.status == Status::timed_out) late_[part] = true;
   method_.tell(study_, answer);
   return nothing(answer.status);
