@@ -154,7 +154,7 @@ TEST(Kinds, RefuseInputsThatTheyDoNotTake) {
         Refusal{DerivativeKeys::kind, "order = [1, 1]", 13, "twice"},
         Refusal{AccuracyKeys::kind, "decomposed_trials = -1", 21, "not be negative"},
         Refusal{HardCasesKeys::kind, "kept = 1001", 8, "kept must be 1 to 1000"},
-        Refusal{GuaranteesKeys::kind, "budget = 0", 10, "at least 1"},
+        Refusal{GuaranteesKeys::kind, "budget = -1", 10, "at least 1"},
         Refusal{SearchKeys::kind, "budget = -1", 10, "at least 1"},
         Refusal{TimingKeys::kind, "points = [1]", 11, "points must be 2 to"}}) {
     const auto text = study_of(kind(), more);

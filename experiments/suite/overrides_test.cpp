@@ -71,7 +71,7 @@ TEST(Overrides, SetsKeysOfAKindInStudiesOfThisKindAlone) {
       refused(setting({"modes=batch"})),
       "--set modes=batch: study \"a-1\": kind \"accuracy\" does not have the key modes; kind timing has it; choose "
       "studies with --only");
-  EXPECT_THAT(refused(setting({"budget=5"})), HasSubstr("kind search has it"));
+  EXPECT_THAT(refused(setting({"budget=5"})), HasSubstr("kinds search, guarantees have it"));
 }
 
 /// A fault that involves two keys is reported at the option that changed either of them, even if the study is in a
