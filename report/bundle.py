@@ -40,7 +40,7 @@ _KIND_OF_FILE = {"accuracy.csv": "accuracy", "unstable.csv": "accuracy", "conver
                  "arc_length.csv": "arc_length", "arc_length_unstable.csv": "arc_length",
                  "inverse_arc_length.csv": "inverse_arc_length", "projection.csv": "projection",
                  "projection_unstable.csv": "projection", "interpolation.csv": "interpolation", "fitting.csv": "fitting",
-                 "hard_cases.csv": "hard_cases"}
+                 "hard_cases.csv": "hard_cases", "exhaustive.csv": "exhaustive"}
 
 
 @contextmanager

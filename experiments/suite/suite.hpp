@@ -12,6 +12,7 @@
 #include "experiments/suite/kinds/arc_length.hpp"
 #include "experiments/suite/kinds/conversion.hpp"
 #include "experiments/suite/kinds/derivative.hpp"
+#include "experiments/suite/kinds/exhaustive.hpp"
 #include "experiments/suite/kinds/fitting.hpp"
 #include "experiments/suite/kinds/hard_cases.hpp"
 #include "experiments/suite/kinds/interpolation.hpp"
@@ -28,9 +29,9 @@ namespace bezierbench::suite {
 
 /// The kinds of studies, each by the struct of those keys that not every kind has. This is the only list of kinds;
 /// `Keys::kind()` (kinds.hpp) describes each.
-using KindKeys =
-    std::variant<AccuracyKeys, SearchKeys, ConversionKeys, TimingKeys, RooflineKeys, DerivativeKeys, ArcLengthKeys,
-                 InverseArcLengthKeys, ProjectionKeys, InterpolationKeys, FittingKeys, SubdivisionKeys, HardCasesKeys>;
+using KindKeys = std::variant<AccuracyKeys, SearchKeys, ConversionKeys, TimingKeys, RooflineKeys, DerivativeKeys,
+                              ArcLengthKeys, InverseArcLengthKeys, ProjectionKeys, InterpolationKeys, FittingKeys,
+                              SubdivisionKeys, HardCasesKeys, ExhaustiveKeys>;
 
 /// One [[study]] table. Axes are swept in the cross product.
 struct Study {
