@@ -31,7 +31,7 @@
 namespace bezierbench::studies {
 namespace {
 
-constexpr std::uint64_t block_points = 1U << 20U;
+constexpr std::uint64_t block_points = 1U << 17U;
 constexpr std::size_t points_at_once = reference::float_values_at_once;
 using Kernels = std::vector<const Kernel<float>*>;
 
