@@ -41,7 +41,7 @@ _KIND_OF_FILE = {"accuracy.csv": "accuracy", "unstable.csv": "accuracy", "conver
                  "inverse_arc_length.csv": "inverse_arc_length", "projection.csv": "projection",
                  "projection_unstable.csv": "projection", "interpolation.csv": "interpolation", "fitting.csv": "fitting",
                  "hard_cases.csv": "hard_cases", "guarantees.csv": "guarantees",
-                 "guarantees_unstable.csv": "guarantees"}
+                 "guarantees_unstable.csv": "guarantees", "exhaustive.csv": "exhaustive"}
 
 
 @contextmanager

@@ -49,6 +49,7 @@ STUDIES = {
     "split-weights": ("subdivision", "rational", 'degree = [3]\ngenerator = ["weights_mild"]\ntrials = 2'),
     "hard": ("hard_cases", "polynomial", 'scalar = ["double", "float"]\ntrials = 200\nkept = 2'),
     "keeps": ("guarantees", "bezier", 'degree = [1]\nmethods = ["de_casteljau*", "direct_pow"]\ntrials = 20\nbudget = 200'),
+    "every": ("exhaustive", "bezier", 'curves = ["css_ease", "wilkinson_3"]\nmethods = ["de_casteljau"]\nt_interval = [[0.5, 0.5001]]'),
     "2.4-bezier": ("timing", "bezier", 'degree = [2, 3, 4]\nmethods = ["direct", "de_casteljau"]\nmodes = ["one_shot"]\n' + REPORT),
     "roofline": ("roofline", "bezier", 'degree = [3]\nmethods = ["horner_bernstein_fma"]'),
 }

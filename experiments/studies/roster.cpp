@@ -11,6 +11,7 @@
 #include "experiments/studies/arc_length/arc_length.hpp"
 #include "experiments/studies/conversion/conversion.hpp"
 #include "experiments/studies/derivative/derivative.hpp"
+#include "experiments/studies/exhaustive/exhaustive.hpp"
 #include "experiments/studies/fitting/fitting.hpp"
 #include "experiments/studies/guarantees/guarantees.hpp"
 #include "experiments/studies/hard_cases/hard_cases.hpp"
@@ -47,7 +48,8 @@ constexpr std::array kinds{
     StudyKind{suite::FittingKeys::kind, fitting_job, {"fitting"}},
     StudyKind{suite::SubdivisionKeys::kind, subdivision_job, {"subdivision"}},
     StudyKind{suite::HardCasesKeys::kind, hard_cases_job, {"hard_cases"}},
-    StudyKind{suite::GuaranteesKeys::kind, guarantees_job, {"guarantees|guarantees_unstable"}}};
+    StudyKind{suite::GuaranteesKeys::kind, guarantees_job, {"guarantees|guarantees_unstable"}},
+    StudyKind{suite::ExhaustiveKeys::kind, exhaustive_job, {"exhaustive"}}};
 
 const StudyKind& find(const suite::Study& study) {
   const auto found =

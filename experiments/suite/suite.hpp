@@ -12,6 +12,7 @@
 #include "experiments/suite/kinds/arc_length.hpp"
 #include "experiments/suite/kinds/conversion.hpp"
 #include "experiments/suite/kinds/derivative.hpp"
+#include "experiments/suite/kinds/exhaustive.hpp"
 #include "experiments/suite/kinds/fitting.hpp"
 #include "experiments/suite/kinds/guarantees.hpp"
 #include "experiments/suite/kinds/hard_cases.hpp"
@@ -31,7 +32,7 @@ namespace bezierbench::suite {
 /// `Keys::kind()` (kinds.hpp) describes each.
 using KindKeys = std::variant<AccuracyKeys, SearchKeys, ConversionKeys, TimingKeys, RooflineKeys, DerivativeKeys,
                               ArcLengthKeys, InverseArcLengthKeys, ProjectionKeys, InterpolationKeys, FittingKeys,
-                              SubdivisionKeys, HardCasesKeys, GuaranteesKeys>;
+                              SubdivisionKeys, HardCasesKeys, GuaranteesKeys, ExhaustiveKeys>;
 
 /// One [[study]] table. Axes are swept in the cross product.
 struct Study {

@@ -6,8 +6,8 @@ from typing import Callable
 
 from ..error_tables import error_tables, swept
 from ..search_tables import search_table
-from . import (arc_length, conversion, derivative, fitting, guarantees, hard_cases, interpolation, inverse_arc_length, projection, roofline,
-               subdivision, timing)
+from . import (arc_length, conversion, derivative, exhaustive, fitting, guarantees, hard_cases, interpolation, inverse_arc_length, projection,
+               roofline, subdivision, timing)
 
 OF_U = (("mean_error_u", "mean error, u p~"), ("max_error_u", "largest error, u p~"))
 OF_LENGTHS = (("max_relative", "largest relative error"), ("mean_evaluations", "mean evaluations"))
@@ -57,6 +57,7 @@ KINDS = {
                     ("tolerance", "points")),
     "guarantees": Kind("guarantees.csv", guarantees.study_tables, (), ("degree",)),
     "hard_cases": Kind("hard_cases.csv", hard_cases.study_tables, (), ("degree",), "family"),
+    "exhaustive": Kind("exhaustive.csv", exhaustive.study_tables, (), ("degree",)),
 }
 
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What is counted of the values of one method at consecutive floats t.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "reference/float_values.hpp"
+
+namespace bezierbench::studies {
+
+/// The counts are of points, or of steps from a t to the next, whatever number of coordinates is concerned.
+struct FloatTally {
+  std::uint64_t misrounded = 0;
+  std::uint64_t non_monotone = 0;
+  std::uint64_t out_of_hull = 0;
+  double max_error = -1;        ///< in ulp, right to 2^-19 and a relative 2^-22; infinite where a value is not finite
+  std::uint32_t worst_t = ~0U;  ///< bits of the first t that has it
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.misrounded, self.non_monotone, self.out_of_hull, self.max_error, self.worst_t);
+  }
+  /// The order of merging changes nothing.
+  void merge(const FloatTally& other);
+};
+
+/// What a coordinate is held to.
+struct AxisLimits {
+  float low = 0;  ///< the interval of the control coordinates
+  float high = 0;
+  bool rises = false;  ///< they never decrease
+  bool falls = false;  ///< they never increase
+
+  explicit AxisLimits(std::span<const float> control_coordinates);
+};
+
+/// Judges points at up to float_values_at_once consecutive t, axis by axis.
+class FloatJudge {
+ public:
+  /// Begins with other points.
+  void begin(std::size_t count);
+  /// One coordinate of each; `before` is that at the t before the first, null where there is none.
+  void add_axis(const AxisLimits& limits, const reference::FloatValues& truth, const float* values,
+                const float* before);
+  /// Adds them to the tally; `first_t` has the bits of the first t.
+  void end(std::uint32_t first_t, FloatTally& tally) const;
+
+ private:
+  template <class T>
+  using Row = std::array<T, reference::float_values_at_once>;
+
+  std::size_t count_ = 0;
+  alignas(64) Row<std::int32_t> errors_{};              ///< the largest of all axes in ulp, the bits of a float
+  alignas(64) Row<std::int32_t> findings_{};            ///< sums of bits
+  std::vector<std::pair<std::size_t, double>> beyond_;  ///< places and errors that no float holds, in ulp
+};
+
+}  // namespace bezierbench::studies
