@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The report's page lists the methods of methods.csv. The CTest `readme` compares README.md with what the program lists."""
+"""The report's page lists the methods of methods.csv. The CTest `readme` compares docs/methods.md with what the program lists."""
 
 import csv
 import html
@@ -37,7 +37,7 @@ def page(bundle):
 class Methods(unittest.TestCase):
     def test_report_and_list_show_the_same(self):
         made = page(Bundle(ROOT / "results" / "baseline"))
-        readme = (ROOT / "README.md").read_text(encoding="utf-8").split("<!-- begin methods -->")[1]
+        readme = (ROOT / "docs/methods.md").read_text(encoding="utf-8").split("<!-- begin methods -->")[1]
         in_report = cells(made["report.md"].decode(), "id")
         self.assertEqual(cells(readme, "id")[0], in_report[0])
         with open(ROOT / "results" / "baseline" / "methods.csv", newline="", encoding="utf-8") as file:

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""The parts of the documents that are numbers of committed bundles."""
+import csv
+import io
+import json
+import subprocess
+import sys
+import tempfile
+import textwrap
+from collections import Counter
+from pathlib import Path
+
+from report.bundle import Bundle, Comparison
+from report.chapters.scorecard import VERDICTS, counts
+from report.wording import listing
+from scripts.digests import Agreement
+from scripts.pages.markdown import link, table
+
+ROOT = Path(__file__).resolve().parents[2]
+RESULTS = ROOT / "results"
+BASELINE = RESULTS / "baseline"
+OTHER_BUILD = RESULTS / "clang"
+ANSWERS = RESULTS / "answers"
+WIDTH = 118  # of a line of prose
+TIMES = "2.4"  # the table of the report that prints times
+SAID = {"inside": "inside the band that chance allows", "explained": "outside it for a stated cause",
+        "outside": "outside it without a known cause",
+        "untestable": "untestable, since they are no more than one tick of the report's clock"}
+
+
+def scorecard(_page):
+    body = [[number, *(found[verdict] for verdict in VERDICTS), found.total()] for number, found in counts(Bundle(BASELINE)).items()]
+    return table(["table of the report", *VERDICTS, "printed cells"], body)
+
+
+def printed(_page):
+    """The numbers of printed cells by verdict, for errors and times separately, as sentences."""
+    tables = counts(Bundle(BASELINE))
+    times = tables.pop(TIMES)
+    lines = [f"Of the {found.total()} {what}, "
+             + listing(f"{found[verdict]} {'is' if found[verdict] == 1 else 'are'} {SAID[verdict]}" for verdict in VERDICTS if found[verdict])
+             for what, found in ((f"errors and counts that it prints (tables {listing(tables)})", sum(tables.values(), Counter())),
+                                 (f"times (table {TIMES}), measured on another machine", times))]
+    return textwrap.fill(". ".join(lines) + ".", WIDTH)
+
+
+def committed_bundles():
+    return sorted(path.parent for path in RESULTS.glob("*/bundle.json"))
+
+
+def information(bundle):
+    return json.loads((bundle / "bundle.json").read_text(encoding="utf-8"))
+
+
+def of_the_report(bundle):
+    """Whether a bundle is of the suites of the baseline."""
+    return information(bundle)["suites"]["ids"] == information(BASELINE)["suites"]["ids"]
+
+
+def timings(bundle):
+    path = bundle / "timing.csv"
+    if not path.exists():
+        return "none"
+    found = [row["quality"] for row in csv.DictReader(io.StringIO(path.read_text(encoding="utf-8")))]
+    noisy = sum(quality != "ok" for quality in found)
+    return f"{len(found)}, {noisy} of them noisy" if noisy else str(len(found))
+
+
+def agreement(bundle):
+    """How many methods of a committed bundle agree with the baseline, as text. Ends the program where one differs."""
+    found = Agreement(BASELINE, bundle)
+    if found.differing:
+        sys.exit("\n".join([f"{bundle.relative_to(ROOT)}: differs from {BASELINE.relative_to(ROOT)}, {found.counts()}", *found.named(),
+                            "make the bundle anew on a machine of its kind, or remove it"]))
+    alone = {"more in the baseline": found.only_base, "only here": found.only_other}
+    return ", ".join([f"{len(found.agreeing)} agree", *(f"{len(rows)} {where}" for where, rows in alone.items() if rows)])
+
+
+def digest(page):
+    """The baseline's digest, then a table of the bundles of its suites: where each was made and how many methods agree."""
+    body = []
+    for bundle in filter(of_the_report, committed_bundles()):
+        machine = json.loads((bundle / "machine.json").read_text(encoding="utf-8"))
+        body.append([link(page, bundle), machine["build"]["compiler"], machine["system"]["libc"], machine["cpu"]["model_name"],
+                     timings(bundle), agreement(bundle)])
+    heads = ["bundle", "compiler", "C library", "processor", "timings", "methods in studies"]
+    return f"    {information(BASELINE)['accuracy_digest']}\n\n" + table(heads, body)
+
+
+def compared(program):
+    """The rows of `compare`, from the committed build to the other."""
+    with tempfile.TemporaryDirectory() as place:
+        done = subprocess.run([program, "compare", BASELINE.relative_to(ROOT), OTHER_BUILD.relative_to(ROOT), "--out", place],
+                              cwd=ROOT, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            sys.exit(done.stderr.strip() or "compare failed")
+        return Comparison(place)
+
+
+def comparison(_page, program):
+    """A description of both builds, then the ratios of the times in the mode for prepared curves."""
+    found = compared(program)
+    judged = [row for row in found.rows.rows if row["kind"] == "accuracy"]
+    times = [row for row in found.rows.rows if row["kind"] == "timing" and row["degree"] is not None]
+    places = {Path(row["bundle"]).name: f"{row['compiler']} on {row['cpu']}" for row in found.standings.rows}
+    one_machine = all(row["machine"] == "same" for row in found.standings.rows)
+    ratio, verdict = ("ratio", "verdict") if one_machine else ("normalised", "normalised_verdict")
+    unit = "" if one_machine else ", each in units of the sentinel of its own machine"
+    found_of = Counter(row[verdict] for row in times)
+    noisy = sum(row["quality"] != "ok" for row in times)
+    words = (f"a is {places[BASELINE.name]}, b is {places[OTHER_BUILD.name]}. Accuracy: identical, bit for bit, in all "
+             f"{len(judged)} common rows. Time of b over time of a{unit}: "
+             + ", ".join(f"{word} in {found_of[word]}" for word in ("faster", "slower", "same", "unresolved"))
+             + f" of {len(times)}, {noisy} of them from noisy races, marked ~. By degree, where curves are prepared and evaluated "
+             "one point at a time:")
+    point = [row for row in times if row["mode"] == "point"]
+    degrees = sorted({row["degree"] for row in point})
+    cells = {(row["curve"], row["method"], row["degree"]): row for row in point}
+    body = [[curve, f"`{method}`"] + [f"{cells[curve, method, n][ratio]:.2f}"
+                                      + ("" if cells[curve, method, n]["quality"] == "ok" else " ~") for n in degrees]
+            for curve, method in dict.fromkeys((row["curve"], row["method"]) for row in point)]
+    return textwrap.fill(words, WIDTH) + "\n\n" + table(["curve", "method", *(f"n = {n:.0f}" for n in degrees)], body)

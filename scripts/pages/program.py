@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""The parts of the documents that the program says: its methods, suites, generators, kinds of studies and commands."""
+import csv
+import io
+import re
+import subprocess
+import tempfile
+from pathlib import Path
+
+from report.chapters import method_list
+from report.bundle import Folder
+from scripts.pages.markdown import table
+
+COMMAND = re.compile(r"^  ([a-z][a-z_-]*)(?:\s{2,}|$)")
+
+
+def output(program, *arguments):
+    return subprocess.run([program, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+def rows_of(program, what):
+    return list(csv.DictReader(io.StringIO(output(program, "list", what, "--format", "csv"))))
+
+
+class Listing(Folder):
+    """The output of `list methods` as a folder that the report's code can read."""
+
+    writer = "bezierbench list methods --format csv"
+
+    def __getitem__(self, name):
+        return self._csv(self.path / name)
+
+
+def method_list_of(program):
+    """Our own methods as CSV, without peers, which depend on what a machine has installed."""
+    text = output(program, "list", "methods", "--format", "csv")
+    return "".join(line for line in text.splitlines(keepends=True) if not line.startswith("peer_"))
+
+
+def methods(_page, program):
+    """The program's methods in the columns of the report's chapter."""
+    with tempfile.TemporaryDirectory() as place:
+        (Path(place) / "methods.csv").write_text(method_list_of(program), encoding="utf-8")
+        listed = method_list.listed(Listing(place))
+    body = [[write(row) for _, write in method_list.COLUMNS] for row in listed]
+    return table([heading for heading, _ in method_list.COLUMNS], body)
+
+
+def suites(_page, program):
+    """The shipped suites; those of other libraries have no seconds, since these are not everywhere."""
+    body = [[f"[`{row['id']}`](../experiments/suites/{row['file']})", row["title"], row["studies"], row["seconds"]]
+            for row in rows_of(program, "suites")]
+    return table(["id", "what it asks", "studies", "processor seconds"], body)
+
+
+def generators(_page, program):
+    body = [[f"`{row['id']}`", row["coordinates"], row["t"], row["weights"]] for row in rows_of(program, "generators")]
+    return table(["id", "coordinates", "t", "weights"], body)
+
+
+def kinds(_page, program):
+    return f"```text\n{output(program, 'list', 'kinds').strip()}\n```"
+
+
+def subcommands(text):
+    """The names under the heading of subcommands in the text of a help."""
+    _, heading, listed = text.partition("\nSubcommands:\n")
+    return [found[1] for line in listed.splitlines() if (found := COMMAND.match(line))] if heading else []
+
+
+def commands(_page, program):
+    """What `--help` says of every command, in the order in which the program lists them."""
+    parts = []
+
+    def visit(path):
+        text = output(program, *path, "--help")
+        name = " ".join(["bezierbench", *path])
+        shown = text.partition("\nWhat a [[study]]")[0].strip()  # docs/suites.md has the keys of studies
+        parts.append(f"## {name}\n\n```text\n{shown}\n```")
+        for one in subcommands(text):
+            visit([*path, one])
+
+    visit([])
+    return "\n\n".join(parts)
