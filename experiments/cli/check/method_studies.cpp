@@ -93,8 +93,6 @@ std::vector<suite::Suite> studies_that_time(const std::vector<suite::Suite>& sui
   });
 }
 
-std::vector<suite::Suite> quick_suite() {
-  return suite::read_suites(suite_file("quick"), vocabulary());
-}
+std::vector<suite::Suite> quick_suite() { return suite::read_suites(suite_file("quick"), vocabulary()); }
 
 }  // namespace bezierbench::cli
