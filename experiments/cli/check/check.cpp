@@ -93,7 +93,7 @@ void judge(const std::vector<suite::Suite>& suites, const fs::path& out) {
   auto request = request_of_this_build();
   request.suites = suites;
   request.out = out;
-  request.quiet = true;
+  request.telling = run::Telling::nothing;
   run::run(request);  // what it finds is in the bundle
 }
 

@@ -50,8 +50,8 @@ Exit judge(const JudgeOptions& options) {
   if (!options.out) return print_rows(request, *methods.front());
   if (options.out->empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   request.out = *options.out;
-  request.quiet = true;
-  const auto findings = run::run(request);
+  request.telling = run::Telling::nothing;
+  const auto findings = run::run(request).findings;
   for (const auto& finding : findings) say(finding);
   return findings.empty() ? Exit::fine : Exit::finding;
 }

@@ -25,7 +25,7 @@ namespace {
 
 using reference::Rational;
 
-constexpr std::int64_t block_trials = 2048;
+constexpr std::int64_t trials_per_block = 2048;
 constexpr int decimal_digits = 40;
 
 /// What is known of a case. p~ is the sum of the magnitudes of the terms.
@@ -136,10 +136,10 @@ class HardCasesJob final : public run::JobOf<Kept> {
 
   [[nodiscard]] std::size_t parts() const override { return parts_.size(); }
   [[nodiscard]] std::size_t blocks_per_part() const override {
-    return static_cast<std::size_t>((trials() - 1) / block_trials + 1);
+    return static_cast<std::size_t>((trials() - 1) / trials_per_block + 1);
   }
   [[nodiscard]] double cost(std::size_t /*part*/) const override {
-    return 1e4 * static_cast<double>(std::min(trials(), block_trials));
+    return 1e4 * static_cast<double>(std::min(trials(), trials_per_block));
   }
   [[nodiscard]] run::Extent extent() const override {
     constexpr std::size_t bytes_of_coefficients = 250;
@@ -168,8 +168,8 @@ class HardCasesJob final : public run::JobOf<Kept> {
   [[nodiscard]] Kept searched(std::size_t block) const {
     const auto& family = hard::families<Scalar>[parts_[part_of(block)].family];
     const auto cell = fmt::format("{};{};{}", family.name, name(study_.curve), sizeof(Scalar));
-    const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * block_trials;
-    const auto last = std::min(trials(), first + block_trials);
+    const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * trials_per_block;
+    const auto last = std::min(trials(), first + trials_per_block);
     Kept best{.most = kept(), .of = {}};
     Judge values;
     for (auto trial = first; trial < last && !run::interrupted(); ++trial) {
