@@ -66,18 +66,22 @@ struct Sample {
   double memory = 0;  ///< of its result
 };
 
+/// The first blocks of a part: `blocks`, or as many as time is enough for. A kind without trials cannot be cut.
 Sample sample_of(const Job& job, std::size_t part, std::size_t blocks) {
   const double memory = allocated_bytes();
   const double begin = processor_time();
+  double taken = 0;
   std::unique_ptr<Result> result;
-  for (std::size_t k = 0; k < blocks && !interrupted(); ++k) {
-    auto block = job.run_block(part * job.blocks_per_part() + k);
+  std::size_t done = 0;
+  for (; done < blocks && taken < enough && !interrupted(); ++done) {
+    auto block = job.run_block(part * job.blocks_per_part() + done);
     if (result)
       result->merge(*block);
     else
       result = std::move(block);
+    taken = processor_time() - begin;
   }
-  Sample sample{.nanoseconds = processor_time() - begin, .cost = job.cost(part) * static_cast<double>(blocks)};
+  Sample sample{.nanoseconds = taken, .cost = job.cost(part) * static_cast<double>(done)};
   if (!result) return sample;
   sample.memory = std::max(0.0, allocated_bytes() - memory);
   number::ByteWriter bytes;

@@ -8,6 +8,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/outside/input_table.hpp"
+#include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/overrides.hpp"
@@ -38,7 +39,8 @@ void write_inputs(InputsOptions options) {
   if (options.trials) options.overrides.trials = whole_number("--trials", *options.trials);
   const auto known = vocabulary();
   std::vector<suite::Suite> suites;
-  for (const auto& file : options.suites) {
+  for (const auto& word : options.suites) {
+    const auto file = suite_file(word).string();
     for (auto& one : suite::read_suites(file, known)) suites.push_back(std::move(one));
     suite::check_unique_ids(suites, file);
   }
@@ -51,7 +53,7 @@ void write_inputs(InputsOptions options) {
 void add_inputs(Command program, Exit& exit) {
   auto options = std::make_shared<InputsOptions>();
   auto command = program.command("inputs", "the inputs of a suite's accuracy studies as CSV, to be answered elsewhere");
-  command.option("suites", options->suites, "suite files (TOML)").required();
+  command.option("suites", options->suites, "ids of suites that come with the program, or files").required();
   command.option("--out", options->out, "file that is written").required();
   command.option("--seed", options->seed, "another seed than the suite's");
   command.option("--trials", options->trials, "trials per cell");

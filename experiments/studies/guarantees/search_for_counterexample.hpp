@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "experiments/guarantees/draws.hpp"
 #include "experiments/guarantees/shrink.hpp"
@@ -83,19 +84,20 @@ class CounterexampleSearch {
   std::int64_t climb(guarantees::Draws<Scalar>& draws, std::int64_t budget) {
     std::int64_t steps = 0;
     Case at = input_;
-    guarantees::Excess height;
+    constexpr double none = -std::numeric_limits<double>::infinity();
+    double height = none;  // of an input that the statement is about
     for (; steps < budget && !smallest_ && !run::interrupted(); ++steps) {
       Case next = at;
       if (steps % restart == 0) {
         draws.special(next, axes_);
-        height.reset();
+        height = none;
       } else {
         draws.step(next, axes_);
       }
       const auto excess = judged(next);
-      if (!height || (excess && *excess >= *height)) {
+      if (height == none || (excess && *excess >= height)) {
         at = next;
-        height = excess;
+        height = excess.value_or(none);
       }
     }
     return steps;
