@@ -19,7 +19,7 @@ TABLE = {
     "experiments/suite": (["core/curve_view.hpp", "core/method.hpp"], ["toml++"]),
     "experiments/sample": (["experiments/suite", "core/curve_view.hpp"], ["Random123"]),
     "experiments/metric": (["reference", "core/curve_view.hpp", "core/basis"], ["Boost.Math"]),
-    "experiments/properties": (["core/evaluate", "core/curve_view.hpp", "core/method.hpp", "experiments/metric", "reference"], []),
+    "experiments/requirements": (["core/evaluate", "core/curve_view.hpp", "core/method.hpp", "experiments/metric", "reference"], []),
     "experiments/judge": (
         ["core", "reference", "experiments/suite", "experiments/sample", "experiments/metric"],
         [],

@@ -2,12 +2,12 @@
 // What the tests of evaluators share: inputs, curves, points.
 #pragma once
 
-#include "experiments/properties/seeded_curves.hpp"
+#include "experiments/requirements/seeded_curves.hpp"
 
 namespace bezierbench {
 
-using properties::evaluate;
-using properties::Inputs;
-using properties::view;
+using requirements::evaluate;
+using requirements::Inputs;
+using requirements::view;
 
 }  // namespace bezierbench

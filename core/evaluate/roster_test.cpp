@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/evaluate/evaluation_test.hpp"
-#include "experiments/properties/properties.hpp"
+#include "experiments/requirements/requirements.hpp"
 
 namespace bezierbench {
 namespace {
@@ -79,7 +79,7 @@ TEST_P(Method, StatesWhatItIs) {
 
 /// A property, and the place in the roster of a method that must have it.
 struct Owed {
-  const properties::Property* property;
+  const requirements::Property* property;
   std::size_t place;
 };
 
@@ -87,8 +87,8 @@ void PrintTo(const Owed& owed, std::ostream* out) { *out << owed.property->id; }
 
 std::vector<Owed> all_owed() {
   std::vector<Owed> all;
-  const auto methods = properties::evaluators();
-  for (const auto& property : properties::properties())
+  const auto methods = requirements::evaluators();
+  for (const auto& property : requirements::properties())
     for (std::size_t place = 0; place < methods.size(); ++place)
       if (property.concerns(methods[place].info())) all.push_back({&property, place});
   return all;
@@ -99,7 +99,7 @@ class PropertyOfMethod : public testing::TestWithParam<Owed> {};
 
 TEST_P(PropertyOfMethod, Holds) {
   const auto& [property, place] = GetParam();
-  const auto outcome = property->decide(properties::evaluators().at(place));
+  const auto outcome = property->decide(requirements::evaluators().at(place));
   EXPECT_GT(outcome.cases(), 0);
   EXPECT_EQ(outcome.broken(), 0) << property->statement << "; first broken: " << outcome.first();
 }

@@ -21,8 +21,8 @@
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/compare/changes.hpp"
-#include "experiments/properties/properties.hpp"
 #include "experiments/race/repetition.hpp"
+#include "experiments/requirements/requirements.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/suite/reader.hpp"
 #include "experiments/suite/writer.hpp"
@@ -73,9 +73,9 @@ class Workplace {
 
 CheckedProperties checked_properties(const std::string& id) {
   CheckedProperties all;
-  for (const auto& method : properties::evaluators()) {
+  for (const auto& method : requirements::evaluators()) {
     if (method.info().id != id) continue;
-    for (const auto& property : properties::properties()) {
+    for (const auto& property : requirements::properties()) {
       if (!property.concerns(method.info())) continue;
       const auto outcome = property.decide(method);
       ++all.count;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/properties/properties.hpp"
+#include "experiments/requirements/requirements.hpp"
 
-#include "experiments/properties/bounds.hpp"
-#include "experiments/properties/relations.hpp"
+#include "experiments/requirements/bounds.hpp"
+#include "experiments/requirements/relations.hpp"
 
-namespace bezierbench::properties {
+namespace bezierbench::requirements {
 namespace {
 
 bool any(const MethodInfo& /*info*/) { return true; }
@@ -44,4 +44,4 @@ std::vector<Evaluator> evaluators() {
 
 std::span<const Property> properties() { return all; }
 
-}  // namespace bezierbench::properties
+}  // namespace bezierbench::requirements

@@ -2,9 +2,9 @@
 // The properties that compare points with the exact ones.
 #pragma once
 
-#include "experiments/properties/properties.hpp"
+#include "experiments/requirements/requirements.hpp"
 
-namespace bezierbench::properties {
+namespace bezierbench::requirements {
 
 // Methods without a bound must not be asked for the first three.
 Outcome keeps_its_bound(const Evaluator& method);
@@ -14,4 +14,4 @@ Outcome keeps_its_bound_where_it_underflows(const Evaluator& method);
 /// Even a method without a bound is right to first order where nothing is amplified much.
 Outcome is_right_on_mild_curves(const Evaluator& method);
 
-}  // namespace bezierbench::properties
+}  // namespace bezierbench::requirements

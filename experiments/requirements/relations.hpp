@@ -2,9 +2,9 @@
 // The properties that compare points of a method with other points of the same method, or with its control points.
 #pragma once
 
-#include "experiments/properties/properties.hpp"
+#include "experiments/requirements/requirements.hpp"
 
-namespace bezierbench::properties {
+namespace bezierbench::requirements {
 
 Outcome reproduces_constants(const Evaluator& method);
 Outcome is_affinely_invariant(const Evaluator& method);
@@ -14,4 +14,4 @@ Outcome treats_axes_alike(const Evaluator& method);
 Outcome gives_the_same_in_batches(const Evaluator& method);
 Outcome interpolates_end_points(const Evaluator& method);
 
-}  // namespace bezierbench::properties
+}  // namespace bezierbench::requirements

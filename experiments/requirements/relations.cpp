@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/properties/relations.hpp"
+#include "experiments/requirements/relations.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "experiments/properties/parameters.hpp"
-#include "experiments/properties/seeded_curves.hpp"
+#include "experiments/requirements/parameters.hpp"
+#include "experiments/requirements/seeded_curves.hpp"
 
-namespace bezierbench::properties {
+namespace bezierbench::requirements {
 namespace {
 
 /// What rounding may change in a relation between two evaluations of curves in [-4, 4] of low degree.
@@ -144,4 +144,4 @@ Outcome interpolates_end_points(const Evaluator& method) {
   return outcome;
 }
 
-}  // namespace bezierbench::properties
+}  // namespace bezierbench::requirements

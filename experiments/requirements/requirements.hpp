@@ -14,7 +14,7 @@
 
 #include "core/evaluate/kernel.hpp"
 
-namespace bezierbench::properties {
+namespace bezierbench::requirements {
 
 /// An evaluator or a converted path in every dimension and scalar type.
 struct Evaluator {
@@ -61,4 +61,4 @@ struct Property {
 /// All properties.
 std::span<const Property> properties();
 
-}  // namespace bezierbench::properties
+}  // namespace bezierbench::requirements

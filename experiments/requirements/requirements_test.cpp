@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A method that does something wrong must be found by the properties that it breaks, and by no others.
-#include "experiments/properties/properties.hpp"
+#include "experiments/requirements/requirements.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace bezierbench::properties {
+namespace bezierbench::requirements {
 namespace {
 
 /// What is wrong with a method: changes a coordinate of the point at t[k].
@@ -65,4 +65,4 @@ TEST(Properties, AreLostByTheLastOfMany) {
 }
 
 }  // namespace
-}  // namespace bezierbench::properties
+}  // namespace bezierbench::requirements

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/properties/bounds.hpp"
+#include "experiments/requirements/bounds.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <initializer_list>
 
 #include "experiments/metric/trial_scale.hpp"
-#include "experiments/properties/parameters.hpp"
-#include "experiments/properties/seeded_curves.hpp"
+#include "experiments/requirements/parameters.hpp"
+#include "experiments/requirements/seeded_curves.hpp"
 #include "reference/exact_curve.hpp"
 
-namespace bezierbench::properties {
+namespace bezierbench::requirements {
 namespace {
 
 /// Holds points of one method to its bound.
@@ -126,4 +126,4 @@ Outcome is_right_on_mild_curves(const Evaluator& method) {
   return outcome;
 }
 
-}  // namespace bezierbench::properties
+}  // namespace bezierbench::requirements

@@ -6,7 +6,7 @@
 
 #include "core/method.hpp"
 
-namespace bezierbench::properties {
+namespace bezierbench::requirements {
 
 /// The ends, their neighbours, the middle, and both sides of [0, 1].
 inline std::vector<double> parameters() { return {0, 1, 0.5, 0.3, 0x1p-30, 1 - 0x1p-53, 0.9, -0.25, 1.5}; }
@@ -19,4 +19,4 @@ inline std::vector<double> parameters_for(const MethodInfo& info) {
   return ts;
 }
 
-}  // namespace bezierbench::properties
+}  // namespace bezierbench::requirements

@@ -11,7 +11,7 @@
 
 #include "core/evaluate/kernel.hpp"
 
-namespace bezierbench::properties {
+namespace bezierbench::requirements {
 
 /// Deterministic inputs that depend on no library's distribution.
 class Inputs {
@@ -56,4 +56,4 @@ std::vector<Scalar> evaluate(const Kernel<Scalar>& kernel, const CurveView<Scala
   return points;
 }
 
-}  // namespace bezierbench::properties
+}  // namespace bezierbench::requirements
