@@ -32,7 +32,7 @@ ROOT = Path(__file__).resolve().parent.parent
 BUNDLES = ROOT / "results/atlas"
 PAGES = ROOT / "report/atlas"
 INDEX = PAGES / "README.md"
-ELSEWHERE = {"report": "../baseline/report.md", "hard_cases": "../../results/hard_cases/README.md"}  # committed there
+ELSEWHERE = {"report": "../baseline/report.md", "answers": "../../results/answers", "hard_cases": "../../results/hard_cases/README.md"}
 MOST_BYTES = 12 * 2**20  # of all bundles and pages together
 
 
