@@ -1,10 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """The command line from outside: help, lists, one-line messages. Usage: cli_test.py BEZIERBENCH"""
-import shlex
 import unittest
 
-from program_case import BERNSTEIN, METHOD_COLUMNS, POWER, ROOT, TIMING, TO_BERNSTEIN, TO_POWER, USAGE, Case, rows
+from program_case import BERNSTEIN, METHOD_COLUMNS, POWER, TIMING, TO_BERNSTEIN, TO_POWER, USAGE, Case, rows
 
 
 class CommandLine(Case):
@@ -72,18 +71,6 @@ class CommandLine(Case):
         self.assertIn("run", self.fine("--help"))
         self.assertIn("--out", self.fine("run", "--help"))
         self.assertTrue(self.fine("--version").startswith("bezierbench "))
-
-
-class Examples(Case):
-    def test_of_the_readme(self):
-        """Those on committed bundles work as they stand there."""
-        lines = (ROOT / "README.md").read_text(encoding="utf-8").splitlines()
-        examples = [shlex.split(line, comments=True) for line in lines if line.startswith("    bezierbench ")]
-        whole = [words[1:] for words in examples if "results/baseline" in words and not {"DIR", "&&"} & set(words)]
-        self.assertLessEqual({"trials", "choose"}, {words[0] for words in whole})
-        for words in whole:
-            with self.subTest(words=words):
-                self.assertTrue(self.fine(*(str(ROOT / word) if word.startswith("results/") else word for word in words)))
 
 
 class Lists(Case):

@@ -22,7 +22,7 @@ HAS_THREAD_SANITIZER = b"libtsan" in pathlib.Path(PROGRAM).read_bytes()
 PATIENCE = 600  # seconds for a program to do what it should, on a busy machine, under a sanitizer: longer is a hang
 ADVICE = r"; |must|write|see|from|did you mean|is empty"
 
-METHOD_COLUMNS = ["id", "problem", "form", "min_degree", "max_degree", "bound", "bit_stable", "flops", "citation"]
+METHOD_COLUMNS = ["id", "problem", "form", "min_degree", "max_degree", "bound", "bit_stable", "flops", "citation", "guarantees"]
 PROJECT_COLUMNS = ["method", "t", "distance", "candidates", "exact_t", "exact_distance", "error"]
 EVAL_COLUMNS = ["method", "t", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"]
 BERNSTEIN = ["direct", "direct_pow", "de_casteljau", "de_casteljau_lerp", "horner_bernstein"]

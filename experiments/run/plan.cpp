@@ -52,18 +52,21 @@ std::optional<suite::Study> with_own_methods(suite::Study study) {
 
 /// The jobs of a study for methods from outside: of those that it names, if it names any, else of all. Throws
 /// Failure(usage) where none that it names can be asked for its inputs.
-void add_outside_jobs(const RunRequest& request, const suite::Study& study, const JobContext& context, Jobs& jobs) {
+void add_outside_jobs(const RunRequest& request, const suite::Study& study, const JobContext& context, Plan& plan) {
   const auto named = std::ranges::find_if(study.methods, suite::is_outside);
   const bool names_some = named != study.methods.end();
-  const auto before = jobs.size();
+  const auto before = plan.jobs.size();
   for (const auto& method : request.outside) {
     const auto means = [&](const std::string& entry) {
       return suite::is_outside(entry) && suite::matches(entry, method.id);
     };
     if ((names_some && std::ranges::none_of(study.methods, means)) || !request.kinds.make_outside_job) continue;
-    if (auto job = request.kinds.make_outside_job(study, method, context)) jobs.push_back(std::move(job));
+    auto job = request.kinds.make_outside_job(study, method, context);
+    if (!job) continue;
+    plan.jobs.push_back(std::move(job));
+    plan.job_names.push_back(study.id + ", " + method.id);
   }
-  if (names_some && jobs.size() == before)
+  if (names_some && plan.jobs.size() == before)
     suite::refuse(study, {"methods", static_cast<std::size_t>(named - study.methods.begin()), "kind",
                           fmt::format("method \"{}\" is from outside and cannot be asked in this study, because of its "
                                       "kind, form or scalar; remove it",
@@ -79,10 +82,13 @@ Plan::Plan(const RunRequest& request)
   for (const auto& one : request.suites)
     for (const auto& study : one.studies)
       if (auto own = with_own_methods(study); own) studies.push_back({std::move(*own), {one.seed, request.tier}});
-  for (const auto& [study, context] : studies) jobs.push_back(request.kinds.make_job(study, context));
+  for (const auto& [study, context] : studies) {
+    jobs.push_back(request.kinds.make_job(study, context));
+    job_names.push_back(study.id);
+  }
   // Last, so that no row of another method is elsewhere than without them.
   for (const auto& one : request.suites)
-    for (const auto& study : one.studies) add_outside_jobs(request, study, {one.seed, request.tier}, jobs);
+    for (const auto& study : one.studies) add_outside_jobs(request, study, {one.seed, request.tier}, *this);
 }
 
 std::optional<std::string> difference(const bundle::Manifest& theirs, const bundle::Manifest& ours) {

@@ -25,11 +25,12 @@ struct PlannedStudy {
 struct Plan {
   explicit Plan(const RunRequest& request);
 
-  Jobs jobs;                          ///< those of `studies` in their order, then those for methods from outside
-  std::vector<PlannedStudy> studies;  ///< without the names of methods from outside
-  std::string suite_text;             ///< the resolved suites
-  bundle::Manifest manifest;          ///< state `partial`
-  std::string reference;              ///< the tier
+  Jobs jobs;                           ///< those of `studies` in their order, then those for methods from outside
+  std::vector<std::string> job_names;  ///< of the study of a job; of that and the method for one from outside
+  std::vector<PlannedStudy> studies;   ///< without the names of methods from outside
+  std::string suite_text;              ///< the resolved suites
+  bundle::Manifest manifest;           ///< state `partial`
+  std::string reference;               ///< the tier
 };
 
 /// The first difference between two manifests whose results must not be mixed, for example "seed 1, this run has 2".

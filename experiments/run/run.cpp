@@ -183,23 +183,22 @@ void require_machine(const Jobs& jobs, const Share& share) {
 }
 
 /// The work of this process that is left, study by study.
-std::vector<StudyWork> work_left(const RunRequest& request, const Jobs& jobs, const Share& share) {
+std::vector<StudyWork> work_left(const Plan& plan, const Share& share) {
   std::vector<StudyWork> all;
-  for (const auto& one : request.suites)
-    for (const auto& study : one.studies) {
-      const auto job = all.size();
-      all.push_back({study.id, share.count(job) - share.count_done(job), share.cost_left(job), jobs[job]->exclusive()});
-    }
+  for (std::size_t job = 0; job < plan.jobs.size(); ++job)
+    all.push_back({plan.job_names[job], share.count(job) - share.count_done(job), share.cost_left(job),
+                   plan.jobs[job]->exclusive()});
   return all;
 }
 
 /// Returns the seconds that it took.
-double work(const RunRequest& request, const Jobs& jobs, Checkpoints& checkpoints) {
+double work(const RunRequest& request, const Plan& plan, Checkpoints& checkpoints) {
+  const Jobs& jobs = plan.jobs;
   const Share share(jobs, checkpoints, request.shard.value_or(Shard()));
   require_machine(jobs, share);
   if (request.telling == Telling::json)
     note_event(beginning_json(jobs.size(), cells_of(jobs), share.count(), share.count_done()));
-  Progress progress(work_left(request, jobs, share), request.telling);
+  Progress progress(work_left(plan, share), request.telling);
   const auto run_one = [&](std::size_t number, std::uint64_t block) {
     if (interrupted() || checkpoints.done(number, block)) return;
     auto result = jobs[number]->run_block(block);
@@ -297,7 +296,7 @@ Outcome run(const RunRequest& request) {
        checkpoints.load(place.found(), request.shard ? Checkpoints::Whose::own : Checkpoints::Whose::all))
     note(line);
   work_begins();
-  const double seconds = work(request, plan.jobs, checkpoints);
+  const double seconds = work(request, plan, checkpoints);
   if (interrupted()) {
     checkpoints.checkpoint();
     throw Failure(Exit::interrupted,

@@ -128,11 +128,11 @@ def table_of(program, intervals):
 
 
 def mismatches(row, curves, parameters):
-    all_t = parameters[float.fromhex(row["t_min"])]
+    all_t = parameters[float(row["t_min"])]
     claims = expected(curves[row["curve_id"]], row["method"], all_t)
     error, t = claims.pop("worst")
     wrong = [f"{column} is {row[column]}, not {claim}" for column, claim in claims.items() if row[column] != claim]
-    if float.fromhex(row["t_max"]) != all_t[-1]:
+    if float(row["t_max"]) != all_t[-1]:
         wrong.append(f"t_max is {row['t_max']}, not {all_t[-1].hex()}")
     if abs(Fraction(row["max_error_ulp"]) - error) > error * Fraction(2) ** -20 + Fraction(2) ** -18:
         wrong.append(f"max_error_ulp is {row['max_error_ulp']}, not {float(error)} (at {t.hex()})")

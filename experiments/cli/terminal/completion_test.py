@@ -50,7 +50,7 @@ class Shells(Case):
         self.assertNotIn("complete", self.bash("bezierbench "))  # it is for the shells only
         self.assertEqual(self.bash("bezierbench cu"), ["curve"])
         self.assertEqual(self.bash("bezierbench --help"), ["--help"])
-        self.assertEqual(self.bash("bezierbench run --ou"), ["--out"])
+        self.assertEqual(self.bash("bezierbench run --tri"), ["--trials"])
         self.assertEqual(self.bash("bezierbench run report --out b"), ["bundle"])
         self.assertEqual(self.bash("bezierbench run report --out=b"), ["bundle"])
         self.assertEqual(self.bash("bezierbench curve eval --curve c"), ["curve.csv"])
@@ -81,7 +81,7 @@ class Shells(Case):
             return [line.split("\t")[0] for line in result.stdout.decode().splitlines()]
 
         self.assertEqual(fish("bezierbench cu"), ["curve"])
-        self.assertEqual(fish("bezierbench run --ou"), ["--out"])
+        self.assertEqual(fish("bezierbench run --tri"), ["--trials"])
         self.assertLessEqual(set(self.ids("suites")), set(fish("bezierbench run ")))
         self.assertEqual(fish("bezierbench curve eval --method exact_dd:"), ["exact_dd:horner_dd"])
         self.assertEqual(fish("bezierbench run x --set generator=dy"), ["generator=dyadic"])
@@ -118,7 +118,7 @@ class Shells(Case):
             os.write(terminal, f"{line}\n".encode())
         until("\nready")
         self.assertEqual(zsh("bezierbench cu"), "bezierbench curve ")
-        self.assertEqual(zsh("bezierbench run --ou"), "bezierbench run --out ")
+        self.assertEqual(zsh("bezierbench run --tri"), "bezierbench run --trials ")
         self.assertEqual(zsh("bezierbench run lad"), "bezierbench run ladder ")
         self.assertEqual(zsh("bezierbench curve eval --method exact_dd:"), "bezierbench curve eval --method exact_dd:horner_dd ")
         self.assertEqual(zsh("bezierbench run x --set degr"), "bezierbench run x --set degree=")

@@ -40,7 +40,7 @@ class Terminal(Case):
         return code, written.decode()
 
     def test_progress_is_rewritten_and_fits(self):
-        suite = self.suite({**STUDY, "id": '"' + "long" * 20 + '"', "trials": "200000"})
+        suite = self.suite({**STUDY, "id": '"' + "long" * 20 + '"', "trials": "3000000"})
         code, text = self.on_terminal("run", suite, "--out", "b", "--jobs", "1")
         self.assertEqual(code, FINE, text)
         lines = re.findall(r"\r([^\r\n\x1b]*)\x1b\[K", text)
