@@ -87,7 +87,9 @@ def faults(program):
             yield f"suite {suite}: no bundle in results/atlas; make it with scripts/check atlas --update {suite}"
     for suite in here:
         verified = subprocess.run([program, "verify", BUNDLES / suite], capture_output=True, text=True)
-        if verified.returncode != 0:
+        # That a method is wrong on an input of a race is a result, which the page tells.
+        found = [line for line in verified.stderr.splitlines() if "/timing.csv:" not in line]
+        if verified.returncode not in (0, 1) or (verified.returncode == 1 and found):
             yield f"results/atlas/{suite}: {(verified.stdout + verified.stderr).strip()}"
         if not (PAGES / suite / "README.md").exists():
             yield f"report/atlas/{suite}: no page; make it with scripts/atlas.py pages {suite}"
