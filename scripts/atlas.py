@@ -82,8 +82,8 @@ def index():
 def faults(program):
     """A line for each thing that is not as it should be."""
     here = recorded()
-    for suite in shipped(program):
-        if suite not in here:
+    for suite, seconds in shipped(program).items():
+        if suite not in here and seconds:  # those of other libraries state none; they need a build of the preset peers
             yield f"suite {suite}: no bundle in results/atlas; make it with scripts/check atlas --update {suite}"
     for suite in here:
         verified = subprocess.run([program, "verify", BUNDLES / suite], capture_output=True, text=True)
