@@ -3,7 +3,8 @@
 """The record of what the shipped suites found: a bundle of each in results/atlas, its page in report/atlas.
 
 atlas.py suites PROGRAM        prints the ids of the suites that belong here
-atlas.py pages [SUITE ...]     renders the pages of the bundles (all of them) and the index
+atlas.py keep BUNDLE ...       keeps a bundle of one suite and its page; of a bundle above 2 MiB the page alone
+atlas.py pages [SUITE ...]     renders the pages of kept bundles (all of them) and the index
 atlas.py check PROGRAM         verifies every bundle, and that each has its page, the index names them all, and their size is
                                within the limit; exit 1 where one of these fails
 atlas.py sample PROGRAM DIR    runs one deterministic study of every suite into DIR and compares it with the bundle, method by
@@ -18,6 +19,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parent.parent))
@@ -34,6 +36,7 @@ PAGES = ROOT / "report/atlas"
 INDEX = PAGES / "README.md"
 ELSEWHERE = {"report": "../baseline/report.md", "answers": "../../results/answers", "hard_cases": "../../results/hard_cases/README.md"}
 MOST_SECONDS = 120  # of a suite that is run again to be compared
+MOST_OF_A_BUNDLE = 2 * 2**20
 MOST_BYTES = 12 * 2**20  # of all bundles and pages together
 
 
@@ -44,14 +47,32 @@ def shipped(program):
 
 
 def recorded():
+    """The suites whose bundles are kept."""
     return sorted(path.name for path in BUNDLES.iterdir() if (path / "bundle.json").exists()) if BUNDLES.exists() else []
 
 
-def render(suite):
+def shown():
+    """The suites that have a page."""
+    return sorted(path.name for path in PAGES.iterdir() if (path / "README.md").exists()) if PAGES.exists() else []
+
+
+def size_of(folder):
+    return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+
+
+def keep(bundle):
+    suite = bundle.name
+    render(suite, bundle)
+    shutil.rmtree(BUNDLES / suite, ignore_errors=True)
+    if size_of(bundle) <= MOST_OF_A_BUNDLE:
+        shutil.copytree(bundle, BUNDLES / suite)
+
+
+def render(suite, bundle):
     """The page and figures of a suite's bundle, and nothing else, in report/atlas."""
     with tempfile.TemporaryDirectory() as place:
         out = Path(place) / "page"
-        subprocess.run([ROOT / "scripts/report", BUNDLES / suite, "--out", out], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([ROOT / "scripts/report", bundle, "--out", out], check=True, stdout=subprocess.DEVNULL)
         page = PAGES / suite
         shutil.rmtree(page, ignore_errors=True)
         (page / "figures").mkdir(parents=True)
@@ -65,7 +86,12 @@ def index():
     lines = ["<!-- written by scripts/atlas.py -->", "# What the suites found", "",
              "One bundle of every shipped suite, recorded on one machine, with its page. Accuracy is the same everywhere, bit for "
              "bit; times are those of the machine that the page names. Sentences are computed from the bundles.", ""]
-    for suite in recorded():
+    for suite in shown():
+        if suite not in recorded():
+            title = tomllib.loads((ROOT / f"experiments/suites/{suite}.toml").read_text(encoding="utf-8"))["suite"]["title"]
+            lines += [f"## [{title}]({suite}/README.md)", "",
+                      f"Suite `{suite}`; its bundle has more than {MOST_OF_A_BUNDLE // 2**20} MiB and is not kept here.", ""]
+            continue
         bundle = Bundle(BUNDLES / suite)
         tiles = {tile.label: tile for block in opening.blocks(bundle, None) for tile in getattr(block, "items", ())}
         title = bundle.suites.get(suite) or suite
@@ -83,8 +109,8 @@ def faults(program):
     """A line for each thing that is not as it should be."""
     here = recorded()
     for suite, seconds in shipped(program).items():
-        if suite not in here and seconds:  # those of other libraries state none; they need a build of the preset peers
-            yield f"suite {suite}: no bundle in results/atlas; make it with scripts/check atlas --update {suite}"
+        if suite not in shown() and seconds:  # those of other libraries state none; they need a build of the preset peers
+            yield f"suite {suite}: no page in report/atlas; make it with scripts/check atlas --update {suite}"
     for suite in here:
         verified = subprocess.run([program, "verify", BUNDLES / suite], capture_output=True, text=True)
         # That a method is wrong on an input of a race is a result, which the page tells.
@@ -93,9 +119,9 @@ def faults(program):
             yield f"results/atlas/{suite}: {(verified.stdout + verified.stderr).strip()}"
         if not (PAGES / suite / "README.md").exists():
             yield f"report/atlas/{suite}: no page; make it with scripts/atlas.py pages {suite}"
-    if here and INDEX.read_text(encoding="utf-8") != index():
+    if shown() and INDEX.read_text(encoding="utf-8") != index():
         yield "report/atlas/README.md is not what the bundles say; make it anew with scripts/atlas.py pages"
-    size = sum(path.stat().st_size for folder in (BUNDLES, PAGES) for path in folder.rglob("*") if path.is_file())
+    size = size_of(BUNDLES) + size_of(PAGES)
     if size > MOST_BYTES:
         yield f"results/atlas and report/atlas hold {size / 2**20:.1f} MiB, more than {MOST_BYTES / 2**20:g}"
 
@@ -131,10 +157,13 @@ def main(arguments):
     match arguments:
         case ["suites", program]:
             print(*shipped(Path(program).resolve()), sep="\n")
-        case ["pages", *suites]:
-            for suite in suites or recorded():
-                render(suite)
+        case ["keep" | "pages" as what, *names]:
             PAGES.mkdir(exist_ok=True)
+            for name in names or recorded():
+                if what == "keep":
+                    keep(Path(name).resolve())
+                else:
+                    render(name, BUNDLES / name)
             INDEX.write_text(index(), encoding="utf-8")
         case ["check", program]:
             found = list(faults(Path(program).resolve()))
