@@ -22,6 +22,8 @@ PAGE = ROOT / "docs" / "guarantees.md"
 STATEMENTS = ROOT / "experiments" / "guarantees"
 OPENING = """# What each method keeps
 
+Which properties of the exact curve a method keeps: proved, broken by an input, or open.
+
 Does the curve end exactly in its last point? Is a constant reproduced? Does a point stay between its control points? Here every
 method has an answer for each such property, over degrees {degrees} in {scalars}: **proved** where the method's header in
 [core/evaluate](../core/evaluate) has the proof; **broken** where an input was found that breaks it, with the largest share of
