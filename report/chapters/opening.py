@@ -6,6 +6,7 @@ from ..document import Text, Tile, Tiles
 from ..wording import count, large
 
 TITLE = "At a glance"
+COUNTED = {"exhaustive.csv": "points"}  # what a row judged, where that is not in the column `trials`
 BROKEN = {"bound_violations": ("violation of a proved bound", "violations of proved bounds"),
           "broken_promises": ("broken promise", "broken promises")}
 
@@ -49,11 +50,12 @@ def _judged(bundle):
     """How many trials were judged, and how many broke what is proved or promised."""
     trials, methods, broken, asked = 0, set(), dict.fromkeys(BROKEN, 0), set()
     for file, table in bundle.tables.items():
-        if "trials" not in table.columns or "method" not in table.columns or not _judges(file):
+        judged = COUNTED.get(file, "trials")
+        if judged not in table.columns or "method" not in table.columns or not _judges(file):
             continue
         for row in table.rows:
-            if row["baseline"] in (None, "exact") and isinstance(row["trials"], float):
-                trials += row["trials"]
+            if row["baseline"] in (None, "exact") and isinstance(row[judged], float):
+                trials += row[judged]
                 methods.add(row["method"])
             for column in BROKEN:
                 if isinstance(row[column], float):
