@@ -218,5 +218,44 @@ TEST(RootInBracket, FromGoodAndBadEstimates) {
   EXPECT_GT(brackets, 100);
 }
 
+/// What nearest_neighbour() says, by asking both neighbours always.
+template <int Dimension, int Degree>
+double nearest_of_three(const OffsetCurve<Dimension, Degree>& offset, double t) {
+  double best = t;
+  for (const double other : {std::nextafter(t, 0.0), std::nextafter(t, 1.0)})
+    if (offset.scaled_distance(other) < offset.scaled_distance(best) * (1 - 0x1p-50)) best = other;
+  return best;
+}
+
+template <int Dimension>
+void ask_for_neighbours(Inputs& inputs, int distance_exponent, int& moved) {
+  const auto curve = random_curve<Dimension>(3, inputs, 0);
+  const OffsetCurve<Dimension, 3> from_origin(curve, Point<double, Dimension>::Zero());
+  const double t = inputs.unit();
+  auto point = from_origin.at(t);
+  for (int axis = 0; axis < Dimension; ++axis) {
+    point[axis] = from_origin.unscaled(point[axis]) + std::ldexp(inputs.symmetric(), distance_exponent);
+  }
+  const OffsetCurve<Dimension, 3> offset(curve, point);
+  const double foot = Isolation<Dimension, 3>(curve, point).foot().t;
+  for (const double near : {t, foot, std::nextafter(foot, 0.0), std::nextafter(foot, 1.0)}) {
+    const NearestCandidate<Dimension> candidate{near, offset.at(near), offset.scaled_distance(near), 1};
+    const double right = nearest_of_three(offset, near);
+    EXPECT_EQ(nearest_neighbour(offset, candidate).t, right) << "distance 2^" << distance_exponent << ", t = " << near;
+    if (right != near) ++moved;
+  }
+}
+
+TEST(NearestNeighbour, IsAskedWhereverItMayBeNearer) {
+  Inputs inputs(25);
+  int moved = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    ask_for_neighbours<1>(inputs, -trial % 60, moved);
+    ask_for_neighbours<2>(inputs, -trial % 60, moved);
+    ask_for_neighbours<3>(inputs, -trial % 60, moved);
+  }
+  EXPECT_GT(moved, 1000);
+}
+
 }  // namespace
 }  // namespace bezierbench

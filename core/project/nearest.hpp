@@ -10,38 +10,53 @@
 
 namespace bezierbench {
 
+template <int Dimension>
 struct NearestCandidate {
   double t;
-  double scaled_distance;  ///< the distance over m, as in OffsetCurve
-  int candidates;          ///< number of distinct candidates
+  Point<double, Dimension> offset;  ///< (C(t) - P) / m, as in OffsetCurve
+  double scaled_distance;           ///< its length
+  int candidates;                   ///< number of distinct candidates
+
+  /// Moves to another parameter if its distance is below `share` of the present one.
+  template <int Degree>
+  void take(const OffsetCurve<Dimension, Degree>& curve, double other, double share) {
+    const auto its_offset = curve.at(other);
+    const double distance = length<Dimension>(its_offset);
+    if (!(distance < scaled_distance * share)) return;
+    t = other;
+    offset = its_offset;
+    scaled_distance = distance;
+  }
 };
 
 /// The nearest of these parameters in [0, 1] and both ends of the curve. Of equally near ones it is the smallest
 /// parameter. A parameter that occurs twice counts once.
 template <int Dimension, int Degree, class Candidates>
-NearestCandidate nearest_candidate(const OffsetCurve<Dimension, Degree>& curve, Candidates candidates) {
+NearestCandidate<Dimension> nearest_candidate(const OffsetCurve<Dimension, Degree>& curve, Candidates candidates) {
   candidates.insert(candidates.end(), {0.0, 1.0});
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  NearestCandidate best{0, std::numeric_limits<double>::infinity(), static_cast<int>(candidates.size())};
-  for (const double t : candidates)
-    if (const double distance = curve.scaled_distance(t); distance < best.scaled_distance) {
-      best.t = t;
-      best.scaled_distance = distance;
-    }
+  NearestCandidate<Dimension> best{0, {}, std::numeric_limits<double>::infinity(), static_cast<int>(candidates.size())};
+  for (const double t : candidates) best.take(curve, t, 1);
   return best;
 }
 
-/// The candidate or, if one is nearer by more than rounding, the nearer of its neighbouring doubles. Newton's last step
-/// may be off by one double, and next to the curve an ulp of t is several ulps of the distance.
+/// The candidate or, if one is nearer by more than rounding, 8 u, the nearer of its neighbouring doubles. Newton's last
+/// step may be off by one double, and next to the curve an ulp of t is several ulps of the distance.
+///
+/// Elsewhere the neighbours need no evaluation. They are at most u away in t. A computed distance is off by at most
+/// 3.5 u of itself and the error of the compensated triangle. Where the square of the distance changes by at most u of
+/// itself, these leave no room for 8 u.
 template <int Dimension, int Degree>
-NearestCandidate nearest_neighbour(const OffsetCurve<Dimension, Degree>& curve, const NearestCandidate& candidate) {
+NearestCandidate<Dimension> nearest_neighbour(const OffsetCurve<Dimension, Degree>& curve,
+                                              const NearestCandidate<Dimension>& candidate) {
+  constexpr double u = 0x1p-53;
   auto best = candidate;
+  if (curve.largest_change(best.t, best.offset, best.scaled_distance, u) <=
+      u * best.scaled_distance * best.scaled_distance)
+    return best;
   for (const double other : {std::nextafter(candidate.t, 0.0), std::nextafter(candidate.t, 1.0)})
-    if (const double distance = curve.scaled_distance(other); distance < best.scaled_distance * (1 - 0x1p-50)) {
-      best.t = other;
-      best.scaled_distance = distance;
-    }
+    best.take(curve, other, 1 - 8 * u);
   return best;
 }
 

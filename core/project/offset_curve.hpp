@@ -43,10 +43,12 @@ class OffsetCurve {
       }
     first_ = differences<Dimension>(scaled);
     second_ = differences<Dimension>(first_);
+    const double largest_offset = largest_coordinate<Dimension>(high_);
+    const double largest_first = largest_coordinate<Dimension>(first_);
     const double largest_second = largest_coordinate<Dimension>(second_);
-    largest_bend_ =
-        Dimension * (n - 1) * largest_second *
-        (3 * n * largest_coordinate<Dimension>(first_) + 2 * (n - 2) * largest_coordinate<Dimension>(high_));
+    largest_bend_ = Dimension * (n - 1) * largest_second * (3 * n * largest_first + 2 * (n - 2) * largest_offset);
+    largest_slope_ = Dimension * (n * largest_first * largest_first + (n - 1) * largest_second * largest_offset);
+    slope_error_ = 0x1p-53 * (3 * n + 6) * Dimension * largest_first;
   }
 
   [[nodiscard]] int degree() const { return Degree == dynamic ? degree_of<Dimension>(high_) : Degree; }
@@ -95,6 +97,13 @@ class OffsetCurve {
     return {dot<Dimension>(offset, velocity), speed_squared + bend, speed_squared};
   }
 
+  /// A bound of the change of |C - P|^2 / m^2 on the way from t by `step` or less, where (C(t) - P) / m is `offset`
+  /// and `distance` long: with f and f' as in Slope, at most 2 n |f(t)| step + n |f'| step^2.
+  [[nodiscard]] double largest_change(double t, const Vector& offset, double distance, double step) const {
+    const double f = std::abs(dot<Dimension>(offset, point_at<Dimension>(first_, t)));
+    return degree() * step * (2 * (f + slope_error_ * distance) + largest_slope_ * step);
+  }
+
   /// A bound of |f''| = |3 C'.C'' + (C - P).C'''| on [0, 1], over n m^2.
   [[nodiscard]] double largest_bend() const { return largest_bend_; }
 
@@ -107,6 +116,8 @@ class OffsetCurve {
   Polygon<Dimension, count_of(Degree, -1)> second_;
   int exponent_ = 0;  ///< m = 2^exponent
   double largest_bend_ = 0;
+  double largest_slope_ = 0;  ///< a bound of |f'|
+  double slope_error_ = 0;    ///< a bound of the error of a computed f, over |C - P| / m
 };
 
 }  // namespace bezierbench

@@ -5,7 +5,7 @@
 // Source: [Farouki and Rajan 1988], products in Bernstein form.
 #pragma once
 
-#include "core/basis/binomial.hpp"
+#include "core/basis/binomial_table.hpp"
 #include "core/project/halved_polygon.hpp"
 
 namespace bezierbench {
@@ -41,10 +41,7 @@ struct UncertainPolynomial {
 template <int Degree = dynamic>
 class PolygonProduct {
  public:
-  explicit PolygonProduct(int n)
-      : of_curve_(binomials<double, Degree>(n)),
-        of_difference_(binomials<double, count_of(Degree, -1)>(n - 1)),
-        of_product_(binomials<double, count_of(Degree, Degree - 1)>(2 * n - 1)) {}
+  explicit PolygonProduct(int n) : of_curve_(n), of_difference_(n - 1), of_product_(2 * n - 1) {}
 
   template <int Dimension>
   [[nodiscard]] UncertainPolynomial<count_of(Degree, Degree)> operator()(
@@ -77,9 +74,9 @@ class PolygonProduct {
     return Dimension * (1 + 0x1p-20) * (carried + roundings * largest_offset * largest_difference);
   }
 
-  PerCoefficient<double, Degree> of_curve_;
-  PerCoefficient<double, count_of(Degree, -1)> of_difference_;
-  PerCoefficient<double, count_of(Degree, Degree - 1)> of_product_;
+  BinomialRow<double, Degree> of_curve_;
+  BinomialRow<double, count_of(Degree, -1)> of_difference_;
+  BinomialRow<double, count_of(Degree, Degree - 1)> of_product_;
 };
 
 }  // namespace bezierbench
