@@ -18,6 +18,7 @@
 #include <cstdint>
 
 #include "core/arc_length/arc_length.hpp"
+#include "core/arc_length/fixed_degree.hpp"
 #include "core/arc_length/fourth_derivative.hpp"
 #include "core/arc_length/panel.hpp"
 #include "core/arc_length/speed.hpp"
@@ -38,8 +39,17 @@ struct AdaptiveSimpson38 {
                                    .citation = "[Document 000], eq. (13); [Davis and Rabinowitz 1984]"};
 
   template <int Dimension>
-  static ArcLength measure(Curve<Form::bernstein, double, Dimension> hodograph, double tolerance) {
-    Search<Dimension> search;
+  static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {
+    return with_fixed_degree(hodograph, [tolerance](const auto& h) { return measure_copy(h, tolerance); });
+  }
+
+ private:
+  template <int Dimension, int Degree>
+  struct Search;
+
+  template <int Dimension, int Degree>
+  static ArcLength measure_copy(Curve<Form::bernstein, double, Dimension, Degree> hodograph, double tolerance) {
+    Search<Dimension, Degree> search;
     // A first length makes the tolerance absolute. Half of it is taken, since it may exceed the true length.
     const double first_length = search.first_length(hodograph);
     search.allowed = tolerance * first_length / 2;
@@ -51,10 +61,9 @@ struct AdaptiveSimpson38 {
     return result;
   }
 
- private:
-  template <int Dimension>
+  template <int Dimension, int Degree>
   struct Search {
-    using Hodograph = Curve<Form::bernstein, double, Dimension>;
+    using Hodograph = Curve<Form::bernstein, double, Dimension, Degree>;
 
     SquaredSpeeds<Dimension> squared_speeds;
     double allowed = 0;   ///< absolute error allowed in the mean speed of a panel

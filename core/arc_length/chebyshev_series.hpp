@@ -46,15 +46,13 @@ class ChebyshevSeries {
   [[nodiscard]] double rounding(double largest) const { return rounding_ * largest; }
 
   /// Replaces the series by that of h, whose control points are at most `largest` in size.
-  void expand(const Curve<Form::bernstein, double, Dimension>& h, double largest) {
+  template <int Degree>
+  void expand(const Curve<Form::bernstein, double, Dimension, Degree>& h, double largest) {
     cut_ = rounding(largest);
-    switch (curve_degree_) {
-      case 1: return expand_fixed<1>(h);
-      case 2: return expand_fixed<2>(h);
-      case 3: return expand_fixed<3>(h);
-      case 4: return expand_fixed<4>(h);
-      default: return expand_any(h);
-    }
+    if constexpr (Degree == dynamic)
+      expand_any(h);
+    else
+      expand_fixed(h);
   }
 
   /// Removes as many of the last terms as change the series by at most `allowed`, including the terms removed before.
@@ -69,8 +67,9 @@ class ChebyshevSeries {
   static Chunk read(const double* from) { return Eigen::Map<const Chunk>(from); }
 
   /// Curves of a low degree that the compiler knows: the same operations, without loops through memory. Nothing is cut.
-  template <std::size_t Degree>
-  void expand_fixed(const Curve<Form::bernstein, double, Dimension>& h) {
+  template <int CurveDegree>
+  void expand_fixed(const Curve<Form::bernstein, double, Dimension, CurveDegree>& h) {
+    constexpr std::size_t Degree = CurveDegree;
     static_assert(Degree <= degree_limit);
     std::array<double, Degree + 1> squares{};
     for (int axis = 0; axis < Dimension; ++axis) {

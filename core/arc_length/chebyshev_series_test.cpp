@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/arc_length/fixed_degree.hpp"
 #include "core/evaluate/kernel_of.hpp"
 
 namespace bezierbench {
@@ -26,7 +27,10 @@ TEST(ChebyshevSeries, OfAChebyshevPolynomialIsItself) {
     const auto curve = instantiate::load<Form::bernstein, 1>(CurveView<double>{Form::bernstein, 1, n, points});
     const double largest = std::ranges::max(points);
     ChebyshevSeries<1> series(n);
+    with_fixed_degree(curve, [&](const auto& fixed) { series.expand(fixed, largest); });
+    const auto of_fixed = series;
     series.expand(curve, largest);
+    for (std::size_t k = 0; k <= series.degree(); ++k) EXPECT_EQ(series.size(k), of_fixed.size(k)) << n << " " << k;
     const double rounding = series.rounding(largest);
     const bool is_cut = n > static_cast<int>(series.degree_limit);
     if (is_cut) {

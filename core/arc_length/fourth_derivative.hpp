@@ -34,8 +34,8 @@ struct FourthDerivative {
 namespace detail {
 
 /// A lower bound of |h| on [0, 1]. It says nothing where it is 0 or less.
-template <int Dimension>
-double least_size(const Curve<Form::bernstein, double, Dimension>& h) {
+template <int Dimension, int Degree>
+double least_size(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
   std::array<double, Dimension> mean{};
   for (int i = 0; i <= h.degree(); ++i)
     for (std::size_t axis = 0; axis < Dimension; ++axis) mean[axis] += h(static_cast<int>(axis), i);
@@ -53,8 +53,8 @@ double least_size(const Curve<Form::bernstein, double, Dimension>& h) {
 
 }  // namespace detail
 
-template <int Dimension>
-FourthDerivative fourth_derivative(const Curve<Form::bernstein, double, Dimension>& h) {
+template <int Dimension, int Degree>
+FourthDerivative fourth_derivative(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
   constexpr double u = 0x1p-53;
   const int m = h.degree();
   const double longest = longest_vector(h);
@@ -65,13 +65,12 @@ FourthDerivative fourth_derivative(const Curve<Form::bernstein, double, Dimensio
   double factor = 1;
   auto differences = h;
   for (int k = 1; k <= std::min(m, 4); ++k) {
-    Curve<Form::bernstein, double, Dimension> next(m - k);
     for (int i = 0; i <= m - k; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) next(axis, i) = differences(axis, i + 1) - differences(axis, i);
-    differences = next;
+      for (int axis = 0; axis < Dimension; ++axis)
+        differences(axis, i) = differences(axis, i + 1) - differences(axis, i);
     factor *= m - k + 1;
     const double rounding = factor * k * std::ldexp(u, k) * Dimension * longest;
-    derivatives[static_cast<std::size_t>(k)] = factor * longest_vector(differences) + rounding;
+    derivatives[static_cast<std::size_t>(k)] = factor * longest_vector(differences, m - k) + rounding;
     result.rounding = rounding;
   }
   const auto [unused, v, a, j, s] = derivatives;

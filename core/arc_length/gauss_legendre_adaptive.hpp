@@ -18,6 +18,7 @@
 
 #include "core/arc_length/arc_length.hpp"
 #include "core/arc_length/chebyshev_series.hpp"
+#include "core/arc_length/fixed_degree.hpp"
 #include "core/arc_length/gauss_legendre.hpp"
 #include "core/arc_length/panel.hpp"
 #include "core/arc_length/proved_rule.hpp"
@@ -40,28 +41,37 @@ struct GaussLegendreAdaptive {
 
   template <int Dimension>
   static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {
-    Search<Dimension> search(hodograph.degree());
-    // A first length makes the tolerance absolute. Half of it is taken, since it may exceed the true length.
-    const double first_length = search.template integral<8>(hodograph);
-    auto result = within(hodograph, tolerance * first_length / 2, search);
-    result.converged = result.error_estimate <= tolerance * result.length;
-    return result;
+    return with_fixed_degree(hodograph, [tolerance](const auto& h) {
+      auto search = search_for(h);
+      // A first length makes the tolerance absolute. Half of it is taken, since it may exceed the true length.
+      const double first_length = search.template integral<8>(h);
+      auto result = within(h, tolerance * first_length / 2, search);
+      result.converged = result.error_estimate <= tolerance * result.length;
+      return result;
+    });
   }
 
   /// The same for an absolute tolerance of the integral over [0, 1]; `converged` if the error estimate is at most that.
   template <int Dimension>
   static ArcLength measure_within(const Curve<Form::bernstein, double, Dimension>& hodograph, double absolute) {
-    Search<Dimension> search(hodograph.degree());
-    return within(hodograph, absolute, search);
+    return with_fixed_degree(hodograph, [absolute](const auto& h) {
+      auto search = search_for(h);
+      return within(h, absolute, search);
+    });
   }
 
  private:
-  template <int Dimension>
+  template <int Dimension, int Degree>
   struct Search;
 
-  template <int Dimension>
-  static ArcLength within(Curve<Form::bernstein, double, Dimension> hodograph, double absolute,
-                          Search<Dimension>& search) {
+  template <int Dimension, int Degree>
+  static Search<Dimension, Degree> search_for(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
+    return Search<Dimension, Degree>(h.degree());
+  }
+
+  template <int Dimension, int Degree>
+  static ArcLength within(Curve<Form::bernstein, double, Dimension, Degree> hodograph, double absolute,
+                          Search<Dimension, Degree>& search) {
     ArcLength& result = search.result;
     search.allowed = absolute;
     result.error_estimate = rounding_of_length(hodograph, 6 * hodograph.degree() + 3 * depth_limit + 32);
@@ -73,16 +83,18 @@ struct GaussLegendreAdaptive {
   /// Whether a rule may be proved for h; none is where the ends of h are a right angle or more apart. h(1) + h(-1) is
   /// twice the sum of the even terms of the series of h, and h(1) - h(-1) twice that of the odd ones. A proof needs
   /// that the sizes of all terms after a_0 sum to less than |a_0|, so that the first sum is the longer one.
-  template <int Dimension>
-  static bool may_be_proved(const Curve<Form::bernstein, double, Dimension>& h) {
+  template <int Dimension, int Degree>
+  static bool may_be_proved(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
     double product = 0;
     for (int axis = 0; axis < Dimension; ++axis) product += h(axis, 0) * h(axis, h.degree());
     return product > 0;
   }
 
   /// One measurement: the result so far, and working memory.
-  template <int Dimension>
+  template <int Dimension, int Degree>
   struct Search {
+    using Hodograph = Curve<Form::bernstein, double, Dimension, Degree>;
+
     explicit Search(int degree) : series(degree) {}
 
     SquaredSpeeds<Dimension> squared_speeds;
@@ -92,21 +104,22 @@ struct GaussLegendreAdaptive {
 
     /// The mean speed of a panel by one rule.
     template <int Points>
-    double integral(const Curve<Form::bernstein, double, Dimension>& h) {
+    double integral(const Hodograph& h) {
       constexpr const auto& rule = unit_rule<Points>;
       constexpr std::size_t count = SquaredSpeeds<Dimension>::count;
       static_assert(Points % count == 0);
       double sum = 0;
       for (std::size_t first = 0; first < Points; first += count) {
-        const auto squares = squared_speeds(h, std::span(rule.t).subspan(first).template first<count>());
-        for (std::size_t k = 0; k < count; ++k) sum += rule.weight[first + k] * std::sqrt(squares[k]);
+        auto speeds = squared_speeds(h, std::span(rule.t).subspan(first).template first<count>());
+        for (double& speed : speeds) speed = std::sqrt(speed);
+        for (std::size_t k = 0; k < count; ++k) sum += rule.weight[first + k] * speeds[k];
       }
       result.evaluations += Points;
       return sum;
     }
 
     /// Adds the length of a panel, `width` wide in the parameter. Overwrites its hodograph h.
-    void add_panel(Curve<Form::bernstein, double, Dimension>& h, double width, int depth) {
+    void add_panel(Hodograph& h, double width, int depth) {
       const auto take = [&](double mean_speed, double error) {
         result.length += width * mean_speed;
         result.error_estimate += width * error;

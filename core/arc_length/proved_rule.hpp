@@ -16,7 +16,6 @@
 // Bound: the constants are rounded up by a few u, which cover the roundings of the bound itself.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -71,7 +70,7 @@ constexpr std::size_t ellipse_for(int exponent, int eights) {
 template <int Dimension>
 ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double allowed) {
   using detail::ellipses;
-  using Lanes = Eigen::Array<double, 4, 1>;
+  using Lanes [[gnu::vector_size(4 * sizeof(double))]] = double;  // one for each rule, and one that is not used
   const double allowed_of_rule = allowed - 2 * h.cut();
   const double limit = h.size(0) * (1 - 0x1p-20);
   const double largest = 2 * h.size(0);
@@ -82,12 +81,11 @@ ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double allowed) {
   const std::array<std::size_t, detail::gauss_rules> ellipse{std::min(detail::ellipse_for(exponent, 1), last),
                                                              std::min(detail::ellipse_for(exponent, 2), last),
                                                              std::min(detail::ellipse_for(exponent, 3), last)};
-  const Lanes half_axis(ellipses.half_axis[ellipse[0]], ellipses.half_axis[ellipse[1]], ellipses.half_axis[ellipse[2]],
-                        1);
+  const Lanes half_axis{ellipses.half_axis[ellipse[0]], ellipses.half_axis[ellipse[1]], ellipses.half_axis[ellipse[2]]};
   const Lanes twice = 2 * half_axis;
-  Lanes before = Lanes::Ones();
+  Lanes before{1, 1, 1};
   Lanes here = half_axis;
-  Lanes sum = Lanes::Zero();
+  Lanes sum{};
   for (std::size_t k = 1; k <= h.degree(); ++k) {
     sum += h.size(k) * here;
     const Lanes after = twice * here - before;  // A_(k+1) = T_(k+1)(A_1)
@@ -96,8 +94,7 @@ ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double allowed) {
   }
   for (std::size_t r = 0; r < detail::gauss_rules; ++r) {
     const double missed = largest * ellipses.missed[r][ellipse[r]];
-    if (sum[static_cast<Eigen::Index>(r)] <= limit && missed <= allowed_of_rule)
-      return {8 * static_cast<int>(r + 1), missed + 2 * h.cut()};
+    if (sum[r] <= limit && missed <= allowed_of_rule) return {8 * static_cast<int>(r + 1), missed + 2 * h.cut()};
   }
   return {};
 }

@@ -31,8 +31,8 @@ class Speed {
 
 /// The mean size of the control vectors, that is the length of the control polygon: an upper bound of the length of the
 /// curve.
-template <int Dimension>
-double polygon_length(const Curve<Form::bernstein, double, Dimension>& hodograph) {
+template <int Dimension, int Degree>
+double polygon_length(const Curve<Form::bernstein, double, Dimension, Degree>& hodograph) {
   double sum = 0;
   for (int i = 0; i <= hodograph.degree(); ++i) {
     double square = 0;
@@ -45,8 +45,8 @@ double polygon_length(const Curve<Form::bernstein, double, Dimension>& hodograph
 /// A bound of the change of a length by `roundings` relative errors u in each value of h and in the sums of a
 /// quadrature with positive weights: each |h(t)| is off by at most gamma sum |h_i| B_i(t), whose integral is the length
 /// of the polygon.
-template <int Dimension>
-double rounding_of_length(const Curve<Form::bernstein, double, Dimension>& hodograph, int roundings) {
+template <int Dimension, int Degree>
+double rounding_of_length(const Curve<Form::bernstein, double, Dimension, Degree>& hodograph, int roundings) {
   constexpr double u = 0x1p-53;
   return u * gamma_over_u(roundings, u) * polygon_length(hodograph);
 }

@@ -4,11 +4,13 @@
 // Cost: 3d m(m+1)/2 + 2d flops each, m the degree of h, and one subtraction.
 //
 // The eight triangles lie side by side, so that each step is the same for eight numbers in a row: compilers make wide
-// instructions of that, at any degree. One triangle at a time has loops too short for it where the degree is low.
+// instructions of that, at any degree. One triangle at a time has loops too short for it where the degree is low. Where
+// the compiler knows the degree, all steps are written out and the triangles stay in registers.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <span>
 
 #include "core/curve.hpp"
@@ -22,7 +24,41 @@ class SquaredSpeeds {
   static constexpr std::size_t count = 8;
   using Eight = std::array<double, count>;
 
-  Eight operator()(const Curve<Form::bernstein, double, Dimension>& h, std::span<const double, count> parameters) {
+  template <int Degree>
+  Eight operator()(const Curve<Form::bernstein, double, Dimension, Degree>& h,
+                   std::span<const double, count> parameters) {
+    if constexpr (Degree == dynamic)
+      return of_any_degree(h, parameters);
+    else
+      return of_degree(h, parameters);
+  }
+
+ private:
+  /// Four numbers in a row, a vector extension of the compiler.
+  using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
+
+  template <int Degree>
+  static Eight of_degree(const Curve<Form::bernstein, double, Dimension, Degree>& h,
+                         std::span<const double, count> parameters) {
+    Eight result;
+    for (std::size_t first = 0; first < count; first += 4) {
+      Four t;
+      std::memcpy(&t, &parameters[first], sizeof t);
+      const Four s = 1 - t;
+      Four squares{};
+      for (int axis = 0; axis < Dimension; ++axis) {
+        std::array<Four, Degree + 1> b;
+        for (int i = 0; i <= Degree; ++i) b[static_cast<std::size_t>(i)] = h(axis, i) - Four{};
+        for (std::size_t last = Degree; last > 0; --last)
+          for (std::size_t i = 0; i < last; ++i) b[i] = s * b[i] + t * b[i + 1];
+        squares += b[0] * b[0];
+      }
+      std::memcpy(&result[first], &squares, sizeof squares);
+    }
+    return result;
+  }
+
+  Eight of_any_degree(const Curve<Form::bernstein, double, Dimension>& h, std::span<const double, count> parameters) {
     const int m = h.degree();
     Eight s;
     Eight t;
@@ -38,7 +74,6 @@ class SquaredSpeeds {
     return squares;
   }
 
- private:
   static constexpr std::size_t coordinates(int points) { return static_cast<std::size_t>(points) * Dimension; }
 
   /// Computes the next level of the triangles, which has `points` points.

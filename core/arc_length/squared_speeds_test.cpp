@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "core/arc_length/fixed_degree.hpp"
 #include "core/evaluate/de_casteljau.hpp"
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/evaluate/kernel_of.hpp"
@@ -31,9 +32,12 @@ void expect_those_of_de_casteljau() {
         instantiate::load<Form::bernstein, Dimension>(CurveView<double>{Form::bernstein, Dimension, degree, points});
     std::array<double, 8> parameters{0, 1, 0.5};
     for (std::size_t k = 3; k < parameters.size(); ++k) parameters[k] = inputs.unit();
-    const auto squares = (*squared_speeds)(h, parameters);
-    for (std::size_t k = 0; k < parameters.size(); ++k)
-      EXPECT_EQ(squares[k], squared_norm_at(h, parameters[k])) << degree << " " << parameters[k];
+    const auto expect_right = [&](const auto& squares) {
+      for (std::size_t k = 0; k < parameters.size(); ++k)
+        EXPECT_EQ(squares[k], squared_norm_at(h, parameters[k])) << degree << " " << parameters[k];
+    };
+    expect_right((*squared_speeds)(h, parameters));
+    with_fixed_degree(h, [&](const auto& fixed) { expect_right((*squared_speeds)(fixed, parameters)); });
   }
 }
 
