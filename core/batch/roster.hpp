@@ -74,6 +74,7 @@ struct Sums {
                Entry<HornerBernstein, HornerBernstein, 1, 1>,  //
                Entry<VolkSchumaker, HornerBernstein, 1, 2>,    //
                Entry<WangBall, WangBall, 1, 3>,                //
+               Entry<Seiler, Seiler, 1, 3>,                    //
                Entry<PowerSum, TheCurve<Form::power>, 1, 2>,   //
                Entry<Horner, TheCurve<Form::power>, 1, 1>,     //
                Entry<HornerCentered, TheCurve<Form::power_centered>, 1, 1>, Entry<Estrin, TheCurve<Form::power>, 0, 3>>;

@@ -51,6 +51,8 @@ TEST(Operations, AddUpToTheFlopsThatTheMethodsState) {
   EXPECT_EQ(flops("wozny_chudy", Form::bernstein, 10, 2), 113);            // n(5+3d) + 2, and t + t
   EXPECT_EQ(flops("barycentric_uniform", Form::bernstein, 10, 2), 79);     // (n+1)(3+2d) + d
   EXPECT_EQ(flops("wang_ball", Form::bernstein, 10, 2), 91);               // 9dn/2 + 1
+  EXPECT_EQ(flops("seiler", Form::bernstein, 10, 2), 60);                  // 3dn - d + 2
+  EXPECT_EQ(flops("seiler", Form::bernstein, 9, 2), 56);                   // 3dn + 2
   EXPECT_EQ(flops("de_casteljau", Form::rational, 10, 2), 498);            // of d + 1 axes, and d divisions
 }
 

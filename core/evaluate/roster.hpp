@@ -28,6 +28,7 @@
 #include "core/evaluate/horner_dd.hpp"
 #include "core/evaluate/horner_fma.hpp"
 #include "core/evaluate/power_sum.hpp"
+#include "core/evaluate/seiler.hpp"
 #include "core/evaluate/volk_schumaker.hpp"
 #include "core/evaluate/wang_ball.hpp"
 #include "core/evaluate/wozny_chudy.hpp"
@@ -57,6 +58,7 @@ using Evaluators = TypeList<Direct,                             //
                             BarycentricChebyshev,               //
                             BarycentricUniform,                 //
                             WangBall,                           //
+                            Seiler,                             //
                             PowerSum,                           //
                             Horner,                             //
                             HornerFma,                          //
