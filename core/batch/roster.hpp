@@ -101,6 +101,8 @@ struct Compensated {
                          Entry<CompensatedDeCasteljauK4, TheCurve<Form::bernstein>, 0, 16>,  //
                          Entry<CompensatedVolkSchumaker, CompensatedVolkSchumaker, 2, 6>,    //
                          Entry<CompensatedHorner, TheCurve<Form::power>, 2, 3>,              //
+                         Entry<CompensatedHornerK3, TheCurve<Form::power>, 0, 9>,            //
+                         Entry<CompensatedHornerK4, TheCurve<Form::power>, 0, 12>,           //
                          Entry<HornerDoubleDouble, TheCurve<Form::power_double_double>, 2, 3>>;
 };
 

@@ -8,6 +8,8 @@
 #include "core/evaluate/compensated_de_casteljau_k3.hpp"
 #include "core/evaluate/compensated_de_casteljau_k4.hpp"
 #include "core/evaluate/compensated_horner.hpp"
+#include "core/evaluate/compensated_horner_k3.hpp"
+#include "core/evaluate/compensated_horner_k4.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
 #include "core/evaluate/correctly_rounded.hpp"
 #include "core/evaluate/correctly_rounded_power.hpp"
@@ -63,6 +65,8 @@ using Evaluators = TypeList<Direct,                             //
                             Horner,                             //
                             HornerFma,                          //
                             CompensatedHorner,                  //
+                            CompensatedHornerK3,                //
+                            CompensatedHornerK4,                //
                             HornerDoubleDouble,                 //
                             CorrectlyRoundedPower,              //
                             HornerCentered,                     //
