@@ -38,7 +38,7 @@ struct ForwardDifferencing {
       .underflow_scales_with_coefficients = false};
   static constexpr MethodInfo info{.id = "forward_differencing",
                                    .label = "Forward differencing",
-                                   .problem = Problem::evaluation,
+                                   .problem = Problem::grid,
                                    .form = Form::power,
                                    .max_degree = max_factorial,
                                    .promise = bound.text,
@@ -92,7 +92,7 @@ struct ForwardDifferencingBernstein {
       .underflow_scales_with_coefficients = false};
   static constexpr MethodInfo info{.id = "forward_differencing",
                                    .label = "Forward differencing",
-                                   .problem = Problem::evaluation,
+                                   .problem = Problem::grid,
                                    .form = Form::bernstein,
                                    .max_degree = max_factorial,
                                    .promise = bound.text,

@@ -21,7 +21,7 @@ constexpr bool is_grid(int steps) { return steps >= 1 && steps <= max_grid_steps
 template <class M>
 concept GridMethod = requires(const Curve<M::info.form, double, 2>& curve, int steps,
                               void (*take)(int, const Point<double, 2>&)) {
-  requires M::info.problem == Problem::evaluation;
+  requires M::info.problem == Problem::grid;
   { M::bound } -> std::convertible_to<GridBound>;
   M::run(M::prepare(curve, steps), take);
 };

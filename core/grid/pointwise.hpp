@@ -34,7 +34,7 @@ struct Pointwise {
       .underflow_scales_with_coefficients = E::info.bound->underflow_scales_with_coefficients};
   static constexpr MethodInfo info{.id = detail::Joined<detail::Pointwise, detail::IdOf<E>>::text,
                                    .label = E::info.label,
-                                   .problem = Problem::evaluation,
+                                   .problem = Problem::grid,
                                    .form = E::info.form,
                                    .max_degree = E::info.max_degree,
                                    .promise = bound.text,
