@@ -23,7 +23,8 @@ enum class Problem {
   projection,
   interpolation,
   fitting,
-  subdivision
+  subdivision,
+  grid
 };
 
 constexpr std::string_view name(Problem problem) {
@@ -37,6 +38,7 @@ constexpr std::string_view name(Problem problem) {
     case Problem::interpolation: return "interpolation";
     case Problem::fitting: return "fitting";
     case Problem::subdivision: return "subdivision";
+    case Problem::grid: return "grid";
   }
   return "";
 }

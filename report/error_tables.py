@@ -7,9 +7,9 @@ from .methods import form
 from .tables import axis_value, by_axis
 from .wording import count, general, interval, large, shortest
 
-CELL = ("scalar", "dimension", "degree", "order", "coordinate_range", "t_min", "t_max", "generator")  # what sets a cell apart
+CELL = ("scalar", "dimension", "degree", "order", "points", "coordinate_range", "t_min", "t_max", "generator")  # what sets a cell apart
 COLUMNS = {"interval": ("t_min", "t_max")}  # of an axis that is not a column itself
-NAMES = {"generator": "{}", "scalar": "{}", "dimension": "{} axes", "degree": "degree {}", "order": "order {}",
+NAMES = {"generator": "{}", "scalar": "{}", "dimension": "{} axes", "degree": "degree {}", "order": "order {}", "points": "{} points",
          "coordinate_range": "R = {}"}
 
 

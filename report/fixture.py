@@ -207,6 +207,19 @@ def subdivision():
     return rows
 
 
+def grid():
+    """Mean errors in u p~ by method and number of points; those of forward differencing grow with it."""
+    rows = []
+    for method, mean_u in (("pointwise_de_casteljau", lambda points: 0.5), ("forward_differencing", lambda points: points / 16)):
+        for n in DEGREES:
+            for points in (17, 257):
+                mean = mean_u(points)
+                row = _judged("grid-points", method, n, mean * 1e-16, coordinate_range=1, points=points, mean_error_u=mean,
+                              max_error_u=5 * mean, mean_last_error_u=2 * mean, max_last_error_u=5 * mean, bound_u=60 * mean)
+                rows.append({c: v for c, v in row.items() if c not in (*SOMETIMES, "baseline", "rms_error")})
+    return rows
+
+
 def _lengths(study, costs):
     """Evaluations by method and tolerance; methods of a constant cost never promise."""
     return [dict(study=study, curve="bezier", method=m, scalar="double", dimension=2, degree=3, coordinate_range=1,
@@ -292,6 +305,7 @@ COMPANIONS = [
     ("interpolation", "companion_speed-interpolation", {"c2_natural": 60, "c2_natural_handles": 40},
      [dict(points=k) for k in (10, 100, 1000)]),
     ("subdivision", "subdivision-time", {"de_casteljau_split": 30, "lerp_split": 40}, [dict(degree=5), dict(degree=20)]),
+    ("grid", "grid-time", {"pointwise_de_casteljau": 3000, "forward_differencing": 400}, [dict(points=k) for k in (17, 257)]),
     ("fitting", "companion_speed-fitting", {"schneider": 500, "gauss_newton": 2500},
      [dict(points=40, tolerance=e, data=data) for data in ("samples", "noisy") for e in (1e-2, 1e-6)]),
 ]
@@ -395,7 +409,8 @@ def fitting_example():
 
 
 FILES = {"accuracy.csv": accuracy, "unstable.csv": unstable, "scorecard.csv": scorecard, "scorecard_timing.csv": scorecard_timing,
-         "conversion.csv": conversion, "derivative.csv": derivative, "subdivision.csv": subdivision, "arc_length.csv": arc_length,
+         "conversion.csv": conversion, "derivative.csv": derivative, "subdivision.csv": subdivision, "grid.csv": grid,
+         "arc_length.csv": arc_length,
          "arc_length_unstable.csv": arc_length_unstable,
          "inverse_arc_length.csv": inverse_arc_length, "spacing.csv": spacing, "projection.csv": projection,
          "projection_unstable.csv": projection_unstable, "interpolation.csv": interpolation, "fitting.csv": fitting,
@@ -411,7 +426,7 @@ def _placeholder(file, column):
 
 
 KNOWN = ("ladder regimes conditioning conversion worst guarantees rational peers derivative arc_length inverse_arc_length projection interpolation "
-         "fitting subdivision companion_speed companion_peers speed roofline").split()
+         "fitting subdivision grid companion_speed companion_peers speed roofline").split()
 PRINTED = ("2.2", "2.3", "2.4")  # how the ids of studies with printed values begin
 TITLES = {"companion_speed-fitting": 'Fits to "points"'}
 KINDS = {"unstable": "accuracy", "pareto": "timing"}

@@ -18,6 +18,7 @@ UNITS = {
     "projection": ("foot point", "最近点", "degree", "it is not missed"),
     "interpolation": ("spline", "样条", "points", f"every condition is met within its bound {HALF}"),
     "subdivision": ("split", "分割", "degree", f"every control point keeps its bound {HALF}"),
+    "grid": ("grid", "网格", "points", "every point keeps its bound"),
     "fitting": ("fit", "拟合", "tolerance", "no data point is farther from the curve than the tolerance"),
 }
 # what may tell the lines of a method apart, and how a line says it

@@ -6,11 +6,12 @@ import unittest
 
 from . import fixture
 from .bundle import Bundle
-from .chapters import arc_length, derivative, fitting, interpolation, inverse_arc_length, projection, subdivision, timing
+from .chapters import arc_length, derivative, fitting, grid, interpolation, inverse_arc_length, projection, subdivision, timing
 from .findings.roster import find_all
 
 CHAPTERS = {"derivative": derivative, "arc_length": arc_length, "inverse_arc_length": inverse_arc_length, "projection": projection,
-            "interpolation": interpolation, "fitting": fitting, "subdivision": subdivision, "evaluation": timing}
+            "interpolation": interpolation, "fitting": fitting, "subdivision": subdivision, "grid": grid,
+            "evaluation": timing}
 
 
 def _blocks(change=None, problems=tuple(CHAPTERS)):

@@ -74,6 +74,7 @@ struct Sums {
                Entry<HornerBernstein, HornerBernstein, 1, 1>,  //
                Entry<VolkSchumaker, HornerBernstein, 1, 2>,    //
                Entry<WangBall, WangBall, 1, 3>,                //
+               Entry<Seiler, Seiler, 1, 3>,                    //
                Entry<PowerSum, TheCurve<Form::power>, 1, 2>,   //
                Entry<Horner, TheCurve<Form::power>, 1, 1>,     //
                Entry<HornerCentered, TheCurve<Form::power_centered>, 1, 1>, Entry<Estrin, TheCurve<Form::power>, 0, 3>>;
@@ -100,6 +101,8 @@ struct Compensated {
                          Entry<CompensatedDeCasteljauK4, TheCurve<Form::bernstein>, 0, 16>,  //
                          Entry<CompensatedVolkSchumaker, CompensatedVolkSchumaker, 2, 6>,    //
                          Entry<CompensatedHorner, TheCurve<Form::power>, 2, 3>,              //
+                         Entry<CompensatedHornerK3, TheCurve<Form::power>, 0, 9>,            //
+                         Entry<CompensatedHornerK4, TheCurve<Form::power>, 0, 12>,           //
                          Entry<HornerDoubleDouble, TheCurve<Form::power_double_double>, 2, 3>>;
 };
 

@@ -173,6 +173,36 @@ double nasty_t(int trial, Inputs& inputs) {
   }
 }
 
+/// Points close together have an A far above their derivatives, which costs other methods up to 30 bits.
+TEST(Derivative, CompensationKeepsAllDigits) {
+  Inputs inputs(11);
+  reference::ExactCurve exact;
+  int lost_by_others = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const int n = 1 + trial % 15;
+    const int order = trial % 4;
+    const Form form = trial % 3 == 0 ? Form::power : Form::bernstein;
+    auto c = inputs.coefficients(n, 1);
+    if (form == Form::bernstein)
+      for (double& value : c) value = 1 + 0x1p-30 * value;
+    const double t = inputs.unit();
+    const CurveView<double> curve{form, 1, n, c};
+    const reference::Distance distance(exact.derivative(curve, order, t));
+    const double truth = std::abs(distance.of_origin(1));
+    metric::DerivativeScale scale;
+    scale.set(curve, order, t);
+    if (!(truth > 0x1p-8 * scale.p_tilde())) continue;
+    for (const auto& kernel : right_kernels(form, 1, order)) {
+      const double error = distance.to(derivative(kernel, curve, order, t));
+      if (kernel.info->id.starts_with("compensated"))
+        EXPECT_LE(error, 0x1.01p-53 * truth) << kernel.info->id << " degree " << n << " order " << order << " t " << t;
+      else if (error > 0x1p-45 * truth)
+        ++lost_by_others;
+    }
+  }
+  EXPECT_GT(lost_by_others, 500);
+}
+
 /// 1,000 curves of each kind, each at orders from 0 to beyond the degree, by every method with a bound.
 TEST(Derivative, KeepsItsBoundOnRandomAndNastyCurves) {
   Inputs inputs(10);

@@ -11,6 +11,8 @@
 #include "core/evaluate/compensated_de_casteljau_k3.hpp"
 #include "core/evaluate/compensated_de_casteljau_k4.hpp"
 #include "core/evaluate/compensated_horner.hpp"
+#include "core/evaluate/compensated_horner_k3.hpp"
+#include "core/evaluate/compensated_horner_k4.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
 #include "core/evaluate/horner_dd.hpp"
 #include "core/evaluate/via.hpp"
@@ -77,6 +79,26 @@ TEST(CompensatedBound, HasTheConstantsOfHermes) {
     EXPECT_NEAR(compensated_remainder<2>(degree, tiny) / std::pow(tiny, 2) / c_2, 1, 1e-8);
     EXPECT_NEAR((compensated_remainder<3>(degree, tiny) / std::pow(tiny, 3) - 64) / c_3, 1, 1e-8);
     EXPECT_NEAR((compensated_remainder<4>(degree, tiny) / std::pow(tiny, 4) - 1296) / c_4, 1, 1e-8);
+  }
+}
+
+/// The multipliers that compensated_horner_parts.hpp states, to first order in u.
+TEST(CompensatedBound, OfHornerHasTheConstantsThatItStates) {
+  constexpr double tiny = 0x1p-40;
+  for (const double n : {1.0, 2.0, 3.0, 7.0, 20.0}) {
+    const double pairs = (n + 1) * n / 2;
+    const double triples = pairs * (n - 1) / 3;
+    const double quadruples = triples * (n - 2) / 4;
+    const int degree = static_cast<int>(n);
+    const auto constant = [&]<int K>() {
+      return remainder_of_parts<K, HornerRoundings>(degree, tiny) / std::pow(tiny, K);
+    };
+    EXPECT_NEAR(constant.operator()<2>() / (2 * n * (n + 1)), 1, 1e-8);
+    EXPECT_NEAR((constant.operator()<3>() - 64) / (8 * triples + 12 * pairs), 1, 1e-8);
+    EXPECT_NEAR((constant.operator()<4>() - 1296) / (16 * quadruples + 56 * triples + 48 * pairs), 1, 1e-8);
+    if (degree > 1)
+      EXPECT_LE((remainder_of_parts<2, HornerRoundings>(degree, u) / u),
+                CompensatedHorner::info.bound->factor(degree, u));
   }
 }
 
@@ -184,15 +206,20 @@ TEST(Compensated, BreaksDownWhereHermesShowsIt) {
 }
 
 /// (t - 1)^n expanded, the test family of [Graillat et al. 2009]: cond = ((1+t)/|1-t|)^n.
+std::vector<double> expanded_root(int n) {
+  std::vector<double> q{1};
+  for (int k = 1; k <= n; ++k) {
+    q.push_back(0);
+    for (std::size_t j = q.size() - 1; j > 0; --j) q[j] = q[j - 1] - q[j];
+    q[0] = -q[0];
+  }
+  return q;
+}
+
 TEST(Compensated, HornerKeepsItsBoundNearAMultipleRoot) {
   Inputs inputs(13);
   for (const int n : {3, 6, 12, 25, 42}) {
-    std::vector<double> q{1};
-    for (int k = 1; k <= n; ++k) {
-      q.push_back(0);
-      for (std::size_t j = q.size() - 1; j > 0; --j) q[j] = q[j - 1] - q[j];
-      q[0] = -q[0];
-    }
+    const auto q = expanded_root(n);
     for (int repeat = 0; repeat < 100; ++repeat) {
       const double t = 1 + inputs.symmetric() / 2;
       const Truth truth(Form::power, q, t);
@@ -202,6 +229,39 @@ TEST(Compensated, HornerKeepsItsBoundNearAMultipleRoot) {
           << n << " t " << t;
     }
   }
+}
+
+template <int K, class E>
+void expect_relative_accuracy_of_horner() {
+  int kept = 0;
+  int lost = 0;
+  for (const int n : {5, 12, 25}) {
+    const auto q = expanded_root(n);
+    const double remainder = remainder_of_parts<K, HornerRoundings>(n, u);
+    const double adding = gamma_over_u(K - 1, u) * u;
+    for (int step = 4; step <= 160; ++step)
+      for (const double side : {-1.0, 1.0}) {
+        const double t = 1 + side * std::pow(1.3, -step / 2.0);
+        const Truth truth(Form::power, q, t);
+        const double error = truth.error_of(value<E>(q, t));
+        const double p = std::abs(truth.p);
+        EXPECT_LE(error, ((u + 3 * adding * adding) * p + remainder * truth.p_tilde) * (1 + 8 * u))
+            << E::info.id << " degree " << n << " t " << t;
+        const double condition = truth.p_tilde / p;
+        if (condition <= u / remainder / 4) {  // c_K u^K p~ is at most u |p| / 4
+          EXPECT_LE(error, 1.26 * u * p);
+          if (condition > 0.001 * u / remainder) ++kept;
+        }
+        if (condition > 100 * std::pow(u, -K) && error > p / 2) ++lost;
+      }
+  }
+  EXPECT_GE(kept, 5) << E::info.id;
+  EXPECT_GE(lost, 50) << E::info.id;
+}
+
+TEST(Compensated, EachPartOfHornerBuysAFactorUOfCondition) {
+  expect_relative_accuracy_of_horner<3, CompensatedHornerK3>();
+  expect_relative_accuracy_of_horner<4, CompensatedHornerK4>();
 }
 
 TEST(HornerDoubleDouble, IsCorrectlyRoundedInAtLeast99PercentToDegree30) {

@@ -25,59 +25,28 @@
 #include <array>
 #include <utility>
 
-#include "core/error_free.hpp"
+#include "core/evaluate/compensated_parts.hpp"
 #include "core/evaluate/evaluator.hpp"
 
 namespace bezierbench {
 
+/// The roundings of a step: three of each value of a level, and for each error of a part those of its sums.
+struct TriangleRoundings {
+  static constexpr int of_value = 3;
+  static constexpr int of_error(int part) { return 5 * part; }
+  static constexpr int ahead = 0;
+};
+
 /// The largest (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~, but for underflow: c_K u^K and the share of SumK.
 template <int K>
 constexpr double compensated_remainder(int n, double u) {
-  const double gamma_3 = gamma_over_u(3, u);
-  double size[K]{1};   // V_F / (u^F p~)
-  double dropped = 0;  // sum of L_K / (u^K p~)
-  for (int m = 1; m <= n; ++m) {
-    double local = gamma_3 * size[0];  // L_(F+1) / (u^(F+1) p~)
-    size[0] *= 1 + gamma_3 * u;
-    for (int part = 1; part < K; ++part) {
-      const double gamma = gamma_over_u(5 * part, u);
-      const double next = gamma * local + gamma_3 * size[part];
-      size[part] = (1 + gamma_3 * u) * size[part] + (1 + gamma * u) * local;
-      local = next;
-    }
-    dropped += local;
-  }
-  double power = 1;  // u^K
-  double sizes = 0;
-  for (const double each : size) {
-    sizes += each * power;
-    power *= u;
-  }
-  double adding = K > 2 ? sizes : 0;
-  for (int part = 0; part < K; ++part) adding *= gamma_over_u(2 * K - 2, u);
-  return (dropped * (1 + 2 * u) + adding) * power;
+  return remainder_of_parts<K, TriangleRoundings>(n, u);
 }
 
 template <int K>
 constexpr ErrorBound compensated_bound(std::string_view text) {
-  return {.text = text,
-          .amplification = Amplification::p_tilde_bernstein,
-          .factor =
-              [](int n, double u) {
-                const double adding = K > 2 ? gamma_over_u(K - 1, u) : 0;
-                return compensated_remainder<K>(n, u) / u + 3 * adding * adding * u;
-              },
-          .underflow = [](int n) { return (3.0 * K - 1) * n; },
-          .underflow_scales_with_coefficients = false,
-          .result_roundings = 1};
-}
-
-/// total <- total + term; returns the error.
-template <class Scalar>
-Scalar accumulate(Scalar& total, const Scalar& term) {
-  const auto sum = two_sum<Scalar>(total, term);
-  total = sum.value;
-  return sum.error;
+  return bound_of_parts<K, TriangleRoundings>(text, Amplification::p_tilde_bernstein,
+                                              [](int n) { return (3.0 * K - 1) * n; });
 }
 
 /// The parts from `Part` on of a step, whose first parts had these errors. Every index is a constant and nothing is
@@ -122,20 +91,6 @@ template <std::size_t K, class Scalar>
   add_parts<1, K, Scalar>(next, a, b, s, t, std::array<Scalar, 3>{left.error, right.error, sum.error},
                           std::make_index_sequence<2>());
   return next;
-}
-
-/// The sum of K parts as if in K-fold precision, rounded once: [Ogita et al. 2005], Algorithm 4.8.
-template <std::size_t K, class Scalar>
-Scalar sum_of_parts(std::array<Scalar, K> parts) {
-  for (std::size_t pass = 1; pass < K; ++pass)
-    for (std::size_t k = K - 1; k > 0; --k) {
-      const auto sum = two_sum<Scalar>(parts[k - 1], parts[k]);
-      parts[k - 1] = sum.value;
-      parts[k] = sum.error;
-    }
-  Scalar tail = parts[K - 1];
-  for (std::size_t k = K - 2; k > 0; --k) tail = tail + parts[k];
-  return parts[0] + tail;
 }
 
 /// Runs the triangle in K parts on a copy of the control points.

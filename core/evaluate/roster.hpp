@@ -8,6 +8,8 @@
 #include "core/evaluate/compensated_de_casteljau_k3.hpp"
 #include "core/evaluate/compensated_de_casteljau_k4.hpp"
 #include "core/evaluate/compensated_horner.hpp"
+#include "core/evaluate/compensated_horner_k3.hpp"
+#include "core/evaluate/compensated_horner_k4.hpp"
 #include "core/evaluate/compensated_volk_schumaker.hpp"
 #include "core/evaluate/correctly_rounded.hpp"
 #include "core/evaluate/correctly_rounded_power.hpp"
@@ -28,6 +30,7 @@
 #include "core/evaluate/horner_dd.hpp"
 #include "core/evaluate/horner_fma.hpp"
 #include "core/evaluate/power_sum.hpp"
+#include "core/evaluate/seiler.hpp"
 #include "core/evaluate/volk_schumaker.hpp"
 #include "core/evaluate/wang_ball.hpp"
 #include "core/evaluate/wozny_chudy.hpp"
@@ -57,10 +60,13 @@ using Evaluators = TypeList<Direct,                             //
                             BarycentricChebyshev,               //
                             BarycentricUniform,                 //
                             WangBall,                           //
+                            Seiler,                             //
                             PowerSum,                           //
                             Horner,                             //
                             HornerFma,                          //
                             CompensatedHorner,                  //
+                            CompensatedHornerK3,                //
+                            CompensatedHornerK4,                //
                             HornerDoubleDouble,                 //
                             CorrectlyRoundedPower,              //
                             HornerCentered,                     //

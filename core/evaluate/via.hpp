@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "core/basis/amplification.hpp"
 #include "core/convert/conversion.hpp"
 #include "core/evaluate/joined.hpp"
 
@@ -49,8 +50,15 @@ requires(Converter::target == Method::info.form) struct Via {
     const double size = Method::info.bound->underflow_scales_with_coefficients ? Converter::coefficient_growth(n) : 1;
     return Converter::info.bound->underflow(n) + Method::info.bound->underflow(n) * size;
   }
-  static constexpr std::optional<ErrorBound> bound() {
+  /// The method's own bound must multiply p~ of the converted curve: only that is at most what the conversion's does.
+  static constexpr bool has_bound() {
     if constexpr (Converter::info.bound && Method::info.bound)
+      return Method::info.bound->amplification == p_tilde_of(Method::info.form);
+    else
+      return false;
+  }
+  static constexpr std::optional<ErrorBound> bound() {
+    if constexpr (has_bound())
       return ErrorBound{
           .text = detail::Joined<detail::ConversionWord, detail::BoundOf<Converter>, detail::EvaluationWord,
                                  detail::BoundOf<Method>>::text,

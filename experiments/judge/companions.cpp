@@ -11,6 +11,7 @@
 #include "core/arc_length/kernel.hpp"
 #include "core/derivative/kernel.hpp"
 #include "core/fit/kernel.hpp"
+#include "core/grid/kernel.hpp"
 #include "core/interpolate/kernel.hpp"
 #include "core/project/kernel.hpp"
 #include "core/subdivide/kernel.hpp"
@@ -24,9 +25,9 @@ namespace {
 using Infos = std::span<const MethodInfo* const> (*)();
 
 /// One entry for each problem's roster, and one for the methods of other libraries.
-constexpr std::array<Infos, 8> rosters{derivative_infos, arc_length_infos,    inverse_arc_length_infos,
+constexpr std::array<Infos, 9> rosters{derivative_infos, arc_length_infos,    inverse_arc_length_infos,
                                        projection_infos, interpolation_infos, fitting_infos,
-                                       split_infos,      companion_peer_infos};
+                                       split_infos,      grid_infos,          companion_peer_infos};
 
 }  // namespace
 

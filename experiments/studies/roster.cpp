@@ -13,6 +13,7 @@
 #include "experiments/studies/derivative/derivative.hpp"
 #include "experiments/studies/exhaustive/exhaustive.hpp"
 #include "experiments/studies/fitting/fitting.hpp"
+#include "experiments/studies/grid/grid.hpp"
 #include "experiments/studies/guarantees/guarantees.hpp"
 #include "experiments/studies/hard_cases/hard_cases.hpp"
 #include "experiments/studies/interpolation/interpolation.hpp"
@@ -49,7 +50,8 @@ constexpr std::array kinds{
     StudyKind{suite::SubdivisionKeys::kind, subdivision_job, {"subdivision"}},
     StudyKind{suite::HardCasesKeys::kind, hard_cases_job, {"hard_cases"}},
     StudyKind{suite::GuaranteesKeys::kind, guarantees_job, {"guarantees|guarantees_unstable"}},
-    StudyKind{suite::ExhaustiveKeys::kind, exhaustive_job, {"exhaustive"}}};
+    StudyKind{suite::ExhaustiveKeys::kind, exhaustive_job, {"exhaustive"}},
+    StudyKind{suite::GridKeys::kind, grid_job, {"grid"}}};
 
 const StudyKind& find(const suite::Study& study) {
   const auto found =

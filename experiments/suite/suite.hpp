@@ -14,6 +14,7 @@
 #include "experiments/suite/kinds/derivative.hpp"
 #include "experiments/suite/kinds/exhaustive.hpp"
 #include "experiments/suite/kinds/fitting.hpp"
+#include "experiments/suite/kinds/grid.hpp"
 #include "experiments/suite/kinds/guarantees.hpp"
 #include "experiments/suite/kinds/hard_cases.hpp"
 #include "experiments/suite/kinds/interpolation.hpp"
@@ -32,7 +33,7 @@ namespace bezierbench::suite {
 /// `Keys::kind()` (kinds.hpp) describes each.
 using KindKeys = std::variant<AccuracyKeys, SearchKeys, ConversionKeys, TimingKeys, RooflineKeys, DerivativeKeys,
                               ArcLengthKeys, InverseArcLengthKeys, ProjectionKeys, InterpolationKeys, FittingKeys,
-                              SubdivisionKeys, HardCasesKeys, GuaranteesKeys, ExhaustiveKeys>;
+                              SubdivisionKeys, HardCasesKeys, GuaranteesKeys, ExhaustiveKeys, GridKeys>;
 
 /// One [[study]] table. Axes are swept in the cross product.
 struct Study {

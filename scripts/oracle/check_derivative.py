@@ -16,8 +16,9 @@ import check_eval  # noqa: E402
 import exact  # noqa: E402
 
 COLUMNS = "method,t,order,axis,value,exact,error,error_ulp,error_u,bound_u".split(",")
-METHODS = {"bernstein": ["differences_de_casteljau", "differences_horner", "triangle_derivatives", "seed_000"],
-           "power": ["power_derivative"]}
+METHODS = {"bernstein": ["differences_de_casteljau", "differences_horner", "compensated_differences", "triangle_derivatives",
+                         "seed_000"],
+           "power": ["power_derivative", "compensated_power_derivative"]}
 AS_PRINTED = "seed_000"
 
 

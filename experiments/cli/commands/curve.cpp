@@ -21,6 +21,7 @@ void add_curve(Command program, Exit& /*exit*/) {
   add_curve_interpolate(curve);
   add_curve_fit(curve);
   add_curve_split(curve);
+  add_curve_grid(curve);
 }
 
 }  // namespace bezierbench::cli

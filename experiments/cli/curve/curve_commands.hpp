@@ -27,5 +27,6 @@ void add_curve_project(Command curve);
 void add_curve_interpolate(Command curve);
 void add_curve_fit(Command curve);
 void add_curve_split(Command curve);
+void add_curve_grid(Command curve);
 
 }  // namespace bezierbench::cli

@@ -128,6 +128,21 @@ class Curves(Case):
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, derivative + arguments, *needles)
 
+    def test_grid(self):
+        self.write("w.csv", "x,y\n1,1\n3,1\n4,2\n6,3\n")
+        found = rows(self.fine("curve", "grid", "--curve", "w.csv", "--points", "3"))
+        self.assertEqual(list(found[0]), ["method", "index"] + EVAL_COLUMNS[1:])
+        for row in found:  # nothing rounds
+            truth = {("0", "x"): 1, ("0", "y"): 1, ("1", "x"): 3.5, ("1", "y"): 1.625, ("2", "x"): 6, ("2", "y"): 3}
+            self.assertEqual((float(row["value"]), float(row["exact"])), (truth[row["index"], row["axis"]],) * 2)
+            self.assertEqual(float(row["t"]), int(row["index"]) / 2)
+        self.assertEqual(len({row["method"] for row in found}) * 6, len(found))
+        self.write("r.csv", "x,w\n0,1\n1,2\n")
+        for arguments, *needles in [(["w.csv", "--points", "4"], "--points 4", "power of two and one"), (["w.csv"], "--points"),
+                                    (["r.csv", "--points", "3"], "r.csv", "column w")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, ["curve", "grid", "--curve", *arguments], *needles)
+
     @staticmethod
     def halves(c, t):
         """The control points of both halves by de Casteljau's triangle in rational numbers: {(half, index): value}."""

@@ -37,7 +37,7 @@ TEST(DerivativeStudy, BoundsHoldAndTheSeedDocumentIsRightForOrderOneOnly) {
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   const auto csv = derivative_rows_of(study);
-  ASSERT_EQ(csv.row_count(), 2U * 3 * 4);
+  ASSERT_EQ(csv.row_count(), 2U * 3 * 5);
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "trials"), "1200");
     EXPECT_EQ(csv.at(row, "non_finite"), "0");
@@ -60,7 +60,7 @@ TEST(DerivativeStudy, TakesTheMethodsOfTheForm) {
   auto study = small_derivative_study();
   study.curve = Form::power;
   const auto csv = derivative_rows_of(study);
-  ASSERT_EQ(csv.row_count(), 2U * 3);
+  ASSERT_EQ(csv.row_count(), 2U * 3 * 2);
   EXPECT_EQ(csv.at(0, "method"), "power_derivative");
 }
 

@@ -12,6 +12,7 @@
 #include "experiments/studies/arc_length/arc_length.hpp"
 #include "experiments/studies/derivative/derivative.hpp"
 #include "experiments/studies/fitting/fitting.hpp"
+#include "experiments/studies/grid/grid.hpp"
 #include "experiments/studies/interpolation/interpolation.hpp"
 #include "experiments/studies/inverse_arc_length/inverse_arc_length.hpp"
 #include "experiments/studies/projection/projection.hpp"
@@ -24,7 +25,8 @@ namespace bezierbench::studies {
 namespace {
 
 constexpr std::array roster{&timed_evaluation, &timed_derivative,    &timed_arc_length, &timed_inverse_arc_length,
-                            &timed_projection, &timed_interpolation, &timed_fitting,    &timed_subdivision};
+                            &timed_projection, &timed_interpolation, &timed_fitting,    &timed_subdivision,
+                            &timed_grid};
 
 bool means_an_evaluator(const std::string& pattern) {
   constexpr int any_dimension = 2;

@@ -11,6 +11,7 @@
 #include "experiments/studies/arc_length/problem.hpp"
 #include "experiments/studies/derivative/problem.hpp"
 #include "experiments/studies/fitting/problem.hpp"
+#include "experiments/studies/grid/problem.hpp"
 #include "experiments/studies/interpolation/problem.hpp"
 #include "experiments/studies/inverse_arc_length/problem.hpp"
 #include "experiments/studies/projection/problem.hpp"
@@ -61,6 +62,12 @@ suite::Study fits(std::vector<std::string> methods, std::vector<double> toleranc
   return study;
 }
 
+suite::Study grids(std::vector<std::string> methods) {
+  auto study = study_of(std::move(methods));
+  timing(study).points = {17};
+  return study;
+}
+
 race::JudgedRivals rivals_of(const suite::Study& study) {
   const auto& problem = timed_problem(study);
   return problem.rivals(problem.race_cells(study).front(), study, 1);
@@ -83,6 +90,7 @@ std::vector<suite::Study> one_of_each() {
           study_of({"quintic_isolate", "scan_refine"}),
           splines({"c2_natural", "c2_natural_handles"}),
           fits({"schneider", "gauss_newton"}),
+          grids({"pointwise_de_casteljau", "forward_differencing"}),
           study_of({"de_casteljau_split", "lerp_split", "matrix_split"})};
 }
 
@@ -95,6 +103,7 @@ TEST(TimedProblem, IsTheOneThatTheStudyNames) {
   EXPECT_EQ(timed_problem(study_of({"chord_sum"})).problem, Problem::arc_length);
   EXPECT_EQ(timed_problem(study_of({"schneider"})).problem, Problem::fitting);
   EXPECT_EQ(timed_problem(study_of({"*_split"})).problem, Problem::subdivision);
+  EXPECT_EQ(timed_problem(study_of({"forward_*"})).problem, Problem::grid);
   EXPECT_EQ(timed_problem(study_of({"de_casteljau"})).problem, Problem::evaluation);
   EXPECT_EQ(timed_problem(study_of({"*"})).problem, Problem::evaluation);
   EXPECT_EQ(timed_problem(study_of({"gauss_legendre_*"})).problem, Problem::arc_length);

@@ -20,6 +20,14 @@ Finding check_points(const std::vector<int>& points) {
   });
 }
 
+Finding check_grid_points(const std::vector<int>& points) {
+  return each("points", points, [](int value) {
+    const int steps = value - 1;
+    const bool right = steps >= 1 && value <= most_points && (steps & (steps - 1)) == 0;
+    return std::string(right ? "" : "points of a grid must be a power of two and one, 2 to 524289");
+  });
+}
+
 Finding check_tolerances(const std::vector<double>& tolerance) {
   return each("tolerance", tolerance, [](double value) {
     return std::string(std::isfinite(value) && value > 0 ? "" : "tolerance must be finite and above 0");

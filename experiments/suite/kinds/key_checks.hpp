@@ -47,6 +47,8 @@ constexpr Field optional(Field key, std::string_view left_out) {
 
 Finding check_orders(const std::vector<int>& order);
 Finding check_points(const std::vector<int>& points);
+/// Of grids: a power of two and one.
+Finding check_grid_points(const std::vector<int>& points);
 Finding check_tolerances(const std::vector<double>& tolerance);
 Finding check_published(const std::string& published, const Vocabulary& known);
 

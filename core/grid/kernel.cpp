@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "core/grid/kernel.hpp"
+
+#include <cassert>
+
+#include "core/evaluate/kernel_of.hpp"
+#include "core/grid/roster.hpp"
+#include "core/kernel_tables.hpp"
+
+namespace bezierbench {
+namespace {
+
+struct Entry {
+  template <GridMethod M, int Dimension>
+  static constexpr GridKernel of() {
+    return {&M::info, &M::bound, Dimension, [](const CurveView<double>& view, int steps, double* coordinates) {
+              assert(is_grid(steps));
+              const auto prepared = M::prepare(instantiate::load<M::info.form, Dimension>(view), steps);
+              M::run(prepared, [coordinates](int k, const Point<double, Dimension>& point) {
+                for (int axis = 0; axis < Dimension; ++axis) coordinates[k * Dimension + axis] = point[axis];
+              });
+            }};
+  }
+};
+
+}  // namespace
+
+std::span<const GridKernel> grid_kernels(int dimension) {
+  return kernels_of<GridKernel, Entry>(GridMethods{}, dimension);
+}
+
+std::span<const MethodInfo* const> grid_infos() { return infos_of(GridMethods{}); }
+
+}  // namespace bezierbench

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Formula: an evaluator at each t_k = k/m by itself: what a method on grids has to be faster than, and is less accurate
+//   than.
+// Source: that of the evaluator.
+// Cost: the evaluator's and one product for t_k.
+// Bound: the evaluator's, at every k the same.
+// Fails: where the evaluator does.
+#pragma once
+
+#include "core/basis/integer_power.hpp"
+#include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/joined.hpp"
+#include "core/grid/grid.hpp"
+
+namespace bezierbench {
+
+namespace detail {
+
+struct Pointwise {
+  static constexpr std::string_view text = "pointwise_";
+};
+
+}  // namespace detail
+
+template <Evaluator E>
+struct Pointwise {
+  static_assert(E::info.bound->result_roundings == 0 && !E::info.bound->unit_interval_only);
+
+  static constexpr GridBound bound{
+      .text = E::info.bound->text,
+      .amplification = E::info.bound->amplification,
+      .factor = [](int n, int /*k*/, double u) { return E::info.bound->factor(n, u); },
+      .underflow = [](int n, int /*steps*/) { return E::info.bound->underflow(n); },
+      .underflow_scales_with_coefficients = E::info.bound->underflow_scales_with_coefficients};
+  static constexpr MethodInfo info{.id = detail::Joined<detail::Pointwise, detail::IdOf<E>>::text,
+                                   .label = E::info.label,
+                                   .problem = Problem::grid,
+                                   .form = E::info.form,
+                                   .max_degree = E::info.max_degree,
+                                   .promise = bound.text,
+                                   .bit_stable = E::info.bit_stable,
+                                   .flops = E::info.flops,
+                                   .cost_exponent = E::info.cost_exponent,
+                                   .prepare_exponent = E::info.prepare_exponent,
+                                   .citation = E::info.citation};
+
+  template <int Dimension>
+  struct Prepared {
+    PreparedOf<E, double, Dimension> curve;
+    int steps;
+  };
+
+  template <int Dimension>
+  static Prepared<Dimension> prepare(const Curve<E::info.form, double, Dimension>& curve, int steps) {
+    return {E::prepare(curve), steps};
+  }
+
+  template <int Dimension, class Take>
+  static void run(const Prepared<Dimension>& prepared, Take take) {
+    const double width = 1.0 / prepared.steps;
+    for (int k = 0; k <= prepared.steps; ++k) take(k, E::evaluate(prepared.curve, k * width));
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/grid/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/grid/grid.hpp"
+#include "experiments/metric/grid_bound_at.hpp"
+#include "experiments/race/timed_companion.hpp"
+#include "experiments/studies/grid/problem.hpp"
+#include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/suite/fault.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+/// Calls judge(k, error, bound, scale) for every point, with the bound infinite where none is proved, until one returns
+/// false.
+template <class Judge>
+bool each_point(const GridKernel& method, const GridProblem::Drawn& drawn, const GridProblem::Answer& answer,
+                Judge judge) {
+  const auto d = static_cast<std::size_t>(drawn.curve.dimension);
+  const int steps = static_cast<int>(drawn.truth.size()) - 1;
+  metric::TrialScale scale;
+  for (int k = 0; k <= steps; ++k) {
+    const auto place = static_cast<std::size_t>(k);
+    const double error = drawn.distances[place].to(std::span(answer).subspan(place * d, d));
+    scale.set(drawn.curve, static_cast<double>(k) / steps);
+    const double bound =
+        scale.bound(metric::bound_at(*method.bound, drawn.curve.degree, k, steps, metric::double_arithmetic),
+                    metric::double_arithmetic);
+    if (!judge(k, error, bound, scale)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::size_t GridProblem::timed_trials(const judge::TrialPart& part) {
+  return static_cast<std::size_t>(std::clamp(16384 / *part.values.points, 1, 256));
+}
+
+GridProblem::GridProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part)
+    : curves_(study, seed, part.cell), steps_(*part.values.points - 1) {
+  if (!is_grid(steps_)) suite::refuse(study, {"points", 0, {}, "points of a grid must be a power of two and one"});
+}
+
+void GridProblem::draw(std::uint64_t number, Drawn& drawn) const {
+  curves_.draw(number, drawn);
+  drawn.truth.clear();
+  drawn.distances.clear();
+  for (int k = 0; k <= steps_; ++k)
+    drawn.truth.push_back(drawn.exact.point(drawn.curve, static_cast<double>(k) / steps_));
+  for (const auto& point : drawn.truth) drawn.distances.emplace_back(point);
+}
+
+void GridProblem::judge(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer,
+                        std::uint64_t number, Errors& errors) {
+  if (!std::ranges::all_of(answer, [](double value) { return std::isfinite(value); })) {
+    ++errors.non_finite;
+    return;
+  }
+  bool violated = false;
+  const int steps = static_cast<int>(drawn.truth.size()) - 1;
+  each_point(method, drawn, answer, [&](int k, double error, double bound, metric::TrialScale& scale) {
+    errors.error.add(error);
+    const double error_u = scale.in_bound_units(error, metric::double_arithmetic);
+    metric::add_rounded(error_u, errors.error_u);
+    if (k == steps) metric::add_rounded(error_u, errors.last_error_u);
+    if (!std::isfinite(bound)) return true;
+    ++errors.bounded;
+    const double bound_u = scale.in_bound_units(bound, metric::double_arithmetic);
+    if (std::isfinite(bound_u)) errors.bound_u.add(bound_u);
+    violated = violated || metric::TrialScale::violates(error, bound);
+    return true;
+  });
+  if (violated) errors.violations.add(number);
+}
+
+bool GridProblem::is_right(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer) {
+  return each_point(method, drawn, answer, [](int /*k*/, double error, double bound, metric::TrialScale& /*scale*/) {
+    return std::isfinite(error) && !metric::TrialScale::violates(error, bound);
+  });
+}
+
+std::unique_ptr<run::Job> grid_job(const suite::Study& study, const run::JobContext& context) {
+  return trial_job<GridProblem>(study, context);
+}
+
+constexpr race::TimedProblem timed_grid = race::timed_companion<GridProblem>();
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: MIT
+"""Points on uniform grids: forward differencing, whose error grows with the number of points, against one point at a time."""
+
+from ..document import Text
+from ..error_tables import error_tables, swept
+from .suite_parts import figure, of_suite, study_figure, with_times
+
+TITLE = "Points on a grid"
+SUITE = KIND = "grid"
+
+
+def _axes(rows):
+    """(axis across, kind of inputs down): numbers of points run across where there are more of them than degrees."""
+    across = swept(rows)[0]
+    if len({r["points"] for r in rows}) > len({r["degree"] for r in rows}):
+        return "points", "degree"
+    return across, "points"
+
+
+def study_tables(bundle, study):
+    """Mean and largest error."""
+    rows = bundle["grid.csv"].some(study=study)
+    yield from error_tables(study, rows, *_axes(rows))
+
+
+@with_times("grid")
+def blocks(bundle, findings):
+    """Findings, the figure, then the tables of each study."""
+    table = bundle["grid.csv"].of_suite(SUITE)
+    yield from of_suite(findings, SUITE)
+    yield from figure("grid_against_points", bundle)
+    for study in table.distinct("study"):
+        yield from study_figure(bundle, study)
+        yield from study_tables(bundle, study)
+    yield Text("A grid has the parameters k/m for k = 0, 1, ..., m, where m is a power of two, and its errors are those of all its "
+               "points. Forward differencing makes each point from the one before by n additions on each axis, so every step adds "
+               "its roundings, and the bound grows with k; `pointwise_...` is an evaluator at one point after the other.")
