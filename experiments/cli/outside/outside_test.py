@@ -194,6 +194,7 @@ class Faults(Outside):
                  "many": "print('0 0\\n' * (count + 1))", "flood": "print('0 0\\n' * 10**7 * (count > 0))",
                  "exits": "sys.exit(count > 0)", "hangs": "\nwhile count > 0: pass",
                  "dies": "import os\nif count > 0: os.abort()", "nan": "print('nan nan\\n' * count)",
+                 "some": "if count > 0: print('nan 0\\n' + '0 0\\n' * (count - 1))",
                  "eats": "held = bytearray(count * 10**9)\nprint('0 0\\n' * count)"}
         given = [word for name, text in texts.items()
                  for word in ("--program", self.program(name, answer.replace("NAME", name) + text))]
@@ -206,7 +207,21 @@ class Faults(Outside):
         status = {row["method"][len("program_"):]: row["status"] for row in self.outside_rows("b")}
         self.assertIn(status.pop("flood"), ("crashed", "exited"))  # the limit of its output
         self.assertEqual(status, {"malformed": "malformed", "few": "malformed", "many": "malformed", "exits": "exited",
-                                  "hangs": "timed_out", "dies": "crashed", "nan": "non_finite", "eats": "exited"})
+                                  "hangs": "timed_out", "dies": "crashed", "nan": "non_finite", "some": "ok", "eats": "exited"})
+        self.assertEqual([row["non_finite"] for row in self.outside_rows("b") if row["method"] == "program_some"], ["1"])
+        self.assertIn(b"program_some: non_finite in study a: 1 of 600 coordinates", result.stderr)
+        self.assertIn(b"program_nan: non_finite in study a: 600 of 600 coordinates", result.stderr)
+
+    def test_what_fails_while_it_is_timed_has_no_time(self):
+        given = [word for k in (1, 7) for word in
+                 ("--plugin", compiled(self.folder, EXAMPLES / "plugin/faulty.c", f"faulty{k}.so", f"-DFAULT={k}"))]
+        suite = self.suite({**TIMING, "modes": '["point"]', "methods": '["de_casteljau"]'})
+        result = self.run_program("run", suite, *given, "--quiet", "--out", "b", timeout=600)
+        self.assertEqual((result.returncode, result.stdout), (FINE, b""), result.stderr)
+        self.assert_complete("b")
+        self.assertEqual(self.outside_rows("b", "timing.csv"), [])
+        self.assertEqual([(row["method"], row["degree"], row["mode"], row["status"]) for row in self.outside_rows("b", "untimed.csv")],
+                         [("plugin_faulty_1", "3", "point", "crashed"), ("plugin_faulty_7", "3", "point", "refused")])
 
     def test_what_is_no_method_is_refused(self):
         suite = self.suite(**SMALL)
