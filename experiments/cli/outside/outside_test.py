@@ -113,11 +113,12 @@ class Ways(Outside):
 
     def test_answers(self):
         suite = self.suite(**{**SMALL, "trials": "50"})
-        self.fine("inputs", suite, "--out", "questions.csv")
+        seed = ("--seed", 2**53 + 1)  # which no double has
+        self.fine("inputs", suite, *seed, "--out", "questions.csv")
         answered = subprocess.run([sys.executable, EXAMPLES / "answers/answer.py", self.folder / "questions.csv"],
                                   check=True, capture_output=True, text=True).stdout
         self.write("mine.csv", answered)
-        self.bundle(suite, name="without")
+        self.bundle(suite, *seed, name="without")
         judged = rows(self.fine("judge", "mine.csv"))
         self.assertEqual([row["method"] for row in judged], ["answers_mine"] * 2)
         self.assert_numbers_of(judged, self.ours("without"))
@@ -132,6 +133,9 @@ class Ways(Outside):
         result = self.run_program("judge", "gap.csv")
         self.assertEqual((result.returncode, [row["status"] for row in rows(result.stdout.decode())]),
                          (FINDING, ["missing", "ok"]))
+        for wrong in ("1e300", "1.5", "nan"):
+            self.write("wrong.csv", answered.replace(f",{seed[1]},", f",{wrong},"))
+            self.refused(4, ["judge", "wrong.csv"], "seed is not a whole number")
 
     def test_own(self):
         program = pathlib.Path(os.environ.get("BEZIERBENCH_OWN") or
