@@ -28,10 +28,11 @@ function(bezierbench_headers_in result)
   set(${result} ${headers} PARENT_SCOPE)
 endfunction()
 
-# bezierbench_install_component(COMPONENT target...): the export set and the pkg-config file.
+# bezierbench_install_component(COMPONENT target...): the libraries, the export set and the pkg-config file.
 function(bezierbench_install_component component)
-  install(TARGETS ${ARGN} EXPORT bezierbench-${component} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-          COMPONENT ${component})
+  install(TARGETS ${ARGN} EXPORT bezierbench-${component}
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component} NAMELINK_COMPONENT ${component})
   install(EXPORT bezierbench-${component} FILE bezierbench-${component}-targets.cmake NAMESPACE bezierbench::
           DESTINATION ${BEZIERBENCH_CMAKE_DIR} COMPONENT ${component})
   file(RELATIVE_PATH BEZIERBENCH_PREFIX_OF_PC /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)

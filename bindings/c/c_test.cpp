@@ -2,7 +2,6 @@
 // The C interface against the definitions and the reference, and everything that it must refuse.
 #include <bezierbench/bezierbench.h>
 #include <gtest/gtest.h>
-#include <immintrin.h>
 
 #include <array>
 #include <cfenv>
@@ -11,6 +10,9 @@
 #include <string>
 #include <thread>
 #include <vector>
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
 
 namespace {
 

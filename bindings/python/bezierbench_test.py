@@ -80,6 +80,13 @@ class Points(unittest.TestCase):
         self.assertEqual(exact.dtype, np.float32)
         self.assertTrue(np.array_equal(bezierbench.evaluate(points, T, "correctly_rounded"), exact))
 
+    def test_what_is_in_double_only_refuses_float(self):
+        points = np.array(CURVE, dtype=np.float32)
+        self.assertGreater(bezierbench.error(points, 0.7, bezierbench.evaluate(points, 0.7)).error.max(), 1e-9)
+        for call in (lambda: bezierbench.bound(points, 0.7), lambda: bezierbench.Prepared(points)):
+            with self.assertRaisesRegex(ValueError, "give float64"):
+                call()
+
     def test_a_prepared_curve(self):
         prepared = bezierbench.Prepared(CURVE, "wozny_chudy")
         self.assertTrue(np.array_equal(prepared(T), bezierbench.evaluate(CURVE, T, "wozny_chudy")))

@@ -6,6 +6,7 @@ With the name of a compiler instead of a test, `package_test.py PREFIX --alone g
 """
 import concurrent.futures
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -16,7 +17,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 OUTSIDE = Path(__file__).resolve().parent / "outside"
 RESULTS = [ROOT / "results/baseline/worst.csv", ROOT / "results/hard_cases/hard_cases.csv"]
-STRICT = ["-std=c++20", "-Wall", "-Wextra", "-Wconversion", "-Werror"]
+WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-Werror"]
+STRICT = ["-std=c++20", *WARNINGS]
+STRICT_C = ["-std=c99", "-Wpedantic", *WARNINGS]
 POINT = """#include <bezierbench/evaluate.hpp>
 #include <vector>
 int main() {
@@ -47,9 +50,9 @@ def compilers():
     return [name for name in ("g++", "clang++") if shutil.which(name)]
 
 
-def headers():
+def headers(pattern="*.hpp"):
     place = PREFIX / "include"
-    return sorted(file.relative_to(place).as_posix() for file in (place / "bezierbench").rglob("*.hpp"))
+    return sorted(file.relative_to(place).as_posix() for file in (place / "bezierbench").rglob(pattern))
 
 
 class Package(unittest.TestCase):
@@ -89,7 +92,12 @@ class Package(unittest.TestCase):
         flags = pkg_config("--cflags", "bezierbench-methods")
         for flag in ("-ffp-contract=off", "-fno-fast-math", "-DEIGEN_DONT_VECTORIZE"):
             self.assertIn(flag, flags)
-        self.assertEqual(pkg_config("--modversion", "bezierbench-reference"), ["1.0.0"])
+        names = [file.stem for file in PREFIX.glob("lib/**/pkgconfig/*.pc")]
+        self.assertEqual(len(names), 4 if (PREFIX / "bin/bezierbench").exists() else 2)
+        for name in names:
+            libraries = [flag for flag in pkg_config("--libs", name) if flag.startswith("-lbezierbench")]
+            self.assertEqual(bool(libraries), name != "bezierbench-methods", name)
+            self.assertEqual(pkg_config("--modversion", name), ["1.0.0"])
         done = self.compile(POINT, *flags)
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertEqual(run(self.folder / "program").returncode, 0)
@@ -122,6 +130,13 @@ class Package(unittest.TestCase):
                                     compiler=compiler)
                 self.assertEqual(done.returncode, 0, done.stdout)
 
+    def test_methods_need_eigen_alone(self):
+        methods = [header for header in headers() if header.startswith("bezierbench/core/")]
+        for header in ["bezierbench/evaluate.hpp", *methods]:
+            text = (PREFIX / "include" / header).read_text(encoding="utf-8")
+            for included in re.findall(r"^ *# *include +(\S+)", text, re.MULTILINE):
+                self.assertRegex(included, r'^(<[a-z_]+>|<Eigen/\w+>|"bezierbench/(core/\S+|evaluate\.hpp)")$', header)
+
     def test_headers_name_each_other_as_they_are_installed(self):
         for header in headers():
             text = (PREFIX / "include" / header).read_text(encoding="utf-8")
@@ -142,19 +157,22 @@ class Package(unittest.TestCase):
 
 
 def alone(compiler):
-    """Compiles each header by itself; prints those that fail."""
-    flags = pkg_config("--cflags", "bezierbench-methods")
+    """Compiles each header by itself, those of C with both standards; prints those that fail."""
+    in_cpp = ["-x", "c++", *STRICT, *pkg_config("--cflags", "bezierbench-methods")]
+    in_c = ["-x", "c", *STRICT_C, f"-I{PREFIX / 'include'}"]
+    of_c = headers("*.h")
+    tries = [(header, in_cpp) for header in headers() + of_c] + [(header, in_c) for header in of_c]
 
-    def refused(header):
-        done = subprocess.run([compiler, *STRICT, *flags, "-fsyntax-only", "-x", "c++", "-"], text=True,
-                              input=f"#include <{header}>\n", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              check=False)
+    def refused(header, options):
+        done = subprocess.run([compiler, *options, "-fsyntax-only", "-"], text=True, input=f"#include <{header}>\n",
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
         return f"{header}: {done.stdout}" if done.returncode else ""
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        findings = [finding for finding in pool.map(refused, headers()) if finding]
-    print("\n".join(findings + [f"{len(headers())} headers, {len(findings)} do not compile alone with {compiler}"]))
-    return 1 if findings else 0
+        findings = [finding for finding in pool.map(lambda one: refused(*one), tries) if finding]
+    print("\n".join(findings + [f"{len(headers())} headers of C++ and {len(of_c)} of C, {len(findings)} do not compile alone "
+                                f"with {compiler}"]))
+    return 1 if findings or not of_c else 0
 
 
 if __name__ == "__main__":

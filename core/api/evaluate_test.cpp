@@ -76,11 +76,22 @@ TEST(Evaluate, TakesScalarsThatOnlyAddAndMultiply) {
 TEST(Evaluate, ChoosesAsTheRuleSays) {
   EXPECT_EQ(recommended(2, 0.5).id, "de_casteljau");
   EXPECT_EQ(recommended(3, 0.5).id, "horner_bernstein");
-  EXPECT_EQ(recommended(601, 0.5).id, "de_casteljau");
-  EXPECT_EQ(recommended(132, 0.5F).id, "de_casteljau");  // beyond the degrees of horner_bernstein in float
-  EXPECT_EQ(recommended(3, -0.1).id, "de_casteljau_two_sided");
+  EXPECT_EQ(recommended(3, -0.1).id, "horner_bernstein");
+  EXPECT_EQ(recommended(512, 0.5).id, "horner_bernstein");
+  EXPECT_EQ(recommended(513, 0.5).id, "de_casteljau");
+  EXPECT_EQ(recommended(64, 0.5F).id, "horner_bernstein");
+  EXPECT_EQ(recommended(65, 0.5F).id, "de_casteljau");
   EXPECT_EQ(recommended<Form::power>(3, 0.5).id, "horner");
   EXPECT_EQ(recommended<Form::rational>(3, 0.5).id, "horner_bernstein");
+}
+
+TEST(Evaluate, ChoosesNothingThatOverflowsForCoordinatesOfUsualSize) {
+  for (const int degree : {60, 64, 65, 100, 131, 1000}) {
+    const std::vector<std::array<float, 1>> single(static_cast<std::size_t>(degree) + 1, {1e18F});
+    const std::vector<std::array<double, 1>> points(single.size(), {1e150});
+    EXPECT_NEAR(evaluate(single, 0.5F)[0], 1e18F, 1e14F) << degree;
+    EXPECT_NEAR(evaluate(points, 0.5)[0], 1e150, 1e140) << degree;
+  }
 }
 
 /// The point has the bits of the method that the rule names.
@@ -93,7 +104,7 @@ bool is_by(const Points& points, ScalarOf<Points> t) {
 TEST(Evaluate, HasTheBitsOfTheMethodItChose) {
   EXPECT_TRUE(is_by<DeCasteljau>(random_points<double, 3>(2, 1), 0.3));
   EXPECT_TRUE(is_by<HornerBernstein>(random_points<double, 3>(17, 2), 0.3));
-  EXPECT_TRUE(is_by<DeCasteljauTwoSided>(random_points<double, 3>(17, 3), 1.3));
+  EXPECT_TRUE(is_by<HornerBernstein>(random_points<double, 3>(17, 3), 1.3));
   EXPECT_TRUE(is_by<HornerBernstein>(random_points<float, 2>(9, 4), 0.3F));
   const auto points = random_points<double, 2>(9, 5);
   EXPECT_EQ(prepare<VolkSchumaker>(points)(0.7), evaluate<VolkSchumaker>(points, 0.7));

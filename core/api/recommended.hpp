@@ -1,28 +1,36 @@
 // SPDX-License-Identifier: MIT
-// The evaluator that a caller gets who names none: the fastest in mode `point` of those that have a proved bound for
-// every t and need neither a conversion nor a fused operation in hardware. Times are in nanoseconds (GCC 12,
-// x86-64-v3), errors the largest that were observed, in units of u p~, each with the study that it is from, by its id
-// in the shipped suites.
+// The evaluator that a caller gets who names none. Rule: of the methods with a proved bound at every trial that need
+// neither a conversion nor a fused operation in hardware, those whose times in mode `point` have a product over the
+// degrees 3, 12 and 30 within a fifth of the smallest (a race is no sharper), and of these the one with the smallest
+// errors. The test beside this file applies it to the committed bundle results/answers:
 //
-//   Bernstein form, t in [0,1]   `horner_bernstein`: 4.1 against 5.0 of `de_casteljau` at degree 4, 15.2 against 75.8
-//                                at 20 (2.4-bezier of `report`), with errors no larger: 13.5 against 15.6 at degree 20
-//                                (truth-bezier). To degree 2 and past 600, where its bound is infinite,
-//                                `de_casteljau` (regimes-degree of `regimes`).
-//   Bernstein form, other t      `de_casteljau_two_sided`: 4.7 against 19.0 of `de_casteljau` and 20.4 of
-//                                `horner_bernstein` at degree 20 for t in [-1,0] (regimes-parameter).
-//   power form                   `horner`: 11.2 at degree 20 (2.4-polynomial). `power_sum` takes 10.2, with errors of
-//                                6.4 against 1.6 (speed-errors-polynomial of `speed`).
-//   rational curves              `horner_bernstein` from degree 3 on: 3.7 against 4.4 of `de_casteljau` at 3, 11.4
-//                                against 31.5 at 10 (rational-time of `rational`). No method has a bound outside [0,1].
+//   studies (and -time)               method            ns a point       largest error in u p~
+//   answers-bezier, t in [0,1]        horner_bernstein  3.1, 13, 30      3.4, 8.6, 17
+//                                     de_casteljau      3.3, 34, 210     3.0, 8.1, 16
+//   answers-outside, t in [-100,100]  horner_bernstein  3.4, 11, 32      3.0, 9.6, 18
+//                                     de_casteljau      3.8, 34, 249     3.3, 6.4, 17
+//   answers-power, t in [0,1]         horner            3.5, 4.8, 20     1.9, 1.5, 1.7
+//                                     power_sum         2.8, 5.6, 19     2.3, 4.3, 5.6
+//   answers-rational, t in [0,1]      horner_bernstein  5.8, 19, 41      4.7, 6.7, 9.8
+//                                     de_casteljau      6.2, 45, 250     5.0, 7.0, 11
+//
+// speed-bezier and speed-polynomial in results/atlas/speed say the same at degrees 10 and 20: 6.9 and 15 ns for
+// `horner_bernstein`, 23 and 76 for `de_casteljau`; 3.8 and 11 for `horner`, 4.2 and 17 for `power_sum`. So inside and
+// outside of [0,1] the choice is the same; for rational curves no method has a bound outside.
+//
+// `de_casteljau` takes the degrees to 2, where the triangle is as fast (4.9 ns both, rational-time in
+// results/atlas/rational) and its bound smaller, and those past half of the type's largest exponent, 512 in double and
+// 64 in float. Up to there C(n,i) < 2^n, so that C(n,i) b_i is finite for coordinates up to 1e154 in double, 1e19 in
+// float.
 //
 // Scalars that are not floating-point numbers get the scheme that needs least of them, sums and products:
 // `de_casteljau` or `horner`.
 #pragma once
 
 #include <concepts>
+#include <limits>
 
 #include "core/evaluate/de_casteljau.hpp"
-#include "core/evaluate/de_casteljau_two_sided.hpp"
 #include "core/evaluate/homogeneous.hpp"
 #include "core/evaluate/horner.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
@@ -30,15 +38,15 @@
 namespace bezierbench::detail {
 
 /// Whether a curve of this degree is for `horner_bernstein`.
-template <class Scalar>
+template <std::floating_point Scalar>
 constexpr bool is_for_nested_scheme(int degree) {
-  constexpr int largest_with_bound = 600;
-  return degree > 2 && degree <= largest_with_bound && HornerBernstein::info.supports<Scalar>(degree);
+  return degree > 2 && degree <= std::numeric_limits<Scalar>::max_exponent / 2 &&
+         HornerBernstein::info.supports<Scalar>(degree);
 }
 
 /// Returns `use.template operator()<Method>()` of the method for a curve of this form and degree at t.
 template <Form F, class Scalar, class Use>
-auto with_recommended(int degree, const Scalar& t, const Use& use) {
+auto with_recommended(int degree, const Scalar& /*t*/, const Use& use) {
   if constexpr (F == Form::power) {
     return use.template operator()<Horner>();
   } else if constexpr (F == Form::rational) {
@@ -47,10 +55,8 @@ auto with_recommended(int degree, const Scalar& t, const Use& use) {
     return use.template operator()<Homogeneous<DeCasteljau>>();
   } else {
     static_assert(F == Form::bernstein, "curves are given in Bernstein, power or rational form");
-    if constexpr (std::floating_point<Scalar>) {
-      if (!(t >= 0 && t <= 1)) return use.template operator()<DeCasteljauTwoSided>();
+    if constexpr (std::floating_point<Scalar>)
       if (is_for_nested_scheme<Scalar>(degree)) return use.template operator()<HornerBernstein>();
-    }
     return use.template operator()<DeCasteljau>();
   }
 }

@@ -11,7 +11,7 @@
 namespace bezierbench {
 
 /// What may be proved of an evaluator for Bernstein form or refuted by one input. The exact statements, with what holds
-/// for underflow and overflow, stand in experiments/guarantees/<name>.hpp.
+/// for underflow and overflow, stand in experiments/guarantees, each in the header of its name.
 enum class Property {
   ends_exact,           ///< p(0) = b_0 and p(1) = b_n
   constant_reproduced,  ///< p(t) = c where all b_i = c

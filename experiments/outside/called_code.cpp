@@ -92,13 +92,13 @@ Status evaluate_watched(const OpenKernel& open, const Batch& batch, Guarded& poi
   } catch (...) {
     return Status::threw;
   }
-  if (!has_usual_arithmetic()) return Status::changed_rounding;
   const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
     return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
   };
   if (!points.intact() || !same(given.t, batch.t) || !same(given.coefficients, batch.coefficients) ||
       !same(given.weights, batch.weights))
     return Status::wrote_out_of_bounds;
+  if (!has_usual_arithmetic()) return Status::changed_rounding;
   return growth.found() ? Status::leaked : Status::ok;
 }
 
@@ -141,9 +141,7 @@ Answer ask_code(const OpenKernel& open, const Batch& batch, const Limits& limits
   std::memcpy(&answer.status, ended.output.data(), sizeof answer.status);
   answer.points.resize(numbers);
   std::memcpy(answer.points.data(), ended.output.data() + sizeof answer.status, numbers * sizeof(double));
-  if (answer.status != Status::ok)
-    answer.detail =
-        fmt::format("{}{}{}", name(answer.status), ended.errors.empty() ? "" : ": ", last_line(ended.errors));
+  if (answer.status != Status::ok) answer.detail = last_line(ended.errors);
   return answer;
 }
 

@@ -140,6 +140,7 @@ Ended run_in_child(const std::function<void()>& work, std::string_view input, st
   const MemoryFile out("bezierbench-output");
   const MemoryFile errors("bezierbench-errors");
   in.fill(input);
+  signal(SIGCHLD, SIG_DFL);  // whoever started this program may ignore it, and then nobody learns how a child ended
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child < 0) cannot("fork");

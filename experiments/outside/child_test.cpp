@@ -36,6 +36,13 @@ TEST(Child, ReportsTheSignalThatEndsIt) {
   EXPECT_EQ(ended.code, SIGABRT);
 }
 
+TEST(Child, ReportsItsEndThoughChildrenWereIgnored) {
+  signal(SIGCHLD, SIG_IGN);
+  const auto ended = run_in_child([] { std::abort(); }, {}, room, {}, nullptr);
+  signal(SIGCHLD, SIG_DFL);
+  EXPECT_EQ(ended.end, End::signalled);
+}
+
 /// Waits until the process is gone; false after two seconds.
 bool ends(pid_t process) {
   for (int k = 0; k < 200; ++k) {

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from ._arrays import Array, GivenCurve, address, parameters, point_rows
 from ._library import check, library
 
+# For every degree, and t inside or outside of [0,1]; evaluate() says why.
 _DEFAULTS = {"bernstein": "de_casteljau", "power": "horner", "rational": "de_casteljau"}
 
 
@@ -36,6 +37,11 @@ def _is_float(points: ArrayLike) -> bool:
     return getattr(points, "dtype", None) == np.float32
 
 
+def _require_double(points: ArrayLike, why: str) -> None:
+    if _is_float(points):
+        raise ValueError(f"{why}; give float64")
+
+
 def _result(t: Array, dimension: int, dtype: type = np.float64) -> Array:
     return np.empty((*t.shape, dimension), dtype=dtype)
 
@@ -45,9 +51,16 @@ def evaluate(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form
     """The points at `t` by a method; see `methods()`.
 
     `points` has a row for each control point, or for each coefficient in ascending order with form "power"; `weights` make
-    it a rational curve, whose points are not premultiplied. A scalar t gives the shape (d,), m of them (m, d). Without a
-    method it is de_casteljau for control points and horner for power form. An array of float32 is evaluated in float, in
-    Bernstein form only. Raises Error for a method that does not exist or does not take the curve.
+    it a rational curve, whose points are not premultiplied. A scalar t gives the shape (d,), m of them (m, d). An array of
+    float32 is evaluated in float, in Bernstein form only. Raises Error for a method that does not exist or does not take the
+    curve.
+
+    Without a method it is de_casteljau for control points, with weights or without, and horner for power form. They take
+    every degree, no binomial coefficient enters that could overflow, and their bounds hold for every finite t (with weights
+    for t in [0, 1]). In results/answers their errors are at most 18 u p~ for de_casteljau and 1.9 u p~ for horner, at
+    degrees 3, 12 and 30 (studies answers-bezier, -outside, -rational and -power). The price is time: a point takes 210 ns
+    by de_casteljau and 30 ns by horner_bernstein at degree 30, 3 ns by both at degree 3 (answers-bezier-time). For many
+    points at a high degree give method="horner_bernstein", as the C++ function evaluate() chooses for up to degree 512.
     """
     if _is_float(points):
         return _evaluate_float(points, t, method or _DEFAULTS["bernstein"], form, weights)
@@ -127,8 +140,9 @@ def bound(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form: s
           weights: ArrayLike | None = None) -> Bounds:
     """The proved bounds of a method for its points at `t`; the default method is that of `evaluate`.
 
-    Raises Error for a method that has no proved bound.
+    Raises Error for a method that has no proved bound, and ValueError for float32, which `evaluate` computes in float.
     """
+    _require_double(points, "bounds are those of methods in double")
     curve = GivenCurve(points, form, weights)
     at = parameters(t)
     out = np.empty((*at.shape, curve.dimension, 2))
@@ -138,10 +152,14 @@ def bound(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form: s
 
 
 class Prepared:
-    """A curve as a method prepared it, for many calls: `Prepared(points, method)(t)` is `evaluate(points, t, method)`."""
+    """A curve as a method prepared it, for many calls: `Prepared(points, method)(t)` is `evaluate(points, t, method)`.
+
+    In double only: raises ValueError for float32.
+    """
 
     def __init__(self, points: ArrayLike, method: str | None = None, *, form: str = "bernstein",
                  weights: ArrayLike | None = None) -> None:
+        _require_double(points, "curves are prepared in double")
         curve = GivenCurve(points, form, weights)
         self._handle = ctypes.c_void_p()
         self.dimension = curve.dimension

@@ -32,9 +32,7 @@ Exit merge(const MergeOptions& options) {
   request.suites = suite::parse_suites(text, place, vocabulary());
   record_outside(request, suite::parse_outside(text, place));
   request.out = options.out;
-  const auto findings = run::merge(std::move(request), bundles);
-  for (const auto& finding : findings) say(finding);
-  return findings.empty() ? Exit::fine : Exit::finding;
+  return say_findings(run::merge(std::move(request), bundles));
 }
 
 }  // namespace

@@ -15,25 +15,19 @@
 #include "experiments/cli/commands/shard.hpp"
 #include "experiments/cli/outside/outside_options.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/startup/known_values.hpp"
-#include "experiments/cli/startup/suites_folder.hpp"
+#include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
-#include "experiments/suite/overrides.hpp"
-#include "experiments/suite/reader.hpp"
-#include "experiments/suite/validate.hpp"
 
 namespace bezierbench::cli {
 namespace {
 
 struct RunOptions {
-  std::vector<std::string> suites;
+  SuiteOptions suites;
   std::string out;
   int jobs = 0;
-  std::optional<std::string> seed;
-  std::optional<std::string> trials;
   std::string reference = "certified";
   std::optional<std::string> shard;
   std::optional<std::string> checkpoint;
@@ -41,16 +35,7 @@ struct RunOptions {
   bool quiet = false;
   std::optional<std::string> progress;
   bool host_name = false;
-  suite::Overrides overrides;
 };
-
-/// The number in an option. CLI11 would turn a number beyond the range of the type into the largest one of the type.
-std::int64_t whole_number(std::string_view option, const std::string& text) {
-  const auto number = number::parse_integer(text);
-  if (!number || *number < 0)
-    throw Failure(Exit::usage, fmt::format("{} {}: not a whole number from 0 to 2^63-1", option, text));
-  return *number;
-}
 
 std::chrono::milliseconds pause(const std::string& text) {
   constexpr double day = 86400;
@@ -76,13 +61,8 @@ Exit run(const RunOptions& options, const OutsideOptions& outside) {
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   request.telling = telling_of(options);
   if (request.telling == run::Telling::json) run::write_notes_as_json();
-  for (const auto& word : options.suites) {
-    const auto file = suite_file(word).string();
-    for (auto& one : suite::read_suites(file, known)) request.suites.push_back(std::move(one));
-    require_recorded(file, methods);
-    suite::check_unique_ids(request.suites, file);
-  }
-  suite::apply(options.overrides, request.suites, known);
+  request.suites = options.suites.read(known);
+  for (const auto& file : options.suites.files()) require_recorded(file.string(), methods);
   request.out = options.out;
   request.jobs = options.jobs;
   request.tier = options.reference == "exact" ? reference::Tier::exact : reference::Tier::certified;
@@ -92,9 +72,9 @@ Exit run(const RunOptions& options, const OutsideOptions& outside) {
   if (options.host_name) request.host_name = bundle::HostName::told;
   run::watch_for_interruption();
   const auto outcome = run::run(request);
-  for (const auto& finding : outcome.findings) say(finding);
+  const auto exit = say_findings(outcome.findings);
   if (!options.dry_run) tell_ending(outcome, options.out, request.telling);
-  return outcome.findings.empty() ? Exit::fine : Exit::finding;
+  return exit;
 }
 
 }  // namespace
@@ -103,19 +83,10 @@ void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> ow
   auto options = std::make_shared<RunOptions>();
   auto outside = std::make_shared<OutsideOptions>(own);
   auto command = program.command("run", "run suites into a bundle");
-  command
-      .option("suites", options->suites, "ids of suites that come with the program, or files: words with a / or .toml")
-      .required()
-      .takes(suite_value, shipped_suites);
+  options->suites.add_suites(command);
   command.option("--out", options->out, "folder of the bundle").required().takes(folder_value);
   command.option("--jobs", options->jobs, "threads; default: all cores").within(1, 4096);
-  command.option("--seed", options->seed, "another seed than the suite's");
-  command.option("--trials", options->trials, "trials per cell and replicate").takes("N");
-  command
-      .option("--set", options->overrides.set,
-              "for every study; intervals as 0:0.2; a key that one of them does not have is refused")
-      .takes("KEY=V1,V2", known_settings);
-  command.option("--only", options->overrides.only, "only studies whose id matches this glob").takes("GLOB");
+  options->suites.add_changes(command);
   command.option("--reference", options->reference, "how the truth is computed").one_of({"certified", "exact"});
   command.option("--shard", options->shard, "do one part of N; auto: ask Open MPI, PMI or Slurm which")
       .takes("I/N|auto", [] { return std::vector<std::string>{"auto"}; });
@@ -123,18 +94,14 @@ void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> ow
       .option("--checkpoint", options->checkpoint, "between two files of finished blocks; default: by cost, 2 at most")
       .takes("SECONDS");
   command.flag("--dry-run", options->dry_run, "say what would be done");
-  command.flag("--no-timing", options->overrides.no_timing, "leave timing studies out");
+  options->suites.add_no_timing(command);
   command.flag("--host-name", options->host_name, "let machine.json say the host's name");
   command.flag("--quiet", options->quiet, "say nothing but what is wrong");
   command.option("--progress", options->progress, "on standard error: lines for people, or JSON, an object per line")
       .one_of({"text", "json"});
   command.footer("\nWhat a [[study]] of a suite file says:\n\n" + kinds_text());
   outside->add(command);
-  command.action([options, outside, &exit] {
-    if (options->seed) options->overrides.seed = static_cast<std::uint64_t>(whole_number("--seed", *options->seed));
-    if (options->trials) options->overrides.trials = whole_number("--trials", *options->trials);
-    exit = run(*options, *outside);
-  });
+  command.action([options, outside, &exit] { exit = run(*options, *outside); });
 }
 
 }  // namespace bezierbench::cli

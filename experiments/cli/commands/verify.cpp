@@ -48,9 +48,8 @@ void add_verify(Command program, Exit& exit) {
   command.option("bundle", *path, "folder of the bundle").required();
   command.action([path, &exit] {
     const auto findings = bundle::verify(*path, expected_of);
-    for (const auto& finding : findings) say(finding);
     if (findings.empty()) print_fine(*path);
-    exit = findings.empty() ? Exit::fine : Exit::finding;
+    exit = say_findings(findings);
   });
 }
 

@@ -23,10 +23,11 @@ namespace {
 const std::vector<std::string>& columns() {
   static const auto all = [] {
     std::vector<std::string> names{"suite", "seed", "study", "trials", "curve", "dimension", "degree"};
-    for (const auto* more : {&tables::drawn_columns(), &judge::input_columns()})
-      names.insert(names.end(), more->begin(), more->end());
-    names.insert(names.begin() + 11, "trial");
-    names.insert(names.end(), outside::answer_columns.begin(), outside::answer_columns.end());
+    const auto append = [&](const auto& more) { names.insert(names.end(), more.begin(), more.end()); };
+    append(tables::drawn_columns());
+    names.emplace_back("trial");
+    append(judge::input_columns());
+    append(outside::answer_columns);
     return names;
   }();
   return all;
@@ -75,12 +76,13 @@ T& find_or_add(std::vector<T>& all, const std::string& id) {
 /// Adds the values of one row to the axes of its study.
 void add_row(const bundle::CsvDocument& table, std::size_t row, const std::string& method,
              std::vector<suite::Suite>& suites) {
-  const auto number = [&](std::string_view column) {
-    if (const auto value = number::parse_number(table.at(row, column))) return *value;
-    throw Failure(Exit::input_output, fmt::format("{}:{}: {} is not a number; write what `bezierbench inputs` wrote",
-                                                  table.file_name(), table.line(row), column));
+  const auto read = [&](std::string_view column, auto parse, std::string_view what) {
+    if (const auto value = parse(table.at(row, column))) return *value;
+    throw Failure(Exit::input_output, fmt::format("{}:{}: {} is not {}; write what `bezierbench inputs` wrote",
+                                                  table.file_name(), table.line(row), column, what));
   };
-  const auto whole = [&](std::string_view column) { return static_cast<std::int64_t>(number(column)); };
+  const auto number = [&](std::string_view column) { return read(column, number::parse_number, "a number"); };
+  const auto whole = [&](std::string_view column) { return read(column, number::parse_integer, "a whole number"); };
   auto& of = find_or_add(suites, table.at(row, "suite"));
   of.title = "Inputs that were answered elsewhere";
   of.seed = static_cast<std::uint64_t>(whole("seed"));
@@ -96,8 +98,11 @@ void add_row(const bundle::CsvDocument& table, std::size_t row, const std::strin
     study.trials = whole("trials");
   }
   if (const auto form = suite::parse<Form>(table.at(row, "curve"))) study.curve = *form;
-  add_once(study.dimension, static_cast<int>(whole("dimension")));
-  add_once(study.degree, static_cast<int>(whole("degree")));
+  const auto small = [&](std::string_view column) {
+    return static_cast<int>(std::clamp<std::int64_t>(whole(column), -1, max_degree + 1));  // both refused by the checks
+  };
+  add_once(study.dimension, small("dimension"));
+  add_once(study.degree, small("degree"));
   add_once(study.coordinate_range, number("coordinate_range"));
   add_once(study.t_interval, suite::Interval{number("t_min"), number("t_max")});
   add_once(study.generator, table.at(row, "generator"));

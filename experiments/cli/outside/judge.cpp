@@ -51,9 +51,7 @@ Exit judge(const JudgeOptions& options) {
   if (options.out->empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   request.out = *options.out;
   request.telling = run::Telling::nothing;
-  const auto findings = run::run(request).findings;
-  for (const auto& finding : findings) say(finding);
-  return findings.empty() ? Exit::fine : Exit::finding;
+  return say_findings(run::run(request).findings);
 }
 
 }  // namespace

@@ -113,11 +113,12 @@ class Ways(Outside):
 
     def test_answers(self):
         suite = self.suite(**{**SMALL, "trials": "50"})
-        self.fine("inputs", suite, "--out", "questions.csv")
+        seed = ("--seed", 2**53 + 1)  # which no double has
+        self.fine("inputs", suite, *seed, "--out", "questions.csv")
         answered = subprocess.run([sys.executable, EXAMPLES / "answers/answer.py", self.folder / "questions.csv"],
                                   check=True, capture_output=True, text=True).stdout
         self.write("mine.csv", answered)
-        self.bundle(suite, name="without")
+        self.bundle(suite, *seed, name="without")
         judged = rows(self.fine("judge", "mine.csv"))
         self.assertEqual([row["method"] for row in judged], ["answers_mine"] * 2)
         self.assert_numbers_of(judged, self.ours("without"))
@@ -132,6 +133,9 @@ class Ways(Outside):
         result = self.run_program("judge", "gap.csv")
         self.assertEqual((result.returncode, [row["status"] for row in rows(result.stdout.decode())]),
                          (FINDING, ["missing", "ok"]))
+        for wrong in ("1e300", "1.5", "nan"):
+            self.write("wrong.csv", answered.replace(f",{seed[1]},", f",{wrong},"))
+            self.refused(4, ["judge", "wrong.csv"], "seed is not a whole number")
 
     def test_own(self):
         program = pathlib.Path(os.environ.get("BEZIERBENCH_OWN") or
@@ -194,6 +198,7 @@ class Faults(Outside):
                  "many": "print('0 0\\n' * (count + 1))", "flood": "print('0 0\\n' * 10**7 * (count > 0))",
                  "exits": "sys.exit(count > 0)", "hangs": "\nwhile count > 0: pass",
                  "dies": "import os\nif count > 0: os.abort()", "nan": "print('nan nan\\n' * count)",
+                 "some": "if count > 0: print('nan 0\\n' + '0 0\\n' * (count - 1))",
                  "eats": "held = bytearray(count * 10**9)\nprint('0 0\\n' * count)"}
         given = [word for name, text in texts.items()
                  for word in ("--program", self.program(name, answer.replace("NAME", name) + text))]
@@ -206,7 +211,21 @@ class Faults(Outside):
         status = {row["method"][len("program_"):]: row["status"] for row in self.outside_rows("b")}
         self.assertIn(status.pop("flood"), ("crashed", "exited"))  # the limit of its output
         self.assertEqual(status, {"malformed": "malformed", "few": "malformed", "many": "malformed", "exits": "exited",
-                                  "hangs": "timed_out", "dies": "crashed", "nan": "non_finite", "eats": "exited"})
+                                  "hangs": "timed_out", "dies": "crashed", "nan": "non_finite", "some": "ok", "eats": "exited"})
+        self.assertEqual([row["non_finite"] for row in self.outside_rows("b") if row["method"] == "program_some"], ["1"])
+        self.assertIn(b"program_some: non_finite in study a: 1 of 600 coordinates", result.stderr)
+        self.assertIn(b"program_nan: non_finite in study a: 600 of 600 coordinates", result.stderr)
+
+    def test_what_fails_while_it_is_timed_has_no_time(self):
+        given = [word for k in (1, 7) for word in
+                 ("--plugin", compiled(self.folder, EXAMPLES / "plugin/faulty.c", f"faulty{k}.so", f"-DFAULT={k}"))]
+        suite = self.suite({**TIMING, "modes": '["point"]', "methods": '["de_casteljau"]'})
+        result = self.run_program("run", suite, *given, "--quiet", "--out", "b", timeout=600)
+        self.assertEqual((result.returncode, result.stdout), (FINE, b""), result.stderr)
+        self.assert_complete("b")
+        self.assertEqual(self.outside_rows("b", "timing.csv"), [])
+        self.assertEqual([(row["method"], row["degree"], row["mode"], row["status"]) for row in self.outside_rows("b", "untimed.csv")],
+                         [("plugin_faulty_1", "3", "point", "crashed"), ("plugin_faulty_7", "3", "point", "refused")])
 
     def test_what_is_no_method_is_refused(self):
         suite = self.suite(**SMALL)

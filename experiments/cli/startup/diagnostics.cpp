@@ -15,4 +15,9 @@ void say(const std::string& text) {
   run::note(shortened(std::string_view(text).substr(0, end), longest), "bezierbench: ");
 }
 
+Exit say_findings(std::span<const std::string> findings) {
+  for (const auto& finding : findings) say(finding);
+  return findings.empty() ? Exit::fine : Exit::finding;
+}
+
 }  // namespace bezierbench::cli

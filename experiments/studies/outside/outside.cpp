@@ -39,8 +39,8 @@ const outside::Method& JudgedOutside::method() const {
 
 void JudgedOutside::tell(const suite::Study& study, const outside::Answer& answer) const {
   if (!told_.test_and_set())
-    run::note(fmt::format("{}: {} in study {}: {}; its rows say where", record_.id, name(answer.status), study.id,
-                          answer.detail));
+    run::note(fmt::format("{}: {} in study {}{}{}; its rows say where", record_.id, name(answer.status), study.id,
+                          answer.detail.empty() ? "" : ": ", answer.detail));
 }
 
 std::unique_ptr<run::Job> outside_job(const suite::Study& study, const suite::OutsideMethod& record,

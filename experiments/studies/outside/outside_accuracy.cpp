@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Errors of a method from outside. A block is one batch, in a process of its own: trials of several replicates where these
 // have few, since to start a process may take as long as a thousand answers.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -140,7 +142,12 @@ OutsideTally OutsideAccuracyJob::work(std::size_t block) const {
   for (auto k = first; k < end; ++k) add_inputs(cell, k, batch);
   const auto answer = method_.method().points(batch);
   if (run::interrupted()) return nothing(Status::ok);  // the engine drops what was not finished
-  if (answer.status == Status::ok) return {judged(cell, of_cell, answer.points), 0};
+  if (answer.status == Status::ok) {
+    const auto lost = std::ranges::count_if(answer.points, [](double x) { return !std::isfinite(x); });
+    if (lost > 0)
+      method_.tell(study_, {Status::non_finite, {}, fmt::format("{} of {} coordinates", lost, answer.points.size())});
+    return {judged(cell, of_cell, answer.points), 0};
+  }
   if (answer.status == Status::timed_out) late_[part] = true;
   method_.tell(study_, answer);
   return nothing(answer.status);

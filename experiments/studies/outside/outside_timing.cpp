@@ -2,6 +2,7 @@
 // Times of a method from outside that is code. Every repetition is a race in a child process, against the method that
 // the study's ratios are relative to, with an empty kernel and the sentinels.
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,57 +10,60 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/bytes.hpp"
 #include "experiments/outside/called_code.hpp"
-#include "experiments/race/clock.hpp"
 #include "experiments/race/judged_race.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/timed_check.hpp"
 #include "experiments/race/timed_inputs.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/outside/outside_jobs.hpp"
+#include "experiments/studies/timing/racing_job.hpp"
 #include "experiments/studies/timing/timed_evaluation.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
+#include "experiments/suite/names.hpp"
+#include "experiments/tables/cell_fields.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-/// The laps of the repetitions that ended as they should.
+using outside::Status;
+
+/// The laps of the repetitions that ended as they should, and the worst of what came of the others.
 struct OutsideLaps {
   race::RaceCellLaps laps;
+  std::uint8_t status = 0;
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.laps);
+    bytes(self.laps, self.status);
   }
   void merge(const OutsideLaps& other) {
     if (!other.laps.each.empty()) laps.merge(other.laps);
+    status = std::max(status, other.status);
   }
 };
 
-class OutsideTimingJob final : public run::JobOf<OutsideLaps> {
+OutsideLaps nothing(Status status) { return {{}, static_cast<std::uint8_t>(status)}; }
+
+/// The race cells of a study in which the method can be, with the method that ratios are relative to as its only rival.
+std::vector<race::RaceCell> race_cells_of(const suite::Study& study, const MethodInfo& method) {
+  std::vector<race::RaceCell> all;
+  for (auto& race_cell : race_cells_of_evaluation(study)) {
+    if (race_cell.scalar != suite::ScalarKind::float64 || !method.supports<double>(race_cell.cell.degree)) continue;
+    const auto base = race::relative_to(race_cell, study);
+    race_cell.methods = base ? std::vector{race_cell.methods[*base]} : std::vector<const MethodInfo*>();
+    race_cell.methods.push_back(&method);
+    all.push_back(std::move(race_cell));
+  }
+  return all;
+}
+
+class OutsideTimingJob final : private JudgedOutside, public RacingJob<OutsideLaps> {
  public:
   OutsideTimingJob(const suite::Study& study, const suite::OutsideMethod& record, const outside::Method* at_hand,
                    std::uint64_t seed)
-      : study_(study), seed_(seed), method_(record, study.curve, at_hand) {
-    for (auto& race_cell : race_cells_of_evaluation(study_)) {
-      if (race_cell.scalar != suite::ScalarKind::float64 || !method_.info().supports<double>(race_cell.cell.degree))
-        continue;
-      const auto base = race::relative_to(race_cell, study_);
-      race_cell.methods = base ? std::vector{race_cell.methods[*base]} : std::vector<const MethodInfo*>();
-      race_cell.methods.push_back(&method_.info());
-      race_cells_.push_back(std::move(race_cell));
-    }
-  }
+      : JudgedOutside(record, study.curve, at_hand), RacingJob(study, seed, race_cells_of(study, info())) {}
 
-  [[nodiscard]] std::size_t parts() const override { return race_cells_.size(); }
-  [[nodiscard]] std::size_t blocks_per_part() const override { return race::repetitions_per_race; }
-  [[nodiscard]] bool exclusive() const override { return true; }
-  void require_machine() const override { race::require_steady_clock(); }
-  [[nodiscard]] double cost(std::size_t part) const override {
-    return 5e7 / race::repetitions_per_race * static_cast<double>(race_cells_[part].methods.size());
-  }
-  [[nodiscard]] run::Extent extent() const override {
-    return {0, race_cells_.size(), race_cells_.size() * race::timed_inputs_per_cell, 0};
-  }
+  [[nodiscard]] run::Extent extent() const override { return {0, parts(), parts() * race::timed_inputs_per_cell, 0}; }
   void write(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
@@ -69,25 +73,35 @@ class OutsideTimingJob final : public run::JobOf<OutsideLaps> {
  private:
   [[nodiscard]] race::JudgedRivals rivals_in_child(const race::RaceCell& race_cell,
                                                    const race::Inputs<double>& inputs) const;
-
-  suite::Study study_;
-  std::uint64_t seed_;
-  JudgedOutside method_;
-  std::vector<race::RaceCell> race_cells_;
 };
+
+/// A race cell in which the method failed, instead of times.
+void add_untimed_row(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
+                     Status status) {
+  tables.add(tables::Row("untimed.csv")
+                 .set("study", study.id)
+                 .set("curve", suite::name(study.curve))
+                 .set("method", race_cell.methods.back()->id)
+                 .set("scalar", suite::name(race_cell.scalar))
+                 .set("dimension", race_cell.cell.dimension)
+                 .set("degree", race_cell.cell.degree)
+                 .set("mode", suite::name(race_cell.mode))
+                 .set_each(tables::drawn_columns(), tables::drawn_fields(race_cell.cell))
+                 .set("status", name(status)));
+}
 
 void OutsideTimingJob::write(tables::Tables& tables) const {
   (void)tables.table("timing.csv");
-  auto race_cells = race_cells_;
-  for (std::size_t part = 0; part < race_cells.size(); ++part) {
-    race_cells[part].laps = state(part).laps.each;
-    race_cells[part].operations = state(part).laps.operations;
-  }
-  const auto fastest = race::fastest_pace(race_cells);
-  for (const auto& race_cell : race_cells) {
-    if (race_cell.laps.empty()) continue;
+  const auto cells = raced([this](std::size_t part) -> const race::RaceCellLaps& { return state(part).laps; });
+  const auto fastest = race::fastest_pace(cells);
+  for (std::size_t part = 0; part < cells.size(); ++part) {
+    const auto& race_cell = cells[part];
+    const auto status = static_cast<Status>(state(part).status);
     const auto own = race_cell.methods.size() - 1;
-    add_timing_row(tables, study_, race_cell, own, own == 0 ? std::nullopt : std::optional<std::size_t>(0), fastest);
+    if (status != Status::ok)
+      add_untimed_row(tables, study(), race_cell, status);
+    else if (!race_cell.laps.empty())
+      add_timing_row(tables, study(), race_cell, own, own == 0 ? std::nullopt : std::optional<std::size_t>(0), fastest);
   }
 }
 
@@ -95,8 +109,8 @@ race::JudgedRivals OutsideTimingJob::rivals_in_child(const race::RaceCell& race_
                                                      const race::Inputs<double>& inputs) const {
   race::JudgedRivals all;
   for (const auto* info : race_cell.methods) {
-    const auto* kernel = info == &method_.info()
-                             ? method_.method().open_kernel(race_cell.cell.dimension)
+    const auto* kernel = info == &this->info()
+                             ? method().open_kernel(race_cell.cell.dimension)
                              : judge::find_method<double>(info->id, info->form, race_cell.cell.dimension);
     auto judged = race::judge(*kernel, race_cell.mode, inputs);
     all.judged.push_back({judged.right, judged.max_error_u});
@@ -107,33 +121,44 @@ race::JudgedRivals OutsideTimingJob::rivals_in_child(const race::RaceCell& race_
 }
 
 OutsideLaps OutsideTimingJob::work(std::size_t block) const {
-  const auto& race_cell = race_cells_[part_of(block)];
+  const auto& race_cell = race_cells()[part_of(block)];
   const auto work = [&] {
     const int answer = outside::keep_output_for_answer();
-    const auto inputs = race::timed_inputs<double>(study_, race_cell.cell, seed_);
+    const auto inputs = race::timed_inputs<double>(study(), race_cell.cell, seed());
+    OutsideLaps result;
+    try {
+      result.laps = race::race_of(race_cell, study(), rivals_in_child(race_cell, inputs),
+                                  block % race::repetitions_per_race, race::options_of_a_repetition());
+    } catch (const outside::CurveRefused&) {
+      result = nothing(Status::refused);
+    } catch (...) {
+      result = nothing(Status::threw);
+    }
     number::ByteWriter bytes;
-    bytes(race::race_of(race_cell, study_, rivals_in_child(race_cell, inputs), block % race::repetitions_per_race,
-                        race::options_of_a_repetition()));
+    bytes(result);
     outside::write_all(answer, bytes.bytes());
   };
   constexpr std::size_t most_bytes = std::size_t{1} << 28U;
   constexpr double seconds = 120;  // a race ends by itself after 30
   const auto ended = outside::run_in_child(work, {}, most_bytes, {.seconds = seconds}, run::interrupted);
+  if (run::interrupted()) return {};
   OutsideLaps result;
-  if (run::interrupted()) return result;
-  if (ended.end != outside::End::exited || ended.code != 0) {
-    method_.tell(study_, outside::failed(ended));
-    return result;
+  outside::Answer failure;
+  if (ended.end == outside::End::exited && ended.code == 0) {
+    try {
+      number::ByteReader reader(ended.output);
+      reader(result);
+      reader.finish();
+      failure = {static_cast<Status>(result.status), {}, "while it was timed"};
+    } catch (const number::MalformedBytes&) {
+      failure = {Status::malformed, {}, "its times cannot be read"};
+    }
+  } else {
+    failure = outside::failed(ended);
   }
-  try {
-    number::ByteReader reader(ended.output);
-    reader(result.laps);
-    reader.finish();
-  } catch (const number::MalformedBytes&) {
-    method_.tell(study_, {outside::Status::malformed, {}, "its times cannot be read"});
-    return {};
-  }
-  return result;
+  if (failure.status == Status::ok) return result;
+  tell(study(), failure);
+  return nothing(failure.status);
 }
 
 }  // namespace

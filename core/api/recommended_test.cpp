@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The choice against the committed bundle results/answers, which it is made from.
+#include "core/api/recommended.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/csv.hpp"
+#include "experiments/number/number.hpp"
+
+namespace bezierbench {
+namespace {
+
+bundle::CsvDocument table(const std::string& name) {
+  const std::string file = BEZIERBENCH_SOURCE_DIR "/results/answers/" + name;
+  return bundle::parse_csv(bundle::read_file(file), file);
+}
+
+double number_at(const bundle::CsvDocument& of, std::size_t row, std::string_view column) {
+  return number::parse_number(of.at(row, column)).value();
+}
+
+/// Over the degrees of a study: how many were timed, the product of the times, and of the errors.
+struct Seen {
+  int degrees = 0;
+  double times = 1;
+  double errors = 1;
+  bool proved = true;
+};
+
+/// Of the methods that need neither a conversion nor a fused operation, by id.
+std::map<std::string, Seen> seen_in(const std::string& study) {
+  std::map<std::string, Seen> all;
+  const auto timing = table("timing.csv");
+  for (std::size_t row = 0; row < timing.row_count(); ++row) {
+    const auto& id = timing.at(row, "method");
+    if (timing.at(row, "study") != study + "-time" || timing.at(row, "mode") != "point" ||
+        timing.at(row, "degree").empty() || id.find(':') != std::string::npos || id.ends_with("_fma"))
+      continue;
+    all[id].times *= number_at(timing, row, "median_ns");
+    ++all[id].degrees;
+  }
+  const auto accuracy = table("accuracy.csv");
+  for (std::size_t row = 0; row < accuracy.row_count(); ++row) {
+    const auto found = all.find(accuracy.at(row, "method"));
+    if (accuracy.at(row, "study") != study || found == all.end()) continue;
+    auto& seen = found->second;
+    seen.proved =
+        seen.proved && !accuracy.at(row, "bound_u").empty() && number_at(accuracy, row, "unbounded_trials") == 0;
+    if (seen.proved) seen.errors *= number_at(accuracy, row, "max_error_u");
+  }
+  return all;
+}
+
+/// The method that the rule of recommended.hpp names.
+std::string chosen_by_rule(const std::string& study) {
+  auto all = seen_in(study);
+  std::erase_if(all, [](const auto& one) { return one.second.degrees < 3 || !one.second.proved; });
+  const auto by = [](double Seen::*value) {
+    return [value](const auto& a, const auto& b) { return a.second.*value < b.second.*value; };
+  };
+  const double fastest = std::ranges::min_element(all, by(&Seen::times))->second.times;
+  std::erase_if(all, [&](const auto& one) { return one.second.times > 1.2 * fastest; });
+  return std::ranges::min_element(all, by(&Seen::errors))->first;
+}
+
+TEST(Recommended, IsWhatTheCommittedTablesSay) {
+  for (const int degree : {3, 12, 30}) {
+    EXPECT_EQ(recommended(degree, 0.5).id, chosen_by_rule("answers-bezier"));
+    EXPECT_EQ(recommended(degree, -50.0).id, chosen_by_rule("answers-outside"));
+    EXPECT_EQ(recommended<Form::power>(degree, 0.5).id, chosen_by_rule("answers-power"));
+    EXPECT_EQ(recommended<Form::rational>(degree, 0.5).id, chosen_by_rule("answers-rational"));
+  }
+}
+
+}  // namespace
+}  // namespace bezierbench
