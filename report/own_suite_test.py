@@ -53,13 +53,34 @@ class OwnSuite(unittest.TestCase):
         for study, kinds in shown.items():
             self.assertLessEqual({"figure", "table"}, kinds, study)
 
+    def figures(self):
+        return [block for chapter in self.chapters for block in chapter.blocks if block.kind == "figure"]
+
+    def test_a_method_has_one_colour_in_all_panels_of_a_figure(self):
+        compared = 0
+        for figure in self.figures():
+            colours = {}
+            for series, colour in re.findall(r'<g id="(s\d+)-\d+">\s*<path d="[^"]*"[^>]*style="[^"]*stroke: (#\w+)', figure.svg):
+                colours.setdefault(series, []).append(colour)
+            for series, found in colours.items():
+                compared += len(found) > 1
+                self.assertEqual(len(set(found)), 1, f"{figure.id}: {series} has {found}")
+        self.assertGreater(compared, 10)
+
+    def test_a_figure_says_over_what_its_points_are_the_largest(self):
+        captions = {figure.id: figure.caption for figure in self.figures()}
+        rows = self.bundle["accuracy.csv"].select(study="truth-bezier", baseline="exact")
+        self.assertGreater(len({row["generator"] for row in rows}), 1)
+        self.assertIn("against degree n; each point is the largest value over", captions["truth-bezier-figure"])
+        self.assertIn("generator", captions["truth-bezier-figure"])
+
     def test_the_title_is_that_of_the_suite(self):
         self.assertIn(f"<h1>{TITLE}</h1>", self.html)
         self.assertIn(f"<title>{TITLE} ", self.html)
 
     def test_nothing_is_said_of_suites_that_are_not_there(self):
         self.assertEqual(self.left_out, [])
-        for word in ("The report", "source report", "原报告", "regimes", "Scorecard", "Left out"):
+        for word in ("The report", "the report's", "source report", "原报告", "regimes", "Scorecard", "Left out"):
             self.assertNotIn(word, self.html, word)
 
     def test_a_study_without_a_suite_is_shown(self):

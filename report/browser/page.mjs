@@ -211,6 +211,13 @@ async function without(path) {
 }
 
 async function looks(path) {
+  const desk = await open(path);
+  const clipped = await desk.$$eval("main .scroll", (all) => all.filter((one) => {
+    one.scrollIntoView({ behavior: "instant" });
+    return one.querySelector("caption").getBoundingClientRect().right > one.getBoundingClientRect().right + 1;
+  }).map((one) => one.querySelector("table").id));
+  check(clipped.length === 0, `the caption is cut of ${clipped}`);
+  await desk.context().close();
   const phone = await open(path, { viewport: { width: 390, height: 844 } });
   const width = await phone.evaluate(() => document.documentElement.scrollWidth);
   check(width <= 390, `at 390 px the page is ${width} wide`);
@@ -220,6 +227,8 @@ async function looks(path) {
     return cell && cell.getBoundingClientRect().right > innerWidth + (cell.className.includes("words") ? 200 : 40);
   }).map((table) => table.id));
   check(cut.length === 0, `at 390 px no number is seen of ${cut}`);
+  const over = await phone.$$eval("main tbody th", (all) => all.filter((label) => label.scrollWidth > label.clientWidth + 1).map((label) => label.textContent));
+  check(over.length === 0, `at 390 px these labels reach into the numbers: ${[...new Set(over)]}`);
   await phone.context().close();
   const dark = await open(path, { colorScheme: "dark" });
   const paper = () => dark.evaluate(() => getComputedStyle(document.body).backgroundColor);
@@ -227,6 +236,7 @@ async function looks(path) {
   await dark.emulateMedia({ media: "print", colorScheme: "light" });
   check(night !== await paper(), "dark and print have one paper");
   check(!await dark.locator("#view").isVisible() && !await dark.locator(".tools").first().isVisible(), "controls are printed");
+  check(await dark.locator("#answer-figure .legend").isVisible(), "the figure of the answer is printed without its legend");
   await dark.context().close();
 }
 
