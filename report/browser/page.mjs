@@ -236,6 +236,9 @@ async function looks(path) {
   await dark.emulateMedia({ media: "print", colorScheme: "light" });
   check(night !== await paper(), "dark and print have one paper");
   check(!await dark.locator("#view").isVisible() && !await dark.locator(".tools").first().isVisible(), "controls are printed");
+  check(await dark.locator("button.sort").first().evaluate((one) => getComputedStyle(one).display) === "contents", "heads that are repeated on paper are empty");
+  const sticking = await dark.$$eval("main table *", (all) => all.filter((one) => getComputedStyle(one).position === "sticky").length);
+  check(sticking === 0, `${sticking} cells stick on paper, where a head is repeated`);
   check(await dark.locator("#answer-figure .legend").isVisible(), "the figure of the answer is printed without its legend");
   await dark.context().close();
 }

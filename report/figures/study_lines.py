@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A study of any kind: what it measures, along the axis that it varies."""
 
+import textwrap
+
 from ..bundle import Missing
 from ..chapters.kinds import KINDS, rows_of
 from ..tables import AXIS, axis_label, axis_value
@@ -13,6 +15,7 @@ BESIDE = ("degree", "dimension", "order", "coordinate_range", "interval", "gener
 MOST = 20  # lines with a look of their own
 FAR, FARTHEST = 1e3, 1e5  # times the best, in the largest value of a line
 MOST_TICKS = 12  # places that are named
+WIDTH = 28  # characters that fit the height of a panel
 NARROW = ("interval", "placement", "data")  # axes whose values are places side by side
 WORDS = {"placement": "placement of the point", "data": "data", **AXIS}
 
@@ -96,7 +99,7 @@ def draw(bundle, study):
             degree_axis(ax, values)
             ax.xaxis.set_major_formatter(lambda value, _: shortest(float(f"{value:.3g}")))
         ax.set_title(label, loc="left")
-        ax.set_ylabel(what)
+        ax.set_ylabel(textwrap.fill(what, WIDTH))
         last = {m: points[-1][1] for m, points in lines.items()}
         low, high = min(last, key=last.get), max(last, key=last.get)
         words.append(f"{label + ', ' if label else ''}{what}: at the end {low} has the least, {general(last[low])}, and {high} the "
