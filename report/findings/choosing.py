@@ -37,7 +37,7 @@ def find(bundle):
     return Finding(
         id="choosing", about="suite", suite=SUITE, claim="", holds=holds,
         headline=("At every degree at least half of the methods are beaten in both time and error by another: " if holds else
-                  f"At degree {listing(fewer)} fewer than half of the methods are beaten in both time and error by another: ")
+                  f"At degree {listing(fewer)} fewer than half of the methods are beaten in both time and error by another; ")
         + f"at degree {top:g} {len(off[top])} of {len(degrees[top])} are beaten, one point at a time.",
         detail=(f"Worth choosing at degree {top:g}, fastest first: {listing(steps)}.",
                 f"Worth choosing at every degree: {names(always)}." if always else
