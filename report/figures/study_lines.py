@@ -11,7 +11,8 @@ from .canvas import finish, panels, styled
 from .method_lines import degree_axis, draw_methods, draw_paths, error_axis, looks, path_colours, point_of, positive
 
 APART = ("curve", "scalar", "mode", "target")  # a panel for each value
-BESIDE = ("degree", "dimension", "order", "coordinate_range", "interval", "generator", "tolerance", "points", "data", "placement")
+BESIDE = ("degree", "dimension", "order", "coordinate_range", "interval", "generator", "tolerance", "points", "data", "placement",
+          "curve_id")
 MOST = 20  # lines with a look of their own
 FAR, FARTHEST = 1e3, 1e5  # times the best, in the largest value of a line
 MOST_TICKS = 12  # places that are named
