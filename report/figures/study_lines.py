@@ -17,8 +17,9 @@ MOST = 20  # lines with a look of their own
 FAR, FARTHEST = 1e3, 1e5  # times the best, in the largest value of a line
 MOST_TICKS = 12  # places that are named
 WIDTH = 28  # characters that fit the height of a panel
-NARROW = ("interval", "placement", "data")  # axes whose values are places side by side
-WORDS = {"placement": "placement of the point", "data": "data", **AXIS}
+NARROW = ("interval", "placement", "data", "curve_id")  # axes whose values are places side by side
+LONG = 10  # characters from which the names of places are written aslant, each of them
+WORDS = {"placement": "placement of the point", "data": "data", "curve_id": "curve", **AXIS}
 
 
 def _axis(kind, rows):
@@ -94,8 +95,10 @@ def draw(bundle, study):
             draw_paths(ax, lines, colours)
         error_axis(ax)
         if side_by_side:
-            named = values[::-(-len(values) // MOST_TICKS)]
-            ax.set_xticks([where[v] for v in named], [axis_label(v, axis) if not isinstance(v, str) else v for v in named], fontsize=8)
+            aslant = axis == "curve_id" and max(map(len, values)) > LONG
+            named = values if aslant else values[::-(-len(values) // MOST_TICKS)]
+            ax.set_xticks([where[v] for v in named], [axis_label(v, axis) if not isinstance(v, str) else v for v in named],
+                          **({"fontsize": 7, "rotation": 40, "ha": "right"} if aslant else {"fontsize": 8}))
         else:
             degree_axis(ax, values)
             ax.xaxis.set_major_formatter(lambda value, _: shortest(float(f"{value:.3g}")))
