@@ -132,6 +132,9 @@ async function answer(page) {
     const times = (await rows()).map((row) => row[1]);
     check(times.length > 0 && times.every((time, at) => !at || time >= times[at - 1]), `degree ${option}: times are ${times}`);
   }
+  const worth = await page.$$eval("#answer-table td.inside", (all) => all.map((cell) => cell.closest("tbody").dataset.key));
+  const all = await page.locator("#answer-sentence").textContent();
+  check(worth.length > 0 && worth.every((method) => all.includes(`${method} (`)), `of those worth choosing, ${worth}, the sentence has ${all}`);
   const errors = (await rows()).map((row) => row[2]).sort((a, b) => a - b);
   const middle = errors[Math.floor(errors.length / 2) - 1];
   const tolerance = page.locator("#picker").getByLabel("tolerance");
