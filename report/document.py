@@ -69,6 +69,12 @@ class Table:
         return [any(len(cells[i].text) > SENTENCE for cells in rows) for i in range(len(self.head))]
 
     @property
+    def verbal(self):
+        """For each value column, whether it holds words only, short ones included."""
+        rows = [cells for g in self.groups for _, cells in g.rows]
+        return [all(cells[i].text[:1].isalpha() for cells in rows if cells[i].text) for i in range(len(self.head))]
+
+    @property
     def long(self):
         """True where the table would fill more than a screen."""
         return sum(len(g.rows) for g in self.groups) > LONG

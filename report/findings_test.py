@@ -275,7 +275,7 @@ class Findings(unittest.TestCase):
     def test_nothing_but_bundle_json(self):
         found, undecided = _findings(without=tuple(fixture.FILES))
         self.assertEqual(found, [])
-        self.assertEqual([name for name, _ in undecided], ["bounds_hold"])  # the only one that is about any bundle
+        self.assertEqual(undecided, [])  # what is about any bundle is left out where it cannot be decided
 
     def test_overflow_is_said_and_not_compared(self):
         def overflow(at, row):
@@ -285,14 +285,6 @@ class Findings(unittest.TestCase):
         self.assertTrue(range_found.holds)
         self.assertIn("1 method overflows at R = 1e300, degree 20", range_found.headline)
         self.assertIn("400 trials", range_found.detail[1])
-
-    def test_scatter_of_the_trials_explains_a_difference(self):
-        def heavy(at, row):
-            if at == "accuracy.csv" and row["study"] == "regimes-range" and row["method"] == "de_casteljau":
-                row["rms_error"] = row["mean_error"] * 20
-                if row["coordinate_range"] == 1e300:
-                    row["mean_error_u"] = 9.0
-        self.assertTrue(next(f for f in _findings(heavy)[0] if f.id == "regimes_range").holds)
 
     def test_a_finding_of_a_suite_names_it(self):
         self.assertEqual([f.suite for f in self.found], [getattr(module, "SUITE", "") for module in ROSTER])

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 """A page is about the suites of its bundle: a user's own studies of every kind are shown, and no other suite is spoken of."""
 
+import csv
 import re
 import tempfile
 import unittest
 from pathlib import Path
 
-from . import fixture, render
+from . import fixture, render, schema
 from .bundle import Bundle
 from .chapters import studies
 from .chapters.kinds import KINDS
@@ -15,8 +16,20 @@ from .findings.roster import find_all
 
 # One study of each kind, and one whose id looks like that of a known suite.
 STUDIES = ("truth-bezier", "conversion-bezier", "worst-bezier", "peers-speed", "roofline-bezier", "derivative-order", "subdivision-degree",
-           "arc_length-tolerance", "inverse_arc_length-tolerance", "projection-cubics", "interpolation-points", "fitting-cubics")
+           "arc_length-tolerance", "inverse_arc_length-tolerance", "projection-cubics", "interpolation-points", "fitting-cubics",
+           "guarantees-few", "every-float")
 TITLE = "Degree 20 on my machine"
+
+
+def _write_exhaustive(path):
+    """Two methods on two curves at every float, a table that the fixture has not."""
+    columns = list(schema.columns("exhaustive.csv"))
+    with open(path / "exhaustive.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(dict(study="every-float", curve_id=curve, method=method, scalar="float", degree=degree, t_min="0", t_max="1",
+                              points=1065353217, max_error_ulp=degree + at / 2, worst_t="0x1p-2", misrounded=at, non_monotone=0, out_of_hull=0)
+                         for curve, degree in (("css_ease", 3), ("circle", 2)) for at, method in enumerate(("direct", "de_casteljau")))
 
 
 def _own(place, title=TITLE, printed=False):
@@ -25,7 +38,9 @@ def _own(place, title=TITLE, printed=False):
                          () if printed else ("scorecard.csv", "scorecard_timing.csv"))
     parts = re.split(r"(?=\[\[suites)", fixture.suite_toml())
     own = [part for part in parts if any(f'\nid = "{study}"\n' in part for study in STUDIES)]
+    own.append('[[study]]\nid = "every-float"\ntitle = "Every float"\nkind = "exhaustive"\n')
     (path / "suite.toml").write_text(f'[suite]\nid = "mine"\ntitle = "{title}"\n' + "".join(own).replace("[[suites.study]]", "[[study]]"))
+    _write_exhaustive(path)
     return Bundle(fixture.seal(path))
 
 
@@ -40,7 +55,7 @@ class OwnSuite(unittest.TestCase):
 
     def test_every_kind_with_a_figure_is_tried(self):
         self.assertEqual({self.bundle.studies[study].kind for study in STUDIES},
-                         {name for name, kind in KINDS.items() if kind.measures})
+                         {name for name, kind in KINDS.items() if kind.measures or name == "guarantees"})
 
     def test_every_study_has_its_figure_and_its_table(self):
         own = next(chapter for chapter in self.chapters if chapter.id == "suite-mine")
@@ -53,13 +68,34 @@ class OwnSuite(unittest.TestCase):
         for study, kinds in shown.items():
             self.assertLessEqual({"figure", "table"}, kinds, study)
 
+    def figures(self):
+        return [block for chapter in self.chapters for block in chapter.blocks if block.kind == "figure"]
+
+    def test_a_method_has_one_colour_in_all_panels_of_a_figure(self):
+        compared = 0
+        for figure in self.figures():
+            colours = {}
+            for series, colour in re.findall(r'<g id="(s\d+)-\d+">\s*<path d="[^"]*"[^>]*style="[^"]*stroke: (#\w+)', figure.svg):
+                colours.setdefault(series, []).append(colour)
+            for series, found in colours.items():
+                compared += len(found) > 1
+                self.assertEqual(len(set(found)), 1, f"{figure.id}: {series} has {found}")
+        self.assertGreater(compared, 10)
+
+    def test_a_figure_says_over_what_its_points_are_the_largest(self):
+        captions = {figure.id: figure.caption for figure in self.figures()}
+        rows = self.bundle["accuracy.csv"].select(study="truth-bezier", baseline="exact")
+        self.assertGreater(len({row["generator"] for row in rows}), 1)
+        self.assertIn("against degree n; each point is the largest value over", captions["truth-bezier-figure"])
+        self.assertIn("generator", captions["truth-bezier-figure"])
+
     def test_the_title_is_that_of_the_suite(self):
         self.assertIn(f"<h1>{TITLE}</h1>", self.html)
         self.assertIn(f"<title>{TITLE} ", self.html)
 
     def test_nothing_is_said_of_suites_that_are_not_there(self):
         self.assertEqual(self.left_out, [])
-        for word in ("The report", "source report", "原报告", "regimes", "Scorecard", "Left out"):
+        for word in ("The report", "the report's", "source report", "原报告", "regimes", "Scorecard", "Left out"):
             self.assertNotIn(word, self.html, word)
 
     def test_a_study_without_a_suite_is_shown(self):

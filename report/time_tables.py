@@ -26,7 +26,8 @@ APART = {"mode": str, "degree": lambda v: f"degree {shortest(v)}", "order": lamb
          "tolerance": lambda v: f"to {shortest(v)}", "data": str, "points": lambda v: f"{shortest(v)} points",
          "coordinate_range": lambda v: f"R = {shortest(v)}", "generator": lambda v: f"{v} inputs",
          "interval": lambda v: f"t in [{shortest(v[0])}, {shortest(v[1])}]"}
-MICROSECONDS = 1e4  # ns from which on a time is better read in µs
+MICROSECONDS = 1e4  # ns from which on a time is better read in µs,
+SHORTEST = 1e2  # where the shortest is no small part of one
 
 
 def times(bundle, problem):
@@ -48,8 +49,9 @@ def time_tables(bundle, problem):
         studies.setdefault(row["study"], {}).setdefault((row["scalar"], row["dimension"]), []).append(row)
     for study, kinds in studies.items():
         for number, ((scalar, dimension), rows) in enumerate(kinds.items(), 1):
-            longest = max(r["median_ns"] for r in rows)
-            scale, english, unit_zh = (1e-3, "Micro", "微秒") if longest >= MICROSECONDS else (1, "Nano", "纳秒")
+            medians = [r["median_ns"] for r in rows]
+            long = max(medians) >= MICROSECONDS and min(medians) >= SHORTEST
+            scale, english, unit_zh = (1e-3, "Micro", "微秒") if long else (1, "Nano", "纳秒")
             yield by_axis(
                 rows, axis, f"timing-{study}" + (f"-{number}" if len(kinds) > 1 else ""),
                 f"{english}seconds per {unit}: {bundle.title(study)} ({scalar or 'double'}, "

@@ -64,6 +64,17 @@ class Answers(unittest.TestCase):
         times[1].values["degree"] = 13.0
         self.assertNotEqual(winner(self.bundle, need)[0], method)
 
+    def test_numbers_in_words_are_those_of_the_rows(self):
+        self.assertIn("the tolerance of 1e-9 kept", answers(self.bundle))
+        self.assertIn("for t in [-100, 100]", answers(self.bundle))
+        for row in self.bundle["arc_length.csv"].rows:
+            row.values.update(tolerance=1e-6, trials=7.0)
+        for row in self.bundle["accuracy.csv"].select(study="answers-outside"):
+            row.values.update(t_min=-3.0)
+        self.assertIn("the tolerance of 1e-6 kept", answers(self.bundle))
+        self.assertIn("for t in [-3, 100]", answers(self.bundle))
+        self.assertIn("arc length 7,", answers(self.bundle).replace("\n", " "))
+
     def test_a_noisy_time_is_marked(self):
         rows = self.bundle["timing.csv"].rows
         for row in rows:

@@ -4,6 +4,7 @@
 import csv
 import hashlib
 import io
+import json
 from collections import Counter
 from typing import NamedTuple
 
@@ -61,14 +62,18 @@ class Agreement:
     def __init__(self, base, other, studies=None):
         """Compares only the rows of `studies`, if given."""
         self.agreeing, self.differing, self.only_base, self.only_other = [], [], [], []
+        for ours, theirs in self._tables(base, other):
+            for at in dict.fromkeys([*ours, *theirs]):
+                if studies is None or at.study in studies:
+                    self._sort_in(at, ours.get(at), theirs.get(at))
+
+    def _tables(self, base, other):
+        """Of each table {Rows: (number of rows, digest)} of both."""
         for file in schema.deterministic():
             a, b = (_text(bundle / file) if (bundle / file).exists() else None for bundle in (base, other))
             headers = [set(next(csv.reader([text.split("\n", 1)[0]]))) for text in (a, b) if text is not None]
             columns = [column for column in schema.digested(file, schema.version()) if all(column in one for one in headers)]
-            ours, theirs = (of_table(file, text, columns) if text is not None else {} for text in (a, b))
-            for at in dict.fromkeys([*ours, *theirs]):
-                if studies is None or at.study in studies:
-                    self._sort_in(at, ours.get(at), theirs.get(at))
+            yield tuple(of_table(file, text, columns) if text is not None else {} for text in (a, b))
 
     def _sort_in(self, at, ours, theirs):
         kind = self.only_base if theirs is None else self.only_other if ours is None else self.agreeing if ours == theirs else self.differing
@@ -89,6 +94,19 @@ class Agreement:
             yield from (f"{what}: {at.words()}" for at in rows[:most])
             if len(rows) > most:
                 yield f"{what}: {len(rows) - most} more"
+
+
+class AgreementWithDigests(Agreement):
+    """The same where bundle.json and digests.csv are all that was kept of the base: over the columns that it digested."""
+
+    def _tables(self, base, other):
+        version = json.loads(_text(base / "bundle.json"))["schema_version"]
+        yield _listed(_text(base / NAME)), _listed(of_bundle(other, version))
+
+
+def _listed(text):
+    """{Rows: (number of rows, digest)} of the text of digests.csv."""
+    return {Rows(row["table"], row["study"], row["method"]): (int(row["rows"]), row["digest"]) for row in csv.DictReader(io.StringIO(text))}
 
 
 def _text(path):

@@ -9,24 +9,27 @@ A fenced block `sh` is a script, which must succeed. In a fenced block `console`
 what follows is its output; of a command that measures, numbers and verdicts may differ. A page is run in a copy of the
 repository's folders, in which
 
-- setup, build, reproduce, test and check of scripts only check that they are there and can be executed,
-- a run of a whole suite is planned (--dry-run), and a committed bundle is put where it would have written,
+- setup, build, test and check of scripts only check that they are there and can be executed,
+- a run of a whole suite is planned (--dry-run), and a committed bundle is put where two of them would have written,
 - programs that start jobs elsewhere (mpirun, parallel, sbatch), and a program with peers, do nothing,
 
-and each of these is said. Links of the pages to files of the repository are checked, too.
+and each of these is said. So scripts/reproduce goes through, but for the build and the run. Links of the pages to files of the
+repository are checked, too.
 """
 import argparse
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-SLOW = ("setup", "build", "reproduce", "test", "check")
+SLOW = ("setup", "build", "test", "check")
+FINDS_ITS_ROOT = "reproduce"  # a script that goes to the folder above its own, so a link would leave the copy
 ELSEWHERE = ("mpirun", "parallel", "sbatch")
-STAND_INS = {"report": "clang", "answers": "answers"}  # suite: committed bundle
+STAND_INS = {"results/local/report": "baseline", "results/local/mine": "clang"}  # where a page lets a run write: committed bundle
 MEASURING = re.compile(r"bezierbench (check|doctor|run)\b")
 VARIES = re.compile(r"[-+~]?\d[\d.]*(e[-+]?\d+)?|\b(faster|slower|same|unresolved|noisy|ok)\b|-{3,}|\s+")
 BLOCK = re.compile(r"^```(sh|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -38,7 +41,6 @@ real={root}/scripts/{name}
 [[ -x $real ]] || {{ echo "no script {name}" >&2; exit 1; }}
 if [[ {name} == check && ! -x {root}/scripts/checks/$1 ]]; then echo "no check '$1'" >&2; exit 1; fi
 echo "{skipped}scripts/{name} $*" >>"$DOCS_SKIPPED"
-if [[ {name} == reproduce ]]; then mkdir -p results/local && cp -rL results/baseline results/local/report; fi
 """
 ELSEWHERE_STUB = """#!/usr/bin/env bash
 [[ -t 0 ]] || cat >/dev/null
@@ -49,11 +51,10 @@ words=" $* "
 if [[ $1 == run && $words != *' --dry-run '* && $words != *' --trials '* ]]; then
   {program} "$@" --dry-run >/dev/null || exit
   echo "{skipped}bezierbench $*, planned" >>"$DOCS_SKIPPED"
-  suite=$(basename "$2" .toml)
   [[ $words =~ ' --out '([^ ]+) ]] && out=${{BASH_REMATCH[1]}}
   declare -A stand_ins=({stand_ins})
-  if [[ ${{stand_ins[$suite]:-}} && ! -e $out ]]; then
-    mkdir -p "$(dirname "$out")" && cp -rL "results/${{stand_ins[$suite]}}" "$out"
+  if [[ ${{stand_ins[$out]:-}} && ! -e $out ]]; then
+    mkdir -p "$(dirname "$out")" && cp -rL "results/${{stand_ins[$out]}}" "$out"
   fi
   exit
 fi
@@ -90,9 +91,11 @@ class Copy:
         for name in SLOW:
             (self.root / "scripts" / name).unlink(missing_ok=True)
             write_stub(self.root / "scripts" / name, SLOW_STUB.format(root=ROOT, name=name, skipped=SKIPPED))
+        (self.root / "scripts" / FINDS_ITS_ROOT).unlink()
+        shutil.copy(ROOT / "scripts" / FINDS_ITS_ROOT, self.root / "scripts")
         for name in ELSEWHERE:
             write_stub(stubs / name, ELSEWHERE_STUB.format(name=name, skipped=SKIPPED))
-        stand_ins = " ".join(f"[{suite}]={bundle}" for suite, bundle in STAND_INS.items())
+        stand_ins = " ".join(f"[{place}]={bundle}" for place, bundle in STAND_INS.items())
         write_stub(self.root / "build/release/bezierbench", PROGRAM_STUB.format(program=program, skipped=SKIPPED, stand_ins=stand_ins))
         write_stub(self.root / "build/peers/bezierbench", ELSEWHERE_STUB.format(name="build/peers/bezierbench", skipped=SKIPPED))
         self.skipped = Path(place) / "skipped"
@@ -104,7 +107,7 @@ class Copy:
         self.skipped.write_text("", encoding="utf-8")
         done = subprocess.run(["bash", "-c", script], cwd=self.root, env=self.environment, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-        return done.returncode, done.stdout, self.skipped.read_text(encoding="utf-8")
+        return done.returncode, done.stdout.replace(self.environment["HOME"], "~"), self.skipped.read_text(encoding="utf-8")
 
 
 def transcript(text):
@@ -156,9 +159,10 @@ class Page:
             self.said(skipped)
             if code not in (0, 1):  # 1 is a finding, which may be what a page shows
                 self.fault(match.start(), f"`{command}` ends with {code}: {tidy(output)[-300:]}")
-            if not skipped and masked(command, shown) != masked(command, output):
+            done = output.strip() or not skipped  # else it stands for what was not done
+            if done and masked(command, shown) != masked(command, output):
                 self.fault(match.start(), f"`{command}` prints something else; run scripts/docs_commands.py --update PROGRAM")
-            printed = shown if skipped else tidy(output)
+            printed = tidy(output) if done else shown
             parts.append(f"$ {command}\n" + (f"{printed}\n" if printed else ""))
         return "```console\n" + "".join(parts) + "```"
 

@@ -53,9 +53,9 @@ class Commands(unittest.TestCase):
         self.assertEqual(len(self.page("```sh\nscripts/nothing\n```\n")[0].faults), 1)
 
     def test_slow_scripts_are_there_and_said(self):
-        page, text = self.page("```console\n$ scripts/reproduce --jobs 2\nwhat it printed\n$ scripts/check golden\n```\n")
+        page, text = self.page("```console\n$ scripts/test -j 2\nwhat it printed\n$ scripts/check golden\n```\n")
         self.assertEqual((page.faults, text), ([], page.text))
-        self.assertEqual(self.skipped, ["skipped: scripts/reproduce --jobs 2", "skipped: scripts/check golden"])
+        self.assertEqual(self.skipped, ["skipped: scripts/test -j 2", "skipped: scripts/check golden"])
         self.assertEqual(len(self.page("```sh\nscripts/check nothing\n```\n")[0].faults), 1)
 
     def test_a_run_of_a_whole_suite_is_planned(self):
@@ -63,6 +63,10 @@ class Commands(unittest.TestCase):
                             "test -e results/local/mine/bundle.json\n```\n")
         self.assertEqual(page.faults, [])
         self.assertIn("planned", self.skipped[0])
+
+    def test_what_a_command_prints_beside_a_skipped_one_is_compared(self):
+        page, text = self.page("```console\n$ scripts/build; echo here: ~\nhere: there\n```\n")
+        self.assertEqual((len(page.faults), text), (1, "```console\n$ scripts/build; echo here: ~\nhere: ~\n```\n"))
 
     def test_links_lead_somewhere(self):
         self.assertEqual(self.page("[a](page.md), [b](page.md#b), [c](https://example.org)\n")[0].faults, [])

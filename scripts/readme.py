@@ -77,20 +77,20 @@ def filled(page, text, made):
     return PART.sub(fill, text)
 
 
-def new_methods(text, wanted):
-    """The methods of the program that a page lacks. Empty if anything else differs: an added method alone needs no
-    update."""
+def new_lines(text, wanted):
+    """The ids of methods, suites and generators of the program that a page lacks. Empty if anything else differs: what is added alone
+    needs no update."""
     ours, theirs = text.splitlines(), wanted.splitlines()
     more = [line for line in theirs if line not in set(ours)]
-    if not all(line.startswith("| `") for line in more) or ours != [line for line in theirs if line not in set(more)]:
+    if not all(line.startswith(("| `", "| [`")) for line in more) or ours != [line for line in theirs if line not in set(more)]:
         return []
     return [line.split("`")[1] for line in more]
 
 
 def compare(page, text, wanted):
-    """A fault as one line; None where the page is as it should be, or lacks new methods only, which is said."""
+    """A fault as one line; None where the page is as it should be, or lacks only what was added, which is said."""
     name = page.relative_to(ROOT)
-    if new := new_methods(text, wanted):
+    if new := new_lines(text, wanted):
         print(f"{name}: lacks {listing(new)}, which the program has; scripts/readme.py --update --program PROGRAM adds it")
     elif wanted != text:
         line = next((at for at, pair in enumerate(zip(text.splitlines(), wanted.splitlines()), 1) if pair[0] != pair[1]), "the end")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """snippets_test.py PAGE.md --prefix P: builds and runs every snippet of a page against the package installed under P.
 
-The blocks of a page are taken in order, in one scratch folder:
+The blocks of a page are taken in order, in one scratch folder, which has the repository's folder `results`:
   cpp, c    a file of its own, compiled with the flags of the package's pkg-config files and warnings as errors; a snippet
             with a function main is linked and run as well. A first line `// NAME.cpp` gives the file its name.
   python    run with the module of the package on its path
@@ -19,6 +19,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+RESULTS = Path(__file__).resolve().parent.parent / "results"
 BLOCK = re.compile(r"^```(\w+)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NAMED = re.compile(r"\s*//\s*(\w+\.(?:cpp|c|h|hpp))\s*$")
 WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-Werror"]
@@ -116,6 +117,7 @@ def check_page(page, prefix):
     snippets = blocks_of(Path(page).read_text(encoding="utf-8"))
     complaints = []
     with tempfile.TemporaryDirectory(prefix="bezierbench-snippets-") as folder:
+        (Path(folder) / "results").symlink_to(RESULTS)
         place = Page(prefix, folder)
         for language, body, line, expected in snippets:
             try:

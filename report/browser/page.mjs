@@ -132,6 +132,9 @@ async function answer(page) {
     const times = (await rows()).map((row) => row[1]);
     check(times.length > 0 && times.every((time, at) => !at || time >= times[at - 1]), `degree ${option}: times are ${times}`);
   }
+  const worth = await page.$$eval("#answer-table td.inside", (all) => all.map((cell) => cell.closest("tbody").dataset.key));
+  const all = await page.locator("#answer-sentence").textContent();
+  check(worth.length > 0 && worth.every((method) => all.includes(`${method} (`)), `of those worth choosing, ${worth}, the sentence has ${all}`);
   const errors = (await rows()).map((row) => row[2]).sort((a, b) => a - b);
   const middle = errors[Math.floor(errors.length / 2) - 1];
   const tolerance = page.locator("#picker").getByLabel("tolerance");
@@ -211,6 +214,13 @@ async function without(path) {
 }
 
 async function looks(path) {
+  const desk = await open(path);
+  const clipped = await desk.$$eval("main .scroll", (all) => all.filter((one) => {
+    one.scrollIntoView({ behavior: "instant" });
+    return one.querySelector("caption").getBoundingClientRect().right > one.getBoundingClientRect().right + 1;
+  }).map((one) => one.querySelector("table").id));
+  check(clipped.length === 0, `the caption is cut of ${clipped}`);
+  await desk.context().close();
   const phone = await open(path, { viewport: { width: 390, height: 844 } });
   const width = await phone.evaluate(() => document.documentElement.scrollWidth);
   check(width <= 390, `at 390 px the page is ${width} wide`);
@@ -220,6 +230,8 @@ async function looks(path) {
     return cell && cell.getBoundingClientRect().right > innerWidth + (cell.className.includes("words") ? 200 : 40);
   }).map((table) => table.id));
   check(cut.length === 0, `at 390 px no number is seen of ${cut}`);
+  const over = await phone.$$eval("main tbody th", (all) => all.filter((label) => label.scrollWidth > label.clientWidth + 1).map((label) => label.textContent));
+  check(over.length === 0, `at 390 px these labels reach into the numbers: ${[...new Set(over)]}`);
   await phone.context().close();
   const dark = await open(path, { colorScheme: "dark" });
   const paper = () => dark.evaluate(() => getComputedStyle(document.body).backgroundColor);
@@ -227,6 +239,10 @@ async function looks(path) {
   await dark.emulateMedia({ media: "print", colorScheme: "light" });
   check(night !== await paper(), "dark and print have one paper");
   check(!await dark.locator("#view").isVisible() && !await dark.locator(".tools").first().isVisible(), "controls are printed");
+  check(await dark.locator("button.sort").first().evaluate((one) => getComputedStyle(one).display) === "contents", "heads that are repeated on paper are empty");
+  const sticking = await dark.$$eval("main table *", (all) => all.filter((one) => getComputedStyle(one).position === "sticky").length);
+  check(sticking === 0, `${sticking} cells stick on paper, where a head is repeated`);
+  check(await dark.locator("#answer-figure .legend").isVisible(), "the figure of the answer is printed without its legend");
   await dark.context().close();
 }
 

@@ -19,7 +19,7 @@ def blocks(bundle, _findings):
         ("p~", "the sum of the absolute terms of the curve at t, over the coefficients in the form in which it is given"),
         ("condition number", "p~/|p|: by what relative errors of the coefficients can grow at t"),
         ("path", "`conversion:evaluator`: convert to the other form, then evaluate there"),
-        ("replicate", "one independent repetition of the report's experiment; the band is over replicates"),
+        ("replicate", "one independent repetition of all trials of a study; a band is over replicates"),
     ))
     yield from _generators(bundle)
     yield from _columns(bundle)

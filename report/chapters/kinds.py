@@ -58,7 +58,7 @@ KINDS = {
                     ("tolerance", "points")),
     "guarantees": Kind("guarantees.csv", guarantees.study_tables, (), ("degree",)),
     "hard_cases": Kind("hard_cases.csv", hard_cases.study_tables, (), ("degree",), "family"),
-    "exhaustive": Kind("exhaustive.csv", exhaustive.study_tables, (), ("degree",)),
+    "exhaustive": Kind("exhaustive.csv", exhaustive.study_tables, (("max_error_ulp", "largest error, ulp"),), ("curve_id", "degree")),
 }
 
 

@@ -48,7 +48,7 @@ def _table(study, rows):
                 cells.append(Cell(write(over(values)), repr(over(values))) if values else Cell())
             lines.append((label, cells))
         groups.append(Group(f"`{method}`", method, tuple(lines)))
-    degrees = ", ".join(dict.fromkeys(shortest(r["degree"]) for r in rows))
+    degrees = list(dict.fromkeys(shortest(r["degree"]) for r in rows))
     trials = sum(r["trials"] for r in rows if r["method"] == rows[0]["method"])
-    return Table(id=study, caption=f"Foot points, degrees {degrees} ({large(trials)} trials per method, by placement of the point)",
+    return Table(id=study, caption=f"Foot points, {'degree' if len(degrees) == 1 else 'degrees'} {', '.join(degrees)} ({large(trials)} trials per method, by placement of the point)",
                  caption_zh="最近点", row_head="quantity", axis="placement", head=tuple(placements), groups=tuple(groups))

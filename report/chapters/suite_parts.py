@@ -28,11 +28,13 @@ def figure(name, bundle):
 
 
 def study_figure(bundle, study):
-    """The figure of one study along the axis that it varies, as a list, empty where there is nothing to draw."""
-    from ..figures import study_lines
+    """The figure of one study, as a list, empty where there is nothing to draw: of verdicts a matrix, else lines along the axis that it
+    varies."""
+    from ..figures import guarantee_matrix, study_lines
 
+    drawn = guarantee_matrix if bundle.studies[study].kind == "guarantees" else study_lines
     try:
-        return [study_lines.draw(bundle, study)]
+        return [drawn.draw(bundle, study)]
     except Missing:
         return []
 

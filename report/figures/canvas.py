@@ -67,7 +67,7 @@ def log_axis(axis, ticks=None):
     """Decades written as in the tables: 1e-9."""
     axis.set_minor_locator(NullLocator())
     axis.set_major_locator(FixedLocator(ticks) if ticks else LogLocator(numticks=9))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: shortest(float(f"{value:.3g}"))))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: shortest(float(f"{value:.6g}"))))  # 0.9985 is not 1
 
 
 def reproduced(ax, x, rows, colour, below=False, dashed="continuous_median", dotted="against_exact", scale=None):

@@ -4,7 +4,7 @@
 from ..findings.conversion import growth, middle, to_power
 from ..wording import interval, scientific
 from .canvas import DASHED, DOTTED, INK, finish, panels, styled
-from .method_lines import beside, conversion, draw_paths, error_axis, series
+from .method_lines import beside, conversion, draw_paths, error_axis, path_colours, series
 
 ID = "conversion-interval"
 STROKES = ("solid", DOTTED, (0, (5, 1.5, 1, 1.5)))  # of the methods that convert nothing
@@ -17,10 +17,11 @@ def draw(bundle):
     degrees = sorted({r["degree"] for r in rows})
     canvas, axes = panels(len(degrees), 1, height=2.5, sharex=True)
     words = []
+    colours = path_colours(r["method"] for r in rows if conversion(r["method"]))
     places = sorted({(r["t_min"], r["t_max"]) for r in rows})
     for ax, degree in zip(axes[:, 0], degrees):
         lines = series([r for r in rows if r["degree"] == degree], middle, "mean_error")
-        draw_paths(ax, {m: points for m, points in lines.items() if conversion(m)})
+        draw_paths(ax, {m: points for m, points in lines.items() if conversion(m)}, colours)
         given = {m: points for m, points in lines.items() if not conversion(m)}
         for stroke, (method, points) in zip(STROKES, given.items()):
             ax.plot(*zip(*points), color=INK, linewidth=1, linestyle=stroke, label=method)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The matrix of verdicts: methods down, properties across, for cubics in double."""
+"""The matrix of verdicts: methods down, properties across, for cubics in double, or what a study has first."""
 
 from ..bundle import Missing
 from ..guarantee_words import of_all, share
@@ -7,18 +7,21 @@ from ..wording import percent
 from .canvas import COLOURS, FAINT, INK, finish, panels, styled
 
 ID = "guarantee-matrix"
-SHOWN = {"degree": 3, "scalar": "double"}
+SHOWN = (3, "double")  # degree and scalar type
 COLOUR = {"proved": COLOURS[2], "refuted": COLOURS[1], "not_refuted": FAINT}
 MEANING = {"proved": "proved", "refuted": "broken, with the share of random inputs that break it", "not_refuted": "open"}
 
 
 @styled
-def draw(bundle):
-    """A square for each method without conversion and each property."""
-    table = bundle.judged("guarantees.csv").of_suite("guarantees")
-    rows = [r for r in table.select(**SHOWN) if ":" not in r["method"]]
+def draw(bundle, study=None):
+    """A square for each method without conversion and each property, of a study or of all of the suite."""
+    table = bundle.judged("guarantees.csv")
+    rows = [r for r in (table.some(study=study) if study else table.of_suite("guarantees").rows) if ":" not in r["method"]]
     if not rows:
-        raise Missing("`guarantees.csv` has no row of a cubic in double")
+        raise Missing("`guarantees.csv` has no row of a method without conversion")
+    cells = dict.fromkeys((r["degree"], r["scalar"]) for r in rows)
+    degree, scalar = SHOWN if SHOWN in cells else next(iter(cells))
+    rows = [r for r in rows if (r["degree"], r["scalar"]) == (degree, scalar)]
     methods, properties = (list(dict.fromkeys(r[c] for r in rows)) for c in ("method", "property"))
     canvas, axes = panels(1, 1, height=0.26 * len(methods) + 1.4)
     ax = axes[0, 0]
@@ -41,6 +44,7 @@ def draw(bundle):
     ax.grid(False)
     handles = [ax.fill([], [], color=colour, alpha=0.55, label=MEANING[verdict])[0] for verdict, colour in COLOUR.items()]
     canvas.legend(handles=handles, loc="lower center", ncol=3, fontsize=8)
-    return finish(canvas, ID, "What each method keeps of a cubic in double", "三次曲线双精度下各方法所保持的性质",
+    return finish(canvas, f"{study}-figure" if study else ID, f"What each method keeps of a curve of degree {degree:g} in {scalar}",
+                  "各方法所保持的性质",
                   f"A matrix of {len(methods)} methods and {len(properties)} properties; the table below says the same in words.",
                   bottom=0.35)

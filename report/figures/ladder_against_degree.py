@@ -5,7 +5,7 @@ from ..bundle import Missing
 from ..methods import FORM
 from ..wording import general
 from .canvas import finish, panels, styled
-from .method_lines import conversion, degree_axis, draw_methods, draw_paths, ends, error_axis, looks, series
+from .method_lines import conversion, degree_axis, draw_methods, draw_paths, ends, error_axis, looks, path_colours, series
 
 ID = "ladder-against-degree"
 GENERATOR = "continuous"
@@ -35,11 +35,13 @@ def draw(bundle):
         raise Missing(f"`accuracy.csv` has no `ladder-` row with `{GENERATOR}` inputs")
     canvas, axes = panels(len(parts), 1, height=2.7)
     words = []
+    methods = dict.fromkeys(method for *_, some in parts for method in some)
+    look, colours = looks(list(methods)), path_colours(methods)  # the same in every panel
     for ax, (curve, kind, some) in zip(axes[:, 0], parts):
         if kind in KINDS[:2]:
-            draw_methods(ax, some, looks(list(some)))
+            draw_methods(ax, some, look)
         else:
-            draw_paths(ax, some)
+            draw_paths(ax, some, colours)
         title = f"{FORM.get(curve, (curve,))[0]}, {kind}"
         title = title[0].upper() + title[1:]
         ax.set_title(title, loc="left")

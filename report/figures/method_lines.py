@@ -68,15 +68,24 @@ def draw_methods(ax, lines, look):
     beside(ax)
 
 
-def draw_paths(ax, lines):
+def _converted(method):
+    return conversion(method) or "given form"
+
+
+def path_colours(methods):
+    """{conversion: colour} of all methods of a figure."""
+    return {name: COLOURS[i % len(COLOURS)] for i, name in enumerate(dict.fromkeys(map(_converted, methods)))}
+
+
+def draw_paths(ax, lines, colours):
     """One thin line per path, coloured by its conversion."""
     groups = {}
     for method, points in lines.items():
-        groups.setdefault(conversion(method) or "given form", []).append((method, points))
+        groups.setdefault(_converted(method), []).append((method, points))
     ordered = sorted(groups.items(), key=lambda item: -max(points[-1][1] for _, points in item[1]))
-    for i, (name, group) in enumerate(ordered):
+    for name, group in ordered:
         for k, (method, points) in enumerate(group):
-            line, = ax.plot(*zip(*points), color=COLOURS[i % len(COLOURS)], linewidth=0.9, alpha=0.85,
+            line, = ax.plot(*zip(*points), color=colours[name], linewidth=0.9, alpha=0.85,
                             label=f"{name} ({len(group)})" if k == 0 else None)
             line.series_name, line.rows = method, [getattr(point, "row", None) for point in points]
     beside(ax)

@@ -22,7 +22,7 @@ def draw(bundle):
     quantities = [(label, lines) for label, lines in quantities if lines]
     if not quantities:
         raise Missing("`accuracy.csv` has no errors in a study whose id starts with `peers-`")
-    look = looks(list(quantities[0][1]))
+    look = looks(list(dict.fromkeys(method for _, lines in quantities for method in lines)))
     canvas, axes = panels(len(quantities), 1, height=3, sharex=True)
     words = []
     for ax, (label, lines) in zip(axes[:, 0], quantities):

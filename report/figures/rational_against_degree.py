@@ -19,9 +19,10 @@ def draw(bundle):
     generators = table.distinct("generator", study=ladders[0], scalar="double")
     canvas, axes = panels(len(generators), 1, height=2.7, sharex=True, sharey=True)
     words = []
+    look = looks(table.distinct("method", study=ladders[0], scalar="double"))
     for ax, generator in zip(axes[:, 0], generators):
         lines = series(table.select(study=ladders[0], scalar="double", generator=generator), lambda r: r["degree"], "mean_error_u")
-        draw_methods(ax, lines, looks(list(lines)))
+        draw_methods(ax, lines, look)
         ax.set_title(f"{generator} inputs", loc="left")
         error_axis(ax)
         degree_axis(ax, {x for points in lines.values() for x, _ in points})

@@ -1,19 +1,25 @@
 # SPDX-License-Identifier: MIT
 """A study of any kind: what it measures, along the axis that it varies."""
 
+import textwrap
+
 from ..bundle import Missing
 from ..chapters.kinds import KINDS, rows_of
 from ..tables import AXIS, axis_label, axis_value
-from ..wording import general, shortest
+from ..wording import general, listing, shortest
 from .canvas import finish, panels, styled
-from .method_lines import degree_axis, draw_methods, draw_paths, error_axis, looks, point_of, positive
+from .method_lines import degree_axis, draw_methods, draw_paths, error_axis, looks, path_colours, point_of, positive
 
-APART = ("curve", "scalar", "mode", "target")  # a panel for each value; over what else varies the largest value is drawn
+APART = ("curve", "scalar", "mode", "target")  # a panel for each value
+BESIDE = ("degree", "dimension", "order", "coordinate_range", "interval", "generator", "tolerance", "points", "data", "placement",
+          "curve_id")
 MOST = 20  # lines with a look of their own
 FAR, FARTHEST = 1e3, 1e5  # times the best, in the largest value of a line
 MOST_TICKS = 12  # places that are named
-NARROW = ("interval", "placement", "data")  # axes whose values are places side by side
-WORDS = {"placement": "placement of the point", "data": "data", **AXIS}
+WIDTH = 28  # characters that fit the height of a panel
+NARROW = ("interval", "placement", "data", "curve_id")  # axes whose values are places side by side
+LONG = 10  # characters from which the names of places are written aslant, each of them
+WORDS = {"placement": "placement of the point", "data": "data", "curve_id": "curve", **AXIS}
 
 
 def _axis(kind, rows):
@@ -28,6 +34,11 @@ def _parts(rows):
     for row in rows:
         parts.setdefault(", ".join(str(row[c]) for c in varies if row[c]), []).append(row)
     return parts
+
+
+def _merged(rows, axis):
+    """What else varies, of which each point shows the largest value."""
+    return [one.replace("_", " ") for one in BESIDE if one != axis and len({axis_value(r, one) for r in rows}) > 1]
 
 
 def _lines(rows, where, axis, column, method):
@@ -74,24 +85,31 @@ def draw(bundle, study):
         raise Missing(f"the study `{study}` has no value that a logarithmic axis can show")
     canvas, axes = panels(len(drawn), 1, height=max(2.6, 0.17 * min(max(len(lines) for *_, lines in drawn), MOST)))
     words = []
+    methods = dict.fromkeys(method for *_, lines in drawn for method in lines)
+    look = {m: {**style, "marker": style["marker"] or "o"} for m, style in looks(list(methods)).items()}  # the same in every panel
+    colours = path_colours(methods)
     for ax, (label, what, lines) in zip(axes[:, 0], drawn):
         if len(lines) <= MOST:
-            draw_methods(ax, lines, {m: {**style, "marker": style["marker"] or "o"} for m, style in looks(list(lines)).items()})
+            draw_methods(ax, lines, look)
         else:
-            draw_paths(ax, lines)
+            draw_paths(ax, lines, colours)
         error_axis(ax)
         if side_by_side:
-            named = values[::-(-len(values) // MOST_TICKS)]
-            ax.set_xticks([where[v] for v in named], [axis_label(v, axis) if not isinstance(v, str) else v for v in named], fontsize=8)
+            aslant = axis == "curve_id" and max(map(len, values)) > LONG
+            named = values if aslant else values[::-(-len(values) // MOST_TICKS)]
+            ax.set_xticks([where[v] for v in named], [axis_label(v, axis) if not isinstance(v, str) else v for v in named],
+                          **({"fontsize": 7, "rotation": 40, "ha": "right"} if aslant else {"fontsize": 8}))
         else:
             degree_axis(ax, values)
             ax.xaxis.set_major_formatter(lambda value, _: shortest(float(f"{value:.3g}")))
         ax.set_title(label, loc="left")
-        ax.set_ylabel(what)
+        ax.set_ylabel(textwrap.fill(what, WIDTH))
         last = {m: points[-1][1] for m, points in lines.items()}
         low, high = min(last, key=last.get), max(last, key=last.get)
         words.append(f"{label + ', ' if label else ''}{what}: at the end {low} has the least, {general(last[low])}, and {high} the "
                      f"largest, {general(last[high])}")
     axes[-1][0].set_xlabel(WORDS[axis])
-    return finish(canvas, f"{study}-figure", f"{bundle.title(study)}, along the {WORDS[axis]}", "各方法的结果",
+    merged = _merged(rows, axis)
+    return finish(canvas, f"{study}-figure", f"{bundle.title(study)}, against {WORDS[axis]}"
+                  + (f"; each point is the largest value over {listing(merged)}" if merged else ""), "各方法的结果",
                   "Logarithmic. " + "; ".join(words) + ".", bottom=0.1)

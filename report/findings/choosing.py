@@ -27,7 +27,8 @@ def find(bundle):
     if not degrees:
         raise Missing("`pareto.csv` has no Bézier curves in double, mode `point`")
     off = {n: [r for r in rows if r["pareto"] == OFF] for n, rows in degrees.items()}
-    holds = all(2 * len(off[n]) >= len(rows) for n, rows in degrees.items())
+    fewer = [f"{n:g}" for n, rows in degrees.items() if 2 * len(off[n]) < len(rows)]
+    holds = not fewer
     top = max(degrees)
     front = [r for r in degrees[top] if r["pareto"] == ON and useful(r["observed_max_u"], r["scalar"])]
     steps = [f"`{r['method']}` ({general(r['ns'])} ns, at most {general(r['observed_max_u'])} u p~ seen)" for r in front]
@@ -36,7 +37,7 @@ def find(bundle):
     return Finding(
         id="choosing", about="suite", suite=SUITE, claim="", holds=holds,
         headline=("At every degree at least half of the methods are beaten in both time and error by another: " if holds else
-                  "At some degree more than half of the methods are worth choosing: ")
+                  f"At degree {listing(fewer)} fewer than half of the methods are beaten in both time and error by another; ")
         + f"at degree {top:g} {len(off[top])} of {len(degrees[top])} are beaten, one point at a time.",
         detail=(f"Worth choosing at degree {top:g}, fastest first: {listing(steps)}.",
                 f"Worth choosing at every degree: {names(always)}." if always else

@@ -12,7 +12,8 @@ ALIKE = 10  # times the mean error of our own method
 
 
 def find(bundle):
-    """Holds where at every degree all libraries but those that leave Bernstein form err like de Casteljau's algorithm."""
+    """Holds where most methods of other libraries have at most `ALIKE` times the mean error of de Casteljau's algorithm at every
+    degree."""
     methods = by_degree(bundle.exact("peers").select(curve="bezier", scalar="double", dimension=2))
     ours = methods.get("de_casteljau")
     theirs = {m: rows for m, rows in methods.items() if m.startswith(PEER)}
@@ -21,7 +22,6 @@ def find(bundle):
     ratio = {m: max((rows[n]["mean_error"] / ours[n].number("mean_error"), n) for n in rows if n in ours) for m, rows in theirs.items()}
     far = [m for m in ratio if ratio[m][0] > ALIKE]
     near = [m for m in ratio if m not in far]
-    steepest = max(ratio, key=ratio.get)
     holds = len(near) > len(far)
     lines = [f"`{m}`: at most {factor(ratio[m][0])} times, at degree {shortest(ratio[m][1])}, where it has "
              f"{general(theirs[m][ratio[m][1]]['mean_error_u'])} u p~." for m in ratio]

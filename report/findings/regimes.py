@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: MIT
 """For the findings about regimes: one study, and the factor by which a method's mean error varies over its axis."""
 
-import math
 from dataclasses import dataclass
 
 from ..bundle import Missing, Row
 from ..wording import count
 
 SUITE = "regimes"
-ALIKE = 2  # factor beyond what the scatter of the trials explains
+ALIKE = 2  # means of heavy-tailed errors, as those of converted paths are, differ by less from sample to sample
 CLOSE = 1.25  # means that differ by less are called equal
-ERRORS = 4  # standard errors by which a mean may be off
 
 
 @dataclass(frozen=True)
@@ -26,17 +24,8 @@ class Spread:
 
     @property
     def apart(self):
-        """Whether the means differ by more than `ALIKE` times what their scatter explains. Errors of converted paths
-        are heavy-tailed: their means differ by factors from sample to sample."""
-        return self.ratio > ALIKE * _scatter(self.low) * _scatter(self.high)
-
-
-def _scatter(row):
-    """The factor by which a mean may be off, from mean, root mean square and number of trials."""
-    mean, rms = row["mean_error"], row["rms_error"]
-    if not mean or not rms:
-        return 1
-    return 1 + ERRORS * math.sqrt(max((rms / mean) ** 2 - 1, 0) / row["trials"])
+        """Whether the means differ by more than the factor `ALIKE`."""
+        return self.ratio > ALIKE
 
 
 def study(bundle, name):

@@ -3,7 +3,7 @@
 
 from ..document import Finding
 from ..wording import count, factor, general, shortest
-from .regimes import SUITE, in_words, spreads, study
+from .regimes import ALIKE, SUITE, in_words, spreads, study
 from .series import names
 
 
@@ -17,8 +17,7 @@ def find(bundle):
     return Finding(
         id="regimes_dimension", about="suite", suite=SUITE, claim="", holds=not apart,
         headline=f"From {shortest(axes[0])} to {shortest(axes[-1])} axes the mean error over u p~ of no method changes "
-                 "beyond the scatter of "
-                 "its trials." if not apart else
+                 f"by more than a factor of {ALIKE}." if not apart else
         f"The mean error over u p~ of {names(apart)} depends on the number of axes, by a factor of up to "
         f"{factor(widest.ratio)}.",
         detail=(f"{in_words(found)}; the largest variation is that of `{widest.high['method']}` at degree "

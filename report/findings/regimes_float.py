@@ -3,7 +3,7 @@
 
 from ..document import Finding
 from ..wording import count, general
-from .regimes import SUITE, in_words, spreads, study
+from .regimes import ALIKE, SUITE, in_words, spreads, study
 from .series import names
 
 
@@ -15,8 +15,7 @@ def find(bundle):
     return Finding(
         id="regimes_float", about="suite", suite=SUITE, claim="", holds=not apart,
         headline=f"In units of its own u p~ float errs as double does: the mean errors of {count(len(found), 'method')} "
-                 "agree up to the scatter "
-                 "of their trials." if not apart else
+                 f"agree within a factor of {ALIKE}." if not apart else
         f"In units of its own u p~ float errs as double does for {len(found) - len(apart)} of {count(len(found), 'method')}, "
         "but not for "
         f"{names(apart)}.",

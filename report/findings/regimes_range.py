@@ -3,7 +3,7 @@
 
 from ..document import Finding
 from ..wording import count, factor, general, large, listing, shortest
-from .regimes import SUITE, in_words, spreads, study
+from .regimes import ALIKE, SUITE, in_words, spreads, study
 from .series import names
 
 
@@ -19,8 +19,7 @@ def find(bundle):
     return Finding(
         id="regimes_range", about="suite", suite=SUITE, claim="", holds=not uneven,
         headline=f"From R = {shortest(ranges[0])} to {shortest(ranges[-1])} the mean error over u p~ of no method changes "
-                 "beyond the scatter "
-                 f"of its trials" + (f", but {count(len({r['method'] for r in broken}), 'method overflows', 'methods overflow')} at {places}."
+                 f"by more than a factor of {ALIKE}" + (f", but {count(len({r['method'] for r in broken}), 'method overflows', 'methods overflow')} at {places}."
                                      if broken else ".") if not uneven else
         f"The mean error over u p~ of {names(uneven)} depends on the range, by a factor of up to {factor(widest.ratio)}.",
         detail=(f"{in_words(found)}; the largest variation is that of `{widest.high['method']}` at degree "

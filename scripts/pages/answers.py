@@ -5,11 +5,12 @@ A method is a candidate for a need where the bundle has its errors and its times
 is a predicate over its rows; of the candidates that meet it at every degree, the winner has the smallest product of times.
 """
 import math
+import textwrap
 from dataclasses import dataclass
 from typing import Callable
 
-from report.wording import general, scientific, shortest
-from scripts.pages.markdown import table
+from report.wording import general, interval, large, listing, scientific, shortest
+from scripts.pages.markdown import WIDTH, table
 
 DEGREES = (3, 12, 30)
 SMALL = 5  # roundings per degree: above the proved bounds of all methods in one pass over the control points
@@ -22,7 +23,7 @@ class Need:
     """What somebody needs, in words, and the rows that decide it."""
 
     name: str
-    demand: str
+    demand: str  # with the names of columns in braces, or {interval}: what the rows of the errors say
     table: str  # of the errors
     studies: tuple  # of the errors; those that are shown first
     times: str  # the study of the times
@@ -67,12 +68,12 @@ NEEDS = (
          "answers-bezier-time", lambda row: done(row) and number(row, "max_error_ulp") <= 0.5, in_ulp),
     Need("Many t on one curve", "as the first, in batches", "accuracy.csv", ("answers-bezier",), "answers-bezier-time", bounded, in_u,
          mode="batch"),
-    Need("Far outside [0, 1]", "as the first, for t in [-100, 100]", "accuracy.csv", ("answers-outside",), "answers-outside-time",
+    Need("Far outside [0, 1]", "as the first, for t in {interval}", "accuracy.csv", ("answers-outside",), "answers-outside-time",
          bounded, in_u),
     Need("Rational curve", f"bound proved, at most {2 * SMALL}n u p~", "accuracy.csv", ("answers-rational",),
          "answers-rational-time", bounded_twice, in_u),
     Need("Data in power form", "as the first", "accuracy.csv", ("answers-power",), "answers-power-time", bounded, in_u),
-    Need("Arc length", "the tolerance of 1e-9 kept in every trial", "arc_length.csv", ("answers-length",), "answers-length-time",
+    Need("Arc length", "the tolerance of {tolerance} kept in every trial", "arc_length.csv", ("answers-length",), "answers-length-time",
          lambda row: done(row) and not row["non_converged"] and not row["broken_promises"]
          and number(row, "max_relative") <= row["tolerance"],
          lambda rows: f"{scientific(max(number(row, 'max_relative') for row in rows), 2)} of it", mode="one_shot"),
@@ -118,9 +119,34 @@ def time_text(row):
     return text if row["quality"] == "ok" else f"{text} {NOISY}"
 
 
+def asked(bundle, need):
+    """The rows of the errors of a need at the degrees of the table."""
+    return bundle[need.table].select(study=need.studies, degree=DEGREES, scalar="double")
+
+
+def demand(bundle, need):
+    """What a need demands, with the numbers of its rows."""
+    said = {}
+    for row in asked(bundle, need):
+        said.setdefault("{interval}", set()).add(interval(row["t_min"], row["t_max"]))
+        said.setdefault("{tolerance}", set()).add(shortest(row["tolerance"]))
+    text = need.demand
+    for name, values in said.items():
+        text = text.replace(name, listing(sorted(values)))
+    return text
+
+
+def trials(bundle):
+    """A sentence: how many curves the errors of each need are the largest of."""
+    least = {need.name: min((row["trials"] for row in asked(bundle, need)), default=0) for need in NEEDS}
+    usual = max(least.values())
+    fewer = ", ".join(f"{name.lower()} {large(number)}" for name, number in least.items() if number < usual)
+    return f"Errors are the largest of {large(usual)} random curves{f' ({fewer})' if fewer else ''} for each cell, against the **exact** value."
+
+
 def line(bundle, need):
     found = winner(bundle, need)
-    what = f"**{need.name}**: {need.demand}"
+    what = f"**{need.name}**: {demand(bundle, need)}"
     if found is None:
         return [what, "none", *("" for _ in DEGREES)]
     method, errors, times = found
@@ -129,6 +155,6 @@ def line(bundle, need):
 
 
 def answers(bundle):
-    """The table."""
+    """The table, and a sentence below it."""
     head = ["need", "method", *(f"n = {shortest(float(degree))}" for degree in DEGREES)]
-    return table(head, [line(bundle, need) for need in NEEDS])
+    return f"{table(head, [line(bundle, need) for need in NEEDS])}\n\n{textwrap.fill(trials(bundle), WIDTH)}"

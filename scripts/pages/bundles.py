@@ -14,14 +14,13 @@ from report.bundle import Bundle, Comparison
 from report.chapters.scorecard import VERDICTS, counts
 from report.wording import listing
 from scripts.digests import Agreement
-from scripts.pages.markdown import link, table
+from scripts.pages.markdown import WIDTH, link, table
 
 ROOT = Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "results"
 BASELINE = RESULTS / "baseline"
 OTHER_BUILD = RESULTS / "clang"
 ANSWERS = RESULTS / "answers"
-WIDTH = 118  # of a line of prose
 TIMES = "2.4"  # the table of the report that prints times
 SAID = {"inside": "inside the band that chance allows", "explained": "outside it for a stated cause",
         "outside": "outside it without a known cause",

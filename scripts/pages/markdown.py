@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+WIDTH = 118  # of a line of prose
 
 
 def cell(text):

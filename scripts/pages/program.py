@@ -2,8 +2,10 @@
 """The parts of the documents that the program says: its methods, suites, generators, kinds of studies and commands."""
 import csv
 import io
+import os
 import re
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -12,10 +14,13 @@ from report.bundle import Folder
 from scripts.pages.markdown import table
 
 COMMAND = re.compile(r"^  ([a-z][a-z_-]*)(?:\s{2,}|$)")
+COLUMNS = 100  # of a line of output
 
 
 def output(program, *arguments):
-    return subprocess.run([program, *arguments], check=True, capture_output=True, text=True).stdout
+    """What it prints, whatever the width and the language of the terminal that this runs in."""
+    environment = {"PATH": os.environ["PATH"], "COLUMNS": str(COLUMNS), "NO_COLOR": "1", "LC_ALL": "C.UTF-8"}
+    return subprocess.run([program, *arguments], check=True, capture_output=True, text=True, env=environment).stdout
 
 
 def rows_of(program, what):
@@ -63,8 +68,8 @@ def kinds(_page, program):
 
 
 def subcommands(text):
-    """The names under the heading of subcommands in the text of a help."""
-    _, heading, listed = text.partition("\nSubcommands:\n")
+    """The names under the heading of commands in the text of a help."""
+    _, heading, listed = text.partition("\ncommands\n")
     return [found[1] for line in listed.splitlines() if (found := COMMAND.match(line))] if heading else []
 
 
@@ -77,7 +82,10 @@ def commands(_page, program):
         name = " ".join(["bezierbench", *path])
         shown = text.partition("\nWhat a [[study]]")[0].strip()  # docs/suites.md has the keys of studies
         parts.append(f"## {name}\n\n```text\n{shown}\n```")
-        for one in subcommands(text):
+        found = subcommands(text)
+        if not path and not found:
+            sys.exit(f"{program} --help names no commands that scripts/pages/program.py could read")
+        for one in found:
             visit([*path, one])
 
     visit([])

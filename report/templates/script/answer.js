@@ -41,10 +41,11 @@ function sentence(cell, methods) {
   const [first] = methods;
   const time = first.ns === null ? "" : `, ${general(first.ns)} ns per point`;
   const proved = asked && bounded(first) ? "; its proved bound keeps the tolerance in these trials, too" : asked ? "; no proved bound says so, only the trials" : "";
-  const front = methods.filter((one) => one.front === "yes" && one !== first);
-  const best = !asked && front.length ? front.reduce((a, b) => (a.error_u <= b.error_u ? a : b)) : null;
-  const other = best ? ` Least error of those worth choosing: ${best.method}, ${general(best.ns)} ns, at most ${general(best.error_u)} u p~.` : "";
-  return `${first.ns === null ? "Least error" : "Fastest"}${asked}: ${first.method}${time}, at most ${general(first.error_u)} u p~ seen${proved}.${other}`;
+  const front = methods.filter((one) => one.front === "yes");
+  if (!asked && front.length) {
+    return `Worth choosing, fastest first: ${front.map((one) => `${one.method} (${general(one.ns)} ns, at most ${general(one.error_u)} u p~ seen)`).join(", ")}.`;
+  }
+  return `${first.ns === null ? "Least error" : "Fastest"}${asked}: ${first.method}${time}, at most ${general(first.error_u)} u p~ seen${proved}.`;
 }
 
 function fillTable(cell, methods) {

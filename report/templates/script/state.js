@@ -66,7 +66,3 @@ function general(value, digits = 3) {
   if (size >= 1e-3 && size < 1e4) return value.toFixed(0);
   return value.toExponential(digits - 1).replace("e+", "e");
 }
-
-function download(id) {
-  return `tables/${id}.csv`;
-}
