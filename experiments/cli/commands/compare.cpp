@@ -14,6 +14,7 @@
 #include "experiments/cli/commands/comparison_text.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/compare/comparison.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -150,13 +151,14 @@ Exit run_compare(const CompareOptions& options) {
 void add_compare(Command program, Exit& exit) {
   auto options = std::make_shared<CompareOptions>();
   auto command = program.command("compare", "machines, accuracy and times of bundles, against the first");
-  command.option("bundles", options->bundles, "folders that run wrote; two or more").required();
+  command.option("bundles", options->bundles, "folders that run wrote; two or more").required().takes(bundle_value);
   command.option("--format", options->format, "text or csv").one_of({"text", "csv"});
   command
       .option("--fail-on", options->fail_on, "slower: exit 1 where a method is, in all repetitions and at quality ok")
       .one_of({"slower"});
-  command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders");
-  command.option("--method", options->method, "only methods whose id matches this glob");
+  command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders")
+      .takes(folder_value);
+  command.option("--method", options->method, "only methods whose id matches this glob").takes("GLOB", all_methods());
   command.flag("--all", options->all, "every row, not only what changed");
   add_damaged(command, options->damaged);
   command.action([options, &exit] { exit = run_compare(*options); });

@@ -19,6 +19,7 @@
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/terminal/whole_number.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/suite/overrides.hpp"
@@ -43,14 +44,6 @@ struct RunOptions {
   bool host_name = false;
   suite::Overrides overrides;
 };
-
-/// The number in an option. CLI11 would turn a number beyond the range of the type into the largest one of the type.
-std::int64_t whole_number(std::string_view option, const std::string& text) {
-  const auto number = number::parse_integer(text);
-  if (!number || *number < 0)
-    throw Failure(Exit::usage, fmt::format("{} {}: not a whole number from 0 to 2^63-1", option, text));
-  return *number;
-}
 
 std::chrono::milliseconds pause(const std::string& text) {
   constexpr double day = 86400;

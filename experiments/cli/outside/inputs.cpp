@@ -10,6 +10,7 @@
 #include "experiments/cli/outside/input_table.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/terminal/whole_number.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/overrides.hpp"
 #include "experiments/suite/reader.hpp"
@@ -25,13 +26,6 @@ struct InputsOptions {
   std::optional<std::string> trials;
   suite::Overrides overrides;
 };
-
-std::int64_t whole_number(std::string_view option, const std::string& text) {
-  const auto number = number::parse_integer(text);
-  if (!number || *number < 0)
-    throw Failure(Exit::usage, fmt::format("{} {}: not a whole number from 0 to 2^63-1", option, text));
-  return *number;
-}
 
 void write_inputs(InputsOptions options) {
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a file");
