@@ -16,6 +16,11 @@ std::string in_words(const DrawnClass& of) {
                      number::decimal(of.range), number::decimal(of.t.min), number::decimal(of.t.max));
 }
 
+std::string timed_curves(const JudgedRace& race) {
+  auto text = fmt::format("{}: {}", race.group.study, in_words(race.of));
+  return race.group.drawn.empty() ? text : fmt::format("{}, {}", text, race.group.drawn.back());
+}
+
 std::string remedy(const Wish& wish) {
   const auto form =
       std::ranges::find(suite::words<Form>, wish.form, [](const auto& entry) { return name(entry.value); });

@@ -46,6 +46,8 @@ void keep_methods(const std::string& glob, std::vector<compare::Pair>& pairs) {
   for (auto& pair : pairs) {
     std::erase_if(pair.timing.rows, is_other);
     std::erase_if(pair.accuracy.rows, is_other);
+    // How many rows of these methods have no partner is not known; the methods below say whether some have none.
+    pair.timing.only_a = pair.timing.only_b = pair.accuracy.only_a = pair.accuracy.only_b = 0;
     pair.accuracy.differing =
         static_cast<std::size_t>(std::ranges::count(pair.accuracy.rows, false, &compare::AccuracyRow::identical));
     auto& methods = pair.accuracy.methods;
@@ -86,7 +88,8 @@ void print_text(const Compared& all, bool every_row) {
                  rank_changes_text(pair.timing));
     fmt::print("{}", two ? "" : "\n");
   }
-  if (!two) fmt::print("{}", standings_text(compare::standings(all.base, all.others, all.pairs)));
+  if (!two || (!all.pairs.front().same_machine && !all.pairs.front().timing.rows.empty()))
+    fmt::print("{}", standings_text(compare::standings(all.base, all.others, all.pairs)));
 }
 
 void write_files(const Compared& all, const std::filesystem::path& out) {
