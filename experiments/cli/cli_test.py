@@ -70,6 +70,7 @@ class CommandLine(Case):
     def test_help_and_version(self):
         self.assertIn("run", self.fine("--help"))
         self.assertIn("--out", self.fine("run", "--help"))
+        self.assertRegex(self.fine("choose", "--help"), r"--mode one_shot\|point\|latency\|batch\n +of the times; default point\n")
         self.assertTrue(self.fine("--version").startswith("bezierbench "))
 
 

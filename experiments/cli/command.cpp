@@ -84,6 +84,9 @@ OptionNode node_of(const CLI::Option& option, const ValueNotes& notes, int alter
   }
   node.help = option.get_description();
   node.required = option.get_required();
+  const auto& left_out = option.get_default_str();
+  const bool says_it = node.help.find("default") != std::string::npos;
+  if (!node.required && !says_it && !left_out.empty()) node.help += "; default " + left_out;
   node.several = !is_flag && option.get_items_expected_max() > 1;
   node.alternative = alternative;
   return node;
@@ -179,6 +182,7 @@ void Command::hidden_command(const std::string& name, std::function<void(const s
 template <class Value>
 Option Command::option(const std::string& name, Value& value, const std::string& help) {
   auto* option = app_->add_option(name, value, help);
+  if constexpr (std::is_same_v<Value, int> || std::is_same_v<Value, std::string>) option->capture_default_str();
   if constexpr (std::is_same_v<Value, int>)
     option->check([](const std::string& word) {
       return number::parse_integer(word) ? std::string() : fmt::format("{} must be a whole number", echo(word));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"
 
@@ -37,8 +38,8 @@ std::string remedy(const Wish& wish) {
   if (wish.scalar != suite::name(suite::ScalarKind::float64)) set += " --set scalar=" + wish.scalar;
   if (constexpr int usual_dimension = 2; wish.dimension != usual_dimension)
     set += fmt::format(" --set dimension={}", wish.dimension);
-  return fmt::format("; `bezierbench run {} --only '{}' {} --out {}` makes a bundle that can", suite, studies, set,
-                     out);
+  return fmt::format("; `{} run {} --only '{}' {} --out {}` makes a bundle that can", this_program(), suite, studies,
+                     set, out);
 }
 
 }  // namespace bezierbench::cli

@@ -174,7 +174,7 @@ class Choose(Case):
     def offered(self, *wish):
         """The command that a refusal offers, as words; quick and speed are suites that come with the program."""
         message = self.refused(USAGE, ["choose", "b", "--tolerance", "1e9", *wish]).stderr.decode()
-        words = shlex.split(re.search("`bezierbench (.*)`", message)[1])
+        words = shlex.split(re.search("`(.*)`", message)[1])[1:]
         self.assertEqual(words[0], "run")
         return words[:1] + [str(ROOT / f"experiments/suites/{words[1]}.toml")] + words[2:]
 

@@ -10,6 +10,7 @@
 
 #include "experiments/cli/commands/row_words.hpp"
 #include "experiments/cli/terminal/fitted.hpp"
+#include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/compare/changes.hpp"
 #include "experiments/echo.hpp"
@@ -63,7 +64,8 @@ std::string recorded_text(const compare::Side& side, std::string_view label, con
   if (!input) return fmt::format("  {} has recorded no worst input of it\n", label);
   return also_told(fmt::format("{}: worst at trial {}, t {}, coefficients {}", label, printable(input->trial),
                                printable(input->t), printable(input->coefficients))) +
-         fmt::format("     bezierbench replay {} {}\n", printable(side.name), printable(input->id));
+         fmt::format("     {} replay {} {}\n", printable(this_program()), printable(shell_word(side.name)),
+                     printable(shell_word(input->id)));
 }
 
 std::string difference_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyRow& row) {

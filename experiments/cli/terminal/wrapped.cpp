@@ -28,6 +28,7 @@ std::string wrapped(std::string_view head, std::string_view text, std::size_t in
   while (!text.empty()) {
     const auto word = text.substr(0, std::min(text.find(' '), text.size()));
     if (has_word && length_of(line) + 1 + length_of(word) > width) {
+      line.erase(line.find_last_not_of(' ') + 1);
       all += line + '\n';
       line = std::string(indent, ' ');
       has_word = false;
