@@ -8,6 +8,7 @@ namespace bezierbench {
 
 using requirements::evaluate;
 using requirements::Inputs;
+using requirements::PreparedCurve;
 using requirements::view;
 
 }  // namespace bezierbench

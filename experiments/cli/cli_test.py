@@ -13,8 +13,8 @@ class CommandLine(Case):
                 (["rnu"], "rnu: unknown; did you mean \"run\"?"), (["list"], "subcommand"),
                 (["list", "method"], "did you mean \"methods\"?"), (["curve"], "subcommand"),
                 (["curve", "evl"], "did you mean \"eval\"?"), (["--nonsense"], "--help"),
-                (["run"], "suites"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
-                (["run", "--out", "b"], "suites"), (["run", suite, "--out", "b", "--nonsense"], "--nonsense"),
+                (["run"], "run needs SUITE..., --out FOLDER"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
+                (["run", "--out", "b"], "run needs SUITE...;"), (["run", suite, "--out", "b", "--nonsense"], "--nonsense"),
                 (["run", suite, "--oot", "b"], "--oot: unknown option; did you mean \"--out\"?"),
                 (["run", suite, "--oot=b"], "--oot: unknown option; did you mean \"--out\"?"),
                 (["list", "methods", "--fromat", "csv"], "did you mean \"--format\"?"),
@@ -22,7 +22,7 @@ class CommandLine(Case):
                 (["rnu", "--help"], "rnu: unknown; did you mean \"run\"?"), (["--help", "rnu"], "rnu: unknown"),
                 (["curve", "evl", "--help"], "did you mean \"eval\"?"), (["run", "--oot", "b", "--help"], "--oot"),
                 (["run", suite, "--out", ""], "--out"), (["run", suite, "--out", "b", "--out", "c"], "--out"),
-                (["verify"], "bundle"), (["verify", "b", "c"], "c: is one argument too many"), (["curve", "eval", "--t", "0"], "--curve"),
+                (["verify"], "verify needs BUNDLE;"), (["verify", "b", "c"], "c: is one argument too many"), (["curve", "eval", "--t", "0"], "--curve"),
                 (["curve", "eval", "--curve", "c"], "--t"), (["curve", "convert", "--curve", "c"], "--method"),
                 (["curve", "eval", "--curve", "c", "--t", "0", "--form", "beta"], "beta"),
                 (["list", "methods", "--format", "xml"], "xml must be one of text, csv"),
@@ -34,7 +34,7 @@ class CommandLine(Case):
     def test_values_of_options(self):
         run = ["run", self.suite(), "--out", "b"]
         for arguments, needle in [
-                (["--jobs", "0"], "--jobs"), (["--jobs", "x"], "--jobs"), (["--jobs", "99999999999999999999"], "--jobs"),
+                (["--jobs", "0"], "--jobs: 0 must be from 1 to 4096"), (["--jobs", "x"], "--jobs: x must be a whole number"), (["--jobs", "99999999999999999999"], "--jobs"),
                 (["--seed", "-1"], "--seed -1"), (["--seed", "x"], "--seed x"), (["--seed", "1.5"], "--seed 1.5"),
                 (["--seed", "99999999999999999999"], "--seed 99999999999999999999"),
                 (["--trials", "0"], "--trials 0"), (["--trials", "-3"], "--trials -3"), (["--trials", "x"], "--trials x"),
@@ -70,6 +70,7 @@ class CommandLine(Case):
     def test_help_and_version(self):
         self.assertIn("run", self.fine("--help"))
         self.assertIn("--out", self.fine("run", "--help"))
+        self.assertRegex(self.fine("choose", "--help"), r"--mode one_shot\|point\|latency\|batch\n +of the times; default point\n")
         self.assertTrue(self.fine("--version").startswith("bezierbench "))
 
 

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <type_traits>
 #include <utility>
 
 #include "experiments/cli/terminal/help.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/suite/nearest.hpp"
 
 namespace bezierbench::cli {
@@ -82,6 +84,9 @@ OptionNode node_of(const CLI::Option& option, const ValueNotes& notes, int alter
   }
   node.help = option.get_description();
   node.required = option.get_required();
+  const auto& left_out = option.get_default_str();
+  const bool says_it = node.help.find("default") != std::string::npos;
+  if (!node.required && !says_it && !left_out.empty()) node.help += "; default " + left_out;
   node.several = !is_flag && option.get_items_expected_max() > 1;
   node.alternative = alternative;
   return node;
@@ -103,6 +108,14 @@ CommandNode tree_of(const CLI::App& app, const ValueNotes& notes) {
       if (option != app.get_parent()->get_help_ptr()) node.options.push_back(node_of(*option, notes, -1));
   for (const auto* command : app.get_subcommands(is_shown)) node.commands.push_back(tree_of(*command, notes));
   return node;
+}
+
+/// What the chosen command needs and did not get: "choose needs BUNDLE, --degree DEGREE". Empty where it has all.
+std::string missing_words(const CLI::App& command, const ValueNotes& notes) {
+  std::vector<std::string> missing;
+  for (const auto* option : command.get_options())
+    if (option->get_required() && option->count() == 0) missing.push_back(spelling(node_of(*option, notes, -1)));
+  return missing.empty() ? "" : fmt::format("{} needs {}", command.get_name(), fmt::join(missing, ", "));
 }
 
 [[noreturn]] void refuse(const CLI::App& app, const std::string& what) {
@@ -147,7 +160,12 @@ Option Option::one_of(const std::vector<std::string>& words) {
 }
 
 Option Option::within(int least, int most) {
-  option_->check(CLI::Range(least, most));
+  option_->check([least, most](const std::string& word) {
+    const auto number = number::parse_integer(word);
+    return number && *number >= least && *number <= most
+               ? std::string()
+               : fmt::format("{} must be from {} to {}", echo(word), least, most);
+  });
   return takes("N");
 }
 
@@ -163,7 +181,13 @@ void Command::hidden_command(const std::string& name, std::function<void(const s
 
 template <class Value>
 Option Command::option(const std::string& name, Value& value, const std::string& help) {
-  return {*app_->add_option(name, value, help), *notes_};
+  auto* option = app_->add_option(name, value, help);
+  if constexpr (std::is_same_v<Value, int> || std::is_same_v<Value, std::string>) option->capture_default_str();
+  if constexpr (std::is_same_v<Value, int>)
+    option->check([](const std::string& word) {
+      return number::parse_integer(word) ? std::string() : fmt::format("{} must be a whole number", echo(word));
+    });
+  return {*option, *notes_};
 }
 
 template Option Command::option(const std::string&, std::string&, const std::string&);
@@ -205,6 +229,10 @@ void Program::run(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion& version) {
     refuse_mistyped(*app_);
     fmt::print("{}\n", version.what());
+  } catch (const CLI::RequiredError& error) {
+    auto what = misplaced_word(*app_);
+    if (what.empty()) what = missing_words(chosen_command(*app_), notes_);
+    refuse(*app_, what.empty() ? error.what() : what);
   } catch (const CLI::ParseError& error) {
     const auto what = misplaced_word(*app_);
     refuse(*app_, what.empty() ? error.what() : what);

@@ -127,6 +127,14 @@ class Case(unittest.TestCase):
         self.assertEqual((result.returncode, result.stderr or b""), (FINE, b""), result)
         return (result.stdout or b"").decode()
 
+    def assert_fits(self, *arguments, columns=(60, 80), code=FINE):
+        """No line is longer than the terminal is wide, except commands to be pasted."""
+        for width in columns:
+            result = self.run_program(*arguments, env={**os.environ, "COLUMNS": str(width)})
+            self.assertEqual(result.returncode, code, result.stderr)
+            lines = [line for line in result.stdout.decode().splitlines() if "bezierbench replay " not in line]
+            self.assertEqual([line for line in lines if len(line) > width], [])
+
     def our_methods(self):
         """The lines of `list methods` without those of other libraries, which a build may have as well."""
         return [row for row in rows(self.fine("list", "methods", "--format", "csv")) if not row["id"].startswith("peer_")]

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <set>
 
 #include "experiments/race/page_vector.hpp"
+#include "experiments/requirements/seeded_curves.hpp"
 
 namespace bezierbench::race {
 namespace {
@@ -29,14 +31,9 @@ Inputs<Scalar> cubic_inputs(Form form) {
 template <class Scalar>
 std::vector<Scalar> judged_points(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs) {
   std::vector<Scalar> points(inputs.t.size() * static_cast<std::size_t>(inputs.dimension));
-  const std::size_t room = kernel.prepared_size + kernel.prepared_alignment;
-  const auto memory = std::make_unique<std::byte[]>(room);
-  void* prepared = memory.get();
-  std::size_t space = room;
-  std::align(kernel.prepared_alignment, kernel.prepared_size, prepared, space);
   for (std::size_t k = 0; k < inputs.t.size(); ++k) {
-    kernel.prepare(inputs.curve_of(k, mode), prepared);
-    kernel.evaluate(prepared, std::span<const Scalar>(&inputs.t[k], 1),
+    const requirements::PreparedCurve<Scalar> prepared(kernel, inputs.curve_of(k, mode));
+    kernel.evaluate(prepared.get(), std::span<const Scalar>(&inputs.t[k], 1),
                     points.data() + k * static_cast<std::size_t>(inputs.dimension));
   }
   return points;

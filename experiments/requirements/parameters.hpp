@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The parameters at which properties are decided.
+// The parameters and degrees at which properties are decided.
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "core/method.hpp"
@@ -17,6 +18,14 @@ inline std::vector<double> parameters_for(const MethodInfo& info) {
   if (info.form == Form::rational || info.unit_interval_only)
     std::erase_if(ts, [](double t) { return t < 0 || t > 1; });
   return ts;
+}
+
+/// Those of `degrees` that the method takes.
+template <class Scalar = double>
+std::vector<int> degrees_for(const MethodInfo& info, std::initializer_list<int> degrees) {
+  std::vector<int> taken = degrees;
+  std::erase_if(taken, [&](int degree) { return !info.supports<Scalar>(degree); });
+  return taken;
 }
 
 }  // namespace bezierbench::requirements

@@ -57,6 +57,36 @@ TEST(Properties, AreLostByAnErrorThatGrowsWithT) {
                                    "axes", "end_points"));
 }
 
+template <int Dimension>
+void prepare_cubic(const CurveView<double>& curve, void* prepared) {
+  ASSERT_EQ(curve.degree, 3);
+  find_kernel<double>("de_casteljau", Form::bernstein, Dimension)->prepare(curve, prepared);
+}
+
+void prepare_cubic_in_float(const CurveView<float>& curve, void* prepared) {
+  ASSERT_EQ(curve.degree, 3);
+  find_kernel<float>("de_casteljau", Form::bernstein, 2)->prepare(curve, prepared);
+}
+
+TEST(Properties, AreDecidedAtTheDegreesOfTheMethod) {
+  auto info = *find_kernel<double>("de_casteljau", Form::bernstein, 2)->info;
+  info.min_degree = info.max_degree = info.max_degree_float = 3;
+  std::array<Kernel<double>, 3> cubic{*find_kernel<double>("de_casteljau", Form::bernstein, 1),
+                                      *find_kernel<double>("de_casteljau", Form::bernstein, 2),
+                                      *find_kernel<double>("de_casteljau", Form::bernstein, 3)};
+  cubic[0].prepare = prepare_cubic<1>;
+  cubic[1].prepare = prepare_cubic<2>;
+  cubic[2].prepare = prepare_cubic<3>;
+  for (auto& kernel : cubic) kernel.info = &info;
+  auto in_float = *find_kernel<float>("de_casteljau", Form::bernstein, 2);
+  in_float.prepare = prepare_cubic_in_float;
+  in_float.info = &info;
+  for (const auto& property : properties()) {
+    const auto outcome = property.decide({{&cubic[0], &cubic[1], &cubic[2]}, &in_float});
+    EXPECT_EQ(outcome.broken(), 0) << property.id << ": " << outcome.first();
+  }
+}
+
 TEST(Properties, AreLostByTheLastOfMany) {
   EXPECT_THAT(lost_by([](double value, std::size_t k, std::span<const double> t) {
                 return k > 0 && k + 1 == t.size() ? value / 2 : value;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -86,16 +87,9 @@ void drop_stale_times(Source& source, const Jobs& jobs) {
       std::erase_if(file.records, [&](const auto& one) { return one.job < jobs.size() && jobs[one.job]->exclusive(); });
 }
 
-std::string study_of(const RunRequest& request, std::size_t job) {
-  for (const auto& suite : request.suites) {
-    if (job < suite.studies.size()) return suite.studies[job].id;
-    job -= suite.studies.size();
-  }
-  return "?";
-}
-
 /// Checks that every block is in one bundle at most.
-void refuse_overlaps(const std::vector<Source>& sources, const RunRequest& request, std::size_t jobs) {
+void refuse_overlaps(const std::vector<Source>& sources, const Plan& plan) {
+  const std::size_t jobs = plan.jobs.size();
   std::vector<BlockSet> seen(jobs);
   for (std::size_t k = 0; k < sources.size(); ++k) {
     std::vector<BlockSet> here(jobs);
@@ -107,7 +101,7 @@ void refuse_overlaps(const std::vector<Source>& sources, const RunRequest& reque
         refuse(sources[k].path,
                fmt::format("holds blocks of study \"{}\" that another of the bundles has as well; name "
                            "every shard once",
-                           study_of(request, job)));
+                           plan.job_names[job]));
       seen[job].insert(here[job]);
     }
   }
@@ -126,7 +120,7 @@ void refuse_gaps(const Checkpoints& checkpoints, const Plan& plan, const RunRequ
     refuse(request.out,
            fmt::format("{} of {} blocks are missing, the first of study \"{}\"; name all shards, or finish "
                        "theirs with bezierbench run --shard",
-                       all - there, all, study_of(request, *first)));
+                       all - there, all, plan.job_names[*first]));
 }
 
 /// The bundle whose machine.json goes into the result: the one with the times, or else the one with the first block.
@@ -196,21 +190,27 @@ const Source* the_complete_one(const std::vector<Source>& sources) {
   return whole;
 }
 
-/// The files of the bundle of all blocks: the tables and the rest.
-Files joined(std::vector<Source>& sources, const Plan& plan, const RunRequest& request) {
+/// The bundle of all blocks.
+struct Joined {
+  Files files;  ///< the tables and the rest
+  Outcome outcome;
+};
+
+Joined joined(std::vector<Source>& sources, const Plan& plan, const RunRequest& request) {
   refuse_damaged_machines(sources);
   for (auto& source : sources) drop_stale_times(source, plan.jobs);
-  refuse_overlaps(sources, request, plan.jobs.size());
+  refuse_overlaps(sources, plan);
   const Source& machine = with_machine(sources, plan.jobs);
   Checkpoints checkpoints(plan.jobs, {{}, "", plan.manifest, plan.reference, machine.machine});
   for (const auto& source : sources)
     for (const auto& line : checkpoints.load(source.found, Checkpoints::Whose::all)) note(line);
   refuse_gaps(checkpoints, plan, request);
-  Files files{{suite_name, plan.suite_text}, {machine_name, machine.machine_text}};
-  for (auto& list : lists_of(request)) files.push_back(std::move(list));
+  Joined bundle{.files = {{suite_name, plan.suite_text}, {machine_name, machine.machine_text}}, .outcome = {}};
+  for (auto& list : lists_of(request)) bundle.files.push_back(std::move(list));
   const tables::Tables tables = written_tables(request, plan);
-  for (const auto& [file, table] : tables.all()) files.emplace_back(file, table.text());
-  return files;
+  for (const auto& [file, table] : tables.all()) bundle.files.emplace_back(file, table.text());
+  bundle.outcome = outcome_of(plan.jobs, tables);
+  return bundle;
 }
 
 std::vector<Source> opened(const std::vector<fs::path>& bundles) {
@@ -226,7 +226,9 @@ std::vector<Source> opened(const std::vector<fs::path>& bundles) {
 
 }  // namespace
 
-Findings merge(RunRequest request, const std::vector<fs::path>& bundles) {
+Outcome merge(RunRequest request, const std::vector<fs::path>& bundles) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
   auto sources = opened(bundles);
   const auto with_blocks = std::ranges::find_if(sources, [](const Source& one) { return !one.found.readable.empty(); });
   if (with_blocks != sources.end() &&
@@ -235,16 +237,21 @@ Findings merge(RunRequest request, const std::vector<fs::path>& bundles) {
   const Plan plan(request);
   for (const auto& source : sources) require_same(source, plan, request);
   const Source* whole = the_complete_one(sources);
-  const Files files = whole != nullptr ? files_of(*whole) : joined(sources, plan, request);
+  auto [files, outcome] = whole != nullptr ? Joined{files_of(*whole), {}} : joined(sources, plan, request);
 
   std::error_code ignored;
   const auto target = std::ranges::find_if(
       sources, [&](const Source& source) { return fs::equivalent(source.path, request.out, ignored); });
   const bool is_source = target != sources.end();
   put_whole(request, plan, files, is_source, is_source && target->lock != nullptr);
-  if (whole == nullptr) return violations_in(plan.jobs);
-  return bundle::verify(request.out,
-                        [&](const auto&, const auto&) { return expected_of(request.suites, request.kinds); });
+  if (whole != nullptr) {
+    outcome.findings = bundle::verify(
+        request.out, [&](const auto&, const auto&) { return expected_of(request.suites, request.kinds); });
+    if (request.telling == Telling::text)
+      note(fmt::format("{}: {} was the whole bundle already", request.out.string(), whole->path.string()));
+  }
+  outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return outcome;
 }
 
 }  // namespace bezierbench::run

@@ -8,6 +8,7 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
+#include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/schema/columns.hpp"
@@ -71,6 +72,15 @@ void add_outside_jobs(const RunRequest& request, const suite::Study& study, cons
                           fmt::format("method \"{}\" is from outside and cannot be asked in this study, because of its "
                                       "kind, form or scalar; remove it",
                                       *named)});
+}
+
+void count_times(const tables::Tables& tables, Outcome& outcome) {
+  const auto timing = tables.all().find("timing.csv");
+  if (timing == tables.all().end()) return;
+  const auto document = bundle::parse_csv(timing->second.text(), timing->first);
+  outcome.times = document.row_count();
+  for (std::size_t row = 0; row < outcome.times; ++row)
+    if (document.at(row, "quality") == "noisy") ++outcome.noisy;
 }
 
 }  // namespace
@@ -156,12 +166,23 @@ void require_same(const Found& found, const Plan& ours, Exit exit) {
   }
 }
 
-Findings violations_in(const Jobs& jobs) {
-  Findings findings;
+std::size_t cells_of(const Jobs& jobs) {
+  std::size_t sum = 0;
+  for (const auto& job : jobs) sum += job->extent().cells;
+  return sum;
+}
+
+Outcome outcome_of(const Jobs& jobs, const tables::Tables& tables) {
+  Outcome outcome;
+  outcome.ending = Ending::complete;
+  outcome.cells = cells_of(jobs);
   for (const auto& job : jobs)
-    for (const auto& violation : job->violations())
-      findings.push_back(fmt::format("bound violated {} times: {}", violation.count, violation.where));
-  return findings;
+    for (const auto& violation : job->violations()) {
+      outcome.violations += violation.count;
+      outcome.findings.push_back(fmt::format("bound violated {} times: {}", violation.count, violation.where));
+    }
+  count_times(tables, outcome);
+  return outcome;
 }
 
 tables::Tables written_tables(const RunRequest& request, const Plan& plan) {
@@ -177,14 +198,13 @@ tables::Tables written_tables(const RunRequest& request, const Plan& plan) {
   return tables;
 }
 
-Findings assemble(const RunRequest& request, const tables::Tables& tables, const Plan& plan,
-                  const bundle::BundleDirectory& directory) {
+void assemble(const RunRequest& request, const tables::Tables& tables, const Plan& plan,
+              const bundle::BundleDirectory& directory) {
   refuse_foreign(request, [&](const std::string& name) { return tables.all().contains(name); });
   for (const auto& [file, table] : tables.all()) directory.write(file, table.text());
   bundle::Manifest manifest = plan.manifest;
   manifest.state = bundle::complete;
   directory.finish(manifest);
-  return violations_in(plan.jobs);
 }
 
 }  // namespace bezierbench::run

@@ -56,11 +56,13 @@ void require_same(const Found& found, const Plan& ours, Exit exit);
 /// The tables of jobs whose blocks are all done.
 tables::Tables written_tables(const RunRequest& request, const Plan& plan);
 
-/// Errors beyond proved bounds.
-Findings violations_in(const Jobs& jobs);
+std::size_t cells_of(const Jobs& jobs);
+
+/// What a complete bundle has to say, without the seconds: the jobs are done, the tables are theirs.
+Outcome outcome_of(const Jobs& jobs, const tables::Tables& tables);
 
 /// Writes the tables, and completes the bundle.
-Findings assemble(const RunRequest& request, const tables::Tables& tables, const Plan& plan,
-                  const bundle::BundleDirectory& directory);
+void assemble(const RunRequest& request, const tables::Tables& tables, const Plan& plan,
+              const bundle::BundleDirectory& directory);
 
 }  // namespace bezierbench::run

@@ -14,7 +14,6 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/check/verify.hpp"
-#include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
@@ -170,12 +169,6 @@ void describe(const RunRequest& request, const Plan& plan, bool already_complete
              already_complete ? " (already complete)" : "");
 }
 
-std::size_t cells_of(const Jobs& jobs) {
-  std::size_t sum = 0;
-  for (const auto& job : jobs) sum += job->extent().cells;
-  return sum;
-}
-
 /// Checks before the first block, not after hours, whether the machine is fit for timings.
 void require_machine(const Jobs& jobs, const Share& share) {
   for (std::size_t number = 0; number < jobs.size(); ++number)
@@ -230,15 +223,6 @@ double work(const RunRequest& request, const Plan& plan, Checkpoints& checkpoint
   return progress.seconds();
 }
 
-void count_times(const tables::Tables& tables, Outcome& outcome) {
-  const auto timing = tables.all().find("timing.csv");
-  if (timing == tables.all().end()) return;
-  const auto document = bundle::parse_csv(timing->second.text(), timing->first);
-  outcome.times = document.row_count();
-  for (std::size_t row = 0; row < outcome.times; ++row)
-    if (document.at(row, "quality") == "noisy") ++outcome.noisy;
-}
-
 /// Completes the bundle when the blocks of this process are done, unless blocks of other shards are missing.
 Outcome complete(const RunRequest& request, const Plan& plan, RunFolder& place, Checkpoints& checkpoints) {
   const auto lock = place.lock_bundle();
@@ -248,21 +232,16 @@ Outcome complete(const RunRequest& request, const Plan& plan, RunFolder& place, 
     require_same(found, plan, Exit::usage);
     for (const auto& line : checkpoints.load(found, Checkpoints::Whose::all)) note(line);
   }
-  Outcome outcome;
-  outcome.ending = Ending::partial;
   if (!checkpoints.all_settled()) {
     if (request.telling == Telling::text)
       note(fmt::format("{}: {} is done, others are not", request.out.string(), name_of(request.shard)));
+    Outcome outcome;
+    outcome.ending = Ending::partial;
     return outcome;
   }
   const auto tables = written_tables(request, plan);
-  outcome.findings = assemble(request, tables, plan, place.directory());
-  outcome.ending = Ending::complete;
-  outcome.cells = cells_of(plan.jobs);
-  for (const auto& job : plan.jobs)
-    for (const auto& violation : job->violations()) outcome.violations += violation.count;
-  count_times(tables, outcome);
-  return outcome;
+  assemble(request, tables, plan, place.directory());
+  return outcome_of(plan.jobs, tables);
 }
 
 }  // namespace

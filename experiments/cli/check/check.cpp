@@ -18,6 +18,7 @@
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/row_words.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/compare/changes.hpp"
@@ -41,10 +42,11 @@ struct CheckOptions {
   bool quiet = false;
 };
 
-/// The folder of the bundles of a check: the user's, or one that is removed in the end.
+/// The folder of the bundles of a check: the user's, or one that is removed in the end. Also the user's is removed
+/// where the check fails, so that the same command can be given again.
 class Workplace {
  public:
-  explicit Workplace(const std::optional<std::string>& out) : kept_(out.has_value()) {
+  explicit Workplace(const std::optional<std::string>& out) : is_users_(out.has_value()) {
     if (out) {
       if (fs::exists(*out)) throw Failure(Exit::usage, fmt::format("--out {}: exists; choose another folder", *out));
       fs::create_directories(*out);
@@ -60,15 +62,18 @@ class Workplace {
   Workplace& operator=(const Workplace&) = delete;
   ~Workplace() {
     std::error_code ignored;
-    fs::remove_all(kept_ ? folder_ / "times" : folder_, ignored);
+    fs::remove_all(is_whole_ && is_users_ ? folder_ / "times" : folder_, ignored);
   }
+
+  void is_whole() { is_whole_ = true; }
 
   [[nodiscard]] fs::path operator/(const char* name) const { return folder_ / name; }
   [[nodiscard]] const fs::path& folder() const { return folder_; }
 
  private:
   fs::path folder_;
-  bool kept_;
+  bool is_users_;
+  bool is_whole_ = false;
 };
 
 CheckedProperties checked_properties(const std::string& id) {
@@ -123,7 +128,10 @@ void compare_with_program(const CheckOptions& options, const fs::path& program, 
   compare_accuracy(options.method, compare::read_side(place / "before"), compare::read_side(place / "after"),
                    comparison);
   const auto timed = studies_that_time(quick_suite(), options.method);
-  if (options.pairs == 0 || timed.empty()) return;
+  if (options.pairs == 0 || timed.empty()) {
+    comparison.not_timed = timed.empty() ? "no study of suite quick times such methods" : "not asked for";
+    return;
+  }
   if (!options.quiet) say(fmt::format("times it in both programs in turn, {} times each", options.pairs));
   bundle::write_file(place / "times.toml", suite::to_toml(timed));
   comparison.times = paired_times({program, fs::read_symlink("/proc/self/exe"), place / "times.toml", place.folder()},
@@ -157,7 +165,7 @@ Exit check(const CheckOptions& options) {
                               options.method));
   std::optional<compare::Side> before;
   if (has_bundle) before = compare::read_side(against->path);  // its faults are told before anything is judged
-  const Workplace place(options.out);
+  Workplace place(options.out);
   if (!options.quiet && has_bundle) say(fmt::format("judges again what {} has of {}", against->name, options.method));
   CheckReport report{.method = options.method,
                      .judged_in = has_bundle ? against->name : "suite quick",
@@ -174,6 +182,7 @@ Exit check(const CheckOptions& options) {
     else
       compare_with_program(options, against->path, place, judged, comparison);
   }
+  place.is_whole();
   fmt::print("{}", report.text(options.all));
   const auto found = report.findings();
   if (found.empty()) return Exit::fine;
@@ -186,13 +195,15 @@ Exit check(const CheckOptions& options) {
 void add_check(Command program, Exit& exit) {
   auto options = std::make_shared<CheckOptions>();
   auto command = program.command("check", "a method that was changed: properties, bound, errors; against what it was");
-  command.option("method", options->method, "its id; see list methods").required();
-  command.option("--against", options->against,
-                 "a program or a commit, which is built: errors and times; or a bundle: errors");
+  command.option("method", options->method, "its id; see list methods").required().takes("METHOD", all_methods());
+  command
+      .option("--against", options->against,
+              "a program or a commit, which is built: errors and times; or a bundle: errors")
+      .takes(against_value);
   command
       .option("--pairs", options->pairs, "runs of both programs for the times; from 8 on with a verdict; 0: no times")
       .within(0, 1000);
-  command.option("--out", options->out, "new folder, to keep the bundles before and after");
+  command.option("--out", options->out, "new folder, to keep the bundles before and after").takes(folder_value);
   command.flag("--all", options->all, "every row that changed and every time, not only the worst");
   command.flag("--quiet", options->quiet, "say nothing of what takes long");
   command.action([options, &exit] { exit = check(*options); });

@@ -90,6 +90,9 @@ class Check(Case):
         self.assertRegex(lines[2], r"^accuracy    \d+ rows of suite quick, \d+ trials; largest error \S+ u p~$")
         self.assertRegex(lines[4], r"^bound       kept in every trial; the largest error is \S+ % of it$")
 
+    def test_fits_the_terminal(self):
+        self.assert_fits("check", "c2_natural")
+
     def test_methods_of_every_problem(self):
         problems = {}
         for row in self.our_methods():
@@ -139,7 +142,7 @@ class Check(Case):
         lines = self.check(FINDING, "horner", "--against", self.program(change=DOUBLED), "--pairs", "0", "--out", "kept")
         self.assertEqual(lines[0], "verdict     horner: accuracy differs in 2 of 32 rows")
         self.assertIn("against     before", lines)
-        self.assertFalse([line for line in lines if "times" in line])
+        self.assertIn("  times     none: not asked for", lines)
         result = self.run_program("compare", "kept/before", "kept/after", "--method", "horner")
         self.assertEqual(result.returncode, FINDING)
         self.assertIn("accuracy differs in 2 of ", result.stdout.decode().splitlines()[0])
@@ -191,7 +194,7 @@ class Check(Case):
     # What it refuses.
 
     def test_refusals(self):
-        self.refused(USAGE, ["check"], "method")
+        self.refused(USAGE, ["check"], "check needs METHOD")
         self.refused(USAGE, ["check", "de_castlejau"], 'did you mean "de_casteljau"?')
         self.refused(USAGE, ["check", "direct", "--against", "nothing"], "--against nothing", env=self.environment)
         self.refused(USAGE, ["check", "direct", "--out", "cache"], "--out cache: exists")
@@ -199,9 +202,9 @@ class Check(Case):
         self.bundle(self.suite(**{**STUDY, "methods": '["de_casteljau"]'}))
         self.refused(USAGE, ["check", "direct", "--against", "b"], "b: has no errors of direct")
         (self.folder / self.write("refuses", "#!/bin/sh\nexit 2\n")).chmod(0o755)
-        self.refused(USAGE, ["check", "c2_natural", "--against", "refuses", "--quiet"], "exit code 2")
+        self.refused(USAGE, ["check", "c2_natural", "--against", "refuses", "--quiet", "--out", "kept"], "exit code 2")
         self.write("no_program", "x")
-        self.refused(USAGE, ["check", "c2_natural", "--against", "no_program", "--quiet"], "exit code 127")
+        self.refused(USAGE, ["check", "c2_natural", "--against", "no_program", "--quiet"], "no_program: cannot be started")
 
 
 if __name__ == "__main__":

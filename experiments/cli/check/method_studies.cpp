@@ -10,8 +10,6 @@
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/judge/companions.hpp"
-#include "experiments/judge/methods.hpp"
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -20,16 +18,6 @@
 namespace bezierbench::cli {
 namespace {
 
-constexpr int in_the_plane = 2;
-
-std::vector<const MethodInfo*> all_methods() {
-  std::vector<const MethodInfo*> all;
-  for (const auto& kernel : judge::methods<double>(in_the_plane)) all.push_back(kernel.info);
-  for (const auto& kernel : conversion_kernels<double>(in_the_plane)) all.push_back(kernel.info);
-  for (const auto* info : judge::companion_infos()) all.push_back(info);
-  return all;
-}
-
 /// The problem that the methods of a study solve; empty for a study without methods.
 std::optional<Problem> problem_of(const suite::Study& study) {
   const auto& kind = suite::kind_of(study);
@@ -37,7 +25,7 @@ std::optional<Problem> problem_of(const suite::Study& study) {
   if (kind.chains) return Problem::conversion;
   if (kind.companion) return kind.companion;
   if (!kind.timed || study.methods.empty()) return Problem::evaluation;
-  for (const auto* info : all_methods())
+  for (const auto* info : every_method())
     if (info->problem != Problem::conversion && suite::means(study.methods.front(), info->id)) return info->problem;
   return std::nullopt;
 }
@@ -69,7 +57,7 @@ std::vector<suite::Suite> only(std::vector<suite::Suite> suites, const std::stri
 }  // namespace
 
 std::vector<const MethodInfo*> methods_named(const std::string& id) {
-  auto named = all_methods();
+  auto named = every_method();
   std::vector<std::string> known;
   for (const auto* info : named) known.emplace_back(info->id);
   std::erase_if(named, [&](const MethodInfo* info) { return info->id != id; });

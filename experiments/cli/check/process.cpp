@@ -17,7 +17,6 @@
 namespace bezierbench::cli {
 namespace {
 
-constexpr int cannot_be_started = 127;
 constexpr int ended_by_signal = 128;
 
 /// An open file; -1 is none.

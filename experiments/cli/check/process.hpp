@@ -14,8 +14,10 @@ struct ProcessPlace {
   bool silent = false;                ///< drops its standard error
 };
 
+inline constexpr int cannot_be_started = 127;  ///< in place of an exit code, as in a shell
+
 struct Ended {
-  int code;            ///< its exit code; 128 + the number of the signal that ended it; 127 where it cannot be started
+  int code;            ///< its exit code; 128 + the number of the signal that ended it; or cannot_be_started
   std::string output;  ///< standard output, unless it went to a log
 };
 

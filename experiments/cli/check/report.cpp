@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "experiments/cli/commands/row_words.hpp"
+#include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/number/number.hpp"
 
@@ -29,7 +30,10 @@ std::size_t count_wrong(const Comparison& against) {
   return static_cast<std::size_t>(std::ranges::count(against.times, false, &PairedTime::right));
 }
 
-std::string line(std::string_view label, const std::string& text) { return fmt::format("{:<12}{}\n", label, text); }
+std::string line(std::string_view label, const std::string& text) {
+  constexpr std::size_t indent = 12;
+  return wrapped(padded(label, indent), text, indent);
+}
 
 std::string more(std::size_t count, bool all) {
   const auto left = count - shown_of(count, all);
@@ -89,7 +93,7 @@ std::string time_line(const PairedTime& time) {
 
 /// The times that are not certainly the same, or all, the slowest first.
 std::string times_text(const Comparison& against, bool all) {
-  if (against.pairs == 0) return "";
+  if (against.pairs == 0) return against.not_timed.empty() ? "" : line("  times", "none: " + against.not_timed);
   std::string text = line(
       "  times", fmt::format("{} slower, {} faster, {} same, {} unresolved of {}; now over before, {} pairs of runs",
                              count_of(against, Verdict::slower), count_of(against, Verdict::faster),

@@ -43,7 +43,8 @@ struct Comparison {
   std::vector<ChangedRow> changed;              ///< the largest growth first
   std::vector<bundle::Rows> other;              ///< results that are there on one side only, or in other numbers
   std::vector<PairedTime> times;
-  int pairs = 0;  ///< of runs; 0 where nothing was timed
+  int pairs = 0;          ///< of runs; 0 where nothing was timed
+  std::string not_timed;  ///< why a program's times are not there; empty where they are
 };
 
 struct CheckReport {

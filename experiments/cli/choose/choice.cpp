@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"
 
@@ -14,6 +15,11 @@ namespace bezierbench::cli {
 std::string in_words(const DrawnClass& of) {
   return fmt::format("coordinates in [{0}, {1}], t in [{2}, {3}]", number::decimal(-of.range),
                      number::decimal(of.range), number::decimal(of.t.min), number::decimal(of.t.max));
+}
+
+std::string timed_curves(const JudgedRace& race) {
+  auto text = fmt::format("{}: {}", race.group.study, in_words(race.of));
+  return race.group.drawn.empty() ? text : fmt::format("{}, {}", text, race.group.drawn.back());
 }
 
 std::string remedy(const Wish& wish) {
@@ -32,8 +38,8 @@ std::string remedy(const Wish& wish) {
   if (wish.scalar != suite::name(suite::ScalarKind::float64)) set += " --set scalar=" + wish.scalar;
   if (constexpr int usual_dimension = 2; wish.dimension != usual_dimension)
     set += fmt::format(" --set dimension={}", wish.dimension);
-  return fmt::format("; `bezierbench run {} --only '{}' {} --out {}` makes a bundle that can", suite, studies, set,
-                     out);
+  return fmt::format("; `{} run {} --only '{}' {} --out {}` makes a bundle that can", this_program(), suite, studies,
+                     set, out);
 }
 
 }  // namespace bezierbench::cli

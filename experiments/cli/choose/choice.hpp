@@ -38,8 +38,12 @@ struct Wish {
 struct JudgedRace {
   tables::ChoiceGroup group;
   DrawnClass of;
-  std::vector<std::string> cells;  ///< in which the methods were judged
+  std::vector<std::string> cells;        ///< in which the methods were judged
+  std::vector<std::string> others = {};  ///< race cells that could have been taken, in words
 };
+
+/// The timing study and how its curves were drawn: `speed-bezier: coordinates in [-1, 1], t in [0, 1], continuous`.
+std::string timed_curves(const JudgedRace& race);
 
 /// `coordinates in [-1, 1], t in [0, 1]`.
 std::string in_words(const DrawnClass& of);

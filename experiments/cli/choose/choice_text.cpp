@@ -3,16 +3,19 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
 
-#include "experiments/cli/commands/aligned.hpp"
+#include "experiments/cli/terminal/fitted.hpp"
+#include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/metric/pareto.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/terminal.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -56,6 +59,10 @@ std::string in_few_words(const tables::Choice& choice, const Wish& wish) {
                      brief(error.observed), unit_words(wish));
 }
 
+/// Lines in the width of the terminal, those after the first four characters to the right.
+std::string paragraph(const std::string& text) { return wrapped("", text, 4); }
+std::string indented(const std::string& text) { return wrapped("  ", text, 4); }
+
 }  // namespace
 
 std::vector<const tables::Choice*> within(const JudgedRace& race, const Wish& wish) {
@@ -90,9 +97,9 @@ std::string winner_text(const JudgedRace& race, const Wish& wish) {
   const auto proof = [&](const tables::Choice* choice) {
     return assurance(wish.error_of(*choice), wish.tolerance).tolerance;
   };
-  std::string text = fmt::format("{}, the fastest of {} (of {}) within {} {}\n  {}; {}\n", printable(best.method),
-                                 kept.size(), race.group.choices.size(), wish.tolerance_text, unit_words(wish),
-                                 in_few_words(best, wish), proof(&best));
+  auto text = paragraph(fmt::format("{}, the fastest of {} (of {}) within {} {}", printable(best.method), kept.size(),
+                                    race.group.choices.size(), wish.tolerance_text, unit_words(wish)));
+  text += indented(fmt::format("{}; {}", in_few_words(best, wish), proof(&best)));
   std::vector<std::string> equals;
   for (const auto* choice : kept)
     if (choice != &best && choice->ns.low <= best.ns.high) equals.push_back(printable(choice->method));
@@ -100,28 +107,32 @@ std::string winner_text(const JudgedRace& race, const Wish& wish) {
   const std::size_t count = equals.size();
   equals.resize(std::min(count, most_named));
   if (count > 0)
-    text += fmt::format("  not certainly faster than {}{}\n", fmt::join(equals, ", "),
-                        count > most_named ? fmt::format(" and {} more", count - most_named) : "");
+    text += indented(fmt::format("not certainly faster than {}{}", fmt::join(equals, ", "),
+                                 count > most_named ? fmt::format(" and {} more", count - most_named) : ""));
   if (const auto sure = std::ranges::find(kept, proved, proof); proof(&best) != proved && sure != kept.end())
-    text +=
-        fmt::format("  the fastest that is proved: {}\n  {}\n", printable((*sure)->method), in_few_words(**sure, wish));
+    text += indented(fmt::format("the fastest that is proved: {}", printable((*sure)->method))) +
+            indented(in_few_words(**sure, wish));
   return text + "\n";
 }
 
 std::string heading_text(const JudgedRace& race, const Wish& wish) {
   const auto& group = race.group;
-  std::string text =
-      fmt::format("degree {}, {} form, {}, {} axes, mode {}\n{}\n", printable(group.degree), wish.form,
-                  printable(group.scalar), printable(group.dimension), printable(group.mode), in_words(race.of));
-  text += fmt::format("times of study {}; largest errors of {} cells:\n", printable(group.study), race.cells.size());
+  auto text = paragraph(fmt::format("degree {}, {} form, {}, {} axes, mode {}", printable(group.degree), wish.form,
+                                    printable(group.scalar), printable(group.dimension), printable(group.mode)));
+  text += paragraph(in_words(race.of));
+  text += paragraph(fmt::format("times of study {}; largest errors of {} cell{}:", printable(group.study),
+                                race.cells.size(), race.cells.size() == 1 ? "" : "s"));
   constexpr std::size_t most_cells = 4;
-  for (std::size_t k = 0; k < std::min(most_cells, race.cells.size()); ++k)
-    text += fmt::format("  {}\n", printable(race.cells[k]));
-  if (race.cells.size() > most_cells) text += fmt::format("  and {} more\n", race.cells.size() - most_cells);
-  text += fmt::format("{}: for every such curve and t", proved);
-  if (wish.unit == "u") text += fmt::format("\n  with p~ of at least {}", brief(least_p_tilde(group, race.of)));
-  text += fmt::format("\n{}: {}, the inputs that were judged\n", for_trials, proved_for_trials);
-  return text + "~: a time whose interval cannot be believed\npareto: no other is faster and as right\n\n";
+  for (std::size_t k = 0; k < std::min(most_cells, race.cells.size()); ++k) text += indented(printable(race.cells[k]));
+  if (race.cells.size() > most_cells) text += indented(fmt::format("and {} more", race.cells.size() - most_cells));
+  if (!race.others.empty()) text += paragraph("other times, see --study:");
+  for (const auto& other : race.others) text += indented(printable(other));
+  text += paragraph(wish.unit == "u" ? fmt::format("{}: for every such curve and t with p~ of at least {}", proved,
+                                                   brief(least_p_tilde(group, race.of)))
+                                     : fmt::format("{}: for every such curve and t", proved));
+  return text + paragraph(fmt::format("{}: {}, the inputs that were judged", for_trials, proved_for_trials)) +
+         paragraph("~: a time whose interval cannot be believed") +
+         paragraph("pareto: no other is faster and as right; unresolved: the times do not decide it") + "\n";
 }
 
 std::string methods_table(const JudgedRace& race, const Wish& wish) {
@@ -135,7 +146,7 @@ std::string methods_table(const JudgedRace& race, const Wish& wish) {
                      std::string(sure.tolerance == proved_for_trials ? for_trials : sure.tolerance),
                      std::string(metric::name(front[static_cast<std::size_t>(choice - race.group.choices.data())]))});
   }
-  return aligned(std::move(lines));
+  return fitted(std::move(lines), terminal_width(STDOUT_FILENO));
 }
 
 }  // namespace bezierbench::cli

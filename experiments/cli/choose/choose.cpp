@@ -99,14 +99,15 @@ std::vector<tables::ChoiceGroup> matching(std::vector<tables::ChoiceGroup> group
 std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& groups, const Evidence& evidence,
                                      const Wish& wish) {
   std::vector<JudgedRace> races;
-  std::string missing;
+  std::string missing;  // of the first, which most of the users of a bundle are after
   for (auto group : groups) {
     const auto of = class_of(group, evidence.judged, wish.range);
     if (!of) continue;
-    missing =
-        fmt::format("{}: nothing with degree {}, {} was judged; ranges of coordinates that were: {}; see --range{}",
-                    wish.bundle, wish.degree, in_words(*of),
-                    fmt::join(judged_ranges(group, evidence.judged, wish.accuracy_study), ", "), remedy(wish));
+    if (missing.empty())
+      missing =
+          fmt::format("{}: nothing with degree {}, {} was judged; ranges of coordinates that were: {}; see --range{}",
+                      wish.bundle, wish.degree, in_words(*of),
+                      fmt::join(judged_ranges(group, evidence.judged, wish.accuracy_study), ", "), remedy(wish));
     auto cells = judge_class(group, *of, evidence.judged, evidence.methods, wish.accuracy_study);
     if (!group.choices.empty()) races.push_back({std::move(group), *of, std::move(cells)});
   }
@@ -114,17 +115,14 @@ std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& gro
   return races;
 }
 
-/// The race cell with the most methods. The output names the others.
+/// The race cell with the most methods, with the names of the others.
 JudgedRace one_of(const std::vector<JudgedRace>& races) {
   const auto size = [](const JudgedRace& race) { return race.group.choices.size(); };
   const auto best = std::ranges::max_element(races, {}, size);
-  std::vector<std::string> others;
+  auto chosen = *best;
   for (auto race = races.begin(); race != races.end(); ++race)
-    if (race != best) others.push_back(fmt::format("{} ({})", race->group.study, fmt::join(race->group.drawn, " ")));
-  if (!others.empty())
-    say(fmt::format("times of study {} ({}); there are also {}: see --study", best->group.study,
-                    fmt::join(best->group.drawn, " "), fmt::join(others, ", ")));
-  return *best;
+    if (race != best) chosen.others.push_back(timed_curves(*race));
+  return chosen;
 }
 
 bool is_quick_to_slow(const tables::Choice& a, const tables::Choice& b) { return a.ns.median < b.ns.median; }
@@ -163,6 +161,7 @@ Exit choose(Wish wish) {
   std::ranges::stable_sort(race.group.choices, is_quick_to_slow);
   print_damage(wish.damaged);
   if (wish.format == "csv") {
+    for (const auto& other : race.others) say(fmt::format("not these times: {}; see --study", other));
     fmt::print("{}", csv_table(race, wish).text());
   } else {
     fmt::print("{}{}{}", winner_text(race, wish), heading_text(race, wish), methods_table(race, wish));

@@ -155,13 +155,26 @@ class Choose(Case):
                           "  more: R 1, t in [0, 1], continuous, 900 trials", "  small: R 1, t in [0, 1], continuous, 20 trials"])
         self.assertNotIn("R 8", "\n".join(lines))
 
-    def test_fits_a_narrow_terminal(self):
-        self.assertLessEqual(max(map(len, self.lines("--tolerance", "1e9"))), 80)
+    def test_fits_the_terminal(self):
+        self.assert_fits("choose", "b", "--degree", "8", "--tolerance", "1e9")
+        self.assert_fits("choose", "b", "--degree", "8", "--tolerance", "1e9", "--unit", "coordinate", "--range", "8")
+
+    def test_names_other_times(self):
+        """And where no class has errors, the first that was timed is what the message is about."""
+        truth = STUDIES[:STUDIES.index('id = "more"') - 1] + ["t_interval = [[0, 1], [-10, 10]]"]
+        race = STUDIES[STUDIES.index('id = "race"') - 1:]
+        wide = [line.replace("race", "wide") for line in race] + ["t_interval = [[-10, 10]]"]
+        (self.folder / "two.toml").write_text("\n".join(HEAD + truth + race + wide) + "\n")
+        self.fine("run", "two.toml", "--out", "two", "--quiet")
+        told = self.fine("choose", "two", "--degree", "8", "--tolerance", "1e300").splitlines()
+        at = told.index("other times, see --study:")
+        self.assertEqual(told[at + 1], "  wide: coordinates in [-1, 1], t in [-10, 10], continuous")
+        self.refused(USAGE, ["choose", "two", "--degree", "8", "--tolerance", "1", "--range", "5"], "coordinates in [-5, 5], t in [0, 1]")
 
     def offered(self, *wish):
         """The command that a refusal offers, as words; quick and speed are suites that come with the program."""
         message = self.refused(USAGE, ["choose", "b", "--tolerance", "1e9", *wish]).stderr.decode()
-        words = shlex.split(re.search("`bezierbench (.*)`", message)[1])
+        words = shlex.split(re.search("`(.*)`", message)[1])[1:]
         self.assertEqual(words[0], "run")
         return words[:1] + [str(ROOT / f"experiments/suites/{words[1]}.toml")] + words[2:]
 

@@ -14,6 +14,7 @@
 #include "experiments/cli/commands/comparison_text.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/compare/comparison.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -45,6 +46,8 @@ void keep_methods(const std::string& glob, std::vector<compare::Pair>& pairs) {
   for (auto& pair : pairs) {
     std::erase_if(pair.timing.rows, is_other);
     std::erase_if(pair.accuracy.rows, is_other);
+    // How many rows of these methods have no partner is not known; the methods below say whether some have none.
+    pair.timing.only_a = pair.timing.only_b = pair.accuracy.only_a = pair.accuracy.only_b = 0;
     pair.accuracy.differing =
         static_cast<std::size_t>(std::ranges::count(pair.accuracy.rows, false, &compare::AccuracyRow::identical));
     auto& methods = pair.accuracy.methods;
@@ -85,7 +88,8 @@ void print_text(const Compared& all, bool every_row) {
                  rank_changes_text(pair.timing));
     fmt::print("{}", two ? "" : "\n");
   }
-  if (!two) fmt::print("{}", standings_text(compare::standings(all.base, all.others, all.pairs)));
+  if (!two || (!all.pairs.front().same_machine && !all.pairs.front().timing.rows.empty()))
+    fmt::print("{}", standings_text(compare::standings(all.base, all.others, all.pairs)));
 }
 
 void write_files(const Compared& all, const std::filesystem::path& out) {
@@ -150,13 +154,14 @@ Exit run_compare(const CompareOptions& options) {
 void add_compare(Command program, Exit& exit) {
   auto options = std::make_shared<CompareOptions>();
   auto command = program.command("compare", "machines, accuracy and times of bundles, against the first");
-  command.option("bundles", options->bundles, "folders that run wrote; two or more").required();
+  command.option("bundles", options->bundles, "folders that run wrote; two or more").required().takes(bundle_value);
   command.option("--format", options->format, "text or csv").one_of({"text", "csv"});
   command
       .option("--fail-on", options->fail_on, "slower: exit 1 where a method is, in all repetitions and at quality ok")
       .one_of({"slower"});
-  command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders");
-  command.option("--method", options->method, "only methods whose id matches this glob");
+  command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders")
+      .takes(folder_value);
+  command.option("--method", options->method, "only methods whose id matches this glob").takes("GLOB", all_methods());
   command.flag("--all", options->all, "every row, not only what changed");
   add_damaged(command, options->damaged);
   command.action([options, &exit] { exit = run_compare(*options); });

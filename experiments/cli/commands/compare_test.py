@@ -188,7 +188,36 @@ class Compare(Case):
         self.assertEqual(list(dict.fromkeys(names)), ["direct", "de_casteljau", "power_sum"])
         whole = self.run_program("compare", "a", "b", "--all").stdout.decode()
         self.assertGreater(len(whole.splitlines()), len(text.splitlines()) + 50)
-        self.assertIn("\n  horner ", whole)
+        self.assertIn("\nhorner ", whole)
+
+    def test_fits_the_terminal(self):
+        self.assert_fits("compare", "a", "b")
+        self.scale_times(1.25, lambda row: row["method"] == "de_casteljau")
+        self.edit("accuracy.csv", lambda row: row.update(max_error="1") if row["method"] == "direct" else None)
+        for more in ([], ["--all"], ["--method", "direct"]):
+            self.assert_fits("compare", "a", "b", *more, code=FINDING)
+
+    def test_readings_and_digests_are_no_differences_of_machines(self):
+        path = self.folder / "b/machine.json"
+        machine = json.loads(path.read_text())
+        machine["load_average"] = [7.25, 7.25, 7.25]
+        path.write_text(json.dumps(machine))
+        self.list_anew("b")
+        self.assertIn("machines and builds: the same, but for 3 readings and digests, see --all\n", self.fine("compare", "a", "b"))
+        self.assertRegex(self.fine("compare", "a", "b", "--all"), r"\nload_average.0 +\S+ +7.25\n")
+
+    def test_verdicts_are_those_that_compare_methods(self):
+        """On another machine that takes twice as long for everything, no method is slower than it was."""
+        path = self.folder / "b/machine.json"
+        machine = json.loads(path.read_text())
+        machine["cpu"]["model_name"] = "another"
+        path.write_text(json.dumps(machine))
+        self.still_times("a")
+        self.still_times("b")
+        self.scale_times(2)
+        text = self.fine("compare", "a", "b")
+        self.assertRegex(text.splitlines()[0], r"; 0 slower, 100 same, 0 faster, 0 unresolved of 100 times in sentinels; different machines$")
+        self.assertRegex(text, r"\n2 +b +another .* 2\.000 +1\.000\n")
 
     def test_one_method(self):
         self.edit("accuracy.csv", lambda row: row.update(max_error="1") if row["method"] == "direct" else None)
@@ -223,7 +252,7 @@ class Compare(Case):
         shutil.copytree(BASELINE, self.folder / "c")
         self.scale_times(0.5)
         text = self.fine("compare", "a", "b", "c")
-        ranks = [line.split()[:2] for line in text[text.index("  rank "):].splitlines()[1:]]
+        ranks = [line.split()[:2] for line in text[text.index("\nrank ") + 1:].splitlines()[1:]]
         self.assertEqual(ranks, [["1", "b"], ["2", "a"], ["2", "c"]])
         self.assertEqual({row["bundle"] for row in self.table("a", "b", "c")}, {"b", "c"})
 
@@ -252,7 +281,7 @@ class Compare(Case):
 
     def test_refusals(self):
         self.refused(USAGE, ["compare", "a"], "two bundles")
-        self.refused(USAGE, ["compare"], "bundles")
+        self.refused(USAGE, ["compare"], "compare needs BUNDLE...")
         self.refused(USAGE, ["compare", "a", "b", "--fail-on", "faster"], "--fail-on")
         self.refused(USAGE, ["compare", "a", "b", "--out", "a"], "is a bundle itself")
         self.refused(INPUT_OUTPUT, ["compare", "a", "nowhere"], "nowhere: is not a bundle")

@@ -6,6 +6,7 @@
 #include "experiments/bundle/machine.hpp"
 #include "experiments/bundle/timing_fitness.hpp"
 #include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/number/floating_point.hpp"
 #include "experiments/race/clock.hpp"
 #include "experiments/race/counters.hpp"
@@ -18,7 +19,11 @@ void print(std::string_view aspect, std::string_view state, std::string_view tex
   const auto colour = state == "fine"      ? fmt::terminal_color::green
                       : state == "warning" ? fmt::terminal_color::yellow
                                            : fmt::terminal_color::red;
-  fmt::print("{:<15} {} {}\n", aspect, styled(STDOUT_FILENO, fmt::fg(colour), fmt::format("{:<8}", state)), text);
+  constexpr std::size_t indent = 25;
+  const auto plain = wrapped(fmt::format("{:<15} {:<8} ", aspect, state), text, indent);
+  const auto at = plain.find(state, aspect.size());
+  fmt::print("{}{}{}", plain.substr(0, at), styled(STDOUT_FILENO, fmt::fg(colour), state),
+             plain.substr(at + state.size()));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/commands/run_ending.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
@@ -19,6 +20,7 @@ namespace {
 struct MergeOptions {
   std::vector<std::string> bundles;
   std::string out;
+  bool quiet = false;
 };
 
 Exit merge(const MergeOptions& options) {
@@ -32,7 +34,12 @@ Exit merge(const MergeOptions& options) {
   request.suites = suite::parse_suites(text, place, vocabulary());
   record_outside(request, suite::parse_outside(text, place));
   request.out = options.out;
-  return say_findings(run::merge(std::move(request), bundles));
+  request.telling = options.quiet ? run::Telling::nothing : run::Telling::text;
+  const auto telling = request.telling;
+  const auto outcome = run::merge(std::move(request), bundles);
+  const auto exit = say_findings(outcome.findings);
+  tell_ending(outcome, options.out, telling);
+  return exit;
 }
 
 }  // namespace
@@ -42,6 +49,7 @@ void add_merge(Command program, Exit& exit) {
   auto command = program.command("merge", "join the shards of a run");
   command.option("bundles", options->bundles, "folders that run --shard wrote").required().takes(bundle_value);
   command.option("--out", options->out, "folder of the whole bundle").required().takes(folder_value);
+  command.flag("--quiet", options->quiet, "say nothing but what is wrong");
   command.action([options, &exit] { exit = merge(*options); });
 }
 

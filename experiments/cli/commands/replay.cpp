@@ -145,7 +145,7 @@ void add_replay(Command program, Exit& exit, std::span<const outside::OwnMethod>
   add_damaged(command, options->damaged);
   auto outside = std::make_shared<OutsideOptions>(own);
   outside->add(command);
-  command.option("--answers", options->answers, "file that `judge` was given");
+  command.option("--answers", options->answers, "file that `judge` was given").takes(file_value);
   command.action([options, outside, &exit] {
     bundle::CheckedReader reader(options->bundle, damage_of(options->damaged));
     const WorstRecord record = find_worst_record(reader, options->id);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last words of `run`.
+// The last words of `run` and `merge`.
 #pragma once
 
 #include <string>

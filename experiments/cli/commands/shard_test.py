@@ -88,7 +88,7 @@ class OneFolder(ShardCase):
         """The last shard died when all blocks were done and the tables were not written."""
         expected = self.whole()
         for finisher in (["run", self.everything, "--quiet"], ["run", self.everything, "--quiet", "--shard", "1/3"],
-                         ["merge", "b"]):
+                         ["merge", "--quiet", "b"]):
             with self.subTest(finisher=finisher):
                 self.apart(3)
                 shutil.copytree(self.folder / "s1", self.folder / "b")
@@ -125,7 +125,7 @@ class Merge(ShardCase):
         shards = self.apart(3)
         before = self.snapshot()
         for number, order in enumerate(itertools.permutations(shards)):
-            self.assertEqual(self.fine("merge", *order, "--out", f"m{number}"), "")
+            self.assertEqual(self.fine("merge", "--quiet", *order, "--out", f"m{number}"), "")
             self.assert_complete(f"m{number}")
             self.assertEqual(self.results(f"m{number}"), expected)
             self.assertEqual((self.folder / f"m{number}/machine.json").read_bytes(),
@@ -165,7 +165,7 @@ class Merge(ShardCase):
         self.bundle(self.everything)
         self.refused(FINDING, ["merge", "b", "--out", "m"], "b: is complete already")
         self.refused(INPUT_OUTPUT, ["merge", "absent", "--out", "m"], "absent")
-        self.refused(USAGE, ["merge", "--out", "m"], "bundles")
+        self.refused(USAGE, ["merge", "--out", "m"], "merge needs BUNDLE...")
         self.refused(USAGE, ["merge", "s1", "s2"], "--out")
         shutil.copytree(self.folder / "s2", self.folder / "m")
         self.refused(FINDING, ["merge", "s1", "s2", "--out", "m"], "m: holds blocks of its own")
@@ -178,9 +178,9 @@ class Merge(ShardCase):
         self.refused(USAGE, ["merge", "s1", "s2", "--out", "theirs"], "theirs: holds results of seed 7, this run has 1")
         self.fine("run", self.everything, "--seed", "7", "--quiet", "--out", "begun", "--shard", "1/9")
         self.refused(USAGE, ["merge", "s1", "s2", "--out", "begun"], "begun: holds results of seed 7")
-        self.fine("merge", "s1", "s2", "--out", "m")
+        self.fine("merge", "--quiet", "s1", "s2", "--out", "m")
         before = self.snapshot("m")
-        self.fine("merge", "s2", "s1", "--out", "m")  # the very same
+        self.fine("merge", "--quiet", "s2", "s1", "--out", "m")  # the very same
         self.assertEqual(self.snapshot("m"), before)
         self.pretend_another_machine("m")
         self.refused(USAGE, ["merge", "s1", "s2", "--out", "m"], "m: is complete already, with another machine.json")
@@ -220,11 +220,12 @@ class Merge(ShardCase):
         states = [self.shard(number, 3, f"s{number}", one) for number in (1, 2, 3)]
         self.assertEqual(sorted(states), ["complete", "partial", "partial"])
         for order in itertools.permutations(["s1", "s2", "s3"]):
-            self.fine("merge", *order, "--out", "m")
+            full = f"s{states.index('complete') + 1}"
+            told = self.run_program("merge", *order, "--out", "m").stderr.decode()
+            self.assertEqual(told, f"m: {full} was the whole bundle already\n")
             self.assert_complete("m")
             self.assertEqual(self.results("m"), expected)
             shutil.rmtree(self.folder / "m")
-        full = f"s{states.index('complete') + 1}"
         path = self.folder / full / "accuracy.csv"
         path.write_text(path.read_text() + "\n")
         self.refused(FINDING, ["merge", "s1", "s2", "s3", "--out", "m"], full, "accuracy digest")
@@ -236,10 +237,24 @@ class Merge(ShardCase):
         self.refused(FINDING, ["merge", "s1", "s2", "--out", "m"], "s2: holds results of commit", "modif")
         self.refused(USAGE, ["run", self.everything, "--quiet", "--out", "s2"], "s2: holds results of commit", "modif")
 
+    def test_its_end_is_told_as_that_of_a_run(self):
+        def ending(result, out):
+            self.assertEqual(result.returncode, FINE, result)
+            told, following = result.stderr.decode().splitlines()[-2:]
+            self.assertTrue(following.startswith("next: ") and following.endswith(f" {out}"), following)
+            return re.fullmatch(rf"{out}: complete in \d+ s: (.+)", told)[1]
+
+        whole = ending(self.run_program("run", self.everything, "--out", "b"), "b")
+        self.assertRegex(whole, r"^\d+ cells, no bound violated")
+        self.apart(2)
+        self.assertEqual(ending(self.run_program("merge", "s1", "s2", "--out", "m"), "m"), whole)
+        shutil.rmtree(self.folder / "m")
+        self.assertEqual(self.run_program("merge", "s1", "s2", "--out", "m", "--quiet").stderr, b"")
+
     def test_into_one_of_them(self):
         expected = self.whole()
         self.apart(2)
-        self.fine("merge", "s2", "s1", "--out", "s1")
+        self.fine("merge", "--quiet", "s2", "s1", "--out", "s1")
         self.assert_complete("s1")
         self.assertEqual(self.results("s1"), expected)
 
@@ -248,7 +263,7 @@ class TimesOfShards(ShardCase):
     def test_are_all_of_the_first(self):
         suite = self.suite(ACCURACY, {**FAST_TIMING, "degree": "[2, 3, 4]"})
         self.apart(2, suite)
-        self.fine("merge", "s2", "s1", "--out", "m")
+        self.fine("merge", "--quiet", "s2", "s1", "--out", "m")
         self.assert_complete("m")
         self.assertEqual((self.folder / "m/machine.json").read_bytes(), (self.folder / "s1/machine.json").read_bytes())
         self.assertEqual(len(rows((self.folder / "m/timing.csv").read_text())), 7)  # and the sentinel

@@ -144,7 +144,7 @@ class Faults(ResumeCase):
         self.prepare({**TINY, "replicates": "2"})
         for number in (1, 2):
             self.shard(number, f"s{number}")
-        self.assert_survives_failures(["merge", "s1", "s2", "--out", "b"])
+        self.assert_survives_failures(["merge", "--quiet", "s1", "s2", "--out", "b"])
 
     def test_merge_into_one_of_them(self):
         self.prepare({**TINY, "replicates": "2"})
@@ -152,7 +152,7 @@ class Faults(ResumeCase):
         (self.folder / "start").rmdir()
         self.shard(2, "start")
         self.pretend_another_machine("start")  # machine.json then comes from s1
-        calls = self.assert_survives_failures(["merge", "b", "s1", "--out", "b"], self.command())
+        calls = self.assert_survives_failures(["merge", "--quiet", "b", "s1", "--out", "b"], self.command())
         self.assertIn(("rename", "b/machine.json"), calls)
 
     def test_gathering_of_files(self):

@@ -162,8 +162,8 @@ class Hostile(Case):
 
     def test_merges(self):
         def check(_changed, _signed):
-            for command in (["merge", "b", "s2", "--out", "out"], ["merge", "s2", "b", "--out", "out"],
-                            ["merge", "s1", "s2", "--out", "b"], ["merge", "b", "s2", "--out", "b"]):
+            for command in (["merge", "--quiet", "b", "s2", "--out", "out"], ["merge", "--quiet", "s2", "b", "--out", "out"],
+                            ["merge", "--quiet", "s1", "s2", "--out", "b"], ["merge", "--quiet", "b", "s2", "--out", "b"]):
                 if self.ran(command).returncode == FINE:
                     self.assertEqual(self.fine("verify", command[-1]).splitlines()[0], f"{command[-1]}: fine")
 

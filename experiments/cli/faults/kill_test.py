@@ -100,8 +100,8 @@ class Kills(ResumeCase):
             self.fine(*self.command(part, "--shard", f"{number}/{SHARDS}"))
         before = [self.snapshot(part) for part in parts]
         start = time.monotonic()
-        self.fine("merge", *parts, "--out", "timed")
-        self.kill_often(0.1, lambda name: [["merge", *parts, "--out", name]], time.monotonic() - start)
+        self.fine("merge", "--quiet", *parts, "--out", "timed")
+        self.kill_often(0.1, lambda name: [["merge", "--quiet", *parts, "--out", name]], time.monotonic() - start)
         self.assertEqual([self.snapshot(part) for part in parts], before)
 
 

@@ -88,9 +88,15 @@ class Ways(Outside):
         self.refused(USAGE, ["run", suite, "--out", "b"], "resolved suite")
         for k in (1, 2):
             self.fine("run", suite, "--program", ANSWER, "--quiet", "--shard", f"{k}/2", "--out", f"shard{k}")
-        self.fine("merge", "shard1", "shard2", "--out", "merged")
+        self.fine("merge", "--quiet", "shard1", "shard2", "--out", "merged")
         for name in ("accuracy.csv", "worst.csv", "suite.toml", "digests.csv", "methods.csv"):
             self.assertEqual((self.folder / "merged" / name).read_bytes(), (self.folder / "b" / name).read_bytes(), name)
+
+    def test_a_merge_names_the_study_of_missing_blocks(self):
+        """Also behind a study that asks no method of ours, which is no job of its own."""
+        suite = self.suite({**STUDY, "id": '"theirs"', "methods": '["program_mine"]'}, {**STUDY, "id": '"ours"'})
+        self.fine("run", suite, "--program", ANSWER, "--quiet", "--shard", "1/9", "--out", "s")
+        self.refused(FINDING, ["merge", "s", "--out", "m"], "blocks are missing, the first of study \"theirs, program_mine\"")
 
     def test_replicates(self):
         """Blocks of several replicates go into one process; numbers are those of our method all the same."""

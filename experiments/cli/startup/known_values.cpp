@@ -3,30 +3,17 @@
 
 #include <algorithm>
 
-#include "core/evaluate/kernel.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/judge/companions.hpp"
-#include "experiments/judge/methods.hpp"
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::cli {
 namespace {
 
-constexpr int any_dimension = 2;
-
-std::vector<const MethodInfo*> infos_of_all() {
-  std::vector<const MethodInfo*> all;
-  for (const auto& kernel : judge::methods<double>(any_dimension)) all.push_back(kernel.info);
-  for (const auto* info : conversion_infos()) all.push_back(info);
-  for (const auto* info : judge::companion_infos()) all.push_back(info);
-  return all;
-}
-
 template <class Wanted>
 std::vector<std::string> ids_where(Wanted wanted) {
   std::vector<std::string> ids;
-  for (const auto* info : infos_of_all())
+  for (const auto* info : every_method())
     if (wanted(*info) && std::ranges::find(ids, info->id) == ids.end()) ids.emplace_back(info->id);
   return ids;
 }

@@ -57,6 +57,14 @@ tables::Row row_of(const MethodInfo& info) {
 
 }  // namespace
 
+std::vector<const MethodInfo*> every_method() {
+  std::vector<const MethodInfo*> all;
+  for (const auto& kernel : judge::methods<double>(any_dimension)) all.push_back(kernel.info);
+  for (const auto* info : conversion_infos()) all.push_back(info);
+  for (const auto* info : judge::companion_infos()) all.push_back(info);
+  return all;
+}
+
 suite::Vocabulary vocabulary() {
   suite::Vocabulary known;
   for (const auto& kernel : judge::methods<double>(any_dimension)) add_once(known.methods, kernel.info->id);
@@ -79,9 +87,7 @@ suite::Vocabulary vocabulary_of_all_builds() {
 
 std::string methods_csv(std::span<const suite::OutsideMethod> outside) {
   tables::Tables tables;
-  for (const auto& kernel : judge::methods<double>(any_dimension)) tables.add(row_of(*kernel.info));
-  for (const auto* info : conversion_infos()) tables.add(row_of(*info));
-  for (const auto* info : judge::companion_infos()) tables.add(row_of(*info));
+  for (const auto* info : every_method()) tables.add(row_of(*info));
   for (const auto& method : outside)
     tables.add(row_of({.id = method.id,
                        .label = method.label,

@@ -4,11 +4,17 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
+#include "core/method.hpp"
 #include "experiments/suite/outside.hpp"
 #include "experiments/suite/vocabulary.hpp"
 
 namespace bezierbench::cli {
+
+/// What is known of every method: evaluators and converted paths, then conversions, then companions. An id that stands
+/// for several forms or problems is there once for each.
+std::vector<const MethodInfo*> every_method();
 
 /// Ids of all methods, conversions, generators and published files.
 suite::Vocabulary vocabulary();

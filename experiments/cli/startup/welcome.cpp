@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/terminal.hpp"
 
 namespace bezierbench::cli {
@@ -27,11 +28,13 @@ constexpr std::array<Deed, 5> deeds{{
 }  // namespace
 
 std::string welcome() {
-  constexpr std::size_t width = 48;  // of the first column
+  constexpr std::size_t indent = 48;  // of what they mean
+  constexpr std::size_t narrow = 80;  // in less, that is below them
+  const bool below = output_width() < narrow;
   std::string text;
   for (const auto& [command, meaning] : deeds)
-    text += styled(STDOUT_FILENO, fmt::emphasis::bold, command) + std::string(width - command.size(), ' ') +
-            std::string(meaning) + '\n';
+    text += styled(STDOUT_FILENO, fmt::emphasis::bold, command) +
+            (below ? "\n    " : std::string(indent - command.size(), ' ')) + std::string(meaning) + '\n';
   return text;
 }
 

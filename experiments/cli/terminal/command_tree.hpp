@@ -16,6 +16,7 @@ inline constexpr const char* file_value = "FILE";
 inline constexpr const char* folder_value = "FOLDER";
 inline constexpr const char* bundle_value = "BUNDLE";  ///< the folder of one
 inline constexpr const char* suite_value = "SUITE";    ///< an id or a file
+inline constexpr const char* against_value = "PROGRAM|COMMIT|BUNDLE";
 
 struct OptionNode {
   std::string name;   ///< with its dashes; empty for a positional argument

@@ -54,6 +54,7 @@ TEST(Wrapped, CountsCharactersNotBytes) {
             5U);
   EXPECT_EQ(wrapped("", "\xc3\xb6\xc3\xb6 \xc3\xb6\xc3\xb6", 0, 5), "\xc3\xb6\xc3\xb6 \xc3\xb6\xc3\xb6\n");
   EXPECT_EQ(wrapped("head: ", "a bb ccc", 2, 10), "head: a bb\n  ccc\n");
+  EXPECT_EQ(wrapped("", "a  bbbb", 2, 4), "a\n  bbbb\n");  // no blank at the end of a line
 }
 
 TEST(ShellWord, CanBePasted) {

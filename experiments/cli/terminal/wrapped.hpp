@@ -13,9 +13,13 @@ namespace bezierbench::cli {
 /// line, which may be empty.
 std::vector<std::string> lines_of(std::string_view text, std::size_t width);
 
+/// The width of lines on standard output; in a pipe, where terminal_width() knows none, lines are not broken.
+std::size_t output_width();
+
 /// `head` and `text` in lines of at most `width` characters. The first line begins with `head`, the others with
 /// `indent` spaces.
-std::string wrapped(std::string_view head, std::string_view text, std::size_t indent, std::size_t width);
+std::string wrapped(std::string_view head, std::string_view text, std::size_t indent,
+                    std::size_t width = output_width());
 
 /// The number of characters of a UTF-8 text.
 std::size_t length_of(std::string_view text);
