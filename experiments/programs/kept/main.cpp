@@ -107,16 +107,17 @@ class Trials {
     const std::size_t step = statement_.uses_t_next ? 2 : 1;
     const std::vector<Scalar>* reversed = nullptr;
     if (statement_.property == Property::reversal) reversed = &at_other_ends();
-    const bool rises = input_.coefficients.front() <= input_.coefficients.back();
+    const Scalar first = input_.coefficients.front();
+    const Scalar last = input_.coefficients.back();
     for (std::size_t k = 0; k < values.size(); k += step) {
       ++counts.inputs;
       const Scalar value = values[k];
       bool keeps = false;
       switch (statement_.property) {
-        case Property::ends_exact:
-          keeps = value == (t_[k] == 0 ? input_.coefficients.front() : input_.coefficients.back());
+        case Property::ends_exact: keeps = value == (t_[k] == 0 ? first : last); break;
+        case Property::monotone:
+          keeps = (first > last || value <= values[k + 1]) && (first < last || value >= values[k + 1]);
           break;
-        case Property::monotone: keeps = rises ? value <= values[k + 1] : value >= values[k + 1]; break;
         case Property::reversal: keeps = value == (*reversed)[k]; break;
         case Property::finite: keeps = std::isfinite(value); break;
         default: keeps = low <= value && value <= high;  // of a constant this is equality
