@@ -72,7 +72,7 @@ struct DeCasteljauFixedPoint {
                                    .unit_interval_only = true,
                                    .flops = "1 sub + 1 fma, d (n(n+1)/2 + 1) times",
                                    .cost_exponent = 2,
-                                   .citation = "derived here, with the offset of [Rump et al. 2008], section 3"};
+                                   .citation = "[Rump et al. 2008], section 3, for the offset; bound derived here"};
 
   static constexpr std::array guarantees{Guarantee{Property::ends_exact},
                                          Guarantee{Property::constant_reproduced},
