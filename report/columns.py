@@ -18,6 +18,6 @@ MIXED = frozenset({"comparison.csv", "facts.csv"})
 # Ids of studies and suites as a suite has to write them, and of what it names: a path is `conversion:evaluator`.
 ID = re.compile(r"[A-Za-z0-9._-]+")
 NAME = re.compile(r"[A-Za-z0-9._:+-]+")
-IDS = frozenset("study accuracy_study worst_id search_id".split())
+IDS = frozenset("study accuracy_study worst_id search_id guarantee_id".split())
 NAMES = frozenset("method conversion curve scalar generator mode".split())
 MOST_DEGREE = 1023  # of a suite

@@ -31,8 +31,9 @@ method has an answer for each such property, over degrees {degrees} in {scalars}
 case. Where degrees differ, n says which.
 
 This page is written by `scripts/guarantees_page.py` from a bundle of `bezierbench run guarantees`, which also has every
-counterexample in hexadecimal, in `guarantees.csv`. `scripts/check guarantees` tries to refute the methods that keep the ends,
-constants, the hull, monotone sequences, reversal and finiteness, all six, with 10^9 inputs for each.
+counterexample in hexadecimal, in `guarantees.csv`; `bezierbench replay BUNDLE ID` tries one again. `scripts/check guarantees`
+tries to refute the methods that keep the ends, constants, the hull, monotone sequences, reversal and finiteness, all six, and
+says with how many inputs: 10^9 for each unless it is told otherwise.
 """
 
 

@@ -7,6 +7,7 @@
 #include "core/batch/target_table.hpp"
 #include "core/evaluate/barycentric.hpp"
 #include "core/evaluate/correctly_rounded_pair.hpp"
+#include "core/evaluate/de_casteljau_fixed_point.hpp"
 #include "core/evaluate/direct.hpp"
 #include "core/evaluate/nearer_end.hpp"
 #include "core/evaluate/wozny_chudy_rational.hpp"
@@ -96,6 +97,27 @@ struct Barycentric<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
   batch::HWY_NAMESPACE::Row<S, Count> nodes;
   batch::HWY_NAMESPACE::Row<S, Count> weights;
   Curve<Form::bernstein, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> values;
+};
+
+template <class S, int Count, int DimensionT>
+class FixedPointFrame<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT> {
+ public:
+  HWY_INLINE explicit FixedPointFrame(const S* first) : first_(first) {}
+  [[nodiscard]] HWY_INLINE batch::HWY_NAMESPACE::Lanes<S, Count> operator()(int axis, FixedPointValue value) const {
+    return batch::HWY_NAMESPACE::Lanes<S, Count>(
+        first_[static_cast<int>(value) * FixedPointFrame<S, DimensionT>::stride + axis]);
+  }
+
+ private:
+  const S* first_;
+};
+
+template <class S, int Count, int DimensionT, int DegreeT>
+struct DeCasteljauFixedPoint::Prepared<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
+  HWY_INLINE explicit Prepared(const batch::Parts<S>& parts) : fixed(parts.first, parts.degree), frame(parts.second) {}
+
+  Curve<Form::bernstein, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> fixed;
+  FixedPointFrame<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT> frame;
 };
 
 /// What `correctly_rounded` prepares, for lanes; those that are left undecided are settled one by one.

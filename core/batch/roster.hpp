@@ -64,7 +64,8 @@ struct Triangles {
   using Unfused = TypeList<Triangle<DeCasteljau>,      //
                            Triangle<DeCasteljauLerp>,  //
                            Triangle<DeCasteljauTwoSided>>;
-  using Fused = TypeList<Triangle<DeCasteljauFma>, UnrolledTriangle<DeCasteljauLerpFma>>;
+  using Fused = TypeList<Triangle<DeCasteljauFma>, UnrolledTriangle<DeCasteljauLerpFma>,
+                         OneCurve<Entry<DeCasteljauFixedPoint, DeCasteljauFixedPoint, 0, 6>>>;
 };
 
 /// One pass over the coefficients, with sums and products.

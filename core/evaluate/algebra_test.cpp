@@ -100,6 +100,7 @@ void expect_exact() {
   if constexpr (algebraic<M>) {
     for (int number = 1; number <= 5; ++number) {
       const Sample<M::info.form> sample(number);
+      if (M::info.unit_interval_only && sample.t_of(number) < 0) continue;
       EXPECT_EQ(M::evaluate(M::prepare(sample.curve), sample.t_of(number))[0], sample.point)
           << M::info.id << " " << name(M::info.form);
     }

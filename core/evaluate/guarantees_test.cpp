@@ -19,7 +19,7 @@ namespace {
 
 using Binary16 = SmallFloat<11, -14, 15>;
 using EightBits = SmallFloat<4, -6, 7>;  // 239 numbers
-using SixBits = SmallFloat<3, -2, 2>;    // 47 numbers
+using SixBits = SmallFloat<3, -2, 3>;    // 55 numbers
 
 /// Methods that state something and do not compute with the bits of a double.
 template <class E>

@@ -15,6 +15,7 @@
 #include "core/evaluate/correctly_rounded_power.hpp"
 #include "core/evaluate/de_casteljau.hpp"
 #include "core/evaluate/de_casteljau_farin.hpp"
+#include "core/evaluate/de_casteljau_fixed_point.hpp"
 #include "core/evaluate/de_casteljau_fma.hpp"
 #include "core/evaluate/de_casteljau_lerp.hpp"
 #include "core/evaluate/de_casteljau_lerp_fma.hpp"
@@ -47,6 +48,7 @@ using Evaluators = TypeList<Direct,                             //
                             DeCasteljauLerp,                    //
                             DeCasteljauLerpFma,                 //
                             DeCasteljauTwoSided,                //
+                            DeCasteljauFixedPoint,              //
                             CompensatedDeCasteljau,             //
                             CompensatedDeCasteljauK3,           //
                             CompensatedDeCasteljauK4,           //

@@ -35,6 +35,16 @@ class SmallFloat {
   friend bool operator==(SmallFloat a, SmallFloat b) { return a.value_ == b.value_; }
   friend auto operator<=>(SmallFloat a, SmallFloat b) { return a.value_ <=> b.value_; }
 
+  /// As core/basis/power_of_two.hpp has them for double.
+  friend SmallFloat power_of_two_from(SmallFloat x) {
+    const double least = std::ldexp(1.0, LowestExponent);
+    if (x.value_ <= least) return SmallFloat(least);
+    const double below = std::ldexp(1.0, std::ilogb(x.value_));
+    return SmallFloat(below == x.value_ ? below : 2 * below);
+  }
+  friend SmallFloat last_place_of(SmallFloat power) { return SmallFloat(spacing(power.value_)); }
+  friend bool is_near_overflow(SmallFloat magnitude) { return magnitude.value_ > std::ldexp(1.0, HighestExponent - 2); }
+
   /// All finite numbers in ascending order; 0 once.
   static std::vector<SmallFloat> all() {
     std::vector<SmallFloat> numbers;

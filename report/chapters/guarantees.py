@@ -94,4 +94,5 @@ def blocks(bundle, _findings):
     yield Text("The statements stand in experiments/guarantees, one file each, with what they say of subnormal numbers and overflow: "
                "a value that is not finite counts against `finite` and `total` alone. Shares are of inputs with full significands; "
                "counterexamples are sought among few bits, neighbours of powers of two, the largest and the smallest numbers, too, and "
-               "then made smaller. Every one is exact in hexadecimal: `bezierbench curve eval` takes it.")
+               "then made smaller. Every one is exact in hexadecimal: `bezierbench replay BUNDLE ID` tries it again, with the id of its "
+               "row in guarantees.csv.")

@@ -111,6 +111,12 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
 
   /// Reads `Dimension` values.
   static Axes load(const Scalar* values) { return load(values, std::make_integer_sequence<int, lanes>()); }
+  /// Reads a value for each lane.
+  static Axes load_all(const Scalar* values) {
+    Axes result;
+    std::memcpy(&result.vector_, values, sizeof result.vector_);
+    return result;
+  }
   /// Writes the first `Count` values.
   template <int Count = Dimension>
   void store(Scalar* values) const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/evaluate/de_casteljau_fixed_point.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/points/axes.hpp"
 
@@ -71,6 +72,18 @@ class Curve<Form::rational, Axes<S, DimensionT>, 1, DegreeT> {
   AxesRow<S, DimensionT> weights;
 };
 
+template <class S, int DimensionT>
+class FixedPointFrame<Axes<S, DimensionT>, 1> {
+ public:
+  explicit FixedPointFrame(const S* first) : first_(first) {}
+  [[nodiscard]] Axes<S, DimensionT> operator()(int /*axis*/, FixedPointValue value) const {
+    return Axes<S, DimensionT>::load_all(first_ + static_cast<int>(value) * FixedPointFrame<S, DimensionT>::stride);
+  }
+
+ private:
+  const S* first_;
+};
+
 /// What is prepared for one curve, of a degree that is known here or `dynamic`.
 template <int Degree, Form F, class S, int Dimension>
 Curve<F, Axes<S, Dimension>, 1, Degree> as_axes(const Curve<F, S, Dimension>& curve) {
@@ -95,6 +108,10 @@ AxesRow<S, Dimension> part_as_axes(const PerCoefficient<S, dynamic>& row) {
 template <int Degree, int Dimension, Form F, class S>
 Curve<F, Axes<S, Dimension>, 1, Degree> part_as_axes(const Curve<F, S, Dimension>& curve) {
   return as_axes<Degree>(curve);
+}
+template <int Degree, int Dimension, class S>
+FixedPointFrame<Axes<S, Dimension>, 1> part_as_axes(const FixedPointFrame<S, Dimension>& frame) {
+  return FixedPointFrame<Axes<S, Dimension>, 1>(frame.data());
 }
 
 }  // namespace detail

@@ -12,6 +12,7 @@
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
+#include "experiments/bundle/check/proved_properties.hpp"
 #include "experiments/bundle/check/schema.hpp"
 #include "experiments/bundle/check/sums.hpp"
 #include "experiments/bundle/check/table_schema.hpp"
@@ -70,6 +71,7 @@ class Verification {
     if (folder_has(machine_name)) or_finding(all, [&] { check_machine(all); });
     check_strays(all);
     append(all, table_findings_);
+    append(all, proved_.refuted());
     return all;
   }
 
@@ -110,6 +112,7 @@ class Verification {
         const auto table = parse_csv(bytes, place(name));
         append(table_findings_, table_faults(name, table, version_));
         check_rows(name, table);
+        proved_.read(name, table);
         note_method_digests(name, table);
       });
   }
@@ -260,6 +263,7 @@ class Verification {
   std::vector<MethodDigest> listed_;                         ///< from digests.csv
   Findings suite_findings_;
   Findings table_findings_;
+  ProvedProperties proved_;
 };
 
 /// Whether the folder seems to be a damaged bundle. A single file does not suffice: any folder may have one of this

@@ -26,7 +26,7 @@ using SuiteReader = std::function<Expected(const std::string& text, const std::s
 /// bundle.json can be read, is `complete` and belongs to this suite.toml; that the files are there which every bundle
 /// has and which its suites require; every listed file, the accuracy digest, digests.csv line by line, and the
 /// checksums; that no other files or folders are there; both JSON files and every table against their schemas; and that
-/// no row says that a proved bound was broken, that timed output differed from the judged one, or names a study that is
+/// no row says that a proved bound or property was broken, that timed output differed from the judged one, or names a study that is
 /// not in suite.toml. A folder that is not a bundle gives one line that says so. Throws Failure(Exit::input_output)
 /// where `path` is not a folder or a file cannot be read.
 [[nodiscard]] std::vector<std::string> verify(const std::filesystem::path& path, const SuiteReader& read_suites);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// `replay`: recomputes a recorded worst case from its bits and splits its error into parts.
+// `replay`: recomputes a recorded input from its bits: of a worst case it splits the error into parts, of a property it
+// says by how much the input breaks it.
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <memory>
 
 #include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/commands/replay_property.hpp"
+#include "experiments/cli/commands/replay_text.hpp"
 #include "experiments/cli/commands/worst_record.hpp"
-#include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
 #include "experiments/cli/outside/outside_options.hpp"
 #include "experiments/cli/startup/damage.hpp"
@@ -23,15 +25,11 @@
 namespace bezierbench::cli {
 namespace {
 
-std::string both(double value) { return fmt::format("{} ({})", number::hexadecimal(value), number::decimal(value)); }
-
 template <class Scalar>
 void print_input(const judge::TrialInputs<Scalar>& inputs) {
   const auto curve = inputs.curve();
   fmt::print("\ninput\n  t          {}\n", both(inputs.true_t()));
-  for (int i = 0; i <= curve.degree; ++i)
-    for (int axis = 0; axis < curve.dimension; ++axis)
-      fmt::print("  {}[{}]{:<7}{}\n", axis_name(axis), i, "", both(static_cast<double>(curve(axis, i))));
+  print_points(curve);
   for (std::size_t i = 0; i < curve.weights.size(); ++i)
     fmt::print("  w[{}]{:<7}{}\n", i, "", both(static_cast<double>(curve.weights[i])));
 }
@@ -139,9 +137,9 @@ void add_replay(Command program, Exit& exit, std::span<const outside::OwnMethod>
     bool damaged = false;
   };
   auto options = std::make_shared<Options>();
-  auto command = program.command("replay", "recompute one recorded worst case, step by step");
+  auto command = program.command("replay", "recompute one recorded worst case or counterexample");
   command.option("bundle", options->bundle, "folder of the bundle").required();
-  command.option("id", options->id, "worst_id of worst.csv or search_id of search.csv").required();
+  command.option("id", options->id, "worst_id, search_id or guarantee_id, of the file of that name").required();
   add_damaged(command, options->damaged);
   auto outside = std::make_shared<OutsideOptions>(own);
   outside->add(command);
@@ -151,6 +149,10 @@ void add_replay(Command program, Exit& exit, std::span<const outside::OwnMethod>
     const WorstRecord record = find_worst_record(reader, options->id);
     const auto cell = record.cell();
     print_damage(reader.told());
+    if (record.is_about_property()) {
+      exit = replay_property(options->id, record, cell);
+      return;
+    }
     if (suite::is_outside(record.text("method"))) {
       auto given = outside->methods();
       if (options->answers) given.push_back(read_answers(*options->answers, record.text("method")));

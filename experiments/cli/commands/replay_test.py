@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""`replay` from outside: every recorded worst case comes out again. Usage: replay_test.py BEZIERBENCH"""
+"""`replay` from outside: every recorded worst case and counterexample comes out again. Usage: replay_test.py BEZIERBENCH"""
 import csv
 import sys
 import unittest
@@ -12,7 +12,9 @@ from program_case import FINDING, HEAD, INPUT_OUTPUT, USAGE, Case  # noqa: E402
 STUDIES = ['[[study]]', 'id = "a"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [0, 4]', 'dimension = [1, 3]',
            'scalar = ["float", "double"]', 'trials = 40',
            '[[study]]', 'id = "b"', 'kind = "search"', 'curve = "polynomial"', 'degree = [3]', 'trials = 20',
-           'budget = 50']
+           'budget = 50',
+           '[[study]]', 'id = "c"', 'kind = "guarantees"', 'curve = "bezier"', 'degree = [1, 3]', 'scalar = ["float", "double"]',
+           'methods = ["de_casteljau", "de_casteljau_lerp", "direct*"]', 'trials = 10', 'budget = 2000']
 
 
 class Replay(Case):
@@ -25,6 +27,14 @@ class Replay(Case):
         with open(self.folder / "b" / name, newline="") as file:
             return list(csv.DictReader(file))
 
+    def write(self, path, rows):
+        """Writes a table of the bundle, and its checksum."""
+        with open(path, "w", newline="") as file:
+            writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+        self.list_anew("b")
+
     def test_recomputes_what_is_recorded(self):
         """One id of every method, scalar and dimension."""
         chosen = {(r["method"], r["scalar"], r["dimension"]): r["worst_id"] for r in self.recorded("worst.csv")}
@@ -35,6 +45,43 @@ class Replay(Case):
                 text = self.fine("replay", "b", worst_id)
                 self.assertIn("the same\n", text)
                 self.assertNotIn("DIFFERENT", text)
+
+    def test_counterexamples_break_their_property_again(self):
+        rows = self.recorded("guarantees.csv") + self.recorded("guarantees_unstable.csv")
+        self.assertEqual(len({r["guarantee_id"] for r in rows}), len(rows))
+        chosen = {(r["method"], r["scalar"], r["property"], r["verdict"]): r for r in rows if r["t"]}
+        self.assertEqual({verdict for *_, verdict in chosen}, {"refuted", "not_refuted"})
+        for what, row in chosen.items():
+            with self.subTest(what=what):
+                text = self.fine("replay", "b", row["guarantee_id"])
+                self.assertIn("it breaks the property" if row["verdict"] == "refuted" else "it does not break", text)
+                for words in [row["property"], row["t"], row["t_next"], row["offset"], *row["coefficients"].split()]:
+                    self.assertIn(words, text)
+
+    def test_a_proof_has_no_input(self):
+        row = next(r for r in self.recorded("guarantees.csv") if r["verdict"] == "proved")
+        self.refused(USAGE, ["replay", "b", row["guarantee_id"]], "is proved")
+
+    def test_what_does_not_break_its_property_is_a_finding(self):
+        """Of an input that breaks a property the verdict is turned round, and of one that does not."""
+        path = self.folder / "b/guarantees.csv"
+        for before, after in (("refuted", "not_refuted"), ("not_refuted", "refuted")):
+            rows = self.recorded("guarantees.csv")
+            row = next(r for r in rows if r["verdict"] == before)
+            good = path.read_text()
+            row["verdict"] = after
+            row["largest"] = "0.5"
+            self.write(path, rows)
+            self.assertIn(b"DIFFERENT", self.run_program("replay", "b", row["guarantee_id"]).stdout)
+            path.write_text(good)
+
+    def test_verify_finds_what_is_proved_and_refuted(self):
+        rows = self.recorded("guarantees.csv")
+        next(r for r in rows if r["verdict"] == "proved")["verdict"] = "refuted"
+        self.write(self.folder / "b/guarantees.csv", rows)
+        result = self.run_program("verify", "b")
+        self.assertEqual(result.returncode, FINDING)
+        self.assertIn(b"is refuted, and proved according to methods.csv", result.stderr)
 
     def test_says_where_the_error_comes_from(self):
         row = next(r for r in self.recorded("worst.csv") if r["method"] == "differences:horner" and r["degree"] == "4")
@@ -57,7 +104,7 @@ class Replay(Case):
         self.assertIn(b"DIFFERENT", result.stdout)
 
     def test_refusals(self):
-        self.refused(USAGE, ["replay", "b", "w0"], "w0: no such worst case")
+        self.refused(USAGE, ["replay", "b", "w0"], "w0: no such id")
         self.refused(USAGE, ["replay", "b"], "replay needs ID")
         (self.folder / "empty").mkdir()
         self.refused(INPUT_OUTPUT, ["replay", "empty", "w1"], "empty: is not a bundle")
@@ -69,11 +116,7 @@ class Replay(Case):
             with self.subTest(column=column):
                 rows = self.recorded("worst.csv")
                 rows[0][column] = bad
-                with open(path, "w", newline="") as file:
-                    writer = csv.DictWriter(file, row.keys(), lineterminator="\n")
-                    writer.writeheader()
-                    writer.writerows(rows)
-                self.list_anew("b")
+                self.write(path, rows)
                 self.refused(INPUT_OUTPUT, ["replay", "b", "w1"], "worst.csv:2: ")
                 path.write_text(good)
 

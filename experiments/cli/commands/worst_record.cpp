@@ -17,8 +17,9 @@
 namespace bezierbench::cli {
 namespace {
 
-constexpr std::array files{WorstFile{"worst.csv", "worst_id", "error_u"},
-                           WorstFile{"search.csv", "search_id", "searched_error_u"}};
+constexpr std::array files{
+    WorstFile{"worst.csv", "worst_id", "error_u"}, WorstFile{"search.csv", "search_id", "searched_error_u"},
+    WorstFile{"guarantees.csv", "guarantee_id", ""}, WorstFile{"guarantees_unstable.csv", "guarantee_id", ""}};
 
 }  // namespace
 
@@ -51,14 +52,15 @@ suite::ScalarKind WorstRecord::scalar() const { return word<suite::ScalarKind>("
 
 sample::Cell WorstRecord::cell() const {
   sample::Cell cell;
-  cell.curve = word<Form>("curve");
+  if (!is_about_property()) cell.curve = word<Form>("curve");  // properties are of Bernstein form
   cell.dimension = count("dimension", 1, reference::max_dimension);
   cell.degree = count("degree", 0, max_degree);
   return cell;
 }
 
 sample::Trial WorstRecord::input(const sample::Cell& cell) const {
-  const auto trial = judge::parse_input({text("t"), text("coefficients"), text("weights")}, cell);
+  const std::string_view weights = is_about_property() ? std::string_view() : text("weights");
+  const auto trial = judge::parse_input({text("t"), text("coefficients"), weights}, cell);
   if (!trial) malformed("coefficients", "weights and t are not the numbers of a curve of this degree and dimension");
   return *trial;
 }
@@ -73,6 +75,7 @@ WorstRecord find_worst_record(bundle::CheckedReader& bundle, const std::string& 
   for (const WorstFile& file : files) {
     if (!bundle.has(file.name)) continue;
     auto table = bundle::parse_csv(bundle.read(file.name), bundle.place(file.name));
+    if (file.error_u.empty() && !table.has_column(file.id)) continue;  // of a program that gave these rows no ids
     const std::size_t rows = table.row_count();
     for (std::size_t row = 0; row < rows; ++row)
       if (table.at(row, file.id) == id) return {std::move(table), row, file};
@@ -80,10 +83,12 @@ WorstRecord find_worst_record(bundle::CheckedReader& bundle, const std::string& 
       there.push_back(fmt::format("{} to {} in {}", table.at(0, file.id), table.at(rows - 1, file.id), file.name));
   }
   if (there.empty())
-    throw Failure(Exit::usage, fmt::format("{}: has no worst cases (worst.csv, search.csv); name a bundle that has",
-                                           bundle.path().string()));
-  throw Failure(Exit::usage, fmt::format("{}: no such worst case in {}; there are {}, see worst_id and search_id", id,
-                                         bundle.path().string(), fmt::join(there, ", ")));
+    throw Failure(Exit::usage,
+                  fmt::format("{}: has no inputs with an id (worst.csv, search.csv, guarantees.csv); name a "
+                              "bundle that has",
+                              bundle.path().string()));
+  throw Failure(Exit::usage, fmt::format("{}: no such id in {}; there are {}, see worst_id, search_id and guarantee_id",
+                                         id, bundle.path().string(), fmt::join(there, ", ")));
 }
 
 }  // namespace bezierbench::cli

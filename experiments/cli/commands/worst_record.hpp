@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One row of worst.csv or search.csv, read from a bundle.
+// One row of a bundle that holds an input: of worst.csv, search.csv, guarantees.csv or guarantees_unstable.csv.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@
 
 namespace bezierbench::cli {
 
-/// A file of worst cases.
+/// A file of inputs.
 struct WorstFile {
   std::string_view name;
   std::string_view id;       ///< name of the column
-  std::string_view error_u;  ///< name of the column
+  std::string_view error_u;  ///< name of the column; empty where rows are about properties, not errors
 };
 
 /// A row whose fields are checked when they are used: all functions throw Failure(input_output) that names file, line
@@ -32,6 +32,8 @@ class WorstRecord {
   [[nodiscard]] sample::Cell cell() const;
   [[nodiscard]] sample::Trial input(const sample::Cell& cell) const;
   [[nodiscard]] double error_u() const { return number(file_.error_u); }
+  /// True for a row that says whether a method keeps a property.
+  [[nodiscard]] bool is_about_property() const { return file_.error_u.empty(); }
 
   [[noreturn]] void malformed(std::string_view column, std::string_view what) const;
 

@@ -106,7 +106,7 @@ class Complete(DamageCase):
                 found = [row for row in rows(target.read_text(errors="replace")) if row["worst_id"] == good["worst_id"]]
                 self.assertEqual([found[0][column].lower() for column in REPLAYED], [good[column] for column in REPLAYED])
             else:
-                self.assert_refused(result, (FINDING, INPUT_OUTPUT, USAGE), "worst.csv", "recorded error", "worst case")
+                self.assert_refused(result, (FINDING, INPUT_OUTPUT, USAGE), "worst.csv", "recorded error", "no such id")
 
         self.each_damage("whole", check, ["worst.csv"])
 

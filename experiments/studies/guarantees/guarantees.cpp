@@ -150,7 +150,8 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
   void write(const Question<Scalar>& question, const Refutation& found, tables::Tables& tables) const {
     const auto& statement = *question.statement;
     tables::Row row(question.method().bit_stable ? "guarantees.csv" : "guarantees_unstable.csv");
-    row.set("study", study_.id)
+    row.set("guarantee_id", fmt::format("g{}", rows_of(tables) + 1))
+        .set("study", study_.id)
         .set("method", question.method().id)
         .set("scalar", suite::name(scalar_of(question)))
         .set("dimension", question.cell.dimension)
@@ -168,6 +169,14 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
       if (statement.uses_offset) row.set("offset", number::hexadecimal(shown->offset));
     }
     tables.add(row);
+  }
+
+  /// The rows of both tables, so that no id occurs twice in a bundle.
+  static std::size_t rows_of(const tables::Tables& tables) {
+    std::size_t rows = 0;
+    for (const auto* file : {"guarantees.csv", "guarantees_unstable.csv"})
+      if (const auto found = tables.all().find(file); found != tables.all().end()) rows += found->second.row_count();
+    return rows;
   }
 
   static std::vector<std::string> input_of(const RecordedCase& shown, int dimension) {

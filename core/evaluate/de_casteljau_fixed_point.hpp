@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Formula: x_i = min(X, fl(C + fl(s b_i - s l))), x_i^k = fma(t, x_(i+1)^(k-1) - x_i^(k-1), x_i^(k-1)),
+//   p(t) = fma(1/s, x_0^n - C, l) inside (0,1), else b_0 or b_n. For each axis l and h are the least and the largest
+//   b_i, s = 1, or 1/8 where some b_i is next to overflow, C is the least normal power of two that is not below
+//   fl(s h - s l), and X is fl(C + fl(s h - s l)), or the number below it where else p would exceed h.
+// Source: derived here. Adding a power of two leaves multiples of its last place: [Rump et al. 2008], section 3.
+// Cost: 1 subtraction and 1 fused multiply-add, d (n(n+1)/2 + 1) times per point, and two comparisons of t.
+// Bound: none relative to p~, but u |p| + (2n+4) u (1 + 4u) (h - l), and n eta/2 where h - l is subnormal. All x_i^k
+//   lie in [C, 2C], where numbers are the multiples of g = 2 u C. fl(s b_i - s l) misses at most g/2, and C + fl(...)
+//   another g/2. Where X is taken instead, X + g is above C + s (h - l), so that X misses at most g, too. Each of the
+//   n steps rounds by g/2 and makes no error of its operands larger. In all (n + 2) u C, and C < 2 s (h - l) (1 + u).
+//   The last operation rounds once. Where s b_i or s l is subnormal for s = 1/8, h - l is so large that 2u of 4u cover
+//   it.
+// Keeps: a step: the numbers of the triangle are multiples of g in [C, 2C]. So their differences are exact, and a step
+//   is (1-t) a + t b rounded once to a multiple of g, ties to even. g >= eta, so that subnormal differences are exact.
+//   in_hull: rounding is monotone, hence fl(s b_i - s l) >= 0, x_0^n >= C and p >= l; and x_0^n <= X, for which p <= h:
+//   fl(C + fl(s h - s l)) <= C + s (h - l) + g, so that one number below is enough. constant_reproduced: l = h.
+//   ends_exact: by choice. finite: |s b_i| <= 2^1021 (2^125 in float), hence C <= 2^1022, and no operation of the
+//   triangle overflows; p is in the hull.
+//   monotone: let the b_i ascend; then the x_i do. For a <= b the real (1-t) a + t b ascends in a, b and t, and so does
+//   the rounded one; it lies in [a, b], whose ends are multiples of g. By induction the x_i^k ascend in i, since
+//   x_i^k <= x_(i+1)^(k-1) <= x_(i+1)^k, and in t. x_0^n - C is exact, and p ascends with it. It lies between l = b_0
+//   and h = b_n, the values at the ends. For descending b_i all of this holds the other way round.
+//   reversal: l, h, s, C and X are the same. Where 1-t is exact, a step of b and a at 1-t rounds the same real number.
+//   axes_independent: a coordinate is computed from its own axis and t. total: t outside gives b_0 or b_n.
+//   scaling_by_two: let b_i be multiples of beta and t of tau with beta tau^n >= eta. While s stays and C doubles, all
+//   results double; those that can be subnormal are multiples of eta, and exact. Where C is the least normal number
+//   before and after, or before only, all numbers of the triangle are exact: they are multiples of beta tau^k. If s
+//   changes, s b_i or s l may round where it is subnormal; but then C is so large that no x_i changes by that.
+// Fails: a result far smaller than h - l has few correct bits. The points -b_i need not give -p. t outside [0,1] gives
+//   the nearer end.
+#pragma once
+
+#include <array>
+#include <tuple>
+
+#include "core/basis/fused.hpp"
+#include "core/basis/lane_choice.hpp"
+#include "core/basis/power_of_two.hpp"
+#include "core/evaluate/guarantee.hpp"
+#include "core/evaluate/triangle_scheme.hpp"
+
+namespace bezierbench {
+
+/// What fixed-point evaluation needs of an axis beside the x_i.
+enum class FixedPointValue { first, last, least, offset, inverse_scale };
+inline constexpr int fixed_point_values = 5;
+
+/// These values for all axes, value by value: the axes of one side by side, and 0 up to a number of them that fills a
+/// vector.
+template <class Scalar, int Dimension>
+class FixedPointFrame {
+ public:
+  static constexpr int stride = Dimension == 1 ? 1 : 4;
+
+  [[nodiscard]] const Scalar& operator()(int axis, FixedPointValue value) const { return values_[at(axis, value)]; }
+  [[nodiscard]] Scalar& operator()(int axis, FixedPointValue value) { return values_[at(axis, value)]; }
+  [[nodiscard]] const Scalar* data() const { return values_.data(); }
+
+ private:
+  static std::size_t at(int axis, FixedPointValue value) {
+    return static_cast<std::size_t>(static_cast<int>(value) * stride + axis);
+  }
+  std::array<Scalar, static_cast<std::size_t>(fixed_point_values* stride)> values_{};
+};
+
+struct DeCasteljauFixedPoint {
+  static constexpr MethodInfo info{.id = "de_casteljau_fixed_point",
+                                   .label = "de Casteljau, fixed point",
+                                   .problem = Problem::evaluation,
+                                   .form = Form::bernstein,
+                                   .unit_interval_only = true,
+                                   .flops = "1 sub + 1 fma, d (n(n+1)/2 + 1) times",
+                                   .cost_exponent = 2,
+                                   .citation = "[Rump et al. 2008], section 3, for the offset; bound derived here"};
+
+  static constexpr std::array guarantees{Guarantee{Property::ends_exact},
+                                         Guarantee{Property::constant_reproduced},
+                                         Guarantee{Property::in_hull},
+                                         Guarantee{Property::monotone},
+                                         Guarantee{Property::reversal},
+                                         Guarantee{Property::scaling_by_two},
+                                         Guarantee{Property::axes_independent},
+                                         Guarantee{Property::finite},
+                                         Guarantee{Property::total}};
+
+  template <class Scalar, int Dimension, int Degree>
+  struct Prepared {
+    Curve<Form::bernstein, Scalar, Dimension, Degree> fixed;  ///< the x_i
+    FixedPointFrame<Scalar, Dimension> frame;
+
+    [[nodiscard]] auto parts() const { return std::tie(fixed, frame); }
+  };
+
+  template <class Scalar, int Dimension, int Degree>
+  static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    Prepared<Scalar, Dimension, Degree> prepared{curve, {}};
+    for (int axis = 0; axis < Dimension; ++axis) prepare_axis(prepared, axis);
+    return prepared;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
+    Point<Scalar, Dimension> point =
+        run_triangle(prepared.fixed, [t](Scalar a, Scalar b) { return fused<Scalar>(t, b - a, a); });
+    const auto& frame = prepared.frame;
+    for (int axis = 0; axis < Dimension; ++axis)
+      point[axis] =
+          fused<Scalar>(frame(axis, FixedPointValue::inverse_scale), point[axis] - frame(axis, FixedPointValue::offset),
+                        frame(axis, FixedPointValue::least));
+    const auto at_start = t <= Scalar(0);
+    const auto at_end = Scalar(1) <= t;
+    if (any_of(either(at_start, at_end))) [[unlikely]]
+      for (int axis = 0; axis < Dimension; ++axis) {
+        const auto from_start = select(at_start, frame(axis, FixedPointValue::first), point[axis]);
+        point[axis] = select(at_end, frame(axis, FixedPointValue::last), from_start);
+      }
+    return point;
+  }
+
+ private:
+  template <class Scalar, int Dimension, int Degree>
+  static void prepare_axis(Prepared<Scalar, Dimension, Degree>& prepared, int axis) {
+    auto& b = prepared.fixed;
+    const int n = b.degree();
+    Scalar least = b(axis, 0);
+    Scalar largest = b(axis, 0);
+    for (int i = 1; i <= n; ++i) {
+      if (b(axis, i) < least) least = b(axis, i);
+      if (largest < b(axis, i)) largest = b(axis, i);
+    }
+    const bool scaled = is_near_overflow(largest) || is_near_overflow(Scalar(-least));
+    const Scalar scale = scaled ? Scalar(0.125) : Scalar(1);
+    const Scalar inverse_scale = scaled ? Scalar(8) : Scalar(1);
+    const Scalar origin = scale * least;
+    const Scalar width = scale * largest - origin;
+    const Scalar offset = power_of_two_from(width);
+    Scalar top = offset + width;
+    if (largest < fused<Scalar>(inverse_scale, top - offset, least)) top = top - last_place_of(offset);
+    const std::array frame{b(axis, 0), b(axis, n), least, offset, inverse_scale};
+    for (std::size_t k = 0; k < frame.size(); ++k) prepared.frame(axis, static_cast<FixedPointValue>(k)) = frame[k];
+    for (int i = 0; i <= n; ++i) {
+      const Scalar fixed = offset + (scale * b(axis, i) - origin);
+      b(axis, i) = fixed < top ? fixed : top;
+    }
+  }
+};
+
+}  // namespace bezierbench
