@@ -54,9 +54,7 @@ class OutsideTimingJob final : public run::JobOf<OutsideLaps> {
   [[nodiscard]] std::size_t blocks_per_part() const override { return race::repetitions_per_race; }
   [[nodiscard]] bool exclusive() const override { return true; }
   void require_machine() const override { race::require_steady_clock(); }
-  [[nodiscard]] double cost(std::size_t part) const override {
-    return 5e7 / race::repetitions_per_race * static_cast<double>(race_cells_[part].methods.size());
-  }
+  [[nodiscard]] double cost(std::size_t part) const override { return race::repetition_cost(race_cells_[part]); }
   [[nodiscard]] run::Extent extent() const override {
     return {0, race_cells_.size(), race_cells_.size() * race::timed_inputs_per_cell, 0};
   }

@@ -35,10 +35,7 @@ class TimingJob final : public run::JobOf<race::RaceCellLaps> {
   [[nodiscard]] std::size_t blocks_per_part() const override { return race::repetitions_per_race; }
   [[nodiscard]] bool exclusive() const override { return true; }
   void require_machine() const override { race::require_steady_clock(); }
-  [[nodiscard]] double cost(std::size_t part) const override {
-    // about the same wall time whatever the degree
-    return 5e7 / race::repetitions_per_race * static_cast<double>(race_cells_[part].methods.size());
-  }
+  [[nodiscard]] double cost(std::size_t part) const override { return race::repetition_cost(race_cells_[part]); }
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum{race_cells_.size(), suite::keys_of<suite::TimingKeys>(study_).modes.size(), 0,
                     0};  // a sentinel's row in each mode
