@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: MIT
-// The evaluator that a caller gets who names none: the fastest in mode `point` of those that have a proved bound for
-// every t and need neither a conversion nor a fused operation in hardware. Times are in nanoseconds (GCC 12,
-// x86-64-v3), errors the largest that were observed, in units of u p~, each with the study that it is from, by its id
-// in the shipped suites.
+// The evaluator that a caller gets who names none: the fastest for many points of one curve (mode `point`) of those
+// that have a proved bound and need neither a conversion nor a fused operation in hardware, unless another one has much
+// smaller errors. The numbers are from committed bundles. Times are in nanoseconds per point (GCC 12, x86-64-v3),
+// errors are the largest that were observed, in units of u p~.
 //
-//   Bernstein form, t in [0,1]   `horner_bernstein`: 4.1 against 5.0 of `de_casteljau` at degree 4, 15.2 against 75.8
-//                                at 20 (2.4-bezier of `report`), with errors no larger: 13.5 against 15.6 at degree 20
-//                                (truth-bezier). To degree 2 and past 600, where its bound is infinite,
-//                                `de_casteljau` (regimes-degree of `regimes`).
-//   Bernstein form, other t      `de_casteljau_two_sided`: 4.7 against 19.0 of `de_casteljau` and 20.4 of
-//                                `horner_bernstein` at degree 20 for t in [-1,0] (regimes-parameter).
-//   power form                   `horner`: 11.2 at degree 20 (2.4-polynomial). `power_sum` takes 10.2, with errors of
-//                                6.4 against 1.6 (speed-errors-polynomial of `speed`).
-//   rational curves              `horner_bernstein` from degree 3 on: 3.7 against 4.4 of `de_casteljau` at 3, 11.4
-//                                against 31.5 at 10 (rational-time of `rational`). No method has a bound outside [0,1].
+//   Bernstein form, t in [0,1]   `horner_bernstein`: 3.0 against 3.3 of `de_casteljau` at degree 3, 15.2 against 75.9
+//                                at 20, with errors of 3.7 against 3.9 and of 13.7 against 13.2 (results/atlas/speed,
+//                                studies speed-bezier and speed-errors-bezier). To degree 2 `de_casteljau`, which
+//                                prepares nothing; no committed table has times there. Past degree 600, too: C(n,i)
+//                                b_i can overflow there for |b_i| above 2^(1024-n).
+//   Bernstein form, other t      `de_casteljau_two_sided`, for its errors: 3.3 against 17.4 of `de_casteljau` and 17.7
+//                                of `horner_bernstein` at degree 30 for t in [-100,100]. It is the slowest: 314
+//                                against 249 and 31.6 (results/answers, studies answers-outside and
+//                                answers-outside-time).
+//   power form                   `horner`: 3.0 at degree 3 and 11.3 at 20, with errors of 1.9 and 1.6. `power_sum`
+//                                takes 2.2 and 17.1, with errors of 2.1 and 6.4 (results/atlas/speed, studies
+//                                speed-polynomial and speed-errors-polynomial).
+//   rational curves              `horner_bernstein` from degree 3 on: 5.7 against 6.1 of `de_casteljau` at 3, 15.3
+//                                against 36.6 at 10; at degree 2 both take 4.9 (results/atlas/rational, study
+//                                rational-time). No method has a bound outside [0,1].
+//
+// A call that prepares for a single point (mode `one_shot`, as `evaluate(points, t)` does) would choose otherwise at
+// low degrees. In Bernstein form `de_casteljau` takes 8.0 against 8.5 of `horner_bernstein` at degree 3 and as long at
+// 5; at 10 it takes 26.2 against 13.7 (speed-bezier). In power form `power_sum` takes 8.1 against 8.5 of `horner` at
+// degree 3 and 26.2 against 29.2 at 20 (speed-polynomial). Rational curves keep the choice at every degree
+// (rational-time). The choice is the same for both uses, so that their points have the same bits.
 //
 // Scalars that are not floating-point numbers get the scheme that needs least of them, sums and products:
 // `de_casteljau` or `horner`.
@@ -32,8 +43,8 @@ namespace bezierbench::detail {
 /// Whether a curve of this degree is for `horner_bernstein`.
 template <class Scalar>
 constexpr bool is_for_nested_scheme(int degree) {
-  constexpr int largest_with_bound = 600;
-  return degree > 2 && degree <= largest_with_bound && HornerBernstein::info.supports<Scalar>(degree);
+  constexpr int highest = 600;
+  return degree > 2 && degree <= highest && HornerBernstein::info.supports<Scalar>(degree);
 }
 
 /// Returns `use.template operator()<Method>()` of the method for a curve of this form and degree at t.
