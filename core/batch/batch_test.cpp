@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
-
 #include "core/batch/batch_test.hpp"
 #include "core/evaluate/barycentric_chebyshev.hpp"
 #include "core/evaluate/barycentric_uniform.hpp"
@@ -16,16 +14,11 @@ namespace {
 template <class Scalar>
 std::vector<Scalar> batch_points(const BatchKernel<Scalar>& batch, const Kernel<Scalar>& kernel,
                                  const CurveView<Scalar>& curve, const std::vector<Scalar>& t) {
-  const std::size_t room = kernel.prepared_size + kernel.prepared_alignment;
-  const auto memory = std::make_unique<std::byte[]>(room);
-  void* prepared = memory.get();
-  std::size_t space = room;
-  std::align(kernel.prepared_alignment, kernel.prepared_size, prepared, space);
-  kernel.prepare(curve, prepared);
+  const requirements::PreparedState<Scalar> prepared(kernel, curve);
   const auto d = static_cast<std::size_t>(curve.dimension);
   constexpr Scalar untouched = 77;
   std::vector<Scalar> by_axis(t.size() * d + 1, untouched);
-  batch(prepared, t, by_axis.data());
+  batch(prepared.get(), t, by_axis.data());
   EXPECT_EQ(by_axis.back(), untouched) << "wrote past the end";
   std::vector<Scalar> points(t.size() * d);
   for (std::size_t k = 0; k < t.size(); ++k)

@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "experiments/judge/workspace.hpp"
 #include "experiments/race/page_vector.hpp"
 
 namespace bezierbench::race {
@@ -28,17 +29,11 @@ Inputs<Scalar> cubic_inputs(Form form) {
 /// By the kernel's own functions, one curve and one t at a time.
 template <class Scalar>
 std::vector<Scalar> judged_points(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs) {
-  std::vector<Scalar> points(inputs.t.size() * static_cast<std::size_t>(inputs.dimension));
-  const std::size_t room = kernel.prepared_size + kernel.prepared_alignment;
-  const auto memory = std::make_unique<std::byte[]>(room);
-  void* prepared = memory.get();
-  std::size_t space = room;
-  std::align(kernel.prepared_alignment, kernel.prepared_size, prepared, space);
-  for (std::size_t k = 0; k < inputs.t.size(); ++k) {
-    kernel.prepare(inputs.curve_of(k, mode), prepared);
-    kernel.evaluate(prepared, std::span<const Scalar>(&inputs.t[k], 1),
-                    points.data() + k * static_cast<std::size_t>(inputs.dimension));
-  }
+  const auto d = static_cast<std::size_t>(inputs.dimension);
+  std::vector<Scalar> points(inputs.t.size() * d);
+  judge::PreparedStorage storage;
+  for (std::size_t k = 0; k < inputs.t.size(); ++k)
+    judge::evaluate_once(kernel, inputs.curve_of(k, mode), inputs.t[k], storage, std::span(points).subspan(k * d, d));
   return points;
 }
 

@@ -40,19 +40,42 @@ CurveView<Scalar> view(Form form, int dimension, int degree, const std::vector<S
   return {form, dimension, degree, coefficients, w};
 }
 
+/// What a kernel prepares for a curve.
+template <class Scalar>
+class PreparedState {
+ public:
+  PreparedState(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve)
+      : kernel_(kernel),
+        space_(kernel.prepared_size + kernel.prepared_alignment),
+        memory_(std::make_unique<std::byte[]>(space_)),
+        state_(memory_.get()) {
+    std::align(kernel.prepared_alignment, kernel.prepared_size, state_, space_);
+    kernel.prepare(curve, state_);
+  }
+  PreparedState(const PreparedState&) = delete;
+  PreparedState& operator=(const PreparedState&) = delete;
+  PreparedState(PreparedState&&) = delete;
+  PreparedState& operator=(PreparedState&&) = delete;
+  ~PreparedState() {
+    if (kernel_.destroy != nullptr) kernel_.destroy(state_);
+  }
+
+  [[nodiscard]] const void* get() const { return state_; }
+
+ private:
+  const Kernel<Scalar>& kernel_;
+  std::size_t space_;
+  std::unique_ptr<std::byte[]> memory_;
+  void* state_;
+};
+
 /// The points at every t, one after the other.
 template <class Scalar>
 std::vector<Scalar> evaluate(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve,
                              const std::vector<Scalar>& t) {
-  const std::size_t room = kernel.prepared_size + kernel.prepared_alignment;
-  const auto memory = std::make_unique<std::byte[]>(room);
-  void* prepared = memory.get();
-  std::size_t space = room;
-  std::align(kernel.prepared_alignment, kernel.prepared_size, prepared, space);
-  kernel.prepare(curve, prepared);
+  const PreparedState<Scalar> prepared(kernel, curve);
   std::vector<Scalar> points(t.size() * static_cast<std::size_t>(curve.dimension));
-  kernel.evaluate(prepared, t, points.data());
-  if (kernel.destroy != nullptr) kernel.destroy(prepared);
+  kernel.evaluate(prepared.get(), t, points.data());
   return points;
 }
 
