@@ -66,8 +66,8 @@ struct RaceCell {
   std::vector<ProcessorTimes> operations = {};  ///< likewise
 };
 
-/// Nanoseconds for one repetition, to an order of magnitude; see run::Job::cost. The limits of a race make it take about
-/// the same time at every degree.
+/// Nanoseconds for one repetition, to an order of magnitude; see run::Job::cost. The limits of a race make it take
+/// about the same time at every degree.
 inline double repetition_cost(const RaceCell& race_cell) {
   constexpr double of_all_repetitions = 5e7;  // of one method
   return of_all_repetitions / repetitions_per_race * static_cast<double>(race_cell.methods.size());

@@ -9,8 +9,8 @@
 
 namespace bezierbench::suite {
 
-/// Calls visit(key, meaning, member) for every key of a goal, in the order in which they are written; `member` points to
-/// a member of Goal.
+/// Calls visit(key, meaning, member) for every key of a goal, in the order in which they are written; `member` points
+/// to a member of Goal.
 template <class Visit>
 void each_goal_key(const Visit& visit) {
   visit("method", "id of the method whose batch kernels are meant", &Goal::method);
