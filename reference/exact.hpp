@@ -65,11 +65,6 @@ struct ExactInput {
   std::vector<double> weights;
 };
 
-/// The scalars that the true point can be had for.
-template <class Points>
-concept Exactable = std::is_same_v < ScalarOf<Points>,
-double > || std::is_same_v<ScalarOf<Points>, float>;
-
 }  // namespace reference
 
 /// The true point at any finite t, each coordinate the nearest number of its type, ties to even. `F` is the form of the
@@ -77,32 +72,31 @@ double > || std::is_same_v<ScalarOf<Points>, float>;
 /// no points, too many, or a number that is not finite.
 template <Form F = Form::bernstein, ControlPoints Points>
 requires((F == Form::bernstein || F == Form::power) &&
-         reference::Exactable<Points>) PointOf<Points> exact(const Points& points,
-                                                             std::type_identity_t<ScalarOf<Points>> t) {
+         MeasuredPoints<Points>) PointOf<Points> exact(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {
   return reference::ExactInput<Points>(points).point(F, static_cast<double>(t));
 }
 
 /// The same for a rational curve: its control points, not premultiplied, and a weight for each. NaN where the weights
 /// sum to zero at t.
 template <ControlPoints Points, WeightsOf<Points> Weights>
-requires(reference::Exactable<Points>) PointOf<Points> exact(const Points& points, const Weights& weights,
-                                                             std::type_identity_t<ScalarOf<Points>> t) {
+requires(MeasuredPoints<Points>) PointOf<Points> exact(const Points& points, const Weights& weights,
+                                                       std::type_identity_t<ScalarOf<Points>> t) {
   return reference::ExactInput<Points>(points, weights).point(Form::rational, static_cast<double>(t));
 }
 
 /// How far each coordinate of `value` is from the true point: |value - true|, rounded once, to double.
 template <Form F = Form::bernstein, ControlPoints Points>
 requires((F == Form::bernstein || F == Form::power) &&
-         reference::Exactable<Points>) auto exact_error(const Points& points, std::type_identity_t<ScalarOf<Points>> t,
-                                                        const PointOf<Points>& value) {
+         MeasuredPoints<Points>) auto exact_error(const Points& points, std::type_identity_t<ScalarOf<Points>> t,
+                                                  const PointOf<Points>& value) {
   return reference::ExactInput<Points>(points).distances(F, static_cast<double>(t), value);
 }
 
 /// The same for a rational curve.
 template <ControlPoints Points, WeightsOf<Points> Weights>
-requires(reference::Exactable<Points>) auto exact_error(const Points& points, const Weights& weights,
-                                                        std::type_identity_t<ScalarOf<Points>> t,
-                                                        const PointOf<Points>& value) {
+requires(MeasuredPoints<Points>) auto exact_error(const Points& points, const Weights& weights,
+                                                  std::type_identity_t<ScalarOf<Points>> t,
+                                                  const PointOf<Points>& value) {
   return reference::ExactInput<Points>(points, weights).distances(Form::rational, static_cast<double>(t), value);
 }
 

@@ -185,6 +185,7 @@ void FloatValuesOf::decide(std::size_t count, FloatValues& values) {
 }
 
 void FloatValuesOf::find(std::span<const float> t, FloatValues& values) {
+  if (t.size() > float_values_at_once) throw std::invalid_argument("more values of t than there is room for");
   const auto first = static_cast<std::size_t>(std::ranges::upper_bound(t, near_zero_to) - t.begin());
   if (first > 0) near_zero(t, first);
   if (first < t.size()) elsewhere(t, first);

@@ -2,9 +2,9 @@
 // The true values of a polynomial in Bernstein form at many floats t of [0, 1], as the error of a float is measured:
 // the nearest float, the rest that it leaves, and the ulp.
 //
-// Three ways, from fast to slow; each leaves to the next the t at which its proved error does not decide the nearest
-// float (ties to even) or the ulp, or exceeds 2^-20 ulp.
-//   1. In double. With u = 2^-53 and q_j = C(n,j) D^j b_0, rounded once for j > 1:
+// There are three ways, from fast to slow. Each leaves to the next the t at which its proved error does not decide the
+// nearest float (ties to even) or the ulp, or exceeds 2^-20 ulp.
+//   1. In double. With u = 2^-53 and q_j = C(n,j) D^j b_0, each rounded once:
 //      t <= 2^-8:  p = b_0 + d with d = t (q_1 + t (q_2 + ...)); where b_0 = 0 and q_1 has so few bits that q_1 t is
 //                  exact, p = q_1 t + d with d = t^2 (q_2 + ...). A term passes at most 2n + 1 roundings, so the error
 //                  of d is at most (2n + 2) u sum |q_j| t^j, and is small beside d itself. So it is known on which side
@@ -13,7 +13,8 @@
 //      t > 2^-8:   p = sum b_i C(n,i) t^i (1-t)^(n-i) by Horner's scheme in 1-t. Binomial, coefficient, 1-t, powers and
 //                  sums round a term at most 3n + 4 times, so |error| <= (3n + 5) u p~.
 //      Both sums of magnitudes are summed beside, all terms positive; a relative margin of 2^-20 covers their own
-//      rounding and the second order. For n <= 100 what underflows is far below 2^-1000, for t^n does not.
+//      rounding and the second order. For n <= 100 a product that underflows is far below 2^-1000: t^n is above 2^-800
+//      in the second sum.
 //   2. In pairs of doubles: certified_points.hpp.
 //   3. In integers: exact_curve.hpp.
 #pragma once
@@ -50,7 +51,8 @@ class FloatValuesOf {
   /// The control points, all finite. Throws std::invalid_argument for none, and for more than the bounds above allow.
   explicit FloatValuesOf(std::span<const float> control_points);
 
-  /// Fills the first t.size() values, for t in [0, 1] in ascending order.
+  /// Fills the first t.size() values, for t in [0, 1] in ascending order. Throws std::invalid_argument for more than
+  /// float_values_at_once.
   void find(std::span<const float> t, FloatValues& values);
 
   /// Values so far that the doubles left undecided, and of these the ones that the pairs of doubles did.

@@ -73,10 +73,9 @@ def _chain(rows):
 
 
 def _race(row):
-    """What tells the races of a table apart: its keys but the method, and the instruction set of a roofline."""
+    """What tells the races of a table apart: its keys but the method."""
     method = schema.table(row.file)["method"]
-    keys = [column for column, declared in schema.columns(row.file).items() if declared.get("key") and column != method]
-    return tuple(row[column] for column in (*keys, "target"))
+    return tuple(row[column] for column, declared in schema.columns(row.file).items() if declared.get("key") and column != method)
 
 
 def orders(rows):

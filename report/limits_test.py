@@ -12,11 +12,11 @@ from .findings import time_order
 from .limits import nearness, orders, reading_limits, reading_load
 
 
-def _row(method, ns, limit, mode="point", degree=5, call=2.0, chain=None, **more):
+def _row(method, ns, limit, mode="point", degree=5, call=2.0, chain=None, file="timing.csv", **more):
     """A time that is known to a percent."""
     values = dict(study="s", method=method, scalar="double", dimension=2.0, degree=float(degree), mode=mode, median_ns=float(ns), low_ns=0.99 * ns,
                   high_ns=1.01 * ns, call_ns=call, limit_ns=limit and float(limit), share_of_limit=limit and limit / (ns - call), chain_ns=chain, **more)
-    return Row("timing.csv", 2, values, {})
+    return Row(file, 2, values, {})
 
 
 def _said(rows):
@@ -46,8 +46,10 @@ class Nearness(unittest.TestCase):
         self.assertIn("All 1 order of two methods of a race would hold", _said(rows[:2]))
 
     def test_compares_within_a_race_and_only_what_is_apart(self):
-        for other in (_row("b", 10.1, 2), _row("b", 20, 2, degree=6), _row("b", 20, 2, mode="latency"), _row("b", 20, 2, generator="integer"), _row("b", 20, 2, target="AVX2")):
+        for other in (_row("b", 10.1, 2), _row("b", 20, 2, degree=6), _row("b", 20, 2, mode="latency"), _row("b", 20, 2, generator="integer")):
             self.assertEqual(orders([_row("a", 10, 1), other]), ({}, {}))
+        targets = [_row("a", 10, 1, file="roofline.csv", target="AVX2"), _row("b", 20, 2, file="roofline.csv", target="AVX3")]
+        self.assertEqual(orders(targets), ({}, {}))
         self.assertIn("No two methods of a race differ in time.", _said([_row("a", 10, 1)]))
 
     def test_methods_of_equal_limits_have_no_order_there(self):

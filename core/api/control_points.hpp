@@ -38,6 +38,11 @@ using PointOf = std::remove_cv_t<std::ranges::range_value_t<const Points>>;
 template <ControlPoints Points>
 using ScalarOf = typename PointOf<Points>::value_type;
 
+/// Points in double or float, the types that errors and bounds are defined for.
+template <class Points>
+concept MeasuredPoints = ControlPoints<Points> &&
+    (std::is_same_v<ScalarOf<Points>, double> || std::is_same_v<ScalarOf<Points>, float>);
+
 /// The weights of a rational curve, one for each of its control points.
 template <class Weights, class Points>
 concept WeightsOf =

@@ -137,7 +137,7 @@ requires(Method::info.form ==
 }
 
 /// The point at t by the method that is recommended for the form, the degree and this t; core/api/recommended.hpp has
-/// the rule, with the suites and cells that it rests on. `recommended` says which method it is and `error_bound` how
+/// the rule, with the committed tables that it rests on. `recommended` says which method it is and `error_bound` how
 /// far the result may be from the true point. Control points so large that C(n,i) b_i overflows need a triangle by
 /// name, such as DeCasteljau. Throws std::invalid_argument for no points, or more than max_degree + 1.
 template <Form F, ControlPoints Points>
@@ -206,11 +206,6 @@ auto bounds_of(const MethodInfo& info, Form form, const Points& points, double t
   return result;
 }
 
-/// The scalars that bounds are proved for.
-template <class Points>
-concept Bounded = std::is_same_v < ScalarOf<Points>,
-double > || std::is_same_v<ScalarOf<Points>, float>;
-
 }  // namespace detail
 
 /// How far each coordinate of `evaluate<Method>(points, t)` may be from the true one: the method's proved bound at
@@ -218,18 +213,18 @@ double > || std::is_same_v<ScalarOf<Points>, float>;
 /// in arithmetic that rounds each operation once (core/api/floating_point.hpp).
 template <Evaluator Method, ControlPoints Points>
 requires(Method::info.form != Form::rational &&
-         detail::Bounded<Points>) auto error_bound(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {
+         MeasuredPoints<Points>) auto error_bound(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {
   return detail::bounds_of(Method::info, Method::info.form, points, static_cast<double>(t));
 }
 
 /// The same for `evaluate<F>(points, t)` and for `evaluate(points, t)`.
 template <Form F, ControlPoints Points>
 requires((F == Form::bernstein || F == Form::power) &&
-         detail::Bounded<Points>) auto error_bound(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {
+         MeasuredPoints<Points>) auto error_bound(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {
   return detail::bounds_of(recommended<F>(degree_of_points(points), t), F, points, static_cast<double>(t));
 }
 template <ControlPoints Points>
-requires(detail::Bounded<Points>) auto error_bound(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {
+requires(MeasuredPoints<Points>) auto error_bound(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {
   return error_bound<Form::bernstein>(points, t);
 }
 

@@ -118,7 +118,7 @@ TEST(Evaluate, RefusesWhatIsNoCurve) {
   EXPECT_THROW(evaluate(quadratic, std::vector<double>{1, 1}, 0.5), std::invalid_argument);
 }
 
-/// The bound of the harness, which metric/trial_scale.hpp computes in another way.
+/// The bound that studies hold errors to. metric::TrialScale computes it without the code of error_bound().
 double bound_of_harness(const MethodInfo& info, Form form, std::span<const double> coefficients, double t) {
   metric::TrialScale scale;
   scale.set({form, 1, static_cast<int>(coefficients.size()) - 1, coefficients, {}}, t);

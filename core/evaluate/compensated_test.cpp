@@ -96,9 +96,10 @@ TEST(CompensatedBound, OfHornerHasTheConstantsThatItStates) {
     EXPECT_NEAR(constant.operator()<2>() / (2 * n * (n + 1)), 1, 1e-8);
     EXPECT_NEAR((constant.operator()<3>() - 64) / (8 * triples + 12 * pairs), 1, 1e-8);
     EXPECT_NEAR((constant.operator()<4>() - 1296) / (16 * quadruples + 56 * triples + 48 * pairs), 1, 1e-8);
-    if (degree > 1)
+    if (degree > 1) {
       EXPECT_LE((remainder_of_parts<2, HornerRoundings>(degree, u) / u),
                 CompensatedHorner::info.bound->factor(degree, u));
+    }
   }
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where the error of a result comes from: an exact value between each step and the next tells them apart.
 //
-//   conversion    the exact curve of the rounded, converted coefficients, away from the true curve
-//   one_minus_t   that curve with the rounded 1 - t for 1 - t (OneMinusT says how), away from itself
-//   evaluation    the computed point, away from that
+//   conversion    from the true point to the exact point of the rounded, converted coefficients
+//   one_minus_t   from there to the exact point with the rounded 1 - t in place of 1 - t (OneMinusT says how)
+//   evaluation    from there to the computed point
 // The three distances add up to at least the error (triangle inequality).
 #pragma once
 

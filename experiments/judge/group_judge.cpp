@@ -238,7 +238,7 @@ void GroupJudge<Scalar>::judge_method(std::size_t method, Group group, Scratch& 
   add(metric::in_units(errors, from.length), measured & from.has_length, judgement.relative);
   for (std::size_t k = 0; k < group.size(); ++k) {
     if (!has(measured, k)) continue;
-    judgement.keep_worst({errors_u[k], errors[k], group[k].counted});
+    metric::merge_fields(judgement.worst, std::optional(Worst{errors_u[k], errors[k], group[k].counted}));
     compare_with_bound(method, errors[k], group[k], from.length[k], judgement);
   }
 }
@@ -274,12 +274,9 @@ void GroupJudge<Scalar>::compare_with_bound(std::size_t method, double error, La
   const auto checked = lane.scale.check(error, *methods_.bound(method), ScalarFacts<Scalar>::arithmetic, length);
   if (!checked) return;
   ++judgement.bounded;
-  judgement.bound = std::max(judgement.bound, checked->bound);
-  if (std::isfinite(checked->bound_u)) judgement.bound_u = std::max(judgement.bound_u, checked->bound_u);
-  if (checked->violated) {
-    ++judgement.violations;
-    judgement.first_violation = std::min(judgement.first_violation, static_cast<std::int64_t>(lane.counted));
-  }
+  judgement.bound.add(checked->bound);
+  if (std::isfinite(checked->bound_u)) judgement.bound_u.add(checked->bound_u);
+  if (checked->violated) judgement.violations.add(lane.counted);
 }
 
 template class GroupJudge<float>;

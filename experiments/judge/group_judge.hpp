@@ -36,7 +36,7 @@ class GroupJudge {
   /// `count` trials from `first` on, at most trials_at_once. With `check`, the methods' own kernels evaluate the first
   /// one as well; a bit that differs throws std::logic_error.
   void judge(TrialNumber first, std::int64_t count, bool check, CellTally& block) const;
-  /// The same for points that were computed elsewhere, of the only method, point by point.
+  /// Judges given points of the only method, point by point, which were computed elsewhere.
   void judge(TrialNumber first, std::span<const double> given, CellTally& block) const;
 
  private:
@@ -46,7 +46,7 @@ class GroupJudge {
   using Group = std::span<Lane>;
 
   void draw(Group group, TrialNumber first, Scratch& scratch) const;
-  /// What both ways have in common: `evaluate` computes the points of every method.
+  /// Judges a group; `evaluate` computes the points of every method, or takes given ones.
   template <class Evaluate>
   void judge_group(TrialNumber first, std::int64_t count, CellTally& block, const Evaluate& evaluate) const;
   void find_scales(Group group, Scratch& scratch) const;

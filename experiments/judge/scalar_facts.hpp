@@ -25,7 +25,7 @@ struct ScalarFacts<double> {
   static constexpr reference::Format format = reference::binary64;
 };
 
-/// What `of` makes of a 0 of the scalar type that is meant: where a kind of scalar becomes a type.
+/// Calls `of` with a 0 of the scalar type and returns what it returns: turns a value of ScalarKind into a type.
 template <class Of>
 decltype(auto) with_scalar(suite::ScalarKind scalar, Of&& of) {
   return scalar == suite::ScalarKind::float32 ? of(float{}) : of(double{});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a study is of inputs that its kind, or the problem that it times, takes. The reader of suites has checked the
-// former; studies are also made by hand.
+// Checks that the kind of a study, or the problem that it times, takes the inputs of the study. The reader of suites
+// has checked them for the kind, but programs and tests also make studies without it.
 #pragma once
 
 #include "core/method.hpp"

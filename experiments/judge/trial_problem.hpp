@@ -27,10 +27,10 @@ struct TrialPart {
 
 /// The trials of one part.
 ///
-/// `draw` makes trial `number`, with its truth, of a `Drawn` that may have been another trial before. `ask` is what is
-/// timed: it writes what a method answers; `tolerance` is 0 for a problem without one. `numbers` are the spans of
-/// doubles of an answer, by which a time is held to the answer that was judged. `timed_trials` is how many trials a
-/// batch of the race has. Which inputs the problem takes is data of its kind of study (suite/kinds).
+/// `draw` overwrites `drawn`, which may hold another trial, with trial `number` and its truth. `ask` writes the answer
+/// of a method, and is what is timed; `tolerance` is 0 for a problem without one. `numbers` are the spans of doubles of
+/// an answer: the answers of a timed run must have the bits of those that were judged. `timed_trials` is the number of
+/// trials in a batch of the race. The kind of study (suite/kinds) says which inputs the problem takes.
 template <class P>
 concept TrialProblem = std::constructible_from<P, const suite::Study&, std::uint64_t, const TrialPart&> &&
     std::default_initializable<typename P::Drawn> && std::copyable<typename P::Answer> &&

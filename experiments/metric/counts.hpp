@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What is counted beside tallies of errors, and how a struct of tallies and counts merges: field by field. All of it is
-// free of order, as tallies are.
+// What is counted beside tallies of errors, and how a struct of tallies and counts merges: field by field. The order in
+// which values are merged changes nothing, as for tallies.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -81,23 +84,66 @@ inline void add_rounded(double error, Tally& tally) {
     tally.add_infinite();
 }
 
-/// Merges `other` into `sum`: numbers are added, what has `merge` merges, and of any other type each field does, so
-/// `T::each_field` returns what it is given returns.
+/// Merges `other` into `sum`. Numbers are added. A type with a member `merge` merges by it, any other struct field by
+/// field: its `each_field` returns what `bytes` returns. Vectors, of equal sizes, and arrays merge element by element,
+/// maps key by key. An empty optional takes the value of the other.
+template <class T>
+void merge_fields(T& sum, const T& other);
+template <class T>
+void merge_fields(std::optional<T>& sum, const std::optional<T>& other);
+template <class T>
+void merge_fields(std::vector<T>& sum, const std::vector<T>& other);
+template <class T, std::size_t size>
+void merge_fields(std::array<T, size>& sum, const std::array<T, size>& other);
+template <class Key, class T>
+void merge_fields(std::map<Key, T>& sum, const std::map<Key, T>& other);
+
+/// Merges every field, for a struct whose `merge` does that and more.
+template <class T>
+void merge_each_field(T& sum, const T& other) {
+  constexpr auto fields_of = [](auto&... fields) { return std::tie(fields...); };
+  const auto into = T::each_field(fields_of, sum);
+  const auto from = T::each_field(fields_of, other);
+  [&]<std::size_t... k>(std::index_sequence<k...> /*all*/) {
+    (merge_fields(std::get<k>(into), std::get<k>(from)), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(into)>>{});
+}
+
 template <class T>
 void merge_fields(T& sum, const T& other) {
-  if constexpr (std::unsigned_integral<T>) {
+  if constexpr (std::unsigned_integral<T>)
     sum += other;
-  } else if constexpr (requires { sum.merge(other); }) {
+  else if constexpr (requires { sum.merge(other); })
     sum.merge(other);
-  } else {
-    constexpr auto fields_of = [](auto&... fields) { return std::tie(fields...); };
-    const auto into = T::each_field(fields_of, sum);
-    const auto from = T::each_field(fields_of, other);
-    [&]<std::size_t... k>(std::index_sequence<k...> /*all*/) {
-      (merge_fields(std::get<k>(into), std::get<k>(from)), ...);
-    }
-    (std::make_index_sequence<std::tuple_size_v<decltype(into)>>{});
-  }
+  else
+    merge_each_field(sum, other);
+}
+
+template <class T>
+void merge_fields(std::optional<T>& sum, const std::optional<T>& other) {
+  if (!other) return;
+  if (sum)
+    merge_fields(*sum, *other);
+  else
+    sum = other;
+}
+
+template <class T>
+void merge_fields(std::vector<T>& sum, const std::vector<T>& other) {
+  if (other.size() != sum.size()) throw std::invalid_argument("tallies of different parts");
+  for (std::size_t k = 0; k < sum.size(); ++k) merge_fields(sum[k], other[k]);
+}
+
+template <class T, std::size_t size>
+void merge_fields(std::array<T, size>& sum, const std::array<T, size>& other) {
+  for (std::size_t k = 0; k < size; ++k) merge_fields(sum[k], other[k]);
+}
+
+template <class Key, class T>
+void merge_fields(std::map<Key, T>& sum, const std::map<Key, T>& other) {
+  for (const auto& [key, value] : other)
+    if (const auto [entry, is_new] = sum.try_emplace(key, value); !is_new) merge_fields(entry->second, value);
 }
 
 /// One T for each row of a part of a study, in the order of its rows.
@@ -110,10 +156,7 @@ struct Rows {
     return bytes(self.rows);
   }
 
-  void merge(const Rows& other) {
-    if (other.rows.size() != rows.size()) throw std::invalid_argument("tallies of different parts");
-    for (std::size_t k = 0; k < rows.size(); ++k) merge_fields(rows[k], other.rows[k]);
-  }
+  void merge(const Rows& other) { merge_each_field(*this, other); }
 };
 
 }  // namespace bezierbench::metric

@@ -69,6 +69,24 @@ TEST(MergeFields, IsFreeOfOrder) {
   EXPECT_EQ(bytes_of(forwards), bytes_of(backwards));
 }
 
+TEST(MergeFields, TakesContainersElementByElement) {
+  using Counts = std::array<std::uint64_t, 2>;
+  std::optional<Total> sum;
+  merge_fields(sum, std::optional<Total>());
+  EXPECT_FALSE(sum);
+  merge_fields(sum, std::optional(Total{3, 3}));
+  merge_fields(sum, std::optional(Total{4, 4}));
+  EXPECT_EQ(sum->sum, 7U);
+  EXPECT_EQ(sum->largest, 4U);
+  std::map<int, Counts> by_key{{1, {1, 2}}, {2, {3, 4}}};
+  merge_fields(by_key, {{0, {5, 6}}, {2, {10, 20}}});
+  EXPECT_EQ(by_key, (std::map<int, Counts>{{0, {5, 6}}, {1, {1, 2}}, {2, {13, 24}}}));
+  std::vector<std::uint64_t> row{1, 2};
+  merge_fields(row, {10, 20});
+  EXPECT_EQ(row, (std::vector<std::uint64_t>{11, 22}));
+  EXPECT_THROW(merge_fields(row, {1}), std::invalid_argument);
+}
+
 TEST(Rows, MergeRowByRowAndRefuseAnotherPart) {
   Rows<Outer> sum{{of_trial(0, 1, 1), of_trial(0, 2, 2)}};
   sum.merge({{of_trial(1, 3, 3), of_trial(1, 4, 4)}});

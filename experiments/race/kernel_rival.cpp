@@ -105,9 +105,9 @@ void point_by_point(State<Scalar>& s) {
   for (std::size_t k = 0; k < points.t.size(); ++k) points.evaluate(k, points.t[k]);
 }
 
-/// Each t waits for every coordinate of the last point: their bits and a zero that no compiler can know are put on top
-/// of its own. No bit changes, whatever the point is (0 times it would spoil t after an infinity), and points and t go
-/// through memory anyway, so that this costs two operations on integers.
+/// Each t waits for every coordinate of the last point: their bits, masked by a zero that the compiler cannot know, are
+/// or-ed into its own. No bit of t changes, whatever the point is; adding 0 times the point would make t NaN after an
+/// infinity. Points and t go through memory anyway, so that this costs two operations on integers.
 template <class Scalar>
 void dependent_chain(State<Scalar>& s) {
   using Bits = std::conditional_t<sizeof(Scalar) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;

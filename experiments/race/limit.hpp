@@ -27,14 +27,14 @@ struct Limit {
   friend bool operator==(const Limit&, const Limit&) = default;
 };
 
-/// The least time for operations that wait for nothing. Processors have units for additions, units for products and
-/// fused multiply-adds, perhaps the same ones, and one for divisions and square roots: none of them can be done before
-/// all of its operations are, nor the first two together before all of theirs are.
+/// The least time of operations that do not wait for each other. Processors have units for additions, units for
+/// products and fused multiply-adds, perhaps the same ones, and one for divisions and square roots. The time is at
+/// least that of the operations of each, and that of additions, products and fused multiply-adds together.
 double least_ns(const ByOperation& count, const OperationTimes& times);
 
-/// In mode `batch` all lanes of vectors of any measured width hold points; in the others a vector holds the axes of one
-/// point, in the narrowest width that has room for them. In mode `latency` the chain counts where it takes longer, in
-/// `one_shot` preparation does. Empty where the operations of the method are not counted or nothing was measured.
+/// In mode `batch` every lane holds a point, in vectors of the fastest measured width. In the others a vector holds the
+/// axes of one point, in the narrowest width that has room for them. The chain counts in mode `latency` where it takes
+/// longer, preparation in `one_shot`. Empty where the method's operations are not counted or nothing was measured.
 std::optional<Limit> limit(const TimedWork& work, suite::Mode mode, const ProcessorTimes& times);
 
 /// limit / (ns - call): more than 1 where the processor did part of the work beside the call, infinite where the call

@@ -10,11 +10,11 @@
 
 namespace bezierbench::race {
 
-/// Of operations on vectors of one width, in nanoseconds.
+/// The times of operations on vectors of one width, in nanoseconds.
 struct OperationTimes {
   std::size_t lanes = 0;
-  ByOperation apart;    ///< from the end of one to the end of the next, where none waits for another
-  ByOperation latency;  ///< where each waits for the one before
+  ByOperation apart;    ///< for each of many operations that do not wait for each other
+  ByOperation latency;  ///< for each of a chain, in which it waits for the one before
   double mixed = 0;     ///< as `apart`, of additions and fused multiply-adds side by side
 
   template <class Bytes, class Self>
@@ -23,14 +23,14 @@ struct OperationTimes {
   }
 };
 
-/// By the width of vectors, narrowest first; of the best target that this processor can run, or of none.
+/// One entry for each width of vectors, narrowest first, of this processor's best target; empty where it has none.
 using ProcessorTimes = std::vector<OperationTimes>;
 
-/// Measured now, in about a millisecond: of several turns of the same work the fastest.
+/// Measures them in about a millisecond. Each time is the fastest of several turns of the same work.
 template <class Scalar>
 ProcessorTimes measured_operations(Clock clock);
 
-/// The medians over several measurements; without any, nothing.
+/// The medians over several measurements; empty without any.
 ProcessorTimes median_of(const std::vector<ProcessorTimes>& measurements);
 
 }  // namespace bezierbench::race

@@ -24,9 +24,10 @@ double seconds_of(const Rival& rival, std::size_t repetitions, Clock clock) {
   return static_cast<double>(clock() - start) / ns_per_second;
 }
 
-/// Batches per round so that one rival's turn takes `least_seconds`: from the fastest of three tries, as a preemption
-/// must not end the search, and not rounded to a power of two, as rivals of equal speed must get equal turns. Doubling
-/// also warms it up. A clock that has hardly moved after so many calls would let the search go on for ever.
+/// The number of batches with which one rival's turn takes `least_seconds`. Of three tries the fastest counts, so that
+/// a preemption does not end the search. The number is not rounded to a power of two, so that rivals of equal speed get
+/// equal turns. The doubling also warms the rival up. A clock that hardly moves during `many` batches is refused, since
+/// the search would not end.
 std::size_t calibrated_repetitions(const Rival& rival, double least_seconds, Clock clock) {
   constexpr std::size_t many = 4096;            // calls that take longer than the largest step that a clock may have
   constexpr double least_call_seconds = 1e-11;  // a twentieth of a processor's cycle or less

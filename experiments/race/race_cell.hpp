@@ -2,8 +2,7 @@
 // One cell of a timing study in one scalar type and mode: its methods race each other, with sentinels beside them, in
 // several repetitions. All of them solve the same problem: evaluation or one companion problem.
 //
-// Repetitions are spread over the time of the whole suite, and intervals are over repetitions; timing/repetition.hpp
-// says why.
+// Repetitions are spread over the time of the whole suite, and intervals are over repetitions; repetition.hpp says why.
 #pragma once
 
 #include <cstdint>
@@ -66,6 +65,13 @@ struct RaceCell {
   std::vector<RaceCellLap> laps = {};           ///< see RaceCellLaps; empty until a repetition ran
   std::vector<ProcessorTimes> operations = {};  ///< likewise
 };
+
+/// Nanoseconds for one repetition, to an order of magnitude; see run::Job::cost. The limits of a race make it take
+/// about the same time at every degree.
+inline double repetition_cost(const RaceCell& race_cell) {
+  constexpr double of_all_repetitions = 5e7;  // of one method
+  return of_all_repetitions / repetitions_per_race * static_cast<double>(race_cell.methods.size());
+}
 
 /// The laps of the empty kernel; null where there was none.
 const RaceCellLap* call_of(const RaceCell& race_cell);

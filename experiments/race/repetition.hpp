@@ -5,12 +5,12 @@
 // The rounds of one repetition share conditions (addresses of stack and data, speed of the processor) that differ
 // between repetitions. The spread of the rounds does not show that difference: an interval from all rounds, as if they
 // were independent, would become ever narrower around the conditions of one run. So each repetition is one observation:
-// its median over rounds, in which all rivals met the same conditions. That repetition belongs at the highest level
-// that varies: Kalibera and Jones, Rigorous benchmarking in reasonable time (ISMM 2013), section 4; what counting the
-// lower ones as independent does to intervals: Hurlbert, Pseudoreplication and the design of ecological field
-// experiments (Ecological Monographs 54, 1984, 187-211). That the address of the stack alone can bias a time by more
-// than the difference that is compared: Mytkowicz, Diwan, Hauswirth and Sweeney, Producing wrong data without doing
-// anything obviously wrong (ASPLOS 2009), section 4.
+// its median over rounds, in which all rivals met the same conditions. Kalibera and Jones, Rigorous benchmarking in
+// reasonable time (ISMM 2013), section 4, say why to repeat the highest level that varies. Hurlbert, Pseudoreplication
+// and the design of ecological field experiments (Ecological Monographs 54, 1984, 187-211), says what becomes of
+// intervals if dependent observations count as independent. Mytkowicz, Diwan, Hauswirth and Sweeney, Producing wrong
+// data without doing anything obviously wrong (ASPLOS 2009), section 4, show that the address of the stack alone can
+// bias a time by more than the difference that is compared.
 #pragma once
 
 #include <cstddef>

@@ -16,16 +16,16 @@ namespace bezierbench::run {
 namespace {
 
 constexpr double second = 1e9;                 // in nanoseconds
-constexpr double long_enough = 0.01 * second;  // of one sample: clocks and first calls do not show in it
-constexpr double enough = 0.4 * second;        // of all samples of a study
-/// Trials that are judged together by lane kernels, and show how widely errors are spread.
+constexpr double long_enough = 0.01 * second;  // for one sample, beside the errors of clocks and first calls
+constexpr double enough = 0.4 * second;        // for all samples of a study
+/// With so many trials lane kernels judge whole groups, and errors show their usual spread.
 constexpr std::int64_t enough_to_stand_for_all = 64;
-/// Of a histogram with 128 bins for each of ten binades. More trials than bins hardly take another bin.
+/// The bins of a histogram over ten binades, 128 in each. With more trials than bins, another trial rarely fills one.
 constexpr double bins_of_usual_errors = 1280;
 constexpr std::size_t least_samples = 2;
 constexpr std::size_t most_samples = 16;
 
-/// Of this thread: what others do on the machine does not count.
+/// Nanoseconds of this thread. Other threads and processes do not count.
 double processor_time() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -37,8 +37,8 @@ double allocated_bytes() {
   return static_cast<double>(heap.uordblks) + static_cast<double>(heap.hblkhd);
 }
 
-/// The job of the same study with so many trials and replicates, and whatever is done to some of the trials only cut in
-/// proportion: of the trials that are audited and decomposed, all are of the first replicate, and so is a pilot.
+/// The job of the same study with fewer trials and replicates. Work on some of the trials only is cut in proportion:
+/// audited and decomposed trials are all of the first replicate, and a pilot has no other.
 std::unique_ptr<Job> cut_job(suite::Study study, const Kinds& kinds, JobContext context, std::int64_t trials,
                              std::int64_t replicates) {
   trials = std::min(trials, study.trials);
@@ -58,7 +58,7 @@ std::unique_ptr<Job> cut_job(suite::Study study, const Kinds& kinds, JobContext 
   return kinds.make_job(study, context);
 }
 
-/// What one part of a pilot took.
+/// The measurements of one part of a pilot.
 struct Sample {
   double nanoseconds = 0;
   double cost = 0;
@@ -66,7 +66,8 @@ struct Sample {
   double memory = 0;  ///< of its result
 };
 
-/// The first blocks of a part: `blocks`, or as many as time is enough for. A kind without trials cannot be cut.
+/// Runs the first `blocks` blocks of a part, or fewer where these take `enough` time. The blocks of a kind without
+/// trials cannot be made shorter.
 Sample sample_of(const Job& job, std::size_t part, std::size_t blocks) {
   const double memory = allocated_bytes();
   const double begin = processor_time();
@@ -90,7 +91,8 @@ Sample sample_of(const Job& job, std::size_t part, std::size_t blocks) {
   return sample;
 }
 
-/// The part that has this share of the cost of all before it: one that costs more is more likely to be chosen.
+/// The part at which the summed cost of the parts exceeds this share of the total. Where shares are spread evenly, the
+/// parts are chosen in proportion to their cost.
 std::size_t part_at(const Job& job, double share) {
   double left = 0;
   for (std::size_t part = 0; part < job.parts(); ++part) left += job.cost(part);
@@ -100,15 +102,15 @@ std::size_t part_at(const Job& job, double share) {
   return part;
 }
 
-/// 1/2, 1/4, 3/4, 1/8, 5/8, ...: wherever the sequence ends, its beginning is spread over the unit interval (van der
-/// Corput 1935).
+/// Element `number`, from 1, of van der Corput's sequence 1/2, 1/4, 3/4, 1/8, 5/8, ... (1935). Its first elements,
+/// however many, are spread over the unit interval.
 double spread(unsigned number) {
   double share = 0;
   for (double digit = 0.5; number > 0; number /= 2, digit /= 2) share += digit * (number % 2);
   return share;
 }
 
-/// How long a part took that has so many trials in so many blocks, and what it gave.
+/// The time and the size of the result of a part with so many trials in so many blocks.
 struct Duration {
   double trials = 0;
   double blocks = 0;
@@ -116,20 +118,20 @@ struct Duration {
   double bytes = 0;
 };
 
-/// What a trial takes where `blocks_per_trial` are made of them, over what one took in `last`. Every block has work of
-/// its own besides that of its trials, such as the comparison of lane kernels with the methods' own: two durations tell
-/// them apart.
+/// The time per trial where there are `blocks_per_trial` blocks for each, divided by the time per trial in `last`. A
+/// block has work of its own besides its trials, such as the comparison of lane kernels with the methods' own kernels.
+/// Two durations with different numbers of trials per block determine both.
 double share_of_blocks(const Duration& before, const Duration& last, double blocks_per_trial) {
   const double determinant = before.blocks * last.trials - last.blocks * before.trials;
-  if (determinant <= 0) return 1;  // as many blocks for a trial in both
+  if (determinant <= 0) return 1;  // both have equally many blocks per trial
   const double block = (before.nanoseconds * last.trials - last.nanoseconds * before.trials) / determinant;
   if (!(block > 0)) return 1;
   const double trial = std::max(0.0, last.nanoseconds - block * last.blocks) / last.trials;
   return (block * blocks_per_trial + trial) * last.trials / last.nanoseconds;
 }
 
-/// A pilot of as many trials as can be timed, and as stand for all; of fewer where these take too long, or the study
-/// has no more.
+/// The study with a few trials: enough of them to be timed and to stand for all, fewer where these take too long or the
+/// study has no more.
 class Pilot {
  public:
   Pilot(const suite::Study& study, const Kinds& kinds, const JobContext& context) : trials_(study.trials) {
@@ -142,7 +144,7 @@ class Pilot {
       job_ = cut_job(study, kinds, context, trials_, 1);
       if (job_->parts() == 0 || interrupted()) return;
       auto sample = first_sample();
-      if (trials_ == 1 && sample.nanoseconds < long_enough) sample = first_sample();  // without what is done only once
+      if (trials_ == 1 && sample.nanoseconds < long_enough) sample = first_sample();  // now warmed up
       const Duration now{.trials = static_cast<double>(trials_),
                          .blocks = static_cast<double>(job_->blocks_per_part()),
                          .nanoseconds = sample.nanoseconds,
@@ -157,10 +159,10 @@ class Pilot {
 
   [[nodiscard]] const Job& job() const { return *job_; }
   [[nodiscard]] std::int64_t trials() const { return trials_; }
-  /// What a trial of the study takes over what one of this pilot takes.
+  /// The time of a trial of the study divided by that of a trial of this pilot.
   [[nodiscard]] double factor() const { return factor_; }
-  /// How results grow as bytes: by this power of the number of trials, where that is the pilot's. Of a histogram the
-  /// bins count in which anything is; the more of them are taken, the more rarely a trial takes another.
+  /// Near the pilot's number of trials, the bytes of a result grow with this power of the number. Only the filled bins
+  /// of a histogram take bytes, and the more of them are filled, the more rarely a trial fills another.
   [[nodiscard]] double exponent() const { return exponent_; }
 
   [[nodiscard]] std::vector<Sample> samples() const {
@@ -175,7 +177,7 @@ class Pilot {
     return all;
   }
 
-  /// Of parts at equal distances, whatever they cost: what their results are.
+  /// Samples whose results are of interest: of parts at equal distances, whatever they cost.
   [[nodiscard]] std::vector<Sample> results() const {
     std::vector<Sample> all;
     double taken = 0;
@@ -197,22 +199,23 @@ class Pilot {
   std::unique_ptr<Job> job_;
 };
 
-/// How much larger a result is after `trials` trials than after `before`, if those were enough to show how widely
-/// errors are spread: the least of k is about a k-th of the usual one, so that a histogram has some log2 k binades more
-/// than the ten of the errors themselves.
+/// The memory of a result after `trials` trials over that after `before` trials, which must be enough to show the usual
+/// spread of errors. A histogram has all binades from the smallest error to the largest. Usual errors lie in ten
+/// binades, and the smallest of k errors is about 1/k of a usual one, which adds log2 k binades.
 double growth(std::int64_t before, double trials) {
   constexpr double binades = 10;
   return (binades + std::log2(trials)) / (binades + std::log2(static_cast<double>(before)));
 }
 
-/// What results grow by, from the few trials of a pilot to so many.
+/// The factors by which results grow from the few trials of a pilot to `trials` trials.
 struct Broadening {
   std::int64_t trials = 1;
   double bytes = 1;
   double memory = 1;
 };
 
-/// To as many as show how widely errors are spread, or as many as there is time for: by the part that costs least.
+/// Measures them at the part that costs least, with as many trials as show the usual spread of errors, or as many as
+/// there is time for.
 Broadening broadening(const suite::Study& study, const Kinds& kinds, const JobContext& context, std::int64_t few) {
   const auto of = [&](std::int64_t trials) {
     const auto job = cut_job(study, kinds, context, trials, 1);
@@ -231,7 +234,8 @@ Broadening broadening(const suite::Study& study, const Kinds& kinds, const JobCo
   return {many, ratio(before.bytes, after.bytes), ratio(before.memory, after.memory)};
 }
 
-/// What each replicate adds to what is kept of a part: few trials are made of many of them, and of twice as many.
+/// What each replicate adds to the result of a part: the difference between `many` replicates of one trial and twice as
+/// many.
 Sample per_replicate(const suite::Study& study, const Kinds& kinds, const JobContext& context) {
   constexpr std::int64_t many = 64;
   if (study.replicates < 2 * many) return {};
@@ -262,7 +266,7 @@ StudyEstimate estimate(const suite::Study& study, const Kinds& kinds, const JobC
   }
   const auto parts = static_cast<double>(pilot.job().parts());
   const auto replicates = static_cast<double>(study.replicates);
-  if (pilot.job().exclusive()) {  // of one block
+  if (pilot.job().exclusive()) {  // the results are of one block each
     const auto blocks = static_cast<double>(pilot.job().blocks());
     return {.per_cost = sum.per_cost,
             .result_bytes = bytes * blocks,

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -15,42 +14,20 @@
 namespace bezierbench::suite {
 namespace {
 
-struct GoalKey {
-  std::string_view key;
-  void (*read)(const Source& source, const toml::node& node, Goal& out);
-  std::string (*write)(const Goal& goal);
-};
-
-template <auto Member>
-void read_member(const Source& source, const toml::node& node, Goal& out) {
-  read(source, node, out.*Member);
-}
-
-/// The member as TOML; empty where it has its default.
-template <auto Member>
-std::string write_member(const Goal& goal) {
-  return goal.*Member == Goal().*Member ? "" : to_text(goal.*Member);
-}
-
-void read_flag(const Source& source, const toml::node& node, Goal& out) {
+void read_value(const Source& source, const toml::node& node, bool& out) {
   if (!node.is_boolean()) fail_type(source, node, "true or false");
-  out.needs_additions_beside = node.value_or(false);
+  out = node.value_or(false);
 }
+void read_value(const Source& source, const toml::node& node, auto& out) { read(source, node, out); }
 
-std::string write_flag(const Goal& goal) { return goal.needs_additions_beside ? "true" : ""; }
+std::string text_of(bool value) { return value ? "true" : "false"; }
+std::string text_of(const auto& value) { return to_text(value); }
 
-template <auto Member>
-constexpr GoalKey goal_key(std::string_view key) {
-  return {key, &read_member<Member>, &write_member<Member>};
+std::vector<std::string> goal_keys() {
+  std::vector<std::string> all;
+  each_goal_key([&](const char* key, auto, auto) { all.emplace_back(key); });
+  return all;
 }
-
-constexpr std::array goal_keys{goal_key<&Goal::method>("method"),
-                               goal_key<&Goal::share>("share"),
-                               goal_key<&Goal::no_slower_than>("no_slower_than"),
-                               goal_key<&Goal::scalar>("scalar"),
-                               goal_key<&Goal::from_degree>("from_degree"),
-                               goal_key<&Goal::to_degree>("to_degree"),
-                               GoalKey{"needs_additions_beside", &read_flag, &write_flag}};
 
 }  // namespace
 
@@ -71,22 +48,26 @@ void read(const Source& source, const toml::node& node, Goal& out) {
   const toml::table* table = node.as_table();
   if (table == nullptr) fail_type(source, node, "a table such as { method = \"horner_fma\", share = 0.85 }");
   for (const auto& [key, value] : *table) {
-    const auto found = std::ranges::find(goal_keys, std::string_view(key.str()), &GoalKey::key);
-    if (found == goal_keys.end()) {
-      std::vector<std::string> allowed;
-      for (const auto& one : goal_keys) allowed.emplace_back(one.key);
+    const std::string_view written = key.str();
+    bool is_known = false;
+    each_goal_key([&, &entry = value](std::string_view known, auto /*meaning*/, auto member) {
+      if (known != written) return;
+      is_known = true;
+      read_value({source.name, known}, entry, out.*member);
+    });
+    if (!is_known)
       fail(source.name, key.source().begin,
-           fmt::format("unknown key \"{}\"{}", key.str(), suggestion(key.str(), allowed)));
-    }
-    found->read({source.name, found->key}, value, out);
+           fmt::format("unknown key \"{}\"{}", echo(written), suggestion(written, goal_keys())));
   }
 }
 
+/// Keys that have their defaults are left out.
 std::string to_text(const Goal& goal) {
   std::string text;
-  for (const auto& key : goal_keys)
-    if (const auto value = key.write(goal); !value.empty())
-      text += fmt::format("{}{} = {}", text.empty() ? "{ " : ", ", key.key, value);
+  each_goal_key([&](std::string_view key, auto /*meaning*/, auto member) {
+    if (goal.*member == Goal().*member) return;
+    text += fmt::format("{}{} = {}", text.empty() ? "{ " : ", ", key, text_of(goal.*member));
+  });
   return text + " }";
 }
 

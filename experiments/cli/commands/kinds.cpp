@@ -12,6 +12,7 @@
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/suite/goal.hpp"
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
@@ -127,6 +128,24 @@ Json word_schema() {
 
 Json list_schema(Json items) { return {{"type", "array"}, {"minItems", 1}, {"items", std::move(items)}}; }
 
+Json value_schema(const std::string& /*type*/) { return text_schema(); }
+Json value_schema(double /*type*/) { return number_schema(); }
+Json value_schema(int /*type*/) { return whole_schema(); }
+Json value_schema(bool /*type*/) { return {{"type", "boolean"}}; }
+Json value_schema(suite::ScalarKind /*type*/) { return word_schema<suite::ScalarKind>(); }
+
+Json goal_schema() {
+  const auto with = [](const char* key) { return Json{{"required", Json::array({key})}}; };
+  Json schema = with("method");
+  schema.update({{"type", "object"}, {"oneOf", Json::array({with("share"), with("no_slower_than")})}});
+  schema["additionalProperties"] = false;
+  suite::each_goal_key([&](const char* key, const char* meaning, auto member) {
+    schema["properties"][key] = value_schema(suite::Goal().*member);
+    schema["properties"][key]["description"] = meaning;
+  });
+  return schema;
+}
+
 struct TypeSchema {
   Json operator()(const suite::KindKeys* /*type*/) const { return text_schema(); }
   Json operator()(const std::string* /*type*/) const { return text_schema(); }
@@ -142,7 +161,7 @@ struct TypeSchema {
     return list_schema(word_schema<suite::ScalarKind>());
   }
   Json operator()(const std::vector<suite::Mode>* /*type*/) const { return list_schema(word_schema<suite::Mode>()); }
-  Json operator()(const std::vector<suite::Goal>* /*type*/) const { return list_schema({{"type", "object"}}); }
+  Json operator()(const std::vector<suite::Goal>* /*type*/) const { return list_schema(goal_schema()); }
 };
 
 Json key_schema(const Kind& kind, const Field& field) {

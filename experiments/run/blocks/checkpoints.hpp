@@ -73,9 +73,9 @@ class Checkpoints {
   static constexpr auto shortest_interval = std::chrono::milliseconds(50);
   static constexpr auto longest_interval = std::chrono::milliseconds(2000);
 
-  /// What files of blocks take on disk at most at once, over what all results take once they are merged: of a run that
-  /// writes so many files, whose results take `in_pieces` times as much as long as they are not merged. A file that
-  /// holds what was merged is written beside those that it replaces.
+  /// The largest size on disk of the files of blocks at any time, divided by the size of the merged results of all
+  /// blocks. The run writes `written` files, and unmerged results are `in_pieces` times as large as merged ones. A
+  /// merged file is written before those that it replaces are removed.
   [[nodiscard]] static double most_on_disk(double written, double in_pieces);
 
   /// Writes the results that are in no file yet. Throws as write_file.

@@ -26,7 +26,7 @@ constexpr std::int64_t block_trials = 1024;
 std::vector<double> over_replicates(const judge::CellTally& tally, std::size_t judgement,
                                     double judge::ReplicateStatistic::*which) {
   std::vector<double> values;
-  for (const auto& [replicate, statistics] : tally.closed)
+  for (const auto& [replicate, statistics] : tally.replicates.closed)
     if (const double value = statistics.at(judgement).*which; !std::isnan(value)) values.push_back(value);
   return values;
 }
@@ -94,7 +94,7 @@ std::pair<std::uint64_t, std::uint64_t> AccuracyCell<Scalar>::trials_of(std::siz
 template <class Scalar>
 judge::CellTally AccuracyCell<Scalar>::empty_block() const {
   judge::CellTally work;
-  work.blocks_per_replicate = blocks_per_replicate();
+  work.replicates.blocks_of_each = static_cast<std::uint64_t>(blocks_per_replicate());
   work.judgements.resize(methods_.judgement_count());
   return work;
 }
@@ -220,11 +220,11 @@ void AccuracyCell<Scalar>::collect(const judge::CellTally& tally, std::vector<ru
   for (std::size_t m = 0; m < methods_.count(); ++m)
     for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
       const judge::Judgement& j = tally.judgements[methods_.index(m, k)];
-      if (j.violations == 0) continue;
+      if (j.violations.count == 0) continue;
       violations.push_back({fmt::format("{}, method {}, first at trial {}",
                                         tables::describe(study_, cell_, judge::ScalarFacts<Scalar>::kind),
-                                        methods_.info(m).id, j.first_violation),
-                            j.violations});
+                                        methods_.info(m).id, j.violations.first),
+                            j.violations.count});
     }
 }
 

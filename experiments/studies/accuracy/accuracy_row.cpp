@@ -35,9 +35,10 @@ constexpr Column columns[]{
     {"max_error", of_judgement<&judge::Judgement::error, largest>},
     {"mean_error_u", of_judgement<&judge::Judgement::error_u, mean>},
     {"max_error_u", of_judgement<&judge::Judgement::error_u, largest>},
-    {"bound_u", [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound_u) : std::string(); }},
+    {"bound_u",
+     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound_u.value) : std::string(); }},
     {"bound_violations",
-     [](const Statistics& s) { return s.bounded() ? std::to_string(s.judgement.violations) : std::string(); }},
+     [](const Statistics& s) { return s.bounded() ? std::to_string(s.judgement.violations.count) : std::string(); }},
     {"non_finite", [](const Statistics& s) { return std::to_string(s.judgement.non_finite); }},
     {"mean_error_ulp", of_judgement<&judge::Judgement::error_ulp, mean>},
     {"max_error_ulp", of_judgement<&judge::Judgement::error_ulp, largest>},
@@ -52,7 +53,8 @@ constexpr Column columns[]{
     {"max_one_minus_t_error", of_sources<&judge::SourceTallies::one_minus_t, largest>},
     {"mean_evaluation_error", of_sources<&judge::SourceTallies::evaluation, mean>},
     {"max_evaluation_error", of_sources<&judge::SourceTallies::evaluation, largest>},
-    {"max_bound", [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound) : std::string(); }},
+    {"max_bound",
+     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound.value) : std::string(); }},
     {"unbounded_trials", [](const Statistics& s) {
        return s.exact ? std::to_string(s.trials - static_cast<std::int64_t>(s.judgement.bounded)) : std::string();
      }}};

@@ -13,6 +13,7 @@
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/study_inputs.hpp"
 #include "experiments/metric/all_finite.hpp"
+#include "experiments/metric/counts.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/cell.hpp"
@@ -91,58 +92,63 @@ double largest_distance(std::span<const double> computed, std::span<const double
   return largest;
 }
 
-/// A row of the table is about one cell and one chain.
-struct Row {
-  sample::Cell cell;
-  Chain chain;
-};
-
-/// Tallies of one row. Every block adds trials of one replicate.
-struct RowTally {
+/// The errors of one chain in one cell.
+struct ChainErrors {
   metric::Tally error;
   std::uint64_t non_finite = 0;
-  std::map<std::size_t, std::array<std::int64_t, thresholds.size()>> within;  ///< per replicate
+  std::map<std::size_t, std::array<std::uint64_t, thresholds.size()>> within;  ///< trials of each replicate
 
   template <class Bytes, class Self>
-  static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.error, self.non_finite, self.within);
-  }
-  void merge(const RowTally& other) {
-    error.merge(other.error);
-    non_finite += other.non_finite;
-    within.insert(other.within.begin(), other.within.end());
+  static auto each_field(Bytes& bytes, Self& self) {
+    return bytes(self.error, self.non_finite, self.within);
   }
 };
 
-class ConversionJob final : public run::JobOf<RowTally> {
+/// A cell is a part, each of its replicates a block.
+class ConversionJob final : public run::JobOf<metric::Rows<ChainErrors>> {
  public:
   ConversionJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
     judge::check_inputs(study_);
-    for (const auto& cell : sample::cells(study_))
-      for (auto& chain : chains_of(study_, cell.dimension)) rows_.push_back({cell, std::move(chain)});
+    for (const auto& cell : sample::cells(study_)) parts_.push_back({cell, chains_of(study_, cell.dimension)});
   }
 
-  [[nodiscard]] std::size_t parts() const override { return rows_.size(); }
+  [[nodiscard]] std::size_t parts() const override { return parts_.size(); }
   [[nodiscard]] std::size_t blocks_per_part() const override { return static_cast<std::size_t>(study_.replicates); }
   [[nodiscard]] double cost(std::size_t part) const override {
-    const double n = rows_[part].cell.degree + 1.0;
-    return static_cast<double>(study_.trials) * n * n * 200;
+    const double n = parts_[part].cell.degree + 1.0;
+    return static_cast<double>(study_.trials) * n * n * 200 * static_cast<double>(parts_[part].chains.size());
   }
   [[nodiscard]] run::Extent extent() const override {
-    return {sample::cells(study_).size(), rows_.size(), blocks() * static_cast<std::uint64_t>(study_.trials)};
+    run::Extent sum;
+    for (const Part& part : parts_)
+      sum += {1, part.chains.size(), part.chains.size() * static_cast<std::uint64_t>(trials())};
+    return sum;
   }
   void write(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<tables::Series> series() const override;
 
  protected:
-  [[nodiscard]] RowTally work(std::size_t block) const override;
+  [[nodiscard]] metric::Rows<ChainErrors> work(std::size_t block) const override;
 
  private:
+  struct Part {
+    sample::Cell cell;
+    std::vector<Chain> chains;
+  };
+
+  [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
   static double error_of(const Chain& chain, const CurveView<double>& curve);
+  /// Visits all rows: by cell, then by chain in the order of the study.
+  template <class Visit>
+  void each_row(const Visit& visit) const {
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+      for (std::size_t c = 0; c < parts_[part].chains.size(); ++c)
+        visit(parts_[part].cell, parts_[part].chains[c], state(part).rows.at(c));
+  }
 
   suite::Study study_;
   std::uint64_t seed_;
-  std::vector<Row> rows_;
+  std::vector<Part> parts_;
 };
 
 double ConversionJob::error_of(const Chain& chain, const CurveView<double>& curve) {
@@ -162,84 +168,88 @@ double ConversionJob::error_of(const Chain& chain, const CurveView<double>& curv
   return largest_distance(last_in_original_form, curve.coefficients, d);
 }
 
-RowTally ConversionJob::work(std::size_t block) const {
+void add_error(double error, std::size_t replicate, ChainErrors& errors) {
+  if (!std::isfinite(error)) {
+    ++errors.non_finite;
+    return;
+  }
+  errors.error.add(error);
+  auto& within = errors.within[replicate];
+  for (std::size_t i = 0; i < thresholds.size(); ++i) within[i] += error <= thresholds[i].distance ? 1 : 0;
+}
+
+metric::Rows<ChainErrors> ConversionJob::work(std::size_t block) const {
   const auto replicate = block % blocks_per_part();
-  const Row& row = rows_[part_of(block)];
-  RowTally tally;
-  auto& within = tally.within[replicate];
-  if (!row.chain.supports(row.cell.degree)) return tally;
-  const sample::Sampler sampler(seed_, study_.id, row.cell);
+  const auto& [cell, chains] = parts_[part_of(block)];
+  metric::Rows<ChainErrors> tally{std::vector<ChainErrors>(chains.size())};
+  const sample::Sampler sampler(seed_, study_.id, cell);
   sample::Trial trial;
   for (std::int64_t k = 0; k < study_.trials && !run::interrupted(); ++k) {
     sampler.draw(static_cast<std::uint64_t>(static_cast<std::int64_t>(replicate) * study_.trials + k), trial);
-    const double error = error_of(row.chain, {study_.curve, row.cell.dimension, row.cell.degree, trial.coefficients});
-    if (!std::isfinite(error)) {
-      ++tally.non_finite;
-      continue;
-    }
-    tally.error.add(error);
-    for (std::size_t i = 0; i < thresholds.size(); ++i) within[i] += error <= thresholds[i].distance ? 1 : 0;
+    const CurveView<double> curve{study_.curve, cell.dimension, cell.degree, trial.coefficients};
+    for (std::size_t c = 0; c < chains.size(); ++c)
+      if (chains[c].supports(cell.degree)) add_error(error_of(chains[c], curve), replicate, tally.rows[c]);
   }
   return tally;
 }
 
 void ConversionJob::write(tables::Tables& tables) const {
   (void)tables.table("conversion.csv");
-  for (std::size_t part = 0; part < rows_.size(); ++part) {
-    const auto& [cell, chain] = rows_[part];
-    const RowTally& tally = state(part);
+  each_row([&](const sample::Cell& cell, const Chain& chain, const ChainErrors& errors) {
     tables::Row row("conversion.csv");
     row.set("study", study_.id)
         .set("conversion", chain.id)
         .set("degree", cell.degree)
         .set("coordinate_range", cell.coordinate_range)
         .set("generator", cell.generator)
-        .set("trials", study_.trials * study_.replicates)
+        .set("trials", trials())
         .set("curve", suite::name(study_.curve))
         .set("dimension", cell.dimension);
-    row.set("mean_error", tables::field(tally.error, tables::mean))
-        .set("max_error", tables::field(tally.error, tables::largest));
+    row.set("mean_error", tables::field(errors.error, tables::mean))
+        .set("max_error", tables::field(errors.error, tables::largest));
     const bool supported = chain.supports(cell.degree);
     row.set("status", supported ? "ok" : "degree_unsupported");
     for (std::size_t i = 0; i < thresholds.size() && supported; ++i) {
-      std::int64_t sum = 0;
-      for (const auto& [replicate, within] : tally.within) sum += within[i];
+      std::uint64_t sum = 0;
+      for (const auto& [replicate, within] : errors.within) sum += within[i];
       row.set(thresholds[i].column, sum);
     }
-    if (supported) row.set("non_finite", tally.non_finite);
+    if (supported) row.set("non_finite", errors.non_finite);
     tables.add(row);
-  }
+  });
 }
 
 std::vector<tables::Series> ConversionJob::series() const {
   const auto [lowest, highest] = std::ranges::minmax(study_.degree);
   const auto degrees = lowest == highest ? std::to_string(lowest) : fmt::format("{}..{}", lowest, highest);
   std::vector<tables::Series> all;
-  const auto series_of = [&](const Row& row, std::string_view threshold) -> tables::Series& {
+  const auto series_of = [&](const sample::Cell& cell, const Chain& chain,
+                             std::string_view threshold) -> tables::Series& {
     const auto statistic = fmt::format("count_{}", threshold);
     for (auto& one : all)
-      if (one.method == row.chain.id && one.generator == row.cell.generator && one.statistic == statistic &&
-          one.coordinate_range == row.cell.coordinate_range)
+      if (one.method == chain.id && one.generator == cell.generator && one.statistic == statistic &&
+          one.coordinate_range == cell.coordinate_range)
         return one;
     tables::Series one{
         .study = study_.id,
         .curve = std::string(suite::name(study_.curve)),
-        .method = row.chain.id,
+        .method = chain.id,
         .statistic = statistic,
         .degree = degrees,
-        .coordinate_range = row.cell.coordinate_range,
+        .coordinate_range = cell.coordinate_range,
         .t_interval = std::nullopt,
-        .generator = row.cell.generator,
+        .generator = cell.generator,
         .baseline = "exact",  // a round trip is compared with the curve that it started from, known exactly
         .mode = "",
         .values = std::vector<double>(static_cast<std::size_t>(study_.replicates))};
     return all.emplace_back(std::move(one));
   };
-  for (std::size_t part = 0; part < rows_.size(); ++part)
+  each_row([&](const sample::Cell& cell, const Chain& chain, const ChainErrors& errors) {
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
-      auto& values = series_of(rows_[part], thresholds[i].column).values;
-      for (const auto& [replicate, within] : state(part).within) values.at(replicate) += static_cast<double>(within[i]);
+      auto& values = series_of(cell, chain, thresholds[i].column).values;
+      for (const auto& [replicate, within] : errors.within) values.at(replicate) += static_cast<double>(within[i]);
     }
+  });
   return all;
 }
 

@@ -5,6 +5,7 @@
 
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/run/job_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -65,6 +66,20 @@ TEST(Conversion, SaysWhereADegreeIsNotSupported) {
   const auto csv = conversion_rows_of(study);
   EXPECT_EQ(csv.at(0, "status"), "degree_unsupported");
   EXPECT_EQ(csv.at(0, "mean_error"), "");
+}
+
+TEST(Conversion, TheOrderOfBlocksChangesNothing) {
+  const auto study = conversion_study_of({"factorial", "factorial+forward_substitution"});
+  EXPECT_EQ(run::expect_order_changes_nothing(conversion_job, study).size(), 1U);
+}
+
+/// Chains are judged on the same curves, whatever others are judged beside them.
+TEST(Conversion, AChainHasItsRowsAloneAsBesideOthers) {
+  const auto alone = conversion_rows_of(conversion_study_of({"factorial"}));
+  const auto beside = conversion_rows_of(conversion_study_of({"exact", "factorial"}));
+  for (std::size_t row = 0; row < alone.row_count(); ++row)
+    for (const auto* column : {"conversion", "degree", "mean_error", "max_error", "within_1e-5"})
+      EXPECT_EQ(alone.at(row, column), beside.at(2 * row + 1, column));
 }
 
 TEST(Conversion, CountsAreSummedOverDegrees) {

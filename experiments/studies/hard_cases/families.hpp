@@ -16,7 +16,7 @@
 
 namespace bezierbench::studies::hard {
 
-/// Numbers of a stream of random words.
+/// Random numbers, made of a stream of random words.
 template <class Scalar>
 class Draw {
  public:
@@ -32,7 +32,7 @@ class Draw {
   Scalar symmetric() { return 2 * unit() - 1; }
   /// An integer that takes all bits of a significand.
   Scalar long_integer() { return std::ldexp(1 + unit(), Limits::digits - 1); }
-  /// Far below any bit that a pair could hold.
+  /// A power of two so small that a pair of numbers near 1 cannot hold it beside them.
   Scalar tiny() { return sign() * std::ldexp(Scalar(1), -between(Limits::digits, smallest_exponent)); }
 
   static constexpr int smallest_exponent = Limits::digits - Limits::min_exponent;  // of the smallest subnormal, negated
@@ -47,7 +47,7 @@ struct HardCase {
   Scalar t;
 };
 
-/// Integers of full length at a t of few bits: the value has few bits below those of the result.
+/// Integers with all bits of a significand, at a t of two bits: the exact value has few bits more than the result.
 template <class Scalar>
 HardCase<Scalar> tie(Draw<Scalar>& draw, Form form) {
   HardCase<Scalar> drawn{{}, static_cast<Scalar>(draw.between(1, 3)) / 4};
@@ -58,7 +58,7 @@ HardCase<Scalar> tie(Draw<Scalar>& draw, Form form) {
   return drawn;
 }
 
-/// The same, but for a coefficient that is next to nothing.
+/// The same with one tiny coefficient: the exact value lies close to a tie, or to a number.
 template <class Scalar>
 HardCase<Scalar> beside_a_tie(Draw<Scalar>& draw, Form form) {
   auto drawn = tie(draw, form);
@@ -69,8 +69,8 @@ HardCase<Scalar> beside_a_tie(Draw<Scalar>& draw, Form form) {
   return drawn;
 }
 
-/// (2t - 1)^n, whose coefficients are integers in both forms, at and around its only root; its magnitudes sum to 1, or
-/// to 3^n in power form.
+/// (2t - 1)^n at and around its only root. Its coefficients are integers in both forms. The magnitudes of its terms sum
+/// to 1 on [0,1], in power form to (2t + 1)^n.
 template <class Scalar>
 HardCase<Scalar> root(Draw<Scalar>& draw, Form form) {
   const int degree = draw.between(1, 12);
@@ -86,8 +86,8 @@ HardCase<Scalar> root(Draw<Scalar>& draw, Form form) {
   return drawn;
 }
 
-/// A polygon that is its own mirror image with the other sign: all of it cancels at t = 1/2. In power form a sum of
-/// pairs that cancel at t = 1.
+/// Control points with b_(n-i) = -b_i, so that the terms cancel in pairs at t = 1/2. As power coefficients they cancel
+/// in pairs at t = 1.
 template <class Scalar>
 HardCase<Scalar> cancellation(Draw<Scalar>& draw, Form form) {
   const int half = draw.between(1, 12);
@@ -115,7 +115,7 @@ HardCase<Scalar> subnormal_curve(Draw<Scalar>& draw, Form /*form*/) {
   });
 }
 
-/// All exponents alike, and any t.
+/// Coefficients and t with exponents that are equally likely over the whole range of the format.
 template <class Scalar>
 HardCase<Scalar> every_magnitude(Draw<Scalar>& draw, Form /*form*/) {
   using D = Draw<Scalar>;
@@ -126,7 +126,7 @@ HardCase<Scalar> every_magnitude(Draw<Scalar>& draw, Form /*form*/) {
   return drawn;
 }
 
-/// Subnormal, next to 0, next to 1.
+/// t that is subnormal, next to 0 or next to 1.
 template <class Scalar>
 HardCase<Scalar> next_to_an_end(Draw<Scalar>& draw, Form /*form*/) {
   using Limits = std::numeric_limits<Scalar>;
@@ -141,7 +141,7 @@ HardCase<Scalar> next_to_an_end(Draw<Scalar>& draw, Form /*form*/) {
   return drawn;
 }
 
-/// In power form the result may be infinite, or the largest number.
+/// Coefficients up to the largest number. In power form the result may be that number, or infinite.
 template <class Scalar>
 HardCase<Scalar> next_to_the_largest(Draw<Scalar>& draw, Form /*form*/) {
   constexpr Scalar largest = std::numeric_limits<Scalar>::max();
@@ -156,7 +156,7 @@ HardCase<Scalar> next_to_the_largest(Draw<Scalar>& draw, Form /*form*/) {
   return drawn;
 }
 
-/// One point many times, and the ends.
+/// All control points equal, sometimes at an end of [0,1].
 template <class Scalar>
 HardCase<Scalar> constant(Draw<Scalar>& draw, Form /*form*/) {
   const Scalar value = draw.below(4) == 0 ? Scalar(0) : draw.symmetric();

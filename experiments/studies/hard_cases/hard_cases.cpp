@@ -28,7 +28,7 @@ using reference::Rational;
 constexpr std::int64_t trials_per_block = 2048;
 constexpr int decimal_digits = 40;
 
-/// What is known of a case. p~ is the sum of the magnitudes of the terms.
+/// The exact value of a case; p~ is the sum of the magnitudes of its terms.
 struct Value {
   Rational exact;
   Rational p_tilde;
@@ -62,7 +62,7 @@ struct Found {
   std::vector<double> coefficients;
   double t = 0;
 
-  /// Of equal measure, the one that was drawn first comes first.
+  /// Orders by measure, and cases of equal measure by trial.
   friend bool operator<(const Found& a, const Found& b) {
     return std::tie(a.exponent, a.significand, a.trial) < std::tie(b.exponent, b.significand, b.trial);
   }
@@ -76,7 +76,7 @@ struct Found {
   }
 };
 
-/// The best cases of each search, no case twice: of those that were drawn again, the first.
+/// The best cases of each search. A case that is drawn several times is kept once, with its first trial.
 struct Kept {
   std::int64_t most = 0;
   std::array<std::vector<Found>, searches.size()> of;
@@ -103,7 +103,7 @@ struct Kept {
   }
 };
 
-/// The exact value of a case, and what is measured of it.
+/// Finds the exact value of a case, and its distance from a rounding boundary.
 class Judge {
  public:
   Value value(Form form, const reference::Format& format, std::span<const double> coefficients, double t) {

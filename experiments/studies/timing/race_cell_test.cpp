@@ -205,7 +205,7 @@ TEST(TimingRows, TimesAreOverRepetitionsAlsoInUnitsOfTheirSentinels) {
   EXPECT_THAT(column(csv, "median_ns"), ElementsAre("13.5", "10", "4.5"));
   EXPECT_THAT(column(csv, "low_ns"), ElementsAre("3", "10", "1"));
   EXPECT_THAT(column(csv, "high_ns"), ElementsAre("24", "10", "8"));
-  EXPECT_THAT(column(csv, "sittings"), ElementsAre("8", "8", "8"));
+  EXPECT_THAT(column(csv, "repetitions"), ElementsAre("8", "8", "8"));
   EXPECT_THAT(column(csv, "sentinel_units_low"), ElementsAre("3", "1.25", ""));
   EXPECT_THAT(column(csv, "sentinel_units"), ElementsAre("3", "2.25", ""));  // between 10/5 and 10/4
   EXPECT_THAT(column(csv, "sentinel_units_high"), ElementsAre("3", "10", ""));

@@ -24,10 +24,7 @@ class RacingJob : public run::JobOf<State> {
   [[nodiscard]] std::size_t blocks_per_part() const override { return race::repetitions_per_race; }
   [[nodiscard]] bool exclusive() const override { return true; }
   void require_machine() const override { race::require_steady_clock(); }
-  [[nodiscard]] double cost(std::size_t part) const override {
-    // about the same wall time whatever the degree
-    return 5e7 / race::repetitions_per_race * static_cast<double>(race_cells_[part].methods.size());
-  }
+  [[nodiscard]] double cost(std::size_t part) const override { return race::repetition_cost(race_cells_[part]); }
 
  protected:
   [[nodiscard]] const suite::Study& study() const { return study_; }

@@ -79,7 +79,7 @@ tables::Row row_of(const suite::Study& study, suite::Mode mode, const race::Race
   set_median(row, "cycles", rounds.cycles_per_point);
   set_median(row, "instructions", rounds.instructions_per_point);
   row.set("checked", rounds.checked ? "yes" : "no")
-      .set("sittings", lap.repetitions.size())
+      .set("repetitions", lap.repetitions.size())
       .set("sentinel_ns", pace.chain_ns)
       .set("sweep_ns", pace.sweep_ns);
   return row;

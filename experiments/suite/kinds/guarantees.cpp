@@ -2,18 +2,15 @@
 #include "experiments/suite/kinds/guarantees.hpp"
 
 #include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kinds/key_checks.hpp"
 
 namespace bezierbench::suite {
 namespace {
 
 constexpr std::array guarantees_fields{
     field<&GuaranteesKeys::budget>(
-        {.key = "budget",
-         .meaning = "how many inputs the search for a counterexample may try per cell, method and property, after the "
-                    "random trials",
-         .example = "20000",
-         .left_out = "nothing: it is needed",
-         .needed = true}),
+        budget_key("how many inputs the search for a counterexample may try per cell, method and property, after the "
+                   "random trials")),
     field<&GuaranteesKeys::properties>({.key = "properties",
                                         .meaning = "which statements, by the names of experiments/guarantees",
                                         .example = "[\"ends_exact\", \"in_hull\"]",
@@ -22,12 +19,7 @@ constexpr std::array guarantees_fields{
 constexpr std::array<std::string_view, 3> undrawn{"coordinate_range", "t_interval", "generator"};
 
 Finding check_guarantees(const Study& study, const Vocabulary& /*known*/) {
-  if (keys_of<GuaranteesKeys>(study).budget >= 1) return std::nullopt;
-  return Fault{"budget",
-               0,
-               {},
-               "kind \"guarantees\" needs a budget of at least 1, how many inputs its search may try; write "
-               "budget = 20000"};
+  return check_budget(GuaranteesKeys::kind().id, keys_of<GuaranteesKeys>(study).budget);
 }
 
 }  // namespace

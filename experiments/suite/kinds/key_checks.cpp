@@ -8,6 +8,7 @@
 #include "experiments/suite/nearest.hpp"
 
 namespace bezierbench::suite {
+
 Finding check_orders(const std::vector<int>& order) {
   return each("order", order, [](int value) {
     return value >= 0 && value <= max_degree ? "" : fmt::format("order must be 0 to {}", max_degree);
@@ -32,6 +33,15 @@ Finding check_tolerances(const std::vector<double>& tolerance) {
   return each("tolerance", tolerance, [](double value) {
     return std::string(std::isfinite(value) && value > 0 ? "" : "tolerance must be finite and above 0");
   });
+}
+
+Finding check_budget(std::string_view kind, std::int64_t budget) {
+  if (budget >= 1) return std::nullopt;
+  return Fault{
+      "budget",
+      0,
+      {},
+      fmt::format("kind \"{}\" needs a budget of at least 1, how many inputs it may try; write budget = 20000", kind)};
 }
 
 Finding check_published(const std::string& published, const Vocabulary& known) {

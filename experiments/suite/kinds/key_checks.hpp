@@ -2,7 +2,9 @@
 // Keys that several kinds have, and the checks of their values; internal to this folder.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/curve_view.hpp"
@@ -31,6 +33,10 @@ constexpr Field tolerance_key(std::string_view meaning, std::string_view example
   return {.key = "tolerance", .meaning = meaning, .example = example, .needed = true, .axis = Axis::of_cases};
 }
 
+constexpr Field budget_key(std::string_view meaning) {
+  return {.key = "budget", .meaning = meaning, .example = "20000", .left_out = "nothing: it is needed", .needed = true};
+}
+
 inline constexpr Field published_key{
     .key = "published",
     .meaning = "file of printed values in reference/published that the results are compared with",
@@ -50,6 +56,8 @@ Finding check_points(const std::vector<int>& points);
 /// Of grids: a power of two and one.
 Finding check_grid_points(const std::vector<int>& points);
 Finding check_tolerances(const std::vector<double>& tolerance);
+/// `kind` is the id of the kind, for the message.
+Finding check_budget(std::string_view kind, std::int64_t budget);
 Finding check_published(const std::string& published, const Vocabulary& known);
 
 }  // namespace bezierbench::suite

@@ -2,23 +2,16 @@
 #include "experiments/suite/kinds/search.hpp"
 
 #include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kinds/key_checks.hpp"
 
 namespace bezierbench::suite {
 namespace {
 
 constexpr std::array search_fields{field<&SearchKeys::budget>(
-    {.key = "budget",
-     .meaning = "how many inputs the search may try per cell and method, after the random trials",
-     .example = "20000",
-     .left_out = "nothing: it is needed",
-     .needed = true})};
+    budget_key("how many inputs the search may try per cell and method, after the random trials"))};
 
 Finding check_search(const Study& study, const Vocabulary& /*known*/) {
-  if (keys_of<SearchKeys>(study).budget >= 1) return std::nullopt;
-  return Fault{"budget",
-               0,
-               {},
-               "kind \"search\" needs a budget of at least 1, how many inputs it may try; write budget = 20000"};
+  return check_budget(SearchKeys::kind().id, keys_of<SearchKeys>(study).budget);
 }
 
 }  // namespace
