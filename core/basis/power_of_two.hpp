@@ -3,9 +3,12 @@
 // floating-point format of the processor have functions of the same names of their own, or compute exactly.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace bezierbench {
 
@@ -15,9 +18,9 @@ template <class Scalar>
 Scalar power_of_two_from(const Scalar& x) {
   if constexpr (std::floating_point<Scalar>) {
     if (x <= std::numeric_limits<Scalar>::min()) return std::numeric_limits<Scalar>::min();
-    int exponent = 0;
-    const Scalar significand = std::frexp(x, &exponent);
-    return std::ldexp(Scalar(1), significand == Scalar(0.5) ? exponent - 1 : exponent);
+    using Bits = std::conditional_t<sizeof(Scalar) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
+    constexpr Bits fraction = (Bits(1) << (std::numeric_limits<Scalar>::digits - 1)) - 1;
+    return std::bit_cast<Scalar>((std::bit_cast<Bits>(x) + fraction) & ~fraction);  // frexp would be a call
   } else {
     return x;
   }
