@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"degree = [3]\nmodes = [\"batch\"]", "8:1",
                 "kind \"accuracy\" does not have the key modes; kind timing has it; remove it"},
         Refusal{"degree = [3]\npoints = [10]", "8:1",
-                "does not have the key points; kinds timing, interpolation, fitting have it; remove it"},
+                "does not have the key points; kinds timing, interpolation, fitting, grid have it; remove it"},
         Refusal{"degree = [3]\n[[study]]\nid = \"b\"\nkind = \"interpolation\"", "8:1",
                 "points is missing; kind \"interpolation\" needs it, add points = [10, 100]"},
         Refusal{"degree = [3]\n[[study]]\nid = \"b\"\nkind = \"interpolation\"\npoints = [3, 1]", "11:14", "2 to"},

@@ -32,6 +32,7 @@ inline const Vocabulary& test_vocabulary() {
                                  "quintic_isolate",
                                  "c2_natural",
                                  "schneider",
+                                 "forward_differencing",
                                  "de_casteljau_split"},
                                 {"factorial", "differences", "forward_substitution", "positive_sum", "exact"},
                                 {{"continuous", {}},

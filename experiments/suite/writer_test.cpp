@@ -99,7 +99,7 @@ class Random {
     if constexpr (requires { keys.budget; }) keys.budget = 1 + static_cast<std::int64_t>(bits_() >> 1U);
     if constexpr (requires { keys.decomposed_trials; })
       keys.decomposed_trials = static_cast<std::int64_t>(below(2) * (bits_() >> 1U));
-    if constexpr (requires { keys.points; }) keys.points = some<int>({2, 3, 1000});
+    if constexpr (requires { keys.points; }) keys.points = some<int>({2, 3, 1025});
     if constexpr (requires { keys.curves; }) keys.curves = some<std::string>({"css_ease", "glyph_*"});
     if constexpr (requires { keys.order; }) keys.order = some<int>({0, 1, 2, 20});
     if constexpr (requires { keys.tolerance; }) keys.tolerance = some<double>({1e-3, 1e-12, 5e-324});

@@ -103,7 +103,7 @@ TEST(TimedProblem, IsTheOneThatTheStudyNames) {
   EXPECT_EQ(timed_problem(study_of({"chord_sum"})).problem, Problem::arc_length);
   EXPECT_EQ(timed_problem(study_of({"schneider"})).problem, Problem::fitting);
   EXPECT_EQ(timed_problem(study_of({"*_split"})).problem, Problem::subdivision);
-  EXPECT_EQ(timed_problem(study_of({"forward_*"})).problem, Problem::grid);
+  EXPECT_EQ(timed_problem(study_of({"forward_d*"})).problem, Problem::grid);
   EXPECT_EQ(timed_problem(study_of({"de_casteljau"})).problem, Problem::evaluation);
   EXPECT_EQ(timed_problem(study_of({"*"})).problem, Problem::evaluation);
   EXPECT_EQ(timed_problem(study_of({"gauss_legendre_*"})).problem, Problem::arc_length);
