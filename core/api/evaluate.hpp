@@ -136,7 +136,7 @@ requires(Method::info.form ==
   return detail::point_of<Method>(detail::curve_of(points, weights, detail::degree_for<Method>(points)), t);
 }
 
-/// The point at t by the method that is recommended for the form, the degree and this t; core/api/recommended.hpp has
+/// The point at t by the method that is recommended for the form, the degree and the type; core/api/recommended.hpp has
 /// the rule, with the committed tables that it rests on. `recommended` says which method it is and `error_bound` how
 /// far the result may be from the true point. Control points so large that C(n,i) b_i overflows need a triangle by
 /// name, such as DeCasteljau. Throws std::invalid_argument for no points, or more than max_degree + 1.

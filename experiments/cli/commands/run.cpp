@@ -18,7 +18,6 @@
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/cli/terminal/whole_number.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/cli/startup/suite_options.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
-#include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "experiments/cli/terminal/whole_number.hpp"
 #include "experiments/suite/reader.hpp"
 #include "experiments/suite/validate.hpp"
 
 namespace bezierbench::cli {
-namespace {
-
-/// The number in an option. CLI11 would turn a number beyond the range of the type into the largest one of the type.
-std::int64_t whole_number(std::string_view option, const std::string& text) {
-  const auto number = number::parse_integer(text);
-  if (!number || *number < 0)
-    throw Failure(Exit::usage, fmt::format("{} {}: not a whole number from 0 to 2^63-1", option, text));
-  return *number;
-}
-
-}  // namespace
 
 void SuiteOptions::add_suites(Command& command) {
   command.option("suites", words_, "ids of suites that come with the program, or files: words with a / or .toml")
