@@ -9,7 +9,7 @@
 //   rounds twice, sums of at most 2u and 3u times the magnitudes that it is taken of: 3 u^2 a level, 4 with what is of
 //   higher order. The triangle begins with V_0 = p~ and V_1 = u p~; its steps are those of compensated_triangle.hpp. In
 //   the last step the product with the second part and its sum round, at most u (2 V_1 + u V_0). Differences cannot
-//   underflow; 5m products of the triangle may, by eta each, and so may two products with (n)_k.
+//   underflow. Each of 5m products of the triangle may lose eta, and so may each of two products with (n)_k.
 // Fails: past A / |C^(k)| of 1/u it loses digits again. Its cost is quadratic.
 #pragma once
 

@@ -90,15 +90,12 @@ struct ForwardDifferencingBernstein {
           },
       .underflow = ForwardDifferencing::bound.underflow,
       .underflow_scales_with_coefficients = false};
-  static constexpr MethodInfo info{.id = "forward_differencing",
-                                   .label = "Forward differencing",
-                                   .problem = Problem::grid,
-                                   .form = Form::bernstein,
-                                   .max_degree = max_factorial,
-                                   .promise = bound.text,
-                                   .flops = "dn",
-                                   .prepare_exponent = 2,
-                                   .citation = "[Foley et al. 1990], section 11.2.9; bound derived here"};
+  static constexpr MethodInfo info = [] {
+    auto of_bernstein = ForwardDifferencing::info;
+    of_bernstein.form = Form::bernstein;
+    of_bernstein.promise = bound.text;
+    return of_bernstein;
+  }();
 
   template <int Dimension>
   static DifferencesOnGrid<Dimension> prepare(const Curve<Form::bernstein, double, Dimension>& curve, int steps) {
