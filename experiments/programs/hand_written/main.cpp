@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <new>
 #include <span>
 #include <vector>
 
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 #include "experiments/programs/hand_written/codings.hpp"
+#include "experiments/programs/one_curve.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/repetition.hpp"
 #include "experiments/race/sentinel.hpp"
@@ -48,31 +50,13 @@ Kernel<double> kernel_of(const Kernel<double>& ours) {
   return kernel;
 }
 
-race::Inputs<double> inputs_of_race(Form form, int degree) {
-  race::Inputs<double> inputs{form, 2, degree, {}, {}, {}};
-  std::vector<double> coefficients;
-  for (int k = 0; k < 2 * (degree + 1); ++k) coefficients.push_back(k * k % 17 / 17.0 - 0.5);
-  inputs.curves.assign(points_of_batch, coefficients);
-  for (std::size_t k = 0; k < points_of_batch; ++k)
-    inputs.t.push_back((static_cast<double>(k * 97 % points_of_batch) + 0.5) / static_cast<double>(points_of_batch));
-  return inputs;
-}
-
-std::vector<double> points_of(const Kernel<double>& kernel, const race::Inputs<double>& inputs) {
-  std::vector<std::max_align_t> prepared(kernel.prepared_size / sizeof(std::max_align_t) + 1);
-  kernel.prepare(inputs.curve(0), prepared.data());
-  std::vector<double> points(inputs.t.size() * 2);
-  kernel.evaluate(prepared.data(), inputs.t, points.data());
-  return points;
-}
-
 /// Races a method against its hand-written coding, prints a line, and returns whether it is near enough.
 template <template <int> class Coding, int Degree>
 bool is_near(Form form) {
   const auto& ours = *find_kernel<double>(Coding<Degree>::id, form, 2);
   const auto by_hand = kernel_of<Coding, Degree>(ours);
-  const auto inputs = inputs_of_race(form, Degree);
-  const auto judged = points_of(ours, inputs);
+  const auto inputs = programs::one_curve(form, Degree, points_of_batch);
+  const auto judged = programs::points_of(ours, inputs);
   std::vector<double> ratios;
   std::vector<double> times;
   bool same_bits = true;

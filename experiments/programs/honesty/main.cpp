@@ -6,15 +6,13 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <memory>
-#include <new>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
+#include "experiments/programs/one_curve.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/repetition.hpp"
 #include "experiments/race/sentinel.hpp"
@@ -31,32 +29,11 @@ constexpr std::size_t points_of_batch = 16;  // so few that a turn is short
 constexpr std::size_t batches = 33;
 constexpr std::size_t batches_if_slower = 34;
 
-race::Inputs<double> inputs_of_race() {
-  constexpr int degree = 10;
-  race::Inputs<double> inputs{Form::bernstein, 2, degree, {}, {}, {}};
-  std::vector<double> coefficients;
-  for (int k = 0; k < 2 * (degree + 1); ++k) coefficients.push_back(k * k % 17 / 17.0 - 0.5);
-  inputs.curves.assign(points_of_batch, coefficients);
-  for (std::size_t k = 0; k < points_of_batch; ++k)
-    inputs.t.push_back((static_cast<double>(k * 5 % points_of_batch) + 0.5) / static_cast<double>(points_of_batch));
-  return inputs;
-}
-
-std::vector<double> points_of(const Kernel<double>& kernel, const race::Inputs<double>& inputs) {
-  constexpr std::align_val_t alignment{64};
-  const auto release = [](void* memory) { ::operator delete(memory, alignment); };
-  const std::unique_ptr<void, decltype(release)> prepared(::operator new(kernel.prepared_size, alignment), release);
-  kernel.prepare(inputs.curve(0), prepared.get());
-  std::vector<double> points(inputs.t.size() * 2);
-  kernel.evaluate(prepared.get(), inputs.t, points.data());
-  return points;
-}
-
 /// A rival that does the work of `count` batches and reports the time of `batches`: more of the same work on the same
 /// memory.
 race::Rival rival_of(const Kernel<double>& kernel, suite::Mode mode, const race::Inputs<double>& inputs,
                      std::size_t count) {
-  auto rival = race::kernel_rival(kernel, mode, inputs, points_of(kernel, inputs));
+  auto rival = race::kernel_rival(kernel, mode, inputs, programs::points_of(kernel, inputs));
   rival.points_per_batch = points_of_batch * batches;
   rival.run = [run = std::move(rival.run), count] {
     for (std::size_t k = 0; k < count; ++k) run();
@@ -81,7 +58,7 @@ metric::Verdict verdict_of(const Kernel<double>& kernel, suite::Mode mode, const
 /// Runs 100 races, prints the counts of verdicts, and returns how often `expected` occurred.
 int count_of(std::string_view contest, suite::Mode mode, std::size_t count, metric::Verdict expected) {
   const auto& kernel = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
-  const auto inputs = inputs_of_race();
+  const auto inputs = programs::one_curve(Form::bernstein, 10, points_of_batch);
   std::map<metric::Verdict, int> verdicts;
   for (int race = 0; race < races; ++race) ++verdicts[verdict_of(kernel, mode, inputs, count)];
   fmt::print("{:<16} {:<6}", contest, suite::name(mode));
