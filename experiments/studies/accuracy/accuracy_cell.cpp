@@ -12,7 +12,6 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/run/interruption.hpp"
 #include "experiments/studies/accuracy/accuracy_row.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
@@ -37,6 +36,7 @@ template <class Scalar>
 AccuracyCell<Scalar>::AccuracyCell(const suite::Study& study, const run::JobContext& context, const sample::Cell& cell)
     : study_(study),
       cell_(cell),
+      blocks_(study.trials, study.replicates, block_trials),
       tier_(context.tier),
       sampler_(context.seed, study.id, cell),
       methods_(study, cell),
@@ -47,26 +47,16 @@ AccuracyCell<Scalar>::AccuracyCell(const suite::Study& study, const run::JobCont
                                    const Kernel<Scalar>& method)
     : study_(study),
       cell_(cell),
+      blocks_(study.trials, study.replicates, block_trials),
       tier_(context.tier),
       sampler_(context.seed, study.id, cell),
       methods_(study, cell, method),
       judge_(study_, cell_, sampler_, methods_, tier_, context.audited_trials) {}
 
 template <class Scalar>
-std::int64_t AccuracyCell<Scalar>::blocks_per_replicate() const {
-  return (study_.trials - 1) / block_trials + 1;
-}
-
-template <class Scalar>
-std::size_t AccuracyCell<Scalar>::blocks() const {
-  return static_cast<std::size_t>(blocks_per_replicate() * study_.replicates);
-}
-
-template <class Scalar>
 double AccuracyCell<Scalar>::cost() const {
   const double n = cell_.degree + 1.0;
-  return static_cast<double>(std::min(study_.trials, block_trials)) *
-         (200 + n * 150 + n * n * 2 * static_cast<double>(methods_.count()));
+  return static_cast<double>(blocks_.full()) * (200 + n * 150 + n * n * 2 * static_cast<double>(methods_.count()));
 }
 
 template <class Scalar>
@@ -77,16 +67,8 @@ run::Extent AccuracyCell<Scalar>::extent() const {
 }
 
 template <class Scalar>
-typename AccuracyCell<Scalar>::Range AccuracyCell<Scalar>::range_of(std::size_t block) const {
-  const auto replicate = static_cast<std::int64_t>(block) / blocks_per_replicate();
-  const auto part = static_cast<std::int64_t>(block) % blocks_per_replicate();
-  const auto first = part * block_trials;
-  return {replicate, first, std::min(study_.trials, first + block_trials)};
-}
-
-template <class Scalar>
 std::pair<std::uint64_t, std::uint64_t> AccuracyCell<Scalar>::trials_of(std::size_t block) const {
-  const auto [replicate, first, end] = range_of(block);
+  const auto [replicate, first, end] = blocks_[block];
   const auto before = replicate * study_.trials;
   return {static_cast<std::uint64_t>(before + first), static_cast<std::uint64_t>(before + end)};
 }
@@ -94,34 +76,33 @@ std::pair<std::uint64_t, std::uint64_t> AccuracyCell<Scalar>::trials_of(std::siz
 template <class Scalar>
 judge::CellTally AccuracyCell<Scalar>::empty_block() const {
   judge::CellTally work;
-  work.replicates.blocks_of_each = static_cast<std::uint64_t>(blocks_per_replicate());
+  work.replicates.blocks_of_each = static_cast<std::uint64_t>(blocks_.per_replicate());
   work.judgements.resize(methods_.judgement_count());
   return work;
 }
 
 template <class Scalar>
 judge::CellTally AccuracyCell<Scalar>::run_block(std::size_t block) const {
-  const auto [replicate, first, end] = range_of(block);
+  const auto trials = blocks_[block];
   auto work = empty_block();
-  constexpr auto together = static_cast<std::int64_t>(judge::trials_at_once);
-  for (auto trial = first; trial < end && !run::interrupted(); trial += together)
-    judge_.judge({replicate, trial}, std::min(together, end - trial), trial == first, work);
-  work.end_block(replicate);
+  run::each_group(trials, judge::trials_at_once, [&](std::int64_t trial, std::int64_t count) {
+    judge_.judge({trials.replicate, trial}, count, trial == trials.first, work);
+  });
+  work.end_block(trials.replicate);
   return work;
 }
 
 template <class Scalar>
 judge::CellTally AccuracyCell<Scalar>::judge_block(std::size_t block, std::span<const double> points) const {
-  const auto range = range_of(block);
+  auto trials = blocks_[block];
+  const auto d = static_cast<std::size_t>(cell_.dimension);
+  trials.end = trials.first + static_cast<std::int64_t>(points.size() / d);
   auto work = empty_block();
-  const auto together = judge::trials_at_once * static_cast<std::size_t>(cell_.dimension);
-  for (auto trial = range.first; !points.empty() && !run::interrupted();
-       trial += static_cast<std::int64_t>(judge::trials_at_once)) {
-    const auto group = points.first(std::min(together, points.size()));
-    judge_.judge({range.replicate, trial}, group, work);
-    points = points.subspan(group.size());
-  }
-  work.end_block(range.replicate);
+  run::each_group(trials, judge::trials_at_once, [&](std::int64_t trial, std::int64_t count) {
+    const auto before = static_cast<std::size_t>(trial - trials.first);
+    judge_.judge({trials.replicate, trial}, points.subspan(before * d, static_cast<std::size_t>(count) * d), work);
+  });
+  work.end_block(trials.replicate);
   return work;
 }
 

@@ -13,6 +13,7 @@
 #include "experiments/judge/group_judge.hpp"
 #include "experiments/judge/judged_methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
+#include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/tables/cell_fields.hpp"
@@ -31,7 +32,7 @@ class AccuracyCell {
   AccuracyCell(const AccuracyCell&) = delete;
   AccuracyCell& operator=(const AccuracyCell&) = delete;
 
-  [[nodiscard]] std::size_t blocks() const;
+  [[nodiscard]] std::size_t blocks() const { return blocks_.count(); }
   [[nodiscard]] judge::CellTally run_block(std::size_t block) const;
   /// The same for given points of the first trials of the block, point by point; the others are not judged.
   [[nodiscard]] judge::CellTally judge_block(std::size_t block, std::span<const double> points) const;
@@ -49,13 +50,6 @@ class AccuracyCell {
   void collect(const judge::CellTally& tally, std::vector<run::Violation>& violations) const;
 
  private:
-  struct Range {
-    std::int64_t replicate;
-    std::int64_t first;
-    std::int64_t end;
-  };
-  [[nodiscard]] std::int64_t blocks_per_replicate() const;
-  [[nodiscard]] Range range_of(std::size_t block) const;
   [[nodiscard]] judge::CellTally empty_block() const;
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
   [[nodiscard]] std::vector<std::string> cell_fields(std::size_t method) const {
@@ -66,6 +60,7 @@ class AccuracyCell {
 
   const suite::Study& study_;
   sample::Cell cell_;
+  run::TrialBlocks blocks_;
   reference::Tier tier_;
   sample::Sampler sampler_;
   judge::JudgedMethods<Scalar> methods_;

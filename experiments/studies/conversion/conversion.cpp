@@ -15,7 +15,7 @@
 #include "experiments/metric/all_finite.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/run/interruption.hpp"
+#include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/suite/fault.hpp"
@@ -96,7 +96,7 @@ double largest_distance(std::span<const double> computed, std::span<const double
 struct ChainErrors {
   metric::Tally error;
   std::uint64_t non_finite = 0;
-  std::map<std::size_t, std::array<std::uint64_t, thresholds.size()>> within;  ///< trials of each replicate
+  std::map<std::int64_t, std::array<std::uint64_t, thresholds.size()>> within;  ///< trials of each replicate
 
   template <class Bytes, class Self>
   static auto each_field(Bytes& bytes, Self& self) {
@@ -104,19 +104,20 @@ struct ChainErrors {
   }
 };
 
-/// A cell is a part, each of its replicates a block.
+/// A cell is a part.
 class ConversionJob final : public run::JobOf<metric::Rows<ChainErrors>> {
  public:
-  ConversionJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
+  ConversionJob(const suite::Study& study, std::uint64_t seed)
+      : study_(study), seed_(seed), blocks_(study.trials, study.replicates, block_trials) {
     judge::check_inputs(study_);
     for (const auto& cell : sample::cells(study_)) parts_.push_back({cell, chains_of(study_, cell.dimension)});
   }
 
   [[nodiscard]] std::size_t parts() const override { return parts_.size(); }
-  [[nodiscard]] std::size_t blocks_per_part() const override { return static_cast<std::size_t>(study_.replicates); }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return blocks_.count(); }
   [[nodiscard]] double cost(std::size_t part) const override {
     const double n = parts_[part].cell.degree + 1.0;
-    return static_cast<double>(study_.trials) * n * n * 200 * static_cast<double>(parts_[part].chains.size());
+    return static_cast<double>(blocks_.full()) * n * n * 200 * static_cast<double>(parts_[part].chains.size());
   }
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
@@ -146,8 +147,11 @@ class ConversionJob final : public run::JobOf<metric::Rows<ChainErrors>> {
         visit(parts_[part].cell, parts_[part].chains[c], state(part).rows.at(c));
   }
 
+  static constexpr std::int64_t block_trials = 1024;
+
   suite::Study study_;
   std::uint64_t seed_;
+  run::TrialBlocks blocks_;
   std::vector<Part> parts_;
 };
 
@@ -168,7 +172,7 @@ double ConversionJob::error_of(const Chain& chain, const CurveView<double>& curv
   return largest_distance(last_in_original_form, curve.coefficients, d);
 }
 
-void add_error(double error, std::size_t replicate, ChainErrors& errors) {
+void add_error(double error, std::int64_t replicate, ChainErrors& errors) {
   if (!std::isfinite(error)) {
     ++errors.non_finite;
     return;
@@ -179,17 +183,17 @@ void add_error(double error, std::size_t replicate, ChainErrors& errors) {
 }
 
 metric::Rows<ChainErrors> ConversionJob::work(std::size_t block) const {
-  const auto replicate = block % blocks_per_part();
+  const auto trials = blocks_[block % blocks_per_part()];
   const auto& [cell, chains] = parts_[part_of(block)];
   metric::Rows<ChainErrors> tally{std::vector<ChainErrors>(chains.size())};
   const sample::Sampler sampler(seed_, study_.id, cell);
   sample::Trial trial;
-  for (std::int64_t k = 0; k < study_.trials && !run::interrupted(); ++k) {
-    sampler.draw(static_cast<std::uint64_t>(static_cast<std::int64_t>(replicate) * study_.trials + k), trial);
+  run::each_trial(trials, [&](std::int64_t k) {
+    sampler.draw(static_cast<std::uint64_t>(trials.replicate * study_.trials + k), trial);
     const CurveView<double> curve{study_.curve, cell.dimension, cell.degree, trial.coefficients};
     for (std::size_t c = 0; c < chains.size(); ++c)
-      if (chains[c].supports(cell.degree)) add_error(error_of(chains[c], curve), replicate, tally.rows[c]);
-  }
+      if (chains[c].supports(cell.degree)) add_error(error_of(chains[c], curve), trials.replicate, tally.rows[c]);
+  });
   return tally;
 }
 
@@ -247,7 +251,8 @@ std::vector<tables::Series> ConversionJob::series() const {
   each_row([&](const sample::Cell& cell, const Chain& chain, const ChainErrors& errors) {
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
       auto& values = series_of(cell, chain, thresholds[i].column).values;
-      for (const auto& [replicate, within] : errors.within) values.at(replicate) += static_cast<double>(within[i]);
+      for (const auto& [replicate, within] : errors.within)
+        values.at(static_cast<std::size_t>(replicate)) += static_cast<double>(within[i]);
     }
   });
   return all;

@@ -15,6 +15,7 @@
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/studies/guarantees/search_for_counterexample.hpp"
 #include "experiments/suite/fault.hpp"
@@ -22,8 +23,6 @@
 
 namespace bezierbench::studies {
 namespace {
-
-constexpr std::int64_t block_trials = 1 << 16;
 
 /// One statement about one method in one cell.
 template <class ScalarT>
@@ -42,7 +41,8 @@ struct Question {
 
 class GuaranteesJob final : public run::JobOf<Refutation> {
  public:
-  GuaranteesJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
+  GuaranteesJob(const suite::Study& study, std::uint64_t seed)
+      : study_(study), seed_(seed), blocks_(study.trials, 1, block_trials) {
     check_properties();
     for (const auto& cell : sample::cells(study_))
       for (const auto scalar : study_.scalar)
@@ -50,9 +50,7 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
   }
 
   [[nodiscard]] std::size_t parts() const override { return questions_.size(); }
-  [[nodiscard]] std::size_t blocks_per_part() const override {
-    return static_cast<std::size_t>(std::max<std::int64_t>(1, (study_.trials - 1) / block_trials + 1));
-  }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return blocks_.count(); }
   [[nodiscard]] double cost(std::size_t part) const override {
     const double n = cell(part).degree + 1.0;
     const auto inputs = static_cast<double>(study_.trials + budget()) / static_cast<double>(blocks_per_part());
@@ -87,8 +85,8 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
 
  protected:
   [[nodiscard]] Refutation work(std::size_t block) const override {
-    const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * block_trials;
-    return std::visit([&](const auto& question) { return block_of(question, first); }, questions_[part_of(block)]);
+    const auto trials = blocks_[block % blocks_per_part()];
+    return std::visit([&](const auto& question) { return block_of(question, trials); }, questions_[part_of(block)]);
   }
 
  private:
@@ -130,18 +128,17 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
 
   /// All methods get the same random inputs; the search takes words of its own for each, and its share of the budget.
   template <class Scalar>
-  Refutation block_of(const Question<Scalar>& question, std::int64_t first) const {
+  Refutation block_of(const Question<Scalar>& question, const run::TrialBlock& trials) const {
     const auto property = fmt::format("{}/{}", study_.id, name(question.statement->property));
     const auto cell = sample::key(question.cell);
     CounterexampleSearch<Scalar> search(*question.statement, *question.kernel, question.cell.degree);
-    const auto last = std::min(study_.trials, first + block_trials);
-    for (auto trial = first; trial < last && !run::interrupted(); ++trial) {
+    run::each_trial(trials, [&](std::int64_t trial) {
       sample::Words words(seed_, sample::key(property), cell, static_cast<std::uint64_t>(trial));
       search.add_trial(words);
-    }
+    });
     const auto scalar = suite::name(judge::ScalarFacts<Scalar>::kind);
     sample::Words words(seed_, sample::key(fmt::format("{}/{}/{}", property, question.method().id, scalar)), cell,
-                        static_cast<std::uint64_t>(first));
+                        static_cast<std::uint64_t>(trials.first));
     search.search(words, budget() / static_cast<std::int64_t>(blocks_per_part()));
     return std::move(search).result();
   }
@@ -185,8 +182,11 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
     return fields;
   }
 
+  static constexpr std::int64_t block_trials = 1 << 16;
+
   suite::Study study_;
   std::uint64_t seed_;
+  run::TrialBlocks blocks_;
   std::vector<std::variant<Question<double>, Question<float>>> questions_;
 };
 

@@ -13,7 +13,7 @@
 
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/run/interruption.hpp"
+#include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/studies/hard_cases/families.hpp"
 #include "experiments/studies/hard_cases/hard_value.hpp"
@@ -25,7 +25,6 @@ namespace {
 
 using reference::Rational;
 
-constexpr std::int64_t trials_per_block = 2048;
 constexpr int decimal_digits = 40;
 
 /// The exact value of a case; p~ is the sum of the magnitudes of its terms.
@@ -129,18 +128,15 @@ Found found_of(const Rational& measure, std::int64_t trial, const std::vector<do
 /// A family in one scalar type is a part.
 class HardCasesJob final : public run::JobOf<Kept> {
  public:
-  HardCasesJob(const suite::Study& study, std::uint64_t seed) : study_(study), seed_(seed) {
+  HardCasesJob(const suite::Study& study, std::uint64_t seed)
+      : study_(study), seed_(seed), blocks_(trials(), 1, block_trials) {
     for (const auto scalar : study_.scalar)
       for (std::size_t family = 0; family < hard::families<double>.size(); ++family) parts_.push_back({scalar, family});
   }
 
   [[nodiscard]] std::size_t parts() const override { return parts_.size(); }
-  [[nodiscard]] std::size_t blocks_per_part() const override {
-    return static_cast<std::size_t>((trials() - 1) / trials_per_block + 1);
-  }
-  [[nodiscard]] double cost(std::size_t /*part*/) const override {
-    return 1e4 * static_cast<double>(std::min(trials(), trials_per_block));
-  }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return blocks_.count(); }
+  [[nodiscard]] double cost(std::size_t /*part*/) const override { return 1e4 * static_cast<double>(blocks_.full()); }
   [[nodiscard]] run::Extent extent() const override {
     constexpr std::size_t bytes_of_coefficients = 250;
     const auto rows = parts() * searches.size() * static_cast<std::size_t>(kept());
@@ -168,11 +164,9 @@ class HardCasesJob final : public run::JobOf<Kept> {
   [[nodiscard]] Kept searched(std::size_t block) const {
     const auto& family = hard::families<Scalar>[parts_[part_of(block)].family];
     const auto cell = fmt::format("{};{};{}", family.name, name(study_.curve), sizeof(Scalar));
-    const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * trials_per_block;
-    const auto last = std::min(trials(), first + trials_per_block);
     Kept best{.most = kept(), .of = {}};
     Judge values;
-    for (auto trial = first; trial < last && !run::interrupted(); ++trial) {
+    run::each_trial(blocks_[block % blocks_per_part()], [&](std::int64_t trial) {
       hard::Draw<Scalar> draw(
           sample::Words(seed_, sample::key(study_.id), sample::key(cell), static_cast<std::uint64_t>(trial)));
       const auto drawn = family.draw(draw, study_.curve);
@@ -182,12 +176,15 @@ class HardCasesJob final : public run::JobOf<Kept> {
       const auto value = values.value(study_.curve, judge::ScalarFacts<Scalar>::format, coefficients, t);
       for (std::size_t k = 0; k < searches.size(); ++k)
         if (searches[k].wanted(value)) best.add(k, found_of(searches[k].measure(value), trial, coefficients, t));
-    }
+    });
     return best;
   }
 
+  static constexpr std::int64_t block_trials = 2048;
+
   suite::Study study_;
   std::uint64_t seed_;
+  run::TrialBlocks blocks_;
   std::vector<Part> parts_;
 };
 

@@ -2,6 +2,11 @@
 // The study of the errors of a companion problem, common to all kinds. Every trial of every part is drawn. Every method
 // solves it at every tolerance, its answer is judged and tallied, and the table has a row for each method. The problem
 // defines everything else (problem.hpp of each kind).
+//
+// Accuracy and conversion cut their trials and loop over them by the same run::TrialBlocks, but are jobs of their own.
+// An accuracy study draws and evaluates trials in groups, measures every answer from several baselines, and writes five
+// tables and series of replicates; a conversion study judges chains of methods that its suite makes up, which have no
+// MethodInfo and no times. As problems they would have another version of nearly every member of TrialJob.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,7 +24,7 @@
 #include "experiments/judge/study_inputs.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
-#include "experiments/run/interruption.hpp"
+#include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "experiments/tables/cell_fields.hpp"
@@ -52,7 +57,8 @@ concept StudiedProblem = judge::TrialProblem<P> &&
 template <StudiedProblem P>
 class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
  public:
-  TrialJob(const suite::Study& study, const run::JobContext& context) : study_(study), context_(context) {
+  TrialJob(const suite::Study& study, const run::JobContext& context)
+      : study_(study), context_(context), blocks_(trials(), 1, P::block_trials) {
     judge::check_inputs(study_);
     tolerances_ = judge::tolerances_of(study_, P::axes);
     for (auto& part : judge::parts_of(study_, P::axes)) {
@@ -63,12 +69,9 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
   }
 
   [[nodiscard]] std::size_t parts() const override { return parts_.size(); }
-  [[nodiscard]] std::size_t blocks_per_part() const override {
-    return static_cast<std::size_t>((trials() - 1) / P::block_trials + 1);
-  }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return blocks_.count(); }
   [[nodiscard]] double cost(std::size_t part) const override {
-    return static_cast<double>(std::min(trials(), P::block_trials)) *
-           P::trial_nanoseconds(parts_[part].part, parts_[part].methods.size());
+    return static_cast<double>(blocks_.full()) * P::trial_nanoseconds(parts_[part].part, parts_[part].methods.size());
   }
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
@@ -99,10 +102,9 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     if (std::ranges::none_of(part.methods, [&](const auto* method) { return takes(*method, part); })) return tally;
     const P problem = problem_of(part);
     typename P::Drawn drawn;
-    const auto first = static_cast<std::int64_t>(block % blocks_per_part()) * P::block_trials;
-    const auto last = std::min(trials(), first + P::block_trials);
-    for (auto trial = first; trial < last && !run::interrupted(); ++trial)
+    run::each_trial(blocks_[block % blocks_per_part()], [&](std::int64_t trial) {
       judge(problem, part, static_cast<std::uint64_t>(trial), drawn, tally.rows);
+    });
     return tally;
   }
 
@@ -190,6 +192,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
 
   suite::Study study_;
   run::JobContext context_;
+  run::TrialBlocks blocks_;
   std::vector<double> tolerances_;
   std::vector<Part> parts_;
 };
