@@ -9,6 +9,7 @@ import unittest
 from pathlib import Path
 
 from . import fixture
+from .fixture.comparison import write_comparison
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -50,7 +51,7 @@ class Command(unittest.TestCase):
         self.assertEqual(before, sorted(self.place.rglob("*")))
 
     def test_a_comparison_becomes_a_chapter(self):
-        comparison = fixture.write_comparison(self.place / "comparison")
+        comparison = write_comparison(self.place / "comparison")
         done = run(self.bundle, "--comparison", comparison, "--out", self.place / "pages")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("Clang", (self.place / "pages/tables/comparison-1-machines.csv").read_text())

@@ -9,7 +9,7 @@ from . import fixture
 from .bundle import Bundle, BundleError, Missing
 from .chapters import comparison
 from .document import Table
-from .fixture import ACCURACY, FACTS, SENTINEL, TIME
+from .fixture.comparison import ACCURACY, FACTS, SENTINEL, TIME, write_comparison
 
 class Chapter(unittest.TestCase):
     def setUp(self):
@@ -19,7 +19,7 @@ class Chapter(unittest.TestCase):
         self.bundle = fixture.write(self.place / "bundle")
 
     def write(self, rows, facts=()):
-        return fixture.write_comparison(self.place / "comparison", rows, facts)
+        return write_comparison(self.place / "comparison", rows, facts)
 
     def blocks(self, rows, facts=()):
         return list(comparison.blocks(Bundle(self.bundle, self.write(rows, facts)), ()))

@@ -16,6 +16,7 @@ from . import fixture, inline, render, schema, script, summary
 from .bundle import Bundle
 from .chapters.roster import build_all
 from .findings.roster import find_all
+from .fixture.comparison import FACTS, write_comparison
 from .foreign import literal, one_line, restored, visible
 
 EVIL = ('"><script>x</script><img src=//x onerror=y><meta http-equiv=refresh content="0;url=//x"><form action=//x><base href=//x>'
@@ -63,8 +64,8 @@ class Escaping(unittest.TestCase):
     def setUpClass(cls):
         place = tempfile.TemporaryDirectory()
         cls.addClassCleanup(place.cleanup)
-        bundle = Bundle(evil_bundle(Path(place.name) / f"b{EVIL[:60].replace('/', '')}"), fixture.write_comparison(
-            f"{place.name}/c", facts=({**fixture.FACTS[0], "against": EVIL, "fact": EVIL, "a": EVIL},)))
+        bundle = Bundle(evil_bundle(Path(place.name) / f"b{EVIL[:60].replace('/', '')}"), write_comparison(
+            f"{place.name}/c", facts=({**FACTS[0], "against": EVIL, "fact": EVIL, "a": EVIL},)))
         found = find_all(bundle)
         cls.files = render.files(bundle, *build_all(bundle, found))
         cls.summary = summary.text(bundle, found)

@@ -8,6 +8,7 @@ from . import fixture
 from .bundle import Bundle, Row
 from .findings import range_bend
 from .findings.roster import GROUPS, ROSTER, find_all, grouped
+from .fixture import scorecards
 
 
 def _scale(column, factor, file="accuracy.csv", **key):
@@ -191,7 +192,7 @@ class Findings(unittest.TestCase):
         self.assertIn("1.50e-3", " ".join(next(f for f in found if f.id == "forward_substitution").detail))
 
     def test_repeated_cells_count_once(self):
-        cells = [r for r in fixture.scorecard() if r["table"] != "2.2"]
+        cells = [r for r in scorecards.scorecard() if r["table"] != "2.2"]
         self.assertIn(f"of the {len(cells) - 8} distinct", self.by_id["cells_inside_band"].headline)
         self.assertIn("8 repeat others", self.by_id["cells_inside_band"].detail[2])
 

@@ -13,6 +13,8 @@ from .bundle import Bundle
 from .chapters import audit, opening
 from .chapters.roster import ROSTER, build_all
 from .findings.roster import find_all
+from .fixture import evaluators, scorecards
+from .fixture.comparison import write_comparison
 from .wording import as_printed, general, scientific, shortest
 
 VOID = {"meta", "link", "br"}
@@ -20,7 +22,7 @@ VOID = {"meta", "link", "br"}
 
 def files(change=None, without=()):
     with tempfile.TemporaryDirectory() as place:
-        bundle = Bundle(fixture.write(f"{place}/b", change, without), fixture.write_comparison(f"{place}/c"))
+        bundle = Bundle(fixture.write(f"{place}/b", change, without), write_comparison(f"{place}/c"))
         return render.files(bundle, *build_all(bundle, find_all(bundle)))
 
 
@@ -85,7 +87,7 @@ class WrittenFiles(unittest.TestCase):
         label = {"published": "published", "ours, median": "ours_median", "continuous inputs": "continuous_median",
                  "against exact": "against_exact", "verdict": "verdict"}
         for number in ("2.3.1", "2.3.2", "2.3.3"):
-            for curve in fixture.PATHS:
+            for curve in evaluators.PATHS:
                 name = f"table-{number}-{curve}"
                 held = list(csv.reader(io.StringIO(self.files[f"tables/{name}.csv"].decode())))
                 self.assertEqual(held[0][3:], self.page.tables[name][0][2:])
@@ -103,7 +105,7 @@ class WrittenFiles(unittest.TestCase):
 
     def test_csv_holds_the_digits_of_the_bundle(self):
         rows = {tuple(r[:3]): r[3:] for r in csv.reader(io.StringIO(self.files["tables/table-2.3.1-bezier.csv"].decode()))}
-        want = [str(r["ours_median"]) for r in fixture.scorecard() if r["table"] == "2.3.1" and r["curve"] == "bezier"
+        want = [str(r["ours_median"]) for r in scorecards.scorecard() if r["table"] == "2.3.1" and r["curve"] == "bezier"
                 and r["method"] == "de_casteljau" and r["statistic"] == "mean_error"]
         self.assertEqual(rows["de_casteljau", "mean_error", "ours_median"], want)
 

@@ -8,6 +8,7 @@ from . import fixture, summary
 from .bundle import Bundle
 from .chapters import scorecard
 from .findings.roster import find_all
+from .fixture import scorecards
 
 
 def _bundle(change=None):
@@ -28,7 +29,7 @@ class Scorecard(unittest.TestCase):
         return {row[0]: dict(zip(head[1:], row[1:])) for row in rows}
 
     def test_a_time_of_one_tick_is_counted_as_what_it_is(self):
-        rows = fixture.scorecard_timing()
+        rows = scorecards.scorecard_timing()
         few = sum(row["published"] <= 1 for row in rows)
         found = self.counted(_bundle())["2.4"]
         self.assertEqual((found["– untestable"], found["✗ outside"], found["cells"]), (str(few), str(len(rows) - few), str(len(rows))))

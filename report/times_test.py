@@ -8,6 +8,7 @@ from . import fixture
 from .bundle import Bundle
 from .chapters import arc_length, derivative, fitting, grid, interpolation, inverse_arc_length, projection, subdivision, timing
 from .findings.roster import find_all
+from .fixture.times import COMPANIONS
 
 CHAPTERS = {"derivative": derivative, "arc_length": arc_length, "inverse_arc_length": inverse_arc_length, "projection": projection,
             "interpolation": interpolation, "fitting": fitting, "subdivision": subdivision, "grid": grid,
@@ -33,10 +34,10 @@ class Times(unittest.TestCase):
         cls.tables = {problem: _tables(blocks) for problem, blocks in cls.blocks.items()}
 
     def test_stand_in_the_chapter_of_their_problem(self):
-        for problem, study, methods, _ in fixture.COMPANIONS:
+        for problem, study, methods, _ in COMPANIONS:
             self.assertEqual({g.key for g in self.tables[problem][f"timing-{study}"].groups}, set(methods), study)
         self.assertEqual(set(self.tables["evaluation"]), {"timing-2.4-bezier", "timing-peers-speed"})
-        self.assertEqual(sum(map(len, self.tables.values())), len(fixture.COMPANIONS) + 2)
+        self.assertEqual(sum(map(len, self.tables.values())), len(COMPANIONS) + 2)
 
     def test_findings_are_shown_once_in_the_chapter_of_their_problem(self):
         for f in self.found:
