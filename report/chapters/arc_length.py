@@ -3,7 +3,7 @@
 
 from ..document import Text
 from ..wording import general, scientific
-from .suite_parts import COMPANION_PEERS, figure, of_suite, study_figure, with_times
+from .suite_parts import COMPANION_PEERS, of_studies, with_times
 from .tolerance_tables import tolerance_tables
 
 TITLE = "Arc lengths"
@@ -23,11 +23,7 @@ def study_tables(bundle, study):
 def blocks(bundle, findings):
     """Findings, the figure, then a table for each kind of curves."""
     table = bundle.judged("arc_length.csv").of_suite(SUITE, COMPANION_PEERS)
-    yield from of_suite(findings, "arc_length")
-    yield from figure("arc_length_evaluations", bundle)
-    for study in table.distinct("study"):
-        yield from study_figure(bundle, study)
-        yield from study_tables(bundle, study)
+    yield from of_studies(bundle, findings, SUITE, table.distinct("study"), study_tables, "arc_length_evaluations")
     yield Text("The tolerance is relative to the length. A method that cannot keep it says that it did not converge; a promise "
                "is broken where it said that it did and the error is larger. `gauss_legendre_24` knows no error of its own and "
                "never promises, nor do other libraries, which count no evaluations. Evaluations are those of the speed, of chord sums those of the curve. The truth is integrated "

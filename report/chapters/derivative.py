@@ -3,7 +3,7 @@
 
 from ..document import Text
 from ..error_tables import error_tables, swept
-from .suite_parts import figure, of_suite, study_figure, with_times
+from .suite_parts import of_studies, with_times
 
 TITLE = "Derivatives"
 SUITE = KIND = "derivative"
@@ -28,11 +28,7 @@ def study_tables(bundle, study):
 def blocks(bundle, findings):
     """Findings, the figure, then the tables of each study."""
     table = bundle["derivative.csv"].of_suite(SUITE)
-    yield from of_suite(findings, "derivative")
-    yield from figure("derivative_against_order", bundle)
-    for study in table.distinct("study"):
-        yield from study_figure(bundle, study)
-        yield from study_tables(bundle, study)
+    yield from of_studies(bundle, findings, SUITE, table.distinct("study"), study_tables, "derivative_against_order")
     yield Text("p~ is that of the derivative: its own control points D^k b_i, times n (n-1) ... (n-k+1), in magnitude, weighted "
                "with the Bernstein polynomials of degree n-k (in power form its own coefficients with the powers of t). The bound "
                "has a second part for the differences, which control points far from the origin make large. An order beyond the "

@@ -3,7 +3,7 @@
 
 from ..document import Cell, Group, Table, Text
 from ..wording import general, large, scientific, shortest
-from .suite_parts import figure, of_suite, study_figure, with_times
+from .suite_parts import of_studies, with_times
 
 TITLE = "Curves near points"
 SUITE = KIND = "fitting"
@@ -18,12 +18,7 @@ def study_tables(bundle, study):
 def blocks(bundle, findings):
     """Findings, two figures, one table per study with the kinds of data across, and what the words mean."""
     table = bundle["fitting.csv"].of_suite(SUITE)
-    yield from of_suite(findings, "fitting")
-    yield from figure("fitting_example", bundle)
-    yield from figure("fitting_segments", bundle)
-    for study in table.distinct("study"):
-        yield from study_figure(bundle, study)
-        yield from study_tables(bundle, study)
+    yield from of_studies(bundle, findings, SUITE, table.distinct("study"), study_tables, "fitting_example", "fitting_segments")
     yield Text("The tolerance is a distance in coordinate units. The error is the largest distance of a data point from the whole curve, "
                "exact; a promise is broken where it exceeds the tolerance. Segments are the mean over trials in the cell that needs "
                "most. Data: `samples` of a Bézier curve at equal steps of t, `uneven` at random ones, `noisy` with noise of 2^-10 R, "

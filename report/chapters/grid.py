@@ -3,7 +3,7 @@
 
 from ..document import Text
 from ..error_tables import error_tables, swept
-from .suite_parts import figure, of_suite, study_figure, with_times
+from .suite_parts import of_studies, with_times
 
 TITLE = "Points on a grid"
 SUITE = KIND = "grid"
@@ -27,11 +27,7 @@ def study_tables(bundle, study):
 def blocks(bundle, findings):
     """Findings, the figure, then the tables of each study."""
     table = bundle["grid.csv"].of_suite(SUITE)
-    yield from of_suite(findings, SUITE)
-    yield from figure("grid_against_points", bundle)
-    for study in table.distinct("study"):
-        yield from study_figure(bundle, study)
-        yield from study_tables(bundle, study)
+    yield from of_studies(bundle, findings, SUITE, table.distinct("study"), study_tables, "grid_against_points")
     yield Text("A grid has the parameters k/m for k = 0, 1, ..., m, where m is a power of two, and its errors are those of all its "
                "points. Forward differencing makes each point from the one before by n additions on each axis, so every step adds "
                "its roundings, and the bound grows with k; `pointwise_...` is an evaluator at one point after the other.")

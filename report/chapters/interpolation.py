@@ -4,7 +4,7 @@
 from ..document import Cell, Group, Table, Text
 from ..findings.interpolation_residuals import GOAL, SUITE
 from ..wording import general, large, shortest
-from .suite_parts import figure, of_suite, study_figure, with_times
+from .suite_parts import of_studies, with_times
 
 TITLE = "Splines through points"
 KIND = "interpolation"
@@ -21,11 +21,7 @@ def study_tables(bundle, study):
 def blocks(bundle, findings):
     """Findings, the figure, then a table for each study with the numbers of points across."""
     table = bundle["interpolation.csv"].of_suite(SUITE)
-    yield from of_suite(findings, "interpolation")
-    yield from figure("interpolation_residuals", bundle)
-    for study in table.distinct("study"):
-        yield from study_figure(bundle, study)
-        yield from study_tables(bundle, study)
+    yield from of_studies(bundle, findings, SUITE, table.distinct("study"), study_tables, "interpolation_residuals")
     yield Text("All in units of u times the largest coordinate of an axis, the largest over trials, knots and axes, and over the cells of "
                "a study. C1 is the jump of P1 - P0 over P3 - P2 of the segment before, C2 that of the second differences, natural ends "
                f"are the second differences there; points and joints are met bit for bit. The goal is {GOAL}. The truth is the exact "

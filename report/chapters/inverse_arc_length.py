@@ -3,7 +3,7 @@
 
 from ..document import Text
 from ..wording import general, scientific
-from .suite_parts import figure, of_suite, study_figure, with_times
+from .suite_parts import of_studies, with_times
 from .tolerance_tables import tolerance_tables
 
 TITLE = "Inverse arc length and equal spacing"
@@ -25,11 +25,7 @@ def study_tables(bundle, study):
 def blocks(bundle, findings):
     """Findings, the picture, a table for each kind of curves, then the corrections."""
     table = bundle["inverse_arc_length.csv"].of_suite(SUITE)
-    yield from of_suite(findings, "inverse_arc_length")
-    yield from figure("spacing", bundle)
-    for study in table.distinct("study"):
-        yield from study_figure(bundle, study)
-        yield from study_tables(bundle, study)
+    yield from of_studies(bundle, findings, SUITE, table.distinct("study"), study_tables, "spacing")
     yield Text("The length at which t is sought is a share of the curve's length, drawn for each curve; the tolerance is relative to "
                "the whole length. What is promised is the length up to t, not t: where a curve nearly stops, t changes much over "
                "next to no length. A method that cannot keep the tolerance says that it did not converge; a promise is broken "

@@ -4,7 +4,7 @@
 from ..document import Cell, Group, Table, Text
 from ..findings.projection import GOAL, SUITE, rows_of
 from ..wording import general, large, scientific, shortest
-from .suite_parts import COMPANION_PEERS, figure, of_suite, study_figure, with_times
+from .suite_parts import COMPANION_PEERS, of_studies, with_times
 
 TITLE = "The nearest point of a curve"
 KIND = "projection"
@@ -22,11 +22,7 @@ def study_tables(bundle, study):
 def blocks(bundle, findings):
     """Findings, the figure, one table per study with the placements of the point across, and what the words mean."""
     rows = rows_of(bundle, SUITE, COMPANION_PEERS)
-    yield from of_suite(findings, "projection")
-    yield from figure("projection_missed", bundle)
-    for study in dict.fromkeys(r["study"] for r in rows):
-        yield from study_figure(bundle, study)
-        yield from study_tables(bundle, study)
+    yield from of_studies(bundle, findings, SUITE, dict.fromkeys(r["study"] for r in rows), study_tables, "projection_missed")
     yield Text("Truth: the real roots of (C - P)·C' in [0, 1], isolated with integers. A foot point is missed where the distance "
                "exceeds the least one by more than 2^-20 times the largest coordinate of control points and point. Errors of the "
                f"distance are in units of 2^-52 times that coordinate; the goal is {GOAL}. The error of t is to the nearest of "

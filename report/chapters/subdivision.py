@@ -5,7 +5,7 @@ from ..document import Cell, Text
 from ..error_tables import error_tables, swept
 from ..tables import by_axis
 from ..wording import large
-from .suite_parts import figure, of_suite, study_figure, with_times
+from .suite_parts import of_studies, with_times
 
 TITLE = "Subdivision"
 SUITE = KIND = "subdivision"
@@ -42,11 +42,7 @@ def study_tables(bundle, study):
 def blocks(bundle, findings):
     """Findings, the figure, then the tables of each study: errors, and what does not fit together."""
     table = bundle["subdivision.csv"].of_suite(SUITE)
-    yield from of_suite(findings, SUITE)
-    yield from figure("subdivision_against_degree", bundle)
-    for study in table.distinct("study"):
-        yield from study_figure(bundle, study)
-        yield from study_tables(bundle, study)
+    yield from of_studies(bundle, findings, SUITE, table.distinct("study"), study_tables, "subdivision_against_degree")
     yield Text("Each control point of both halves is compared with the true one; p~ is that of the control point, the sum of the "
                "magnitudes that it is made of. A junction is apart where the last control point of the left half is not the first "
                "of the right one, an end is moved where it is not that of the curve, both to the last bit. A point is off where the "

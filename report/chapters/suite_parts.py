@@ -39,6 +39,16 @@ def study_figure(bundle, study):
         return []
 
 
+def of_studies(bundle, findings, suite, studies, tables, *figures):
+    """What the chapter of a suite says first: its findings, these figures, then the figure and the tables of each study."""
+    yield from of_suite(findings, suite)
+    for name in figures:
+        yield from figure(name, bundle)
+    for study in studies:
+        yield from study_figure(bundle, study)
+        yield from tables(bundle, study)
+
+
 def with_times(problem, *figures):
     """For the blocks of a chapter about that problem: what one answer costs follows them, with these figures. The chapter is left
     out where the bundle has neither errors nor times."""
