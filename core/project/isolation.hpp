@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The search of quintic_isolate for the roots of f = (C - P).C' / n. The signs of the coefficients of f bound the
-// number of roots of a piece; the curve is halved until each piece has one root or none.
+// number of roots of a piece; the curve is halved until each piece has one root or none. Where f falls from plus to
+// minus the distance is largest, so that such a root is counted but not computed.
 #pragma once
 
 #include <array>
@@ -30,7 +31,7 @@ class Isolation {
   FootPoint foot() {
     isolate({HalvedPolygon(offset_.offsets()), HalvedPolygon(offset_.differences_of_points())});
     const auto best = nearest_neighbour(offset_, nearest_candidate(offset_, std::move(candidates_)));
-    return {best.t, offset_.unscaled(best.scaled_distance), best.candidates, judged_ < most_pieces};
+    return {best.t, offset_.unscaled(best.scaled_distance), best.candidates + maxima_, judged_ < most_pieces};
   }
 
  private:
@@ -57,7 +58,9 @@ class Isolation {
     const auto f = product_(piece.offset, piece.difference);
     const int most = f.most_variations();
     if (most == 0) return;
-    if (f.is_unknown() || piece.width < smallest_width)
+    if (most == 1 && f.sign(0) > 0 && f.sign(f.degree()) < 0)
+      ++maxima_;
+    else if (f.is_unknown() || piece.width < smallest_width)
       candidates_.push_back(descend(offset_, piece.middle()));
     else if (most == 1)
       candidates_.push_back(root_of(piece, f));
@@ -66,10 +69,17 @@ class Isolation {
   }
 
   void isolate_halves(const Piece& piece) {
-    const auto [left, right] = halves(piece.offset);
-    const auto [left_difference, right_difference] = halves(piece.difference);
-    isolate({left, left_difference, piece.from, piece.width / 2});
-    isolate({right, right_difference, piece.middle(), piece.width / 2});
+    const auto both = halves_of(piece);
+    isolate(both.first);
+    isolate(both.second);
+  }
+
+  /// gnu::flatten: otherwise GCC copies the polygons several times.
+  [[gnu::flatten]] static std::pair<Piece, Piece> halves_of(const Piece& piece) {
+    const auto offset = halves(piece.offset);
+    const auto difference = halves(piece.difference);
+    return {{offset.first, difference.first, piece.from, piece.width / 2},
+            {offset.second, difference.second, piece.middle(), piece.width / 2}};
   }
 
   /// The root in a piece that has at most one. Where f has the same sign at both ends, the root, if there is one, lies
@@ -78,7 +88,7 @@ class Isolation {
     const double a = piece.from;
     const double b = a + piece.width;
     if (f.sign(0) != 0 && f.sign(f.degree()) != 0) {
-      const auto estimate = estimate_root(f.coefficients);
+      const auto estimate = estimate_root(f.coefficients());
       return root_in_bracket(offset_, a, b, f.sign(0) < 0, {a + piece.width * estimate.t, piece.width * estimate.step});
     }
     const double at_a = offset_.slope(a).value;
@@ -95,6 +105,7 @@ class Isolation {
   std::pmr::monotonic_buffer_resource memory_{room_.data(), room_.size()};
   std::pmr::vector<double> candidates_{&memory_};
   int judged_ = 0;
+  int maxima_ = 0;  ///< roots at which the distance is largest, which are never the nearest
 };
 
 }  // namespace bezierbench

@@ -60,6 +60,25 @@ TEST(Isolation, CodeForOneDegreeGivesTheBitsOfCodeForAny) {
   }
 }
 
+/// On the parabola y = 1 - x^2, x = 2t - 1, the square of the distance from (0, c) is x^4 + (2c - 1) x^2 + (1 - c)^2.
+/// For c < 1/2 it is largest at x = 0, and least where x^2 = 1/2 - c, if that is on the curve.
+TEST(Isolation, CountsGreatestDistancesAndPassesThemOver) {
+  Curve<Form::bernstein, double, 2> parabola(2);
+  const std::array points{std::array{-1.0, 0.0}, std::array{0.0, 2.0}, std::array{1.0, 0.0}};
+  for (int i = 0; i <= 2; ++i)
+    for (int axis = 0; axis < 2; ++axis)
+      parabola(axis, i) = points[static_cast<std::size_t>(i)][static_cast<std::size_t>(axis)];
+  const auto far = Isolation<2, 2>(parabola, {0, -1}).foot();
+  EXPECT_EQ(far.candidates, 3);  // both ends and the middle
+  EXPECT_EQ(far.t, 0);
+  const auto near = Isolation<2, 2>(parabola, {0, 0.25}).foot();
+  EXPECT_EQ(near.candidates, 5);
+  EXPECT_EQ(near.t, 0.25);
+  const auto any_degree = Isolation<2>(parabola, {0, 0.25}).foot();
+  EXPECT_EQ(any_degree.candidates, 5);
+  EXPECT_EQ(any_degree.t, 0.25);
+}
+
 /// The exact differences of the coordinates on one axis from the point.
 std::vector<Rational> offsets(const Curve<Form::bernstein, double, 2>& curve, const Point<double, 2>& point, int axis) {
   std::vector<Rational> result;
@@ -139,7 +158,7 @@ TEST(PolygonProduct, IsNeverOffByMoreThanItsErrorHoweverOftenHalved) {
       const auto f = PolygonProduct(n)(piece.offset, piece.difference);
       const auto exact = piece.exact_product();
       for (int k = 0; k <= f.degree(); ++k) {
-        const Rational off = abs(Rational(f.coefficients[k]) - exact[static_cast<std::size_t>(k)]);
+        const Rational off = abs(Rational(f.coefficient(k)) - exact[static_cast<std::size_t>(k)]);
         EXPECT_LE(off, Rational(f.error)) << "trial " << trial << " depth " << depth << " k " << k;
         worst = std::max(worst, Rational(off / Rational(f.error)).convert_to<double>());
       }
@@ -167,12 +186,16 @@ int most_variations_by_trial(std::vector<int> signs, std::size_t from = 0) {
 TEST(UncertainPolynomial, CountsTheMostVariationsOfAnyChoice) {
   Inputs inputs(23);
   for (int trial = 0; trial < 2000; ++trial) {
-    UncertainPolynomial<> f{Polygon<1>(1, 2 + trial % 7), 1};
+    const int degree = 1 + trial % 7;
+    const BinomialRow<double, dynamic> binomials(degree);
+    UncertainPolynomial<> f{Polygon<1>(1, degree + 1), &binomials[0], 1};
+    const bool all_certain = trial % 3 == 0;
     std::vector<int> signs;
-    for (Eigen::Index k = 0; k < f.coefficients.cols(); ++k) {
-      signs.push_back(static_cast<int>(std::floor(inputs.unit() * 3)) - 1);
-      f.coefficients[k] = signs.back() == 0 ? inputs.symmetric() : 2.0 * signs.back();
-      EXPECT_EQ(f.sign(static_cast<int>(k)), signs.back());
+    for (int k = 0; k <= degree; ++k) {
+      signs.push_back(all_certain ? (inputs.unit() < 0.5 ? -1 : 1)
+                                  : static_cast<int>(std::floor(inputs.unit() * 3)) - 1);
+      f.weighted[k] = binomials[k] * (signs.back() == 0 ? inputs.symmetric() : 2.0 * signs.back());
+      EXPECT_EQ(f.sign(k), signs.back());
     }
     EXPECT_EQ(f.most_variations(), most_variations_by_trial(signs));
     EXPECT_EQ(f.is_unknown(), std::ranges::all_of(signs, [](int sign) { return sign == 0; }));

@@ -33,11 +33,16 @@ struct NearestCandidate {
 /// parameter. A parameter that occurs twice counts once.
 template <int Dimension, int Degree, class Candidates>
 NearestCandidate<Dimension> nearest_candidate(const OffsetCurve<Dimension, Degree>& curve, Candidates candidates) {
-  candidates.insert(candidates.end(), {0.0, 1.0});
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  NearestCandidate<Dimension> best{0, {}, std::numeric_limits<double>::infinity(), static_cast<int>(candidates.size())};
-  for (const double t : candidates) best.take(curve, t, 1);
+  candidates.push_back(1);
+  if (!std::is_sorted(candidates.begin(), candidates.end())) std::sort(candidates.begin(), candidates.end());
+  NearestCandidate<Dimension> best{0, curve.offsets().col(0), curve.scaled_distance(0), 1};
+  double before = 0;
+  for (const double t : candidates) {
+    if (t == before) continue;
+    before = t;
+    ++best.candidates;
+    best.take(curve, t, 1);
+  }
   return best;
 }
 

@@ -7,6 +7,7 @@
 // the coordinates, also next to the curve, where C and P agree in all digits.
 #pragma once
 
+#include "core/arc_length/power_of_two.hpp"
 #include "core/evaluate/compensated_triangle.hpp"
 #include "core/project/polygon.hpp"
 
@@ -22,14 +23,11 @@ class OffsetCurve {
 
   OffsetCurve(const Curve<Form::bernstein, double, Dimension>& curve, const Vector& point) {
     const int n = Degree == dynamic ? curve.degree() : Degree;
-    double largest = 0;
-    for (int axis = 0; axis < Dimension; ++axis) {
-      largest = std::max(largest, std::abs(point[axis]));
-      for (int i = 0; i <= n; ++i) largest = std::max(largest, std::abs(curve(axis, i)));
-    }
-    std::frexp(largest, &exponent_);
-    exponent_ = std::max(exponent_, least_exponent);
-    const double scale = std::ldexp(1.0, -exponent_);
+    constexpr int coordinates = Degree == dynamic ? dynamic : Dimension * (Degree + 1);
+    const double largest = std::max(largest_coordinate<Dimension>(point),
+                                    largest_magnitude<coordinates>(curve.data(), Dimension * (n + 1)));
+    if (largest != 0) exponent_ = std::max(binary_exponent(largest), least_exponent);
+    const double scale = times_power_of_two(1.0, -exponent_);
     Points scaled;
     scaled.resize(Dimension, n + 1);
     high_.resize(Dimension, n + 1);
@@ -81,7 +79,7 @@ class OffsetCurve {
   [[nodiscard]] double scaled_distance(double t) const { return length<Dimension>(at(t)); }
   [[nodiscard]] double distance(double t) const { return unscaled(scaled_distance(t)); }
   /// A length given over m, in coordinate units.
-  [[nodiscard]] double unscaled(double length) const { return std::ldexp(length, exponent_); }
+  [[nodiscard]] double unscaled(double length) const { return times_power_of_two(length, exponent_); }
 
   /// f = (C - P).C' and its derivative |C'|^2 + (C - P).C'', and |C'|^2, all over n m^2.
   struct Slope {

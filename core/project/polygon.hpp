@@ -33,13 +33,31 @@ double dot(const Point<double, Dimension>& a, const Point<double, Dimension>& b)
   return sum;
 }
 
-/// |v|. Where squares would overflow or underflow, v is scaled by a power of two first.
+/// The largest magnitude of `count` numbers, 0 for none. Count is that number at compile time, or `dynamic`.
+template <int Count>
+double largest_magnitude(const double* values, int count) {
+  if constexpr (Count == dynamic) {
+    double largest = 0;
+    for (int i = 0; i < count; ++i) largest = std::max(largest, std::abs(values[i]));
+    return largest;
+  } else if constexpr (Count < 2) {
+    return Count == 0 ? 0 : std::abs(values[0]);
+  } else {  // by halves, whose maxima do not wait for each other
+    constexpr int half = Count / 2;
+    return std::max(largest_magnitude<half>(values, half),
+                    largest_magnitude<Count - half>(values + half, Count - half));
+  }
+}
+
+/// The largest magnitude of a coordinate.
 template <int Dimension>
-double length(const Point<double, Dimension>& v) {
-  double largest = 0;
-  for (int axis = 0; axis < Dimension; ++axis) largest = std::max(largest, std::abs(v[axis]));
-  if (largest >= 0x1p-480 && largest <= 0x1p+510)
-    return std::sqrt(dot<Dimension>(v, v));  // same bits as the code below
+double largest_coordinate(const Point<double, Dimension>& v) {
+  return largest_magnitude<Dimension>(v.data(), Dimension);
+}
+
+/// |v| by way of a power of two that v is divided by, whose largest coordinate is known.
+template <int Dimension>
+[[gnu::noinline]] double length_of_scaled(const Point<double, Dimension>& v, double largest) {
   if (largest == 0 || !std::isfinite(largest)) return largest;
   int exponent = 0;
   std::frexp(largest, &exponent);
@@ -48,13 +66,18 @@ double length(const Point<double, Dimension>& v) {
   return std::ldexp(std::sqrt(dot<Dimension>(scaled, scaled)), exponent);
 }
 
+/// |v|. Where squares would overflow or underflow, v is scaled first.
+template <int Dimension>
+double length(const Point<double, Dimension>& v) {
+  const double largest = largest_coordinate<Dimension>(v);
+  if (largest >= 0x1p-480 && largest <= 0x1p+510) return std::sqrt(dot<Dimension>(v, v));  // the bits are the same
+  return length_of_scaled<Dimension>(v, largest);
+}
+
 /// The largest magnitude of a coordinate.
 template <int Dimension, int Points>
 double largest_coordinate(const Polygon<Dimension, Points>& b) {
-  double largest = 0;
-  for (int i = 0; i <= degree_of<Dimension>(b); ++i)
-    for (int axis = 0; axis < Dimension; ++axis) largest = std::max(largest, std::abs(b(axis, i)));
-  return largest;
+  return largest_magnitude < Points == dynamic ? dynamic : Dimension * Points > (b.data(), static_cast<int>(b.size()));
 }
 
 /// The point at t by de Casteljau; the zero vector for no points.

@@ -7,23 +7,34 @@
 
 #include "core/basis/binomial_table.hpp"
 #include "core/project/halved_polygon.hpp"
+#include "core/project/written_out_product.hpp"
 
 namespace bezierbench {
 
-/// A polynomial in Bernstein form with a bound of the errors of its coefficients.
+/// A polynomial in Bernstein form with a bound of the errors of its coefficients. Coefficients are divided by their
+/// binomials only when they are asked for: most pieces are judged without.
 template <int Count = dynamic>
 struct UncertainPolynomial {
-  Polygon<1, Count> coefficients;
-  double error;  ///< bound of the error of every coefficient
+  Polygon<1, Count> weighted;  ///< coefficient k times C(degree,k)
+  const double* binomials;     ///< C(degree,k), not owned
+  double error;                ///< bound of the error of every coefficient
 
-  [[nodiscard]] int degree() const { return degree_of<1>(coefficients); }
+  [[nodiscard]] int degree() const { return degree_of<1>(weighted); }
+  [[nodiscard]] double coefficient(int k) const { return weighted[k] / binomials[k]; }
+  [[nodiscard]] Polygon<1, Count> coefficients() const {
+    Polygon<1, Count> result;
+    result.resize(1, weighted.cols());
+    each<Count>(degree() + 1, [&](int k) { result[k] = coefficient(k); });
+    return result;
+  }
   /// The sign of coefficient k; 0 where the error makes it uncertain.
-  [[nodiscard]] int sign(int k) const { return coefficients[k] > error ? 1 : coefficients[k] < -error ? -1 : 0; }
+  [[nodiscard]] int sign(int k) const { return coefficient(k) > error ? 1 : coefficient(k) < -error ? -1 : 0; }
   /// True if no sign is certain.
-  [[nodiscard]] bool is_unknown() const { return largest_coordinate<1>(coefficients) <= error; }
+  [[nodiscard]] bool is_unknown() const { return sign(0) == 0 && largest_coordinate<1>(coefficients()) <= error; }
 
   /// The largest number of sign variations over all choices for the uncertain signs.
   [[nodiscard]] int most_variations() const {
+    if (is_surely_certain()) return variations();
     const int none = -degree() - 2;
     int after_plus = -1;  // two values for which the first sign is no variation
     int after_minus = -1;
@@ -34,6 +45,23 @@ struct UncertainPolynomial {
       after_minus = minus;
     }
     return std::max(after_plus, after_minus);
+  }
+
+ private:
+  /// True only if all signs are certain; the margin covers the roundings of both sides.
+  [[nodiscard]] bool is_surely_certain() const {
+    const double least = error * (1 + 0x1p-50);
+    bool certain = true;
+    each<Count>(degree() + 1, [&](int k) { certain &= std::abs(weighted[k]) > least * binomials[k]; });
+    return certain;
+  }
+  /// The number of sign variations where all signs are certain.
+  [[nodiscard]] int variations() const {
+    int count = 0;
+    each<count_of(Count, -1)>(degree(), [&](int k) {
+      count += static_cast<int>(std::signbit(weighted[k]) != std::signbit(weighted[k + 1]));
+    });
+    return count;
   }
 };
 
@@ -47,21 +75,25 @@ class PolygonProduct {
   [[nodiscard]] UncertainPolynomial<count_of(Degree, Degree)> operator()(
       const HalvedPolygon<Dimension, count_of(Degree, 1)>& offset,
       const HalvedPolygon<Dimension, Degree>& difference) const {
-    const int n = degree_of<Dimension>(offset.b);
-    UncertainPolynomial<count_of(Degree, Degree)> f;
-    f.coefficients.setZero(1, 2 * n);
-    each<count_of(Degree, 1)>(n + 1, [&](int i) {
-      each<Degree>(n, [&](int j) {
-        f.coefficients[i + j] +=
-            of_curve_[i] * of_difference_[j] * dot<Dimension>(offset.b.col(i), difference.b.col(j));
-      });
-    });
-    each<count_of(Degree, Degree)>(2 * n, [&](int k) { f.coefficients[k] /= of_product_[k]; });
-    f.error = error_of(offset, difference);
-    return f;
+    if constexpr (Degree == dynamic)
+      return {sums<Dimension>(offset.b, difference.b), &of_product_[0], error_of(offset, difference)};
+    else
+      return {WrittenOutProduct<Dimension, Degree>::sums(offset.b, difference.b, of_curve_, of_difference_),
+              &of_product_[0], error_of(offset, difference)};
   }
 
  private:
+  /// C(2n-1,k) f_k.
+  template <int Dimension>
+  Polygon<1> sums(const Polygon<Dimension>& offset, const Polygon<Dimension>& difference) const {
+    const int n = degree_of<Dimension>(offset);
+    Polygon<1> f = Polygon<1>::Zero(1, 2 * n);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j < n; ++j)
+        f[i + j] += of_curve_[i] * of_difference_[j] * dot<Dimension>(offset.col(i), difference.col(j));
+    return f;
+  }
+
   /// A bound of the errors of the coefficients: the errors of the polygons, carried through the products, at most d + 1
   /// roundings in a product of vectors, 2n + 4 in weighting and summing, and 3n in binomials that are not exact.
   template <int Dimension>

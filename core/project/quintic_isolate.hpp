@@ -3,8 +3,8 @@
 //   the curve:
 //     f_k = sum_(i+j=k) C(n,i) C(n-1,j) / C(2n-1,k) (b_i - P).(b_(j+1) - b_j),
 //   then Newton's method: on the f_k of the piece while the steps are long, on (C - P).C' from the control points for
-//   the last steps, most often one. The curve and its differences are halved, not f: near the point they are small, and
-//   so are the rounding errors of f.
+//   the last steps, most often one. A root at which f falls is counted only: the distance is largest there. The curve
+//   and its differences are halved, not f: near the point they are small, and so are the rounding errors of f.
 // Source: [Chen et al. 2007], roots of this polynomial, isolated, then Newton's method; [Lane and Riesenfeld 1981],
 //   isolation by halving in Bernstein form; [Farouki and Rajan 1988], products in Bernstein form.
 // Cost: O(n^2) flops per piece, most often 2 to 10 pieces, and O(n^2) per Newton step. Quadratics and cubics run in

@@ -8,7 +8,7 @@ namespace bezierbench {
 struct FootPoint {
   double t = 0;
   double distance = 0;    ///< |C(t) - P|, in coordinate units
-  int candidates = 0;     ///< parameters or pieces whose distances were compared
+  int candidates = 0;     ///< parameters or pieces among which the nearest was sought
   bool converged = true;  ///< false where the method gave up early
 };
 
