@@ -4,7 +4,7 @@
 from ..answer import FORMS, NO_TIME, candidates, default_cell, useful
 from ..bundle import Missing
 from ..wording import general, shortest
-from .canvas import FAINT, finish, log_axis, panels, styled
+from .canvas import FAINT, finish, panels, styled
 from .method_lines import beside
 from .time_against_error import mark
 
@@ -23,9 +23,8 @@ def draw(bundle):
     ax = axes[0][0]
     for index, one in enumerate(members):
         mark(ax, one.timed, index)
-    for axis in (ax.xaxis, ax.yaxis):
-        axis._set_axes_scale("log")
-        log_axis(axis)
+    ax.set_xscale("log")
+    ax.set_yscale("log")
     ax.axhline(1, color=FAINT, linewidth=0.9)
     ax.set_xlabel("ns per point")
     ax.set_ylabel("largest error seen, u p~")

@@ -3,7 +3,7 @@
 
 from ..bundle import Missing
 from ..wording import general
-from .canvas import finish, log_axis, panels, styled
+from .canvas import finish, panels, styled
 from .method_lines import draw_methods, error_axis, looks, positive
 
 ID = "arc-length-evaluations"
@@ -34,7 +34,6 @@ def draw(bundle):
         ax.set_title(title, loc="left")
         error_axis(ax)
         ax.set_xscale("log")
-        log_axis(ax.xaxis)
         ax.set_ylabel("largest relative error")
         texts.append(f"{title}: " + ", ".join(f"{m} ends at {general(points[-1][0])} evaluations with {general(points[-1][1])}"
                                               for m, points in lines.items()))

@@ -18,7 +18,7 @@ from matplotlib.colors import to_hex  # noqa: E402
 from matplotlib.figure import Figure as Canvas  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.patches import Patch  # noqa: E402
-from matplotlib.ticker import FixedFormatter, FixedLocator, FuncFormatter, LogLocator, NullLocator  # noqa: E402
+from matplotlib.ticker import FixedFormatter, FixedLocator, FuncFormatter, LogFormatter, LogLocator, NullLocator  # noqa: E402
 
 from ..document import Figure, Series  # noqa: E402
 from ..foreign import restored  # noqa: E402
@@ -63,10 +63,18 @@ def panels(rows, columns, height=3.1, **more):
     return canvas, axes
 
 
+class _Decades(LogLocator):
+    """Powers of ten; within two decades 2 and 5 are named as well."""
+
+    def tick_values(self, vmin, vmax):
+        self.set_params(subs=(1, 2, 5) if vmax < 100 * vmin else (1,))
+        return super().tick_values(vmin, vmax)
+
+
 def log_axis(axis, ticks=None):
     """Decades written as in the tables: 1e-9."""
     axis.set_minor_locator(NullLocator())
-    axis.set_major_locator(FixedLocator(ticks) if ticks else LogLocator(numticks=9))
+    axis.set_major_locator(FixedLocator(ticks) if ticks else _Decades(numticks=9))
     axis.set_major_formatter(FuncFormatter(lambda value, _: shortest(float(f"{value:.6g}"))))  # 0.9985 is not 1
 
 
@@ -170,7 +178,10 @@ def _colour(artist):
 
 
 def finish(canvas, figure_id, caption, caption_zh, alt, bottom=0.75):
-    """Lays the figure out and renders it twice, without dates or versions."""
+    """Lays the figure out and renders it twice, without dates or versions; logarithmic axes are written as `log_axis` does."""
+    for axis in (one for ax in canvas.axes for one in (ax.xaxis, ax.yaxis)):
+        if isinstance(axis.get_major_formatter(), LogFormatter):
+            log_axis(axis)
     canvas.tight_layout(rect=(0, bottom / canvas.get_figheight(), 1, 1))
     series = _all_series(canvas)
     svg, png = io.StringIO(), io.BytesIO()
@@ -181,6 +192,7 @@ def finish(canvas, figure_id, caption, caption_zh, alt, bottom=0.75):
 
 
 def _lean(svg):
-    """Without trailing blanks and with coordinates to a hundredth of a point: smaller and easier to compare."""
-    svg = re.sub(r"(\d+\.\d{2})\d+", r"\1", svg)
+    """Without trailing blanks and with coordinates to a hundredth of a point, of tags and not of what they enclose: smaller and easier
+    to compare."""
+    svg = re.sub(r"<[^>]*>", lambda tag: re.sub(r"(\d+\.\d{2})\d+", r"\1", tag[0]), svg)
     return "\n".join(line.rstrip() for line in svg.splitlines()) + "\n"

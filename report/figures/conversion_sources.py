@@ -4,7 +4,7 @@
 from ..findings.conversion import SOURCES, sources
 from ..methods import FORM
 from ..wording import interval, scientific
-from .canvas import COLOURS, FAINT, finish, log_axis, panels, styled
+from .canvas import COLOURS, FAINT, finish, panels, styled
 from .method_lines import positive
 
 ID = "conversion-sources"
@@ -33,7 +33,6 @@ def draw(bundle):
             ax.set_yticks(range(len(methods)), methods if ax is axes[line][0] else [""] * len(methods), fontsize=7.5)
             ax.set_ylim(len(methods) - 0.4, -0.6)
             ax.set_xscale("log")
-            log_axis(ax.xaxis)
             ax.tick_params(axis="x", labelsize=8)
             ax.grid(axis="y", color=FAINT, alpha=0.28)
             title = FORM.get(own[0]["curve"], (own[0]["curve"],))[0]

@@ -5,7 +5,7 @@ from ..bundle import Missing
 from ..findings.conditioning import UNIT
 from ..methods import FORM
 from ..wording import general
-from .canvas import DOTTED, FAINT, INK, finish, log_axis, panels, styled
+from .canvas import DOTTED, FAINT, INK, finish, panels, styled
 from .method_lines import beside, looks, positive
 
 ID = "error-against-condition"
@@ -40,8 +40,6 @@ def draw(bundle):
         for power in range(1, 5):
             ax.axvline(UNIT ** -power, color=FAINT, linewidth=1.1)
             ax.text(UNIT ** -power, HIGHEST / 4, f" 1/u{'' if power == 1 else f'^{power}'}", fontsize=8.5, va="top", color=INK)
-        log_axis(ax.yaxis)
-        log_axis(ax.xaxis)
         title = FORM.get(curve, (curve,))[0]
         ax.set_title(title[0].upper() + title[1:], loc="left")
         ax.set_ylabel("median relative error")

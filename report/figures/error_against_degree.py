@@ -2,7 +2,7 @@
 """Table 2.3.1 as curves."""
 
 from ..methods import FORM, STATISTIC
-from .canvas import finish, legend, log_axis, panels, reproduced, styled
+from .canvas import finish, legend, panels, reproduced, styled
 from .printed_rows import COLOUR, LEGEND, METHODS, UNDER, describe, rows_of
 
 ID = "error-against-degree"
@@ -22,7 +22,6 @@ def draw(bundle):
                 reproduced(ax, degrees, rows, COLOUR[method], below=method == UNDER)
                 words.append(describe(rows, lambda r: f"degree {r['degree']:g}"))
             ax.set_yscale("log")
-            log_axis(ax.yaxis)
             ax.set_xticks(degrees)
             if line == 0:
                 ax.set_title(FORM[curve][0])

@@ -3,7 +3,7 @@
 
 from ..methods import FORM, STATISTIC
 from ..wording import interval
-from .canvas import finish, legend, log_axis, panels, reproduced, styled
+from .canvas import finish, legend, panels, reproduced, styled
 from .printed_rows import COLOUR, LEGEND, METHODS, UNDER, describe, rows_of
 
 ID = "error-against-interval"
@@ -29,7 +29,6 @@ def draw(bundle):
                 reproduced(ax, places, rows, COLOUR[method], below=method == UNDER)
                 words.append(describe(rows, lambda r: interval(r["t_min"], r["t_max"])))
             ax.set_yscale("log")
-            log_axis(ax.yaxis)
             ax.set_xticks(list(places), [interval(r["t_min"], r["t_max"]) for r in rows])
             ax.margins(x=0.08)
             if line == 0:

@@ -23,7 +23,6 @@ def draw(bundle):
                 words.append(describe(rows, lambda r: f"R = {r['coordinate_range']:g}"))
             ax.set_xscale("log")
             ax.set_yscale("log")
-            log_axis(ax.yaxis)
             log_axis(ax.xaxis, ranges)
             if line == 0:
                 ax.set_title(FORM[curve][0])

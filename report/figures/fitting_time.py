@@ -3,7 +3,7 @@
 
 from ..time_tables import fits_with_times
 from ..wording import general
-from .canvas import finish, log_axis, panels, styled
+from .canvas import finish, panels, styled
 from .fitting_segments import WORDS
 from .method_lines import draw_methods, error_axis, looks, positive
 
@@ -31,7 +31,6 @@ def draw(bundle):
             ax.set_title(WORDS[data][0].upper() + WORDS[data][1:] if ax is line[0] else "", loc="left")
             error_axis(ax)
             ax.set_xscale("log")
-            log_axis(ax.xaxis)
             ax.set_ylabel(label)
             texts.append(f"{label}, {WORDS[data]}: " + ", ".join(
                 f"{m} ends at {general(points[-1][0])} µs with {write(points[-1][1])}" for m, points in lines.items()))

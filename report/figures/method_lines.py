@@ -3,8 +3,6 @@
 
 import math
 
-from matplotlib.ticker import LogLocator
-
 from .canvas import COLOURS, DASHED, DOTTED, log_axis
 
 STROKES = ("solid", DASHED, DOTTED, (0, (5, 1.5, 1, 1.5)), (0, (7, 3)))
@@ -97,19 +95,15 @@ def beside(ax):
 
 
 def error_axis(ax):
-    """Logarithmic; within two decades 2 and 5 are named as well."""
+    """Errors on a logarithmic axis."""
     ax.set_yscale("log")
-    log_axis(ax.yaxis)
-    low, high = ax.get_ylim()
-    if high < 100 * low:
-        ax.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
 
 
 def degree_axis(ax, degrees):
-    """Degrees on a logarithmic axis, as many of them named as there is room for."""
-    ax.set_xscale("log")
+    """Degrees on an axis that is logarithmic where none is 0, as many of them named as there is room for."""
+    if min(degrees) > 0:
+        ax.set_xscale("log")
     log_axis(ax.xaxis, _apart(sorted(degrees)))
-    ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
 
 
 def _apart(values):

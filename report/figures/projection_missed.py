@@ -3,7 +3,7 @@
 
 from ..findings.projection import by_method
 from ..wording import general, percent
-from .canvas import COLOURS, finish, log_axis, panels, styled
+from .canvas import COLOURS, finish, panels, styled
 
 ID = "projection-missed"
 
@@ -25,7 +25,6 @@ def draw(bundle):
     axes[0][0].invert_yaxis()  # both, for they share it
     axes[0][0].set_yticks(list(places), names)
     axes[0][1].set_xscale("log")
-    log_axis(axes[0][1].xaxis)
     words = "; ".join(f"{m} misses {percent(methods[m].share)}, largest error {general(methods[m].largest)} units" for m in names)
     return finish(canvas, ID, "Foot points: missed, and the largest error of the distance", "垂足：漏掉的最近点与距离的最大误差",
                   f"Bars by method: {words}.", bottom=0.1)

@@ -4,7 +4,7 @@
 from ..bundle import Missing
 from ..methods import FORM
 from ..wording import general
-from .canvas import COLOURS, FAINT, INK, finish, log_axis, panels, styled
+from .canvas import COLOURS, FAINT, INK, finish, panels, styled
 from .method_lines import conversion, positive
 
 ID = "searched-maxima"
@@ -51,7 +51,6 @@ def draw(bundle):
             ax.set_ylim(len(methods[curve]) - 0.4, -0.6)
             ax.set_xscale("log")
             ax.set_xlim(right=min(2 * max(positive(r, c) or 0 for r in rows for c, *_ in MARKS), LIMIT))
-            log_axis(ax.xaxis)
             ax.set_title(f"{FORM.get(curve, (curve,))[0]}, degree {degree:g}", loc="left", fontsize=9)
             if cells:
                 worst = max(cells.values(), key=lambda r: r["searched_error_u"])

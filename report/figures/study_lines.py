@@ -6,7 +6,7 @@ import textwrap
 from ..bundle import Missing
 from ..chapters.kinds import KINDS, rows_of
 from ..tables import AXIS, axis_label, axis_value
-from ..wording import general, listing, shortest
+from ..wording import general, listing
 from .canvas import finish, panels, styled
 from .method_lines import degree_axis, draw_methods, draw_paths, error_axis, looks, path_colours, point_of, positive
 
@@ -101,7 +101,6 @@ def draw(bundle, study):
                           **({"fontsize": 7, "rotation": 40, "ha": "right"} if aslant else {"fontsize": 8}))
         else:
             degree_axis(ax, values)
-            ax.xaxis.set_major_formatter(lambda value, _: shortest(float(f"{value:.3g}")))
         ax.set_title(label, loc="left")
         ax.set_ylabel(textwrap.fill(what, WIDTH))
         last = {m: points[-1][1] for m, points in lines.items()}

@@ -3,7 +3,7 @@
 
 from ..methods import FORM, name
 from ..wording import general
-from .canvas import COLOURS, FAINT, finish, legend, log_axis, panels, reproduced, styled
+from .canvas import COLOURS, FAINT, finish, legend, panels, reproduced, styled
 from .printed_rows import UNDER
 
 ID = "time-against-degree"
@@ -34,7 +34,6 @@ def draw(bundle):
             words.append(f"{name(method)}, {FORM[curve][0]}: {general(rows[0]['ours_median'])} µs at degree {degrees[0]:g} "
                          f"to {general(rows[-1]['ours_median'])} µs at degree {degrees[-1]:g}")
         ax.set_yscale("log", nonpositive="mask")
-        log_axis(ax.yaxis)
         ax.axhline(TICK, color=FAINT, linewidth=0.9, zorder=0)
         ax.set_xticks(degrees)
         ax.set_title(FORM[curve][0])

@@ -8,7 +8,7 @@ from ..bundle import Missing
 from ..findings.choosing import ON, race_cell
 from ..methods import FORM
 from ..wording import general
-from .canvas import COLOURS, FAINT, belongs, finish, log_axis, panels, styled
+from .canvas import COLOURS, FAINT, belongs, finish, panels, styled
 from .method_lines import beside
 
 ID = "time-against-error"
@@ -36,9 +36,7 @@ def draw(bundle):
                          + (" (on the front)" if row["pareto"] == ON else ""))
         ax.set_xscale("log")
         ax.set_yscale("log")
-        log_axis(ax.yaxis)
         ax.axhline(1, color=FAINT, linewidth=0.9)
-        ax.xaxis.set_major_formatter(lambda value, _: general(value))
         ax.set_title(f"degree {n:g}", loc="left")
         ax.set_ylabel("largest error, u p~")
         beside(ax)

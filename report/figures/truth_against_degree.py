@@ -5,7 +5,7 @@ import math
 
 from ..methods import FORM
 from ..wording import general
-from .canvas import INK, PAPER, finish, log_axis, panels, styled
+from .canvas import INK, PAPER, finish, panels, styled
 
 ID = "truth-against-degree"
 CURVES = ("bezier", "polynomial")
@@ -48,7 +48,6 @@ def draw(bundle):
         ax.set_yticks(range(len(errors[curve])), [method for method, _ in errors[curve]], fontsize=8.5)
         ax.set_ylim(len(errors[curve]) - 0.4, -0.6)
         ax.set_xscale("log")
-        log_axis(ax.xaxis)
         ax.set_title(title)
         (worst, bad), (best, good) = errors[curve][0], errors[curve][-1]
         words.append(f"{title}: the worst at its highest degree is {worst} with {general(bad[max(bad)])}, the best {best} "
