@@ -222,7 +222,12 @@ async function looks(path) {
   check(clipped.length === 0, `the caption is cut of ${clipped}`);
   await desk.context().close();
   const phone = await open(path, { viewport: { width: 390, height: 844 } });
-  const width = await phone.evaluate(() => document.documentElement.scrollWidth);
+  const width = await phone.evaluate(() => { // ids and cells of any length
+    document.querySelector("#picker option").textContent += ", and what else tells this cell from the others of this bundle";
+    document.querySelectorAll("main p code").forEach((code) => { code.textContent = "forward_substitution:compensated_volk_schumaker"; });
+    document.querySelectorAll("section").forEach((section) => { section.style.contentVisibility = "visible"; });
+    return document.documentElement.scrollWidth;
+  });
   check(width <= 390, `at 390 px the page is ${width} wide`);
   const cut = await phone.$$eval("main table", (all) => all.filter((table) => {
     table.scrollIntoView({ behavior: "instant" });
