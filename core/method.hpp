@@ -24,7 +24,8 @@ enum class Problem {
   interpolation,
   fitting,
   subdivision,
-  grid
+  grid,
+  bspline
 };
 
 constexpr std::string_view name(Problem problem) {
@@ -39,6 +40,7 @@ constexpr std::string_view name(Problem problem) {
     case Problem::fitting: return "fitting";
     case Problem::subdivision: return "subdivision";
     case Problem::grid: return "grid";
+    case Problem::bspline: return "bspline";
   }
   return "";
 }

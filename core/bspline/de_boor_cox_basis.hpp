@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Formula: p(t) = sum d_i N_i^n(t), with N_0^0 = 1 and, for r = 1..n and i = 0..r,
+//   N_i^r = (t - u_(n-r+i-1)) / (u_(n+i-1) - u_(n-r+i-1)) N_(i-1)^(r-1) + (u_(n+i) - t) / (u_(n+i) - u_(n-r+i))
+//   N_i^(r-1).
+// Source: [Piegl and Tiller 1997], algorithm A2.2, with a quotient for each weight.
+// Cost: 8 n(n+1)/2 + d (2n + 1) flops, of which the first part does not depend on the control points.
+// Bound: gamma_(6n+1) p~. A basis function has five roundings a level (basis_functions.hpp), a term of the sum one for
+//   its product and up to n for the additions. Underflow: level r loses at most eta/2 in each of its 2r weights, times
+//   N_i^(r-1), which sum to 1, and eta/2 in each of its 2r products; over all levels n(n+3)/2 eta, times max|d|; and
+//   the products of the sum (n+1) eta/2.
+// Fails: differences of knots may overflow.
+#pragma once
+
+#include "core/bspline/basis_functions.hpp"
+
+namespace bezierbench {
+
+struct DeBoorCoxBasis {
+  static constexpr BsplineBound bound{.text = "gamma_(6n+1) p~",
+                                      .point = [](int n, double u) { return gamma_over_u(6.0 * n + 1, u); },
+                                      .control = nullptr,
+                                      .underflow = [](int n) { return (n + 1.0) * (n + 2.0); }};
+  static constexpr MethodInfo info{.id = "de_boor_cox_basis",
+                                   .label = "Basis functions of de Boor and Cox",
+                                   .problem = Problem::bspline,
+                                   .form = Form::bernstein,
+                                   .min_degree = 1,
+                                   .promise = bound.text,
+                                   .flops = "4n(n+1) + d (2n + 1)",
+                                   .cost_exponent = 2,
+                                   .citation = "[Piegl and Tiller 1997], algorithm A2.2; bound derived here"};
+
+  template <class Scalar, int Dimension>
+  static Point<Scalar, Dimension> evaluate(const BsplineSpan<Scalar, Dimension>& span, const Scalar& t) {
+    const auto basis = basis_functions(span, t);
+    Point<Scalar, Dimension> point;
+    for (int axis = 0; axis < Dimension; ++axis) {
+      Scalar sum = basis[0] * span.control_points(axis, 0);
+      for (int i = 1; i <= span.degree(); ++i) sum = sum + basis[i] * span.control_points(axis, i);
+      point[axis] = sum;
+    }
+    return point;
+  }
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The methods for B-spline curves behind function pointers.
+#pragma once
+
+#include <span>
+
+#include "core/basis/bspline_bound.hpp"
+#include "core/bspline/span_view.hpp"
+#include "core/method.hpp"
+
+namespace bezierbench {
+
+/// One method, for curves of one dimension.
+struct BsplineKernel {
+  const MethodInfo* info;
+  const BsplineBound* bound;  ///< nullptr where nothing is proved
+  int dimension;
+  bool makes_bernstein;  ///< whether it makes the Bernstein form of the span
+  /// Writes the coordinates of the point at t in the span and, where it makes the Bernstein form, behind them those of
+  /// its degree + 1 control points, point by point. The knots are those of `are_span_knots`.
+  void (*solve)(const BsplineSpanView& span, double t, double* coordinates);
+};
+
+/// The number of points that `solve` writes.
+inline int points_of(const BsplineKernel& kernel, int degree) { return 1 + (kernel.makes_bernstein ? degree + 1 : 0); }
+
+/// All methods, in roster order. Dimension is 1, 2 or 3.
+std::span<const BsplineKernel> bspline_kernels(int dimension);
+
+/// The infos of all methods, in roster order.
+std::span<const MethodInfo* const> bspline_infos();
+
+}  // namespace bezierbench

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Every method for B-spline curves against the exact points and control points, and within its bound.
+#include "core/bspline/roster.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/bspline/kernel.hpp"
+#include "core/evaluate/evaluation_test.hpp"
+#include "reference/exact_bspline.hpp"
+
+namespace bezierbench {
+namespace {
+
+constexpr double u = 0x1p-53;
+
+std::vector<double> solve(const BsplineKernel& kernel, const BsplineSpanView& span, double t) {
+  std::vector<double> all(static_cast<std::size_t>(points_of(kernel, span.degree) * span.dimension));
+  kernel.solve(span, t, all.data());
+  return all;
+}
+
+TEST(Bspline, SaysWhichKnotsBoundASpan) {
+  const auto are = [](std::vector<double> knots) { return are_span_knots<double>(knots); };
+  EXPECT_TRUE(are({0, 1}) && are({0, 0, 1, 1}) && are({-1, 0, 0.5, 2}));
+  EXPECT_FALSE(are({}) || are({0, 1, 2})) << "not two for each degree";
+  EXPECT_FALSE(are({0, 1, 1, 2})) << "an empty span";
+  EXPECT_FALSE(are({0, 1, 2, 1.5}) || are({1, 0, 2, 3})) << "descending";
+  EXPECT_FALSE(are({0, std::numeric_limits<double>::quiet_NaN(), 2, 3}));
+}
+
+/// Over uniform knots the Bernstein form of a quadratic begins and ends in the middles of its control polygon's sides.
+/// The point in the middle of the span is a quarter of its ends and half of its middle point.
+TEST(Bspline, PointsOfAUniformQuadraticAreExactWhereNothingRounds) {
+  const std::vector<double> knots{0, 1, 2, 3};
+  const std::vector<double> control_points{0, 8, 3, 4, 4, -4};
+  for (const auto& kernel : bspline_kernels(2)) {
+    std::vector<double> expected{2.75, 3.5};
+    if (kernel.makes_bernstein) expected.insert(expected.end(), {1.5, 6, 3, 4, 3.5, 0});
+    EXPECT_EQ(solve(kernel, {2, 2, knots, control_points}, 1.5), expected) << kernel.info->id;
+  }
+}
+
+TEST(Bspline, TheFirstSpanOfAClampedCurveBeginsInItsFirstPoint) {
+  Inputs inputs(7);
+  for (int n = 1; n <= 9; ++n) {
+    std::vector<double> knots(static_cast<std::size_t>(n), 0.1);
+    for (int k = 0; k < n; ++k) knots.push_back(knots.back() + inputs.unit() + 0x1p-20);
+    const auto control_points = inputs.coefficients(n, 2);
+    for (const auto& kernel : bspline_kernels(2)) {
+      const auto all = solve(kernel, {2, n, knots, control_points}, 0.1);
+      EXPECT_EQ(all[0], control_points[0]) << kernel.info->id << " degree " << n;
+      EXPECT_EQ(all[1], control_points[1]) << kernel.info->id << " degree " << n;
+    }
+  }
+}
+
+/// Knots about a span, of one of several kinds.
+std::vector<double> some_knots(int kind, int n, Inputs& inputs) {
+  std::vector<double> knots{kind == 0 ? 17 : inputs.unit() * (kind == 4 ? 0x1p+20 : 1)};
+  for (int k = 1; k < 2 * n; ++k) {
+    const double random = 0x1p-10 + inputs.unit();
+    double distance = random;
+    if (kind == 0) distance = 1;
+    if (kind == 1 && k != n) distance = k < n ? 0 : random;
+    if (kind == 2 && k != n) distance = inputs.unit() < 0.5 ? 0 : random;
+    if (kind == 3) distance = std::ldexp(random, -static_cast<int>(inputs.unit() * 30));
+    knots.push_back(knots.back() + distance);
+  }
+  if (kind == 5)
+    for (double& knot : knots) knot = std::ldexp(knot, -1060);
+  return knots;
+}
+constexpr int kinds_of_knots = 6;
+
+/// The error of `value`, and its bound where the method has one.
+void expect_bound(const BsplineKernel& kernel, double factor, const BsplineSpanView& span,
+                  const reference::ExactBsplineWeights& weights, double value, int trial) {
+  std::vector<double> magnitudes;
+  for (const double d : span.control_points) magnitudes.push_back(std::abs(d));
+  const auto truth = weights.sum(1, span.control_points);
+  const double p_tilde = reference::round_to(reference::binary64, weights.sum(1, magnitudes).coordinate(0));
+  const double error = reference::Distance(truth).to(std::span(&value, 1));
+  const double lost = kernel.bound->underflow(span.degree) * std::numeric_limits<double>::denorm_min() *
+                      (1 + *std::ranges::max_element(magnitudes));
+  EXPECT_LE(error, (factor * u * p_tilde + lost) * (1 + 0x1p-20))
+      << kernel.info->id << " degree " << span.degree << " trial " << trial;
+}
+
+TEST(Bspline, PointsAndControlPointsKeepTheirBounds) {
+  Inputs inputs(8);
+  for (int trial = 0; trial < 50 * kinds_of_knots; ++trial) {
+    const int n = 1 + static_cast<int>(inputs.unit() * (trial % 25 == 0 ? 20 : 7));
+    const auto knots = some_knots(trial % kinds_of_knots, n, inputs);
+    const auto size = static_cast<std::size_t>(n);
+    ASSERT_TRUE(are_span_knots<double>(knots));
+    auto control_points = inputs.coefficients(n, 1);
+    if (trial % 7 == 0)
+      for (double& d : control_points) d *= 0x1p-1065;
+    const double inside =
+        std::clamp(knots[size - 1] + inputs.unit() * (knots[size] - knots[size - 1]), knots[size - 1], knots[size]);
+    const double t = trial % 5 == 0 ? knots[size - 1] : trial % 5 == 1 ? knots[size] : inside;
+    const BsplineSpanView span{1, n, knots, control_points};
+    for (const auto& kernel : bspline_kernels(1)) {
+      const auto all = solve(kernel, span, t);
+      ASSERT_TRUE(std::ranges::all_of(all, [](double x) { return std::isfinite(x); })) << kernel.info->id;
+      if (kernel.bound == nullptr) continue;
+      expect_bound(kernel, kernel.bound->point(n, u), span, reference::ExactBsplineWeights::at(knots, t), all[0],
+                   trial);
+      for (int k = 0; k <= n && kernel.makes_bernstein; ++k)
+        expect_bound(kernel, kernel.bound->control(n, u), span,
+                     reference::ExactBsplineWeights::of_control_point(knots, k), all[static_cast<std::size_t>(k) + 1],
+                     trial);
+    }
+  }
+}
+
+/// Without a proved bound: over uniform and clamped knots of degrees up to 5 all but a few digits are right.
+TEST(Bspline, CoefficientsByChudyAndWoznyAreRightOverOrdinaryKnots) {
+  Inputs inputs(9);
+  const auto& kernel = *std::ranges::find(bspline_kernels(1), &ChudyWoznySpan::info, &BsplineKernel::info);
+  for (int trial = 0; trial < 60; ++trial) {
+    const int n = 1 + trial % 5;
+    const auto knots = some_knots(trial % 2, n, inputs);
+    const auto control_points = inputs.coefficients(n, 1);
+    const auto all = solve(kernel, {1, n, knots, control_points}, knots[static_cast<std::size_t>(n)]);
+    for (int k = 0; k <= n; ++k) {
+      const auto truth = reference::ExactBsplineWeights::of_control_point(knots, k).sum(1, control_points);
+      EXPECT_LE(reference::Distance(truth).to(std::span(&all[static_cast<std::size_t>(k) + 1], 1)), 0x1p-40)
+          << "degree " << n << " control point " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bezierbench
