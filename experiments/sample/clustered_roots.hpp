@@ -39,7 +39,8 @@ struct ClusteredRoots {
           "those of a polynomial with n simple roots on a lattice about 1/2, on every axis, exact; R a power "
           "of two",
       .t = "as continuous",
-      .limits = {.bezier_degree = largest_degree,
+      .limits = {.whole_curve = true,
+                 .bezier_degree = largest_degree,
                  .polynomial_degree = largest_degree,
                  .smallest_range = 0x1p-900,
                  .largest_range = 0x1p900,

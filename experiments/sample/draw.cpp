@@ -28,7 +28,7 @@ void fill(Words& words, const Cell& cell, Trial& out) {
 
 template <PolynomialGenerator G>
 void fill(Words& words, const Cell& cell, Trial& out) {
-  static_assert(!G::info.limits.weights && G::info.limits.exact_coefficients);
+  static_assert(!G::info.limits.weights && G::info.limits.whole_curve && G::info.limits.exact_coefficients);
   out.t = G::parameter(words, cell.t_interval);
   out.weights.clear();
   const auto d = static_cast<std::size_t>(cell.dimension);
@@ -42,11 +42,19 @@ void fill(Words& words, const Cell& cell, Trial& out) {
 
 template <CurveGenerator G>
 void fill(Words& words, const Cell& cell, Trial& out) {
-  static_assert(!G::info.limits.weights && G::info.limits.exact_coefficients);
+  static_assert(!G::info.limits.weights && G::info.limits.whole_curve && G::info.limits.exact_coefficients);
   out.t = G::parameter(words, cell.t_interval);
   out.weights.clear();
   G::curve(words, cell.dimension, out.coefficients);
   for (double& coordinate : out.coefficients) coordinate *= cell.coordinate_range;
+}
+
+template <RoundedCurveGenerator G>
+void fill(Words& words, const Cell& cell, Trial& out) {
+  static_assert(!G::info.limits.weights && G::info.limits.whole_curve && !G::info.limits.exact_coefficients);
+  out.t = G::parameter(words, cell.t_interval);
+  out.weights.clear();
+  G::rounded_curve(words, cell.dimension, cell.coordinate_range, out.coefficients);
 }
 
 using Fill = void (*)(Words&, const Cell&, Trial&);

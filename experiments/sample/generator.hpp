@@ -57,7 +57,15 @@ concept CurveGenerator = ParameterGenerator<G> && requires(Words& words, int dim
   { G::curve(words, dimension, coordinates) } -> std::same_as<void>;
 };
 
+/// Draws the coordinates of a whole curve in Bernstein form, point by point, each in [-R, R] (finite R >= 0) and
+/// rounded.
 template <class G>
-concept Generator = CoordinateGenerator<G> || PolynomialGenerator<G> || CurveGenerator<G>;
+concept RoundedCurveGenerator = ParameterGenerator<G> &&
+    requires(Words& words, int dimension, double range, std::span<double> coordinates) {
+  { G::rounded_curve(words, dimension, range, coordinates) } -> std::same_as<void>;
+};
+
+template <class G>
+concept Generator = CoordinateGenerator<G> || PolynomialGenerator<G> || CurveGenerator<G> || RoundedCurveGenerator<G>;
 
 }  // namespace bezierbench::sample

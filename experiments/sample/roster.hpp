@@ -4,6 +4,7 @@
 
 #include <tuple>
 
+#include "experiments/sample/bspline.hpp"
 #include "experiments/sample/clustered_roots.hpp"
 #include "experiments/sample/continuous.hpp"
 #include "experiments/sample/cusp.hpp"
@@ -30,6 +31,7 @@ using Generators = std::tuple<Continuous,      //
                               Cusp,            //
                               Distant,         //
                               Graded,          //
-                              Thin>;
+                              Thin,            //
+                              Bspline>;
 
 }  // namespace bezierbench::sample

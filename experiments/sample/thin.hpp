@@ -24,8 +24,11 @@ struct Thin {
           "small whole multiples of R/32 on the first axis, of R 2^-9 to R 2^-25 on others; half zigzag; R a "
           "power of two",
       .t = "as continuous",
-      .limits = {
-          .polynomial_degree = 0, .smallest_range = 0x1p-900, .largest_range = 0x1p900, .exact_coefficients = true}};
+      .limits = {.whole_curve = true,
+                 .polynomial_degree = 0,
+                 .smallest_range = 0x1p-900,
+                 .largest_range = 0x1p900,
+                 .exact_coefficients = true}};
 
   static double parameter(Words& words, suite::Interval t) { return Continuous::parameter(words, t); }
 

@@ -9,7 +9,8 @@
 namespace bezierbench::suite {
 
 struct GeneratorLimits {
-  bool weights = false;  ///< it draws weights, so it is for rational curves only
+  bool weights = false;      ///< it draws weights, so it is for rational curves only
+  bool whole_curve = false;  ///< the coefficients of a curve are drawn together, not point by point
   int bezier_degree = max_degree;
   int polynomial_degree = max_degree;
   double smallest_range = 0;

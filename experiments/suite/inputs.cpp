@@ -50,7 +50,7 @@ Finding check_degree(const Study& study, const Inputs& inputs) {
 Finding check_independence(const Study& study, std::span<const KnownGenerator> generators) {
   for (std::size_t k = 0; k < study.generator.size(); ++k)
     for (const KnownGenerator& generator : generators)
-      if (generator.id == study.generator[k] && generator.limits.exact_coefficients)
+      if (generator.id == study.generator[k] && generator.limits.whole_curve)
         return Fault{"generator", k, "kind",
                      fmt::format("generator \"{}\" draws a curve as a whole, not points; choose another, see `list "
                                  "generators`",

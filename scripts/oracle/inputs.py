@@ -26,6 +26,8 @@ COLUMNS = ["study", "curve", "dimension", "degree", "coordinate_range", "t_min",
 WEIGHTED = {"id": "weights", "kind": "accuracy", "curve": "rational", "degree": [3], "coordinate_range": [10],
             "generator": ["weights_mild", "weights_wild"]}
 GRADED = {"id": "graded", "kind": "accuracy", "degree": [3], "coordinate_range": [10], "generator": ["graded"]}
+BSPLINE = {"id": "bspline", "kind": "accuracy", "degree": [3], "coordinate_range": [10], "generator": ["bspline"],
+           "first_trials": 18}  # enough for every kind of knots
 TRIALS = 2
 MASK = (1 << 64) - 1
 
@@ -187,6 +189,52 @@ def thin(n, dimension, stream):
     return points
 
 
+def whole(u):
+    return float(math.floor(64 * u))
+
+
+def spread(_place, u):
+    return 2.0**-10 + u
+
+
+def graded_distance(_place, u):
+    binade = math.floor(40 * u)
+    return math.ldexp(1 + (40 * u - binade), -1 - binade)
+
+
+# id: (the first knot of the span, the distance of two neighbours), both from a number in [0, 1]; the place is -1 before
+# the span, 0 for the span itself and 1 after it.
+KNOTS = {"uniform": (whole, lambda place, u: 1.0),
+         "clamped": (lambda u: 0.0, lambda place, u: 0.0 if place < 0 else spread(place, u)),
+         "random": (lambda u: u, spread),
+         "multiple": (lambda u: u, lambda place, u: spread(place, u) if place == 0 or u >= 0.5 else 0.0),
+         "uneven": (lambda u: u, graded_distance)}
+
+
+def bspline(n, dimension, r, stream):
+    """The Bernstein form of a knot span, in the double arithmetic that the generator describes."""
+    first, distance = list(KNOTS.values())[below(len(KNOTS), stream)]
+    begin = first(affine(0, 1, stream))
+    distances = [distance((k > n - 1) - (k < n - 1), affine(0, 1, stream)) for k in range(2 * n - 1)]
+    knots = [begin]
+    for step in reversed(distances[:n - 1]):
+        knots.insert(0, knots[0] - step)
+    for step in distances[n - 1:]:
+        knots.append(knots[-1] + step)
+    points = [[continuous(r, stream) for _ in range(dimension)] for _ in range(n + 1)]
+    a, c = knots[n - 1:n + 1]
+
+    def blossom(arguments, d):
+        for level, x in enumerate(arguments):
+            for i in range(n - level):
+                left, right = knots[i + level], knots[i + n]
+                d[i] = (right - x) / (right - left) * d[i] + (x - left) / (right - left) * d[i + 1]
+        return max(-r, min(r, d[0]))
+
+    return [[blossom([a] * (n - k) + [c] * k, [p[axis] for p in points]) for axis in range(dimension)]
+            for k in range(n + 1)]
+
+
 def power_coefficients(leading, roots):
     """The power coefficients of leading * prod (t - root), ascending."""
     coefficients = [leading]
@@ -214,6 +262,7 @@ def polynomial(curve, leading, roots):
 COORDINATES = {"continuous": continuous, "dyadic": continuous, "integer": integer, "report": report, "distant": distant,
                "graded": graded, "weights_mild": continuous, "weights_wild": continuous}
 CURVES = {"cusp": cusp, "thin": thin}
+ROUNDED_CURVES = {"bspline": bspline}
 POLYNOMIALS = {"multiple_root": multiple_root, "clustered_roots": clustered_roots}
 PARAMETERS = {"dyadic": dyadic_t, "report": report_t}  # every other generator draws t as continuous
 WEIGHTS = {"weights_mild": mild, "weights_wild": wild}
@@ -238,6 +287,9 @@ def draw(seed, study, cell, trial):
         if any(Fraction(float(x)) != x for x in exact):
             raise SystemExit(f"inputs.py: a curve of {generator} is not exact in doubles; lower the degree of its generator")
         return t, [float(x) for x in exact], []
+    if generator in ROUNDED_CURVES:
+        points = ROUNDED_CURVES[generator](cell["degree"], cell["dimension"], float(cell["coordinate_range"]), stream)
+        return t, [x for p in points for x in p], []
     coefficients = [COORDINATES[generator](cell["coordinate_range"], stream)
                     for _ in points for _ in range(cell["dimension"])]
     return t, coefficients, [WEIGHTS[generator](stream) for _ in points] if generator in WEIGHTS else []
@@ -264,6 +316,7 @@ def studies():
                 yield suite["suite"].get("seed", 1), study
     yield 1, WEIGHTED
     yield 1, GRADED
+    yield 1, BSPLINE
 
 
 def rows():
@@ -273,7 +326,7 @@ def rows():
             cell = {"curve": study.get("curve", "bezier"), "dimension": study.get("dimension", [2])[0],
                     "degree": study["degree"][0], "coordinate_range": number(study.get("coordinate_range", [1])[0]),
                     "t_min": number(t_min), "t_max": number(t_max), "generator": generator}
-            for trial in range(TRIALS):
+            for trial in range(study.get("first_trials", TRIALS)):
                 t, coefficients, weights = draw(seed, study["id"], cell, trial)
                 row = {"study": study["id"], **cell, "trial": trial, "t": hexadecimal(t),
                        "coefficients": " ".join(map(hexadecimal, coefficients)),
