@@ -47,6 +47,7 @@ STUDIES = {
     "fit": ("fitting", "bezier", "degree = [3]\npoints = [5]\ntolerance = [1e-2]\ntrials = 2"),
     "split": ("subdivision", "bezier", "degree = [3]\ntrials = 2"),
     "split-weights": ("subdivision", "rational", 'degree = [3]\ngenerator = ["weights_mild"]\ntrials = 2'),
+    "bspline": ("bspline", "bezier", "degree = [3]\ntrials = 2"),
     "grid": ("grid", "bezier", "degree = [3]\npoints = [5]\ntrials = 2"),
     "hard": ("hard_cases", "polynomial", 'scalar = ["double", "float"]\ntrials = 200\nkept = 2'),
     "keeps": ("guarantees", "bezier", 'degree = [1]\nmethods = ["de_casteljau*", "direct_pow"]\ntrials = 20\nbudget = 200'),

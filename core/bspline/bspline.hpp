@@ -2,7 +2,7 @@
 // The concepts of a method for B-spline curves. A curve of degree m >= 1 depends in one knot span on 2m knots
 // u_0 <= ... <= u_(2m-1), the span being [a, c] with a = u_(m-1) < c = u_m, and on m + 1 control points d_i:
 //   p(t) = sum d_i N_i(t),    where d_i is the blossom of p at u_i, ..., u_(i+m-1).
-// All knots are as they stand in the knot vector of the curve; no knot outside these has any influence on the span.
+// No other knot and no other control point has any influence on the span.
 #pragma once
 
 #include <concepts>

@@ -8,6 +8,7 @@
 
 #include "experiments/number/number.hpp"
 #include "experiments/sample/data_kind.hpp"
+#include "experiments/sample/knot_kind.hpp"
 #include "experiments/sample/placement.hpp"
 #include "experiments/suite/kinds.hpp"
 
@@ -69,6 +70,7 @@ std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes
   sweep(all, suite::points_of(study), [](CaseValues& one, int points) { one.points = points; });
   if (axes.data) sweep(all, ids_of(sample::data_kinds()), [](CaseValues& one, auto id) { one.data = id; });
   if (axes.placement) sweep(all, ids_of(sample::placements()), [](CaseValues& one, auto id) { one.placement = id; });
+  if (axes.knots) sweep(all, ids_of(sample::knot_kinds()), [](CaseValues& one, auto id) { one.knots = id; });
   return all;
 }
 

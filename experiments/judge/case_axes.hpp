@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The case axes of a companion problem: what a study varies besides the curves (order, tolerance, points, data). Their
-// columns tell rows apart and are empty for other problems.
+// The case axes of a companion problem: what a study varies besides the curves (order, tolerance, points, data, knots).
+// Their columns tell rows apart and are empty for other problems.
 #pragma once
 
 #include <optional>
@@ -18,6 +18,7 @@ struct CaseValues {
   std::optional<int> points = std::nullopt;        ///< number of data points
   std::string_view data = {};                      ///< id of a sample::DataKind
   std::string_view placement = {};                 ///< id of a sample::Placement
+  std::string_view knots = {};                     ///< id of a sample::KnotKind
   friend bool operator==(const CaseValues&, const CaseValues&) = default;
 };
 
@@ -27,6 +28,7 @@ struct CaseAxes {
   bool tolerance = false;  ///< a method is asked for one
   bool data = false;       ///< every kind of data is a case of its own
   bool placement = false;  ///< so is every placement; times are those of the first
+  bool knots = false;      ///< so is every kind of knots; times are those of the first
 };
 
 /// A column that says which case a row is of; empty where the problem has no such axis.
@@ -45,6 +47,7 @@ inline constexpr CaseColumn points{"points", points_field};
 inline constexpr CaseColumn data{"data", [](const CaseValues& values) { return std::string(values.data); }};
 inline constexpr CaseColumn placement{"placement",
                                       [](const CaseValues& values) { return std::string(values.placement); }};
+inline constexpr CaseColumn knots{"knots", [](const CaseValues& values) { return std::string(values.knots); }};
 }  // namespace case_column
 
 /// order,tolerance,points,data: of times.

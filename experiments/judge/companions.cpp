@@ -9,6 +9,7 @@
 
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
+#include "core/bspline/kernel.hpp"
 #include "core/derivative/kernel.hpp"
 #include "core/fit/kernel.hpp"
 #include "core/grid/kernel.hpp"
@@ -25,9 +26,10 @@ namespace {
 using Infos = std::span<const MethodInfo* const> (*)();
 
 /// One entry for each problem's roster, and one for the methods of other libraries.
-constexpr std::array<Infos, 9> rosters{derivative_infos, arc_length_infos,    inverse_arc_length_infos,
-                                       projection_infos, interpolation_infos, fitting_infos,
-                                       split_infos,      grid_infos,          companion_peer_infos};
+constexpr std::array<Infos, 10> rosters{derivative_infos,    arc_length_infos,    inverse_arc_length_infos,
+                                        projection_infos,    interpolation_infos, fitting_infos,
+                                        split_infos,         grid_infos,          bspline_infos,
+                                        companion_peer_infos};
 
 }  // namespace
 

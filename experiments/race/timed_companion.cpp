@@ -8,6 +8,7 @@ namespace bezierbench::race {
 std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, judge::CaseAxes axes) {
   judge::check_timed(study, problem);
   axes.placement = false;  // only the first placement is timed
+  axes.knots = false;      // and the first kind of knots
   const auto all_cases = judge::cases_of(study, axes);
   auto with_degree = study;
   if (!axes.degree) with_degree.degree = {judge::segment_degree};

@@ -9,6 +9,7 @@
 
 #include "experiments/studies/accuracy/accuracy.hpp"
 #include "experiments/studies/arc_length/arc_length.hpp"
+#include "experiments/studies/bspline/bspline.hpp"
 #include "experiments/studies/conversion/conversion.hpp"
 #include "experiments/studies/derivative/derivative.hpp"
 #include "experiments/studies/exhaustive/exhaustive.hpp"
@@ -51,7 +52,8 @@ constexpr std::array kinds{
     StudyKind{suite::HardCasesKeys::kind, hard_cases_job, {"hard_cases"}},
     StudyKind{suite::GuaranteesKeys::kind, guarantees_job, {"guarantees|guarantees_unstable"}},
     StudyKind{suite::ExhaustiveKeys::kind, exhaustive_job, {"exhaustive"}},
-    StudyKind{suite::GridKeys::kind, grid_job, {"grid"}}};
+    StudyKind{suite::GridKeys::kind, grid_job, {"grid"}},
+    StudyKind{suite::BsplineKeys::kind, bspline_job, {"bspline"}}};
 
 const StudyKind& find(const suite::Study& study) {
   const auto found =

@@ -10,6 +10,7 @@
 #include "core/curve_view.hpp"
 #include "experiments/suite/kinds/accuracy.hpp"
 #include "experiments/suite/kinds/arc_length.hpp"
+#include "experiments/suite/kinds/bspline.hpp"
 #include "experiments/suite/kinds/conversion.hpp"
 #include "experiments/suite/kinds/derivative.hpp"
 #include "experiments/suite/kinds/exhaustive.hpp"
@@ -33,7 +34,7 @@ namespace bezierbench::suite {
 /// `Keys::kind()` (kinds.hpp) describes each.
 using KindKeys = std::variant<AccuracyKeys, SearchKeys, ConversionKeys, TimingKeys, RooflineKeys, DerivativeKeys,
                               ArcLengthKeys, InverseArcLengthKeys, ProjectionKeys, InterpolationKeys, FittingKeys,
-                              SubdivisionKeys, HardCasesKeys, GuaranteesKeys, ExhaustiveKeys, GridKeys>;
+                              SubdivisionKeys, HardCasesKeys, GuaranteesKeys, ExhaustiveKeys, GridKeys, BsplineKeys>;
 
 /// One [[study]] table. Axes are swept in the cross product.
 struct Study {

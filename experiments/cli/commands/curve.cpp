@@ -22,6 +22,7 @@ void add_curve(Command program, Exit& /*exit*/) {
   add_curve_fit(curve);
   add_curve_split(curve);
   add_curve_grid(curve);
+  add_curve_bspline(curve);
 }
 
 }  // namespace bezierbench::cli

@@ -28,5 +28,6 @@ void add_curve_interpolate(Command curve);
 void add_curve_fit(Command curve);
 void add_curve_split(Command curve);
 void add_curve_grid(Command curve);
+void add_curve_bspline(Command curve);
 
 }  // namespace bezierbench::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/cli/curve/curve_methods.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiments/echo.hpp"
@@ -50,6 +51,16 @@ double finite_option(const std::string& option, const std::string& text) {
     throw Failure(Exit::usage,
                   fmt::format("{} {}: not a finite number; write a decimal or hexadecimal double", option, echo(text)));
   return *value;
+}
+
+std::vector<double> finite_numbers(const std::string& option, const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(',', begin), text.size());
+    numbers.push_back(finite_option(option, text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return numbers;
 }
 
 }  // namespace bezierbench::cli

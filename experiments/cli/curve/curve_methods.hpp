@@ -38,6 +38,9 @@ std::vector<std::string> ids_in(const Table& table) {
 /// The finite parameter in the text of an option. Throws Failure(usage) that names the option.
 double finite_option(const std::string& option, const std::string& text);
 
+/// The finite numbers, separated by commas, in the text of an option. Throws likewise.
+std::vector<double> finite_numbers(const std::string& option, const std::string& text);
+
 /// The entries named by `ids`, in the order of the names; without names all that apply, in the order of the roster.
 /// Entries have an `info`.
 template <class Table>

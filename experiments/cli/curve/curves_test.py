@@ -143,6 +143,33 @@ class Curves(Case):
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, ["curve", "grid", "--curve", *arguments], *needles)
 
+    def test_bspline(self):
+        self.write("d.csv", "x,y\n0,8\n3,4\n4,-4\n0,0\n")
+        curve = ["curve", "bspline", "--points", "d.csv", "--knots"]
+        found = rows(self.fine(*curve, "0,1,2,3,4,5,6", "--t", "2.5", "--t", "4"))
+        self.assertEqual(list(found[0]), EVAL_COLUMNS[:2] + ["index"] + EVAL_COLUMNS[2:])
+        # a uniform quadratic: the ends of a span are means of neighbours, and nothing rounds
+        spans = {"2.5": {"": (2.75, 3.5), "0": (1.5, 6), "1": (3, 4), "2": (3.5, 0)},
+                 "4": {"": (2, -2), "0": (3.5, 0), "1": (4, -4), "2": (2, -2)}}
+        for row in found:
+            truth = spans[row["t"]][row["index"]]["xy".index(row["axis"])]
+            self.assertEqual((float(row["value"]), float(row["exact"])), (truth,) * 2, row)
+            self.assertEqual(row["bound_u"] == "", row["method"] == "chudy_wozny_span")
+        methods = {row["method"]: [r["index"] for r in found if r["method"] == row["method"]] for row in found}
+        for method, indices in methods.items():
+            self.assertEqual(set(indices), {"", "0", "1", "2"} if method.endswith("_span") else {""}, method)
+        self.assertEqual(len(methods), 4)
+        # clamped: the curve has the ends of its polygon, and at the inner knot the middle of its second side
+        ends = rows(self.fine(*curve, "0,0,0,1,2,2,2", "--t", "0", "--t", "1", "--t", "2", "--method", "de_boor"))
+        self.assertEqual([float(row["value"]) for row in ends], [0, 8, 3.5, 0, 0, 0])
+        for knots, t, *needles in [
+                ("0,1,2,1.5,4,5,6", "2", "1.5 follows on 2", "must not descend"), ("0,1,2", "1", "3 knots for the 4 points", "6 to 8"),
+                ("0,1,2,3,4,5,6,7,8", "4", "9 knots for the 4 points"), ("0,0,1,1,1,2,2", "1", "begins and ends at 1"),
+                ("0,1,2,3,4,5,6", "1.5", "defined from 2 to 4"), ("0,1,2,x,4,5,6", "3", "--knots x"),
+                ("0,1,2,3,4,5,inf", "3", "--knots inf")]:
+            with self.subTest(knots=knots):
+                self.refused(USAGE, [*curve, knots, "--t", t], *needles)
+
     @staticmethod
     def halves(c, t):
         """The control points of both halves by de Casteljau's triangle in rational numbers: {(half, index): value}."""

@@ -2,7 +2,6 @@
 // `curve project`: the projection of a point onto one curve by any method, against the exact foot point.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -25,12 +24,7 @@ struct ProjectOptions {
 
 /// Parses `X,Y[,Z]`. Throws Failure(usage) unless there are as many coordinates as the curve has axes.
 std::vector<double> point_option(const std::string& text, const CurveFile& curve, const std::string& file) {
-  std::vector<double> point;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const auto end = std::min(text.find(',', begin), text.size());
-    point.push_back(finite_option("--point", text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  auto point = finite_numbers("--point", text);
   if (point.size() != static_cast<std::size_t>(curve.dimension))
     throw Failure(Exit::usage, fmt::format("--point {}: {} coordinates, but the curve in {} has {}; write one per axis",
                                            text, point.size(), file, curve.dimension));

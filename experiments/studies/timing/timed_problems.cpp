@@ -10,6 +10,7 @@
 #include "experiments/judge/companions.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/studies/arc_length/arc_length.hpp"
+#include "experiments/studies/bspline/bspline.hpp"
 #include "experiments/studies/derivative/derivative.hpp"
 #include "experiments/studies/fitting/fitting.hpp"
 #include "experiments/studies/grid/grid.hpp"
@@ -26,7 +27,7 @@ namespace {
 
 constexpr std::array roster{&timed_evaluation, &timed_derivative,    &timed_arc_length, &timed_inverse_arc_length,
                             &timed_projection, &timed_interpolation, &timed_fitting,    &timed_subdivision,
-                            &timed_grid};
+                            &timed_grid,       &timed_bspline};
 
 bool means_an_evaluator(const std::string& pattern) {
   constexpr int any_dimension = 2;

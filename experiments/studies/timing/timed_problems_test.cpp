@@ -9,6 +9,7 @@
 #include "experiments/judge/companions.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/arc_length/problem.hpp"
+#include "experiments/studies/bspline/problem.hpp"
 #include "experiments/studies/derivative/problem.hpp"
 #include "experiments/studies/fitting/problem.hpp"
 #include "experiments/studies/grid/problem.hpp"
@@ -91,6 +92,7 @@ std::vector<suite::Study> one_of_each() {
           splines({"c2_natural", "c2_natural_handles"}),
           fits({"schneider", "gauss_newton"}),
           grids({"pointwise_de_casteljau", "forward_differencing"}),
+          study_of({"de_boor", "knot_insertion_span", "chudy_wozny_span"}),
           study_of({"de_casteljau_split", "lerp_split", "matrix_split"})};
 }
 
@@ -104,6 +106,7 @@ TEST(TimedProblem, IsTheOneThatTheStudyNames) {
   EXPECT_EQ(timed_problem(study_of({"schneider"})).problem, Problem::fitting);
   EXPECT_EQ(timed_problem(study_of({"*_split"})).problem, Problem::subdivision);
   EXPECT_EQ(timed_problem(study_of({"forward_d*"})).problem, Problem::grid);
+  EXPECT_EQ(timed_problem(study_of({"*_span"})).problem, Problem::bspline);
   EXPECT_EQ(timed_problem(study_of({"de_casteljau"})).problem, Problem::evaluation);
   EXPECT_EQ(timed_problem(study_of({"*"})).problem, Problem::evaluation);
   EXPECT_EQ(timed_problem(study_of({"gauss_legendre_*"})).problem, Problem::arc_length);
@@ -156,6 +159,9 @@ TEST(TimedProblem, AnAnswerThatIsOffIsNotRight) {
   EXPECT_EQ(before_and_after<InterpolationProblem>(splines({"c2_natural"}), 2), caught);
   EXPECT_EQ(before_and_after<InterpolationProblem>(splines({"c2_natural_handles"}), 2), caught) << "without a bound";
   EXPECT_EQ(before_and_after<FittingProblem>(fits({"schneider"}), 0), caught);
+  EXPECT_EQ(before_and_after<BsplineProblem>(study_of({"de_boor"}), 1), caught);
+  EXPECT_EQ(before_and_after<BsplineProblem>(study_of({"knot_insertion_span"}), 3), caught) << "a control point";
+  EXPECT_EQ(before_and_after<BsplineProblem>(study_of({"chudy_wozny_span"}), 3), caught) << "without a bound";
   EXPECT_EQ(before_and_after<SubdivisionProblem>(study_of({"blossom_split"}), 3), caught);
   auto weighted = study_of({"two_sided_split"});
   weighted.curve = Form::rational;

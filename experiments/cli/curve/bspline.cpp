@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// `curve bspline`: the points of one B-spline curve by any method, and the Bernstein form of the knot span by those
+// that make it, against the exact ones.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "core/bspline/kernel.hpp"
+#include "experiments/bundle/csv.hpp"
+#include "experiments/cli/curve/coordinate_columns.hpp"
+#include "experiments/cli/curve/curve_commands.hpp"
+#include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/judged_coordinate.hpp"
+#include "experiments/cli/curve/point_file.hpp"
+#include "experiments/cli/startup/known_values.hpp"
+#include "experiments/metric/bspline_bound_at.hpp"
+#include "experiments/number/number.hpp"
+#include "reference/exact_bspline.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+struct BsplineOptions {
+  std::string points;
+  std::string knots;
+  std::vector<std::string> t;
+  std::vector<std::string> methods;
+};
+
+struct BsplineCurve {
+  PointFile points;
+  std::vector<double> knots;  ///< degree + 1 more than points, ascending
+
+  [[nodiscard]] std::size_t degree() const { return knots.size() - points.count() - 1; }
+  [[nodiscard]] double begin() const { return knots[degree()]; }
+  [[nodiscard]] double end() const { return knots[points.count()]; }
+};
+
+BsplineCurve curve_of(const BsplineOptions& options) {
+  BsplineCurve curve{read_points(options.points, 2), finite_numbers("--knots", options.knots)};
+  const std::size_t points = curve.points.count();
+  if (curve.knots.size() < points + 2 || curve.degree() >= points)
+    throw Failure(
+        Exit::usage,
+        fmt::format("--knots: {} knots for the {} points in {}; a curve of degree n has n + 1 knots more than "
+                    "points, so write {} to {}",
+                    curve.knots.size(), points, options.points, points + 2, 2 * points));
+  const auto descent = std::ranges::is_sorted_until(curve.knots);
+  if (descent != curve.knots.end())
+    throw Failure(Exit::usage, fmt::format("--knots: {} follows on {}; knots must not descend",
+                                           number::decimal(*descent), number::decimal(*(descent - 1))));
+  if (!(curve.begin() < curve.end()))
+    throw Failure(Exit::usage,
+                  fmt::format("--knots: the curve begins and ends at {}; there is no span that is not empty",
+                              number::decimal(curve.begin())));
+  return curve;
+}
+
+/// One t, and what is judged there: the point, then the control points of the Bernstein form of its span.
+struct BsplineTarget {
+  double t;
+  BsplineSpanView span;
+  std::vector<reference::ExactPoint> truth;
+  std::vector<reference::ExactPoint> p_tilde;
+};
+
+/// The number of the first knot of the span that t lies in: the last one that is not behind t, unless the curve ends
+/// there.
+std::size_t span_at(const BsplineCurve& curve, double t) {
+  const auto first = curve.knots.begin() + static_cast<std::ptrdiff_t>(curve.degree());
+  const auto last = curve.knots.begin() + static_cast<std::ptrdiff_t>(curve.points.count());
+  const auto next = t < *last ? std::upper_bound(first, last, t) : std::lower_bound(first, last, *last);
+  return static_cast<std::size_t>(next - curve.knots.begin()) - 1;
+}
+
+BsplineTarget target_of(const BsplineCurve& curve, double t) {
+  if (t < curve.begin() || t > curve.end())
+    throw Failure(Exit::usage, fmt::format("--t {}: the curve is defined from {} to {}", number::decimal(t),
+                                           number::decimal(curve.begin()), number::decimal(curve.end())));
+  const std::size_t n = curve.degree();
+  const std::size_t first = span_at(curve, t);
+  const auto d = static_cast<std::size_t>(curve.points.dimension);
+  const auto knots = std::span(curve.knots).subspan(first - n + 1, 2 * n);
+  const auto control_points = std::span(curve.points.coordinates).subspan((first - n) * d, (n + 1) * d);
+  BsplineTarget target{t, {curve.points.dimension, static_cast<int>(n), knots, control_points}, {}, {}};
+  std::vector<double> magnitudes;
+  for (const double x : control_points) magnitudes.push_back(std::abs(x));
+  const auto add = [&](const reference::ExactBsplineWeights& weights) {
+    target.truth.push_back(weights.sum(curve.points.dimension, control_points));
+    target.p_tilde.push_back(weights.sum(curve.points.dimension, magnitudes));
+  };
+  add(reference::ExactBsplineWeights::at(knots, t));
+  for (int k = 0; k <= target.span.degree; ++k) add(reference::ExactBsplineWeights::of_control_point(knots, k));
+  return target;
+}
+
+/// The largest magnitude of an axis.
+double largest_of(const BsplineSpanView& span, int axis) {
+  double largest = 0;
+  for (std::size_t k = static_cast<std::size_t>(axis); k < span.control_points.size();
+       k += static_cast<std::size_t>(span.dimension))
+    largest = std::max(largest, std::abs(span.control_points[k]));
+  return largest;
+}
+
+void add_rows(const BsplineKernel& method, const BsplineTarget& target, bundle::CsvTable& table) {
+  const int d = target.span.dimension;
+  const int n = target.span.degree;
+  std::vector<double> values(static_cast<std::size_t>(points_of(method, n) * d));
+  method.solve(target.span, target.t, values.data());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::size_t place = k / static_cast<std::size_t>(d);
+    const int axis = static_cast<int>(k) % d;
+    const auto p_tilde = target.p_tilde[place].coordinate(axis);
+    std::vector<std::string> row{std::string(method.info->id), number::decimal(target.t),
+                                 place == 0 ? "" : std::to_string(place - 1), axis_name(axis)};
+    for (auto& field : judged_coordinate(values[k], target.truth[place].coordinate(axis), p_tilde))
+      row.push_back(std::move(field));
+    const metric::BsplineSizes sizes{n, 1, reference::round_to(reference::binary64, p_tilde),
+                                     largest_of(target.span, axis)};
+    row.push_back(
+        method.bound == nullptr
+            ? ""
+            : bound_field(metric::bound_at(*method.bound, place == 0 ? method.bound->point : method.bound->control,
+                                           sizes, metric::double_arithmetic),
+                          p_tilde));
+    table.add_row(std::move(row));
+  }
+}
+
+void run_bspline(const BsplineOptions& options) {
+  const auto curve = curve_of(options);
+  const CurveFile of_degree{Form::bernstein, 1, std::vector<double>(curve.degree() + 1), {}};
+  const auto methods =
+      chosen(bspline_kernels(curve.points.dimension), options.methods, of_degree, ids_of(bspline_infos()));
+  std::vector<BsplineTarget> targets;
+  for (const auto& text : options.t) targets.push_back(target_of(curve, finite_option("--t", text)));
+  bundle::CsvTable table(
+      {"method", "t", "index", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"});
+  for (const auto* method : methods)
+    for (const auto& target : targets) add_rows(*method, target, table);
+  fmt::print("{}", table.text());
+}
+
+}  // namespace
+
+void add_curve_bspline(Command curve) {
+  auto options = std::make_shared<BsplineOptions>();
+  auto command = curve.command("bspline", "a B-spline curve, and a knot span of it in Bernstein form");
+  command.option("--points", options->points, "control points (CSV)").required().takes(file_value);
+  command.option("--knots", options->knots, "all knots, separated by commas; degree + 1 more than points")
+      .required()
+      .takes("U0,U1,...");
+  command.option("--t", options->t, "parameter; may be repeated").required().takes("T");
+  command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
+      .takes("METHOD", methods_of(Problem::bspline));
+  command.action([options] { run_bspline(*options); });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The bound of a point of a B-spline curve, or of a control point of a knot span in Bernstein form, in coordinate
+// units.
+#pragma once
+
+#include <cmath>
+
+#include "core/basis/bspline_bound.hpp"
+#include "experiments/metric/trial_scale.hpp"
+
+namespace bezierbench::metric {
+
+/// The sizes in a bound: on one axis or, with Euclidean norms as magnitudes, on all axes at once (see TrialScale).
+struct BsplineSizes {
+  int degree;
+  int axes;
+  double p_tilde;
+  double largest;  ///< max |d_i|
+};
+
+/// `factor` is bound.point or bound.control.
+inline double bound_at(const BsplineBound& bound, double (*factor)(int degree, double u), const BsplineSizes& sizes,
+                       const Arithmetic& arithmetic) {
+  const double u = arithmetic.unit_roundoff;
+  const double lost = std::ceil(bound.underflow(sizes.degree)) * sizes.axes * (1 + sizes.largest);
+  return factor(sizes.degree, u) * u * sizes.p_tilde + lost * arithmetic.smallest_subnormal;
+}
+
+}  // namespace bezierbench::metric

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/bspline/bspline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "experiments/metric/all_finite.hpp"
+#include "experiments/metric/bspline_bound_at.hpp"
+#include "experiments/metric/norm.hpp"
+#include "experiments/metric/trial_scale.hpp"
+#include "experiments/race/timed_companion.hpp"
+#include "experiments/studies/bspline/problem.hpp"
+#include "experiments/studies/trial/trial_study.hpp"
+#include "reference/exact_bspline.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The parameter at the part `v` of the span from a to c, within it.
+double parameter_in(double a, double c, double v) { return v < 1 ? std::clamp(a + v * (c - a), a, c) : c; }
+
+/// Weights for every point that is judged.
+std::vector<reference::ExactBsplineWeights> exact_weights(const BsplineProblem::Drawn& drawn) {
+  std::vector<reference::ExactBsplineWeights> all{reference::ExactBsplineWeights::at(drawn.knots, drawn.t)};
+  for (int k = 0; k <= drawn.span.degree; ++k)
+    all.push_back(reference::ExactBsplineWeights::of_control_point(drawn.knots, k));
+  return all;
+}
+
+/// The bound of point `k` of an answer, with Euclidean norms as magnitudes; infinite where none is proved.
+double bound_of(const BsplineKernel& method, const BsplineProblem::Drawn& drawn, std::size_t k) {
+  if (method.bound == nullptr) return infinite;
+  const metric::BsplineSizes sizes{drawn.span.degree, drawn.span.dimension, drawn.p_tilde[k], drawn.largest};
+  return metric::bound_at(*method.bound, k == 0 ? method.bound->point : method.bound->control, sizes,
+                          metric::double_arithmetic);
+}
+
+double in_bound_units(double error, double p_tilde) {
+  return error == 0 ? 0 : error / p_tilde / metric::double_arithmetic.unit_roundoff;
+}
+
+double error_of(const BsplineProblem::Drawn& drawn, const BsplineProblem::Answer& answer, std::size_t k) {
+  const auto d = static_cast<std::size_t>(drawn.span.dimension);
+  return drawn.distances[k].to(std::span(answer).subspan(k * d, d));
+}
+
+std::size_t points_in(const BsplineProblem::Drawn& drawn, const BsplineProblem::Answer& answer) {
+  return answer.size() / static_cast<std::size_t>(drawn.span.dimension);
+}
+
+}  // namespace
+
+BsplineProblem::BsplineProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part)
+    : cell_(part.cell),
+      sampler_(seed, study.id, part.cell),
+      knots_(part.values.knots.empty()
+                 ? sample::knot_kinds().front()
+                 : *std::ranges::find(sample::knot_kinds(), part.values.knots, &sample::KnotKind::id)),
+      seed_(seed),
+      knots_key_(sample::key(study.id + " knots")) {}
+
+void BsplineProblem::draw(std::uint64_t number, Drawn& drawn) const {
+  sampler_.draw(number, drawn.trial);
+  sample::Words words(seed_, knots_key_, sample::key(cell_), number);
+  drawn.knots = sample::draw_knots(knots_, cell_.degree, words);
+  drawn.span = {cell_.dimension, cell_.degree, drawn.knots, drawn.trial.coefficients};
+  const auto n = static_cast<std::size_t>(cell_.degree);
+  drawn.t = parameter_in(drawn.knots[n - 1], drawn.knots[n], drawn.trial.t);
+
+  std::vector<double> norms;
+  const auto d = static_cast<std::size_t>(cell_.dimension);
+  for (std::size_t i = 0; i <= n; ++i)
+    norms.push_back(metric::norm<double>(
+        cell_.dimension, [&](int axis) { return drawn.trial.coefficients[i * d + static_cast<std::size_t>(axis)]; }));
+  drawn.largest = std::ranges::max(norms);
+  drawn.truth.clear();
+  drawn.distances.clear();
+  drawn.p_tilde.clear();
+  for (const auto& weights : exact_weights(drawn)) {
+    drawn.truth.push_back(weights.sum(cell_.dimension, drawn.trial.coefficients));
+    drawn.p_tilde.push_back(reference::round_to(reference::binary64, weights.sum(1, norms).coordinate(0)));
+  }
+  for (const auto& point : drawn.truth) drawn.distances.emplace_back(point);
+}
+
+void BsplineProblem::judge(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer,
+                           std::uint64_t number, Errors& errors) {
+  if (!metric::all_finite(answer)) {
+    ++errors.non_finite;
+    return;
+  }
+  bool violated = false;
+  for (std::size_t k = 0; k < points_in(drawn, answer); ++k) {
+    const double error = error_of(drawn, answer, k);
+    const double bound = bound_of(method, drawn, k);
+    if (k == 0) errors.error.add(error);
+    metric::add_rounded(in_bound_units(error, drawn.p_tilde[k]), k == 0 ? errors.error_u : errors.control_error_u);
+    const double bound_u = in_bound_units(bound, drawn.p_tilde[k]);
+    if (std::isfinite(bound_u)) (k == 0 ? errors.bound_u : errors.control_bound_u).add(bound_u);
+    violated = violated || metric::TrialScale::violates(error, bound);
+  }
+  if (method.bound != nullptr) ++errors.bounded;
+  if (violated) errors.violations.add(number);
+}
+
+bool BsplineProblem::is_right(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer) {
+  for (std::size_t k = 0; k < points_in(drawn, answer); ++k) {
+    const double error = error_of(drawn, answer, k);
+    const bool near_enough = method.bound != nullptr
+                                 ? !metric::TrialScale::violates(error, bound_of(method, drawn, k))
+                                 : in_bound_units(error, drawn.p_tilde[k]) <= judge::half_of_the_digits;
+    if (!std::isfinite(error) || !near_enough) return false;
+  }
+  return true;
+}
+
+std::unique_ptr<run::Job> bspline_job(const suite::Study& study, const run::JobContext& context) {
+  return trial_job<BsplineProblem>(study, context);
+}
+
+constexpr race::TimedProblem timed_bspline = race::timed_companion<BsplineProblem>();
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Judges `bezierbench curve bspline` by the definition in rational arithmetic, over knots of many kinds.
+
+Basis functions come from the recurrence of de Boor and Cox over all knots of the curve, with 0/0 = 0. The Bernstein form of a
+span is what has the same values at n + 1 places of it: a system of linear equations.
+
+check_bspline.py PROGRAM [--seed S]    exits 1 with the first mismatches
+"""
+import csv
+import functools
+import math
+import random
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import check_eval  # noqa: E402
+import exact  # noqa: E402
+
+COLUMNS = "method,t,index,axis,value,exact,error,error_ulp,error_u,bound_u".split(",")
+METHODS = {"de_boor": False, "de_boor_cox_basis": False, "knot_insertion_span": True, "chudy_wozny_span": True}
+
+
+def distances(kind, draw, count):
+    """Of neighbouring knots."""
+    return {"uniform": lambda: [1.0] * count, "random": lambda: [draw.uniform(0.01, 1) for _ in range(count)],
+            "multiple": lambda: [draw.choice([0.0, 0.0, 0.25, draw.random()]) for _ in range(count)],
+            "uneven": lambda: [2.0 ** -draw.randint(0, 40) for _ in range(count)]}[kind]()
+
+
+def knots_of(kind, draw, degree, points):
+    """Ascending, degree + 1 more than points; the first ones equal where `kind` is clamped."""
+    count = points + degree + 1
+    if kind == "clamped":
+        inner = sorted(float(draw.randint(1, 9)) for _ in range(points - degree - 1))
+        return [0.0] * (degree + 1) + inner + [10.0] * (degree + 1)
+    knots = [draw.choice([0.0, -3.0, draw.random(), 1e6])]
+    for step in distances(kind, draw, count - 1):
+        knots.append(knots[-1] + step)
+    return knots
+
+
+def basis(knots, degree, span, t):
+    """Those of degree n at t of a span, as they continue beyond it: {number of the control point: value}."""
+    u, t = list(map(Fraction, knots)), Fraction(t)
+
+    @functools.cache
+    def value(i, r):
+        if r == 0:
+            return Fraction(i == span)
+        rising, falling = u[i + r] - u[i], u[i + r + 1] - u[i + 1]
+        return ((t - u[i]) / rising * value(i, r - 1) if rising else 0) + \
+               ((u[i + r + 1] - t) / falling * value(i + 1, r - 1) if falling else 0)
+
+    return {i: value(i, degree) for i in range(span - degree, span + 1)}
+
+
+def solved(matrix):
+    """The solution of a system of linear equations, right-hand sides in the last columns."""
+    rows = [list(row) for row in matrix]
+    n = len(rows)
+    for k in range(n):
+        pivot = next(i for i in range(k, n) if rows[i][k])
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        rows[k] = [x / rows[k][k] for x in rows[k]]
+        for i in range(n):
+            if i != k and rows[i][k]:
+                rows[i] = [x - rows[i][k] * y for x, y in zip(rows[i], rows[k])]
+    return [row[n:] for row in rows]
+
+
+def bernstein_of_basis(knots, degree, span):
+    """For each control point of the span, its weights of the control points of the B-spline curve."""
+    a, c = Fraction(knots[span]), Fraction(knots[span + 1])
+    equations = []
+    for j in range(degree + 1):
+        s = Fraction(j, degree)
+        values = basis(knots, degree, span, a + s * (c - a))
+        equations.append([math.comb(degree, k) * s**k * (1 - s)**(degree - k) for k in range(degree + 1)]
+                         + [values[i] for i in sorted(values)])
+    return solved(equations)
+
+
+def span_of(knots, degree, points, t):
+    """The one that t lies in; the last that is not empty where the curve ends."""
+    full = [k for k in range(degree, points) if knots[k] < knots[k + 1]]
+    return max(k for k in full if knots[k] <= t) if t < knots[points] else full[-1]
+
+
+def weighted(weights, coefficients):
+    """(value, p~) as pairs of integers."""
+    return tuple(exact.ratio(sum((w * Fraction(c) for w, c in zip(weights, made)), Fraction(0)))
+                 for made in (coefficients, list(map(abs, coefficients))))
+
+
+class Judge(check_eval.Judge):
+    """Judges rows of `curve bspline`: the columns of `curve eval`, and the number of the control point."""
+
+    def judge_bspline(self, number, case, knots):
+        self.file = self.folder / f"points_{number:03}.csv"
+        case.write(self.file)
+        degree = len(knots) - len(case.axes[0]) - 1
+        command = [self.program, "curve", "bspline", "--points", self.file, "--knots", ",".join(u.hex() for u in knots)]
+        for t in case.parameters:
+            command += ["--t", t.hex()]
+        result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+        self.compare(result.returncode == 0, "curve bspline failed", lambda: f"{case.name}: {result.stderr.strip()[:300]}")
+        rows = list(csv.DictReader(result.stdout.splitlines()))
+        axes = check_eval.AXES[:len(case.axes)]
+        wanted = [(method, index, axis) for method, makes_bernstein in METHODS.items() for _ in case.parameters
+                  for index in ("", *map(str, range(degree + 1) if makes_bernstein else ())) for axis in axes]
+        fine = [(row["method"], row["index"], row["axis"]) for row in rows] == wanted and all(list(row) == COLUMNS for row in rows)
+        self.compare(fine, "rows", lambda: f"{case.name}: {len(rows)} rows, not {len(wanted)}")
+        right = {}
+        for t in case.parameters:
+            span = span_of(knots, degree, len(case.axes[0]), t)
+            at_t = basis(knots, degree, span, t)
+            weights = {"": [at_t[i] for i in sorted(at_t)],
+                       **{str(k): made for k, made in enumerate(bernstein_of_basis(knots, degree, span))}}
+            for axis, coefficients in zip(axes, case.axes):
+                for index, of_points in weights.items():
+                    truth, p_tilde = weighted(of_points, coefficients[span - degree:span + 1])
+                    right[t, index, axis] = truth, exact.to_double(truth), p_tilde
+        for row in rows if fine else []:
+            self.judge_row(case, row, *right[float(row["t"]), row["index"], row["axis"]])
+
+
+def judge_all(judge, seed):
+    draw = random.Random(seed)
+    for number, kind in enumerate(("uniform", "clamped", "random", "multiple", "uneven") * 8):
+        degree = draw.randint(1, 6)
+        points = degree + draw.randint(1, 4)
+        knots = knots_of(kind, draw, degree, points)
+        if not knots[degree] < knots[points]:
+            continue
+        of_points = draw.choice(("uniform", "integer", "positive", "cancelling", "graded", "subnormal", "mixed"))
+        axes = [check_eval.KINDS[of_points](draw, points - 1) for _ in range(1 + number % 3)]
+        inside = [min(max(draw.uniform(knots[degree], knots[points]), knots[degree]), knots[points]) for _ in range(2)]
+        parameters = list(dict.fromkeys([knots[degree], *inside, draw.choice(knots[degree:points + 1]), knots[points]]))
+        judge.judge_bspline(number, check_eval.Case(f"{of_points} points, {kind} knots, degree {degree}", "bernstein", axes, parameters),
+                            knots)
+
+
+if __name__ == "__main__":
+    sys.exit(check_eval.main(__doc__, Judge, judge_all))
