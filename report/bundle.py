@@ -37,7 +37,7 @@ class Study:
 # The kind of a study that only rows tell of, by the file that they stand in.
 _KIND_OF_FILE = {"accuracy.csv": "accuracy", "unstable.csv": "accuracy", "conversion.csv": "conversion", "search.csv": "search",
                  "timing.csv": "timing", "roofline.csv": "roofline", "derivative.csv": "derivative", "subdivision.csv": "subdivision",
-                 "grid.csv": "grid",
+                 "grid.csv": "grid", "bspline.csv": "bspline",
                  "arc_length.csv": "arc_length", "arc_length_unstable.csv": "arc_length",
                  "inverse_arc_length.csv": "inverse_arc_length", "projection.csv": "projection",
                  "projection_unstable.csv": "projection", "interpolation.csv": "interpolation", "fitting.csv": "fitting",

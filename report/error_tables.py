@@ -7,10 +7,10 @@ from .methods import form
 from .tables import axis_value, by_axis
 from .wording import count, general, interval, large, shortest
 
-CELL = ("scalar", "dimension", "degree", "order", "points", "coordinate_range", "t_min", "t_max", "generator")  # what sets a cell apart
+CELL = ("scalar", "dimension", "degree", "order", "points", "knots", "coordinate_range", "t_min", "t_max", "generator")  # what sets a cell apart
 COLUMNS = {"interval": ("t_min", "t_max")}  # of an axis that is not a column itself
 NAMES = {"generator": "{}", "scalar": "{}", "dimension": "{} axes", "degree": "degree {}", "order": "order {}", "points": "{} points",
-         "coordinate_range": "R = {}"}
+         "knots": "{} knots", "coordinate_range": "R = {}"}
 
 
 def swept(rows):
@@ -64,6 +64,8 @@ def _where(row, across, down):
     parts = {"degree": f"degree {shortest(row['degree'])}", "scalar": row["scalar"], "dimension": count(axes, "axis", "axes"),
              "coordinate_range": f"R = {shortest(row['coordinate_range'])}", "interval": f"t in {interval(row['t_min'], row['t_max'])}",
              "generator": f"{row['generator']} inputs"}
+    if row["knots"] is not None:
+        parts["knots"] = f"{row['knots']} knots"
     return ", ".join(text for name, text in parts.items() if name not in (across, down))
 
 
@@ -85,8 +87,8 @@ def _pair(study, rows, across, down):
                   f"平均误差（以 u p~ 计），{chinese}", means, row_head="inputs" if down == "generator" else down)
     lines = [line(f"largest, {named(down, k)}", "max_error_u", k) for k in kinds]
     # the bound depends on method and degree, not on the kind of inputs
-    lines += [line("proved bound" + (f", {named(down, k)}" if down != "generator" else ""), "bound_u", k)
-              for k in (kinds[:1] if down == "generator" else kinds)]
+    drawn = down in ("generator", "knots")
+    lines += [line("proved bound" + ("" if drawn else f", {named(down, k)}"), "bound_u", k) for k in (kinds[:1] if drawn else kinds)]
     lines += [("violations", _counted("bound_violations"), lambda r: True), ("not finite", _counted("non_finite"), lambda r: True)]
     yield by_axis(rows, across, f"{study}-largest", f"Largest error over u p~ and its proved bound, {english} ({where})",
                   f"最大误差与已证误差界（以 u p~ 计），{chinese}", lines, row_head="quantity")

@@ -19,6 +19,7 @@ UNITS = {
     "interpolation": ("spline", "样条", "points", f"every condition is met within its bound {HALF}"),
     "subdivision": ("split", "分割", "degree", f"every control point keeps its bound {HALF}"),
     "grid": ("grid", "网格", "points", "every point keeps its bound"),
+    "bspline": ("point", "样条点", "degree", f"the point, and every control point that is made on the way, keeps its bound {HALF}"),
     "fitting": ("fit", "拟合", "tolerance", "no data point is farther from the curve than the tolerance"),
 }
 # what may tell the lines of a method apart, and how a line says it

@@ -6,12 +6,13 @@ import unittest
 
 from . import fixture
 from .bundle import Bundle
-from .chapters import arc_length, derivative, fitting, grid, interpolation, inverse_arc_length, projection, subdivision, timing
+from .chapters import arc_length, bspline, derivative, fitting, grid, interpolation, inverse_arc_length, projection, subdivision, timing
 from .findings.roster import find_all
 from .fixture.times import COMPANIONS
 
 CHAPTERS = {"derivative": derivative, "arc_length": arc_length, "inverse_arc_length": inverse_arc_length, "projection": projection,
             "interpolation": interpolation, "fitting": fitting, "subdivision": subdivision, "grid": grid,
+            "bspline": bspline,
             "evaluation": timing}
 
 

@@ -6,7 +6,7 @@ from typing import Callable
 
 from ..error_tables import error_tables, swept
 from ..search_tables import search_table
-from . import (arc_length, conversion, derivative, exhaustive, fitting, grid, guarantees, hard_cases, interpolation, inverse_arc_length, projection,
+from . import (arc_length, bspline, conversion, derivative, exhaustive, fitting, grid, guarantees, hard_cases, interpolation, inverse_arc_length, projection,
                roofline, subdivision, timing)
 
 OF_U = (("mean_error_u", "mean error, u p~"), ("max_error_u", "largest error, u p~"))
@@ -45,6 +45,9 @@ KINDS = {
     "derivative": Kind("derivative.csv", derivative.study_tables, OF_U, ("interval", "coordinate_range", "order", "degree")),
     "subdivision": Kind("subdivision.csv", subdivision.study_tables, OF_U, ("interval", "coordinate_range", "degree")),
     "grid": Kind("grid.csv", grid.study_tables, OF_U, ("points", "degree")),
+    "bspline": Kind("bspline.csv", bspline.study_tables,
+                    (("max_error_u", "largest error of points, u p~"), ("max_control_error_u", "largest error of control points, u p~")),
+                    ("interval", "degree")),
     "arc_length": Kind("arc_length.csv", arc_length.study_tables, OF_LENGTHS, ("tolerance", "degree")),
     "inverse_arc_length": Kind("inverse_arc_length.csv", inverse_arc_length.study_tables, OF_LENGTHS, ("tolerance", "degree")),
     "projection": Kind("projection.csv", projection.study_tables,

@@ -10,7 +10,7 @@ from . import studies
 from .suite_parts import COMPANION_PEERS
 
 NAMES = """opening answer found scorecard tables figures truth ladder regimes conditioning conversion worst guarantees rational derivative arc_length
-           inverse_arc_length projection interpolation fitting subdivision grid timing choosing roofline peers comparison audit
+           inverse_arc_length projection interpolation fitting subdivision grid bspline timing choosing roofline peers comparison audit
            method_list how_measured provenance""".split()
 ROSTER = tuple(import_module(f".{name}", __package__) for name in NAMES)
 OF_THE_WHOLE = tuple(module for module in ROSTER if module.__name__.rsplit(".", 1)[-1] in

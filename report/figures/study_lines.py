@@ -12,7 +12,7 @@ from .method_lines import degree_axis, draw_methods, draw_paths, error_axis, loo
 
 APART = ("curve", "scalar", "mode", "target")  # a panel for each value
 BESIDE = ("degree", "dimension", "order", "coordinate_range", "interval", "generator", "tolerance", "points", "data", "placement",
-          "curve_id")
+          "knots", "curve_id")
 MOST = 20  # lines with a look of their own
 FAR, FARTHEST = 1e3, 1e5  # times the best, in the largest value of a line
 MOST_TICKS = 12  # places that are named
