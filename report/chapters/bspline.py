@@ -5,7 +5,7 @@ from ..document import Cell, Text
 from ..error_tables import error_tables, swept
 from ..tables import by_axis
 from ..wording import general
-from .suite_parts import figure, of_suite, study_figure, with_times
+from .suite_parts import of_studies, with_times
 
 TITLE = "B-spline curves"
 SUITE = KIND = "bspline"
@@ -39,11 +39,7 @@ def study_tables(bundle, study):
 def blocks(bundle, findings):
     """Findings, the figure, then the tables of each study."""
     table = bundle["bspline.csv"].of_suite(SUITE)
-    yield from of_suite(findings, SUITE)
-    yield from figure("bspline_against_degree", bundle)
-    for study in table.distinct("study"):
-        yield from study_figure(bundle, study)
-        yield from study_tables(bundle, study)
+    yield from of_studies(bundle, findings, SUITE, table.distinct("study"), study_tables, "bspline_against_degree")
     yield Text("A trial is a B-spline curve in one knot span, over knots of a kind, and a t of the span. `..._span` makes the Bernstein "
                "form of the span and evaluates that by the triangle of de Casteljau; the other methods make the point from the control "
                "points of the B-spline curve. p~ is the sum of the magnitudes of these control points, times their weights in the "

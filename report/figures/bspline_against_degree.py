@@ -2,9 +2,9 @@
 """B-spline curves: largest error of points against the degree, by kind of knots."""
 
 from ..bundle import Missing
-from ..wording import general
-from .canvas import finish, panels, styled
-from .method_lines import degree_axis, draw_methods, ends, error_axis, looks, series
+from .canvas import finish, styled
+from .method_lines import series
+from .stacked import degrees_across, stacked
 
 ID = "bspline-against-degree"
 STUDIES = ("bspline-degree", "bspline-high_degree")
@@ -21,17 +21,7 @@ def draw(bundle):
             parts.append((f"{knots} knots", lines))
     if not parts:
         raise Missing("`bspline.csv` has no row that a figure can show")
-    canvas, axes = panels(len(parts), 1, height=2.4, sharex=True)
-    look = looks(sorted({m for _, lines in parts for m in lines}))
-    words = []
-    for ax, (title, lines) in zip(axes[:, 0], parts):
-        draw_methods(ax, lines, look)
-        ax.set_title(title, loc="left")
-        error_axis(ax)
-        degree_axis(ax, {x for points in lines.values() for x, _ in points})
-        ax.set_ylabel("largest error / (u p~)")
-        best, worst, last = ends(lines)
-        words.append(f"{title}: at the highest degree {best} has {general(last[best])}, {worst} {general(last[worst])}")
-    axes[-1][0].set_xlabel("degree n")
+    canvas, lowest, words = stacked(parts, degrees_across, "largest error / (u p~)", "at the highest degree", sharex=True)
+    lowest.set_xlabel("degree n")
     return finish(canvas, ID, "Largest error of points of B-spline curves over u p~ against degree",
-                  "B 样条曲线点的最大误差与阶数（以 u p~ 计）", "Doubly logarithmic. " + "; ".join(words) + ".", bottom=0.08)
+                  "B 样条曲线点的最大误差与阶数（以 u p~ 计）", "Doubly logarithmic. " + words + ".", bottom=0.08)

@@ -3,7 +3,7 @@
 
 from ..wording import general
 from .canvas import panels
-from .method_lines import draw_methods, ends, error_axis, looks
+from .method_lines import degree_axis, draw_methods, ends, error_axis, looks
 
 
 def stacked(parts, prepare_x, label, at, height=2.4, sharex=False):
@@ -21,3 +21,8 @@ def stacked(parts, prepare_x, label, at, height=2.4, sharex=False):
         best, worst, last = ends(lines)
         words.append(f"{title}: {at} {best} has {general(last[best])}, {worst} {general(last[worst])}")
     return canvas, axes[-1][0], "; ".join(words)
+
+
+def degrees_across(ax, lines):
+    """The axis across for lines over degrees."""
+    degree_axis(ax, {x for points in lines.values() for x, _ in points})

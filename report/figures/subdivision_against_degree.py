@@ -3,8 +3,8 @@
 
 from ..bundle import Missing
 from .canvas import finish, styled
-from .method_lines import degree_axis, series
-from .stacked import stacked
+from .method_lines import series
+from .stacked import degrees_across, stacked
 
 ID = "subdivision-against-degree"
 PARTS = (("subdivision-degree", "continuous", "Bezier curves"),
@@ -25,8 +25,7 @@ def draw(bundle):
             parts.append((title, lines))
     if not parts:
         raise Missing("`subdivision.csv` has no row that a figure can show")
-    canvas, lowest, words = stacked(parts, lambda ax, lines: degree_axis(ax, {x for points in lines.values() for x, _ in points}),
-                                    "mean error / (u p~)", "at the highest degree", sharex=True)
+    canvas, lowest, words = stacked(parts, degrees_across, "mean error / (u p~)", "at the highest degree", sharex=True)
     lowest.set_xlabel("degree n")
     return finish(canvas, ID, "Mean error of the control points of both halves over u p~ against degree",
                   "分割曲线控制点的平均误差与阶数（以 u p~ 计）", "Doubly logarithmic. " + words + ".", bottom=0.1)
