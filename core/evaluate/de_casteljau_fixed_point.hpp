@@ -37,6 +37,7 @@
 #include "core/basis/fused.hpp"
 #include "core/basis/lane_choice.hpp"
 #include "core/basis/power_of_two.hpp"
+#include "core/basis/unit_interval.hpp"
 #include "core/evaluate/guarantee.hpp"
 #include "core/evaluate/triangle_scheme.hpp"
 
@@ -53,6 +54,13 @@ class FixedPointFrame {
  public:
   static constexpr int stride = Dimension == 1 ? 1 : 4;
 
+  /// Sets what is beyond the axes. With an initialiser GCC would set all of a prepared state to 0, room for the largest
+  /// degree included.
+  FixedPointFrame() {
+    for (int k = 0; k < fixed_point_values; ++k)
+      for (int axis = Dimension; axis < stride; ++axis) (*this)(axis, static_cast<FixedPointValue>(k)) = Scalar(0);
+  }
+
   [[nodiscard]] const Scalar& operator()(int axis, FixedPointValue value) const { return values_[at(axis, value)]; }
   [[nodiscard]] Scalar& operator()(int axis, FixedPointValue value) { return values_[at(axis, value)]; }
   [[nodiscard]] const Scalar* data() const { return values_.data(); }
@@ -61,7 +69,7 @@ class FixedPointFrame {
   static std::size_t at(int axis, FixedPointValue value) {
     return static_cast<std::size_t>(static_cast<int>(value) * stride + axis);
   }
-  std::array<Scalar, static_cast<std::size_t>(fixed_point_values* stride)> values_{};
+  std::array<Scalar, static_cast<std::size_t>(fixed_point_values* stride)> values_;
 };
 
 struct DeCasteljauFixedPoint {
@@ -94,8 +102,9 @@ struct DeCasteljauFixedPoint {
 
   template <class Scalar, int Dimension, int Degree>
   static Prepared<Scalar, Dimension, Degree> prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    Prepared<Scalar, Dimension, Degree> prepared{curve, {}};
-    for (int axis = 0; axis < Dimension; ++axis) prepare_axis(prepared, axis);
+    Prepared<Scalar, Dimension, Degree> prepared{Curve<Form::bernstein, Scalar, Dimension, Degree>(curve.degree()),
+                                                 FixedPointFrame<Scalar, Dimension>()};
+    for (int axis = 0; axis < Dimension; ++axis) prepare_axis(curve, axis, prepared);
     return prepared;
   }
 
@@ -108,20 +117,18 @@ struct DeCasteljauFixedPoint {
       point[axis] =
           fused<Scalar>(frame(axis, FixedPointValue::inverse_scale), point[axis] - frame(axis, FixedPointValue::offset),
                         frame(axis, FixedPointValue::least));
-    const auto at_start = t <= Scalar(0);
-    const auto at_end = Scalar(1) <= t;
-    if (any_of(either(at_start, at_end))) [[unlikely]]
+    if (!all_of(inside_unit_interval(t))) [[unlikely]]
       for (int axis = 0; axis < Dimension; ++axis) {
-        const auto from_start = select(at_start, frame(axis, FixedPointValue::first), point[axis]);
-        point[axis] = select(at_end, frame(axis, FixedPointValue::last), from_start);
+        const auto from_start = select(t <= Scalar(0), frame(axis, FixedPointValue::first), point[axis]);
+        point[axis] = select(Scalar(1) <= t, frame(axis, FixedPointValue::last), from_start);
       }
     return point;
   }
 
  private:
   template <class Scalar, int Dimension, int Degree>
-  static void prepare_axis(Prepared<Scalar, Dimension, Degree>& prepared, int axis) {
-    auto& b = prepared.fixed;
+  static void prepare_axis(const Curve<Form::bernstein, Scalar, Dimension, Degree>& b, int axis,
+                           Prepared<Scalar, Dimension, Degree>& prepared) {
     const int n = b.degree();
     Scalar least = b(axis, 0);
     Scalar largest = b(axis, 0);
@@ -141,7 +148,7 @@ struct DeCasteljauFixedPoint {
     for (std::size_t k = 0; k < frame.size(); ++k) prepared.frame(axis, static_cast<FixedPointValue>(k)) = frame[k];
     for (int i = 0; i <= n; ++i) {
       const Scalar fixed = offset + (scale * b(axis, i) - origin);
-      b(axis, i) = fixed < top ? fixed : top;
+      prepared.fixed(axis, i) = fixed < top ? fixed : top;
     }
   }
 };

@@ -8,10 +8,14 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <new>
 #include <random>
+#include <span>
 #include <vector>
 
+#include "core/evaluate/kernel.hpp"
 #include "core/evaluate/small_float_test.hpp"
 
 namespace bezierbench {
@@ -84,6 +88,36 @@ TEST(DeCasteljauFixedPoint, ReachesTheLargestNumbers) {
 TEST(DeCasteljauFixedPoint, StaysAtTheNearerEndOutside) {
   EXPECT_EQ(point({1, 2, 5}, -1), 1);
   EXPECT_EQ(point({1, 2, 5}, 1.5), 5);
+}
+
+/// The state has room for the largest degree; writing all of it takes longer than the rest of the work for a cubic.
+TEST(DeCasteljauFixedPoint, PreparesWhatTheDegreeNeedsOnly) {
+  const auto& kernel = *find_kernel<double>(DeCasteljauFixedPoint::info.id, Form::bernstein, 3);
+  ASSERT_GT(kernel.prepared_size, 3 * max_degree * sizeof(double));
+  constexpr unsigned char untouched = 0xA5;
+  void* state = ::operator new(kernel.prepared_size, std::align_val_t(kernel.prepared_alignment));
+  std::memset(state, untouched, kernel.prepared_size);
+  const std::vector<double> cubic{0, 1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144};
+  kernel.prepare({Form::bernstein, 3, 3, cubic}, state);
+  const std::span bytes(static_cast<const unsigned char*>(state), kernel.prepared_size);
+  EXPECT_LT(bytes.size() - static_cast<std::size_t>(std::ranges::count(bytes, untouched)), 512U);
+  ::operator delete(state, std::align_val_t(kernel.prepared_alignment));
+}
+
+template <class Scalar>
+void expect_the_open_interval() {
+  using Limits = std::numeric_limits<Scalar>;
+  for (const Scalar t : {Limits::denorm_min(), Limits::min(), Scalar(0.5), std::nextafter(Scalar(1), Scalar(0))})
+    EXPECT_TRUE(inside_unit_interval(t)) << t;
+  for (const Scalar t :
+       {Scalar(0), Scalar(-0.0), Scalar(1), std::nextafter(Scalar(1), Scalar(2)), Limits::max(), Limits::infinity(),
+        -Limits::denorm_min(), Scalar(-0.5), -Limits::infinity(), Limits::quiet_NaN(), -Limits::quiet_NaN()})
+    EXPECT_FALSE(inside_unit_interval(t)) << t;
+}
+
+TEST(InsideUnitInterval, IsDecidedByBits) {
+  expect_the_open_interval<double>();
+  expect_the_open_interval<float>();
 }
 
 // Cheaper steps on the numbers as they are, each bounded by its two ends. Every input is one that a search found.

@@ -12,6 +12,8 @@
 #include <cstring>
 #include <utility>
 
+#include "core/basis/unit_interval.hpp"
+
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi"  // of vectors that the target lacks; none leaves the unit that made it
 #endif
@@ -154,6 +156,8 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
   friend Axes select(const Mask& condition, const Axes& first, const Axes& second) {
     return of(condition.value ? first.vector_ : second.vector_);
   }
+  /// Of a parameter, the same in every lane.
+  friend bool inside_unit_interval(const Axes& t) { return bezierbench::inside_unit_interval<Scalar>(t.lane(0)); }
 
  private:
   static Axes of(const Vector& vector) {
