@@ -25,18 +25,9 @@ namespace detail {
 
 /// In u p~, what the triangle drops and the last step rounds: of second order in u.
 constexpr double of_second_order(int n, int k, double u) {
-  const double gamma_3 = gamma_over_u(3, u);
-  const double gamma_5 = gamma_over_u(5, u);
-  double point = 1;    // V_0 / p~
-  double errors = 1;   // V_1 / (u p~)
-  double dropped = 0;  // over u^2 p~
-  for (int m = 1; m <= n - k; ++m) {
-    const double local = gamma_3 * point;
-    dropped += gamma_5 * local + gamma_3 * errors;
-    point *= 1 + gamma_3 * u;
-    errors = (1 + gamma_3 * u) * errors + (1 + gamma_5 * u) * local;
-  }
-  return (dropped + 2 * errors + point) * u * (1 + gamma_over_u(k + 8.0, u) * u);
+  const PartSizes<2> first{{1, 1}, 0};  // V_0 = p~, V_1 = u p~
+  const auto sizes = after_steps<2, TriangleRoundings>(n - k, u, first);
+  return (sizes.dropped + 2 * sizes.parts[1] + sizes.parts[0]) * u * (1 + gamma_over_u(k + 8.0, u) * u);
 }
 
 }  // namespace detail

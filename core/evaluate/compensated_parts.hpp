@@ -13,38 +13,54 @@
 
 namespace bezierbench {
 
-/// The largest (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~, but for underflow, of K parts after n steps. With V_F
-/// and L_F the sums of |v_F| and of the magnitudes of the errors that go into it, weighted as what they become in p,
+/// Magnitudes in a scheme of K parts.
+template <int K>
+struct PartSizes {
+  std::array<double, static_cast<std::size_t>(K)> parts;  ///< V_F / (u^F p~)
+  double dropped;                                         ///< sum of L_K / (u^K p~)
+};
+
+/// `sizes` after n more steps. With V_F and L_F the sums of |v_F| and of the magnitudes of the errors that go into it,
+/// weighted as what they become in p,
 ///   L_1     <= gamma_r V_0
 ///   V_F     <= (1 + gamma_r) V_F + (1 + gamma_e(F)) L_F
 ///   L_(F+1) <= gamma_e(F) L_F + gamma_r V_F
-/// in every step, where r = `of_value`, e = `of_error`, and V_0 begins as the bound of `ahead` steps; L_K is dropped.
+/// in every step, where r = `of_value` and e = `of_error`; L_K is dropped.
 template <int K, class Roundings>
-constexpr double remainder_of_parts(int n, double u) {
+constexpr PartSizes<K> after_steps(int n, double u, PartSizes<K> sizes) {
   const double of_value = gamma_over_u(Roundings::of_value, u);
-  double size[K]{1};   // V_F / (u^F p~)
-  double dropped = 0;  // sum of L_K / (u^K p~)
-  for (int m = 0; m < Roundings::ahead; ++m) size[0] *= 1 + of_value * u;
+  auto& size = sizes.parts;
   for (int m = 1; m <= n; ++m) {
     double local = of_value * size[0];  // L_(F+1) / (u^(F+1) p~)
     size[0] *= 1 + of_value * u;
     for (int part = 1; part < K; ++part) {
+      const auto f = static_cast<std::size_t>(part);
       const double gamma = gamma_over_u(Roundings::of_error(part), u);
-      const double next = gamma * local + of_value * size[part];
-      size[part] = (1 + of_value * u) * size[part] + (1 + gamma * u) * local;
+      const double next = gamma * local + of_value * size[f];
+      size[f] = (1 + of_value * u) * size[f] + (1 + gamma * u) * local;
       local = next;
     }
-    dropped += local;
+    sizes.dropped += local;
   }
+  return sizes;
+}
+
+/// The largest (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~, but for underflow, of K parts after n steps; V_0
+/// begins as the bound of `ahead` steps.
+template <int K, class Roundings>
+constexpr double remainder_of_parts(int n, double u) {
+  PartSizes<K> first{{1}, 0};
+  for (int m = 0; m < Roundings::ahead; ++m) first.parts[0] *= 1 + gamma_over_u(Roundings::of_value, u) * u;
+  const auto sizes = after_steps<K, Roundings>(n, u, first);
   double power = 1;  // u^K
-  double sizes = 0;
-  for (const double each : size) {
-    sizes += each * power;
+  double sum = 0;
+  for (const double each : sizes.parts) {
+    sum += each * power;
     power *= u;
   }
-  double adding = K > 2 ? sizes : 0;
+  double adding = K > 2 ? sum : 0;
   for (int part = 0; part < K; ++part) adding *= gamma_over_u(2 * K - 2, u);
-  return (dropped * (1 + 2 * u) + adding) * power;
+  return (sizes.dropped * (1 + 2 * u) + adding) * power;
 }
 
 template <int K, class Roundings>
