@@ -3,16 +3,13 @@
 //   h_(k-1): Q_k = (k (1-t)/D) Q_(k-1) + ((n-k+1) t h/D) b_k. Nothing is subtracted.
 // Source: [Wozny and Chudy 2020], remark on the accuracy of 1 - h_k.
 // Cost: n (6 + 3d) flops and 2n + 1 divisions per point, O(d) memory.
-// Bound: gamma_((3n+2)(n+1)) p~ for 0 <= t <= 1. Let h_(k-1) have e_(k-1) roundings. Either the numerator has at most
-//   e_(k-1) + 4 (quotient of t and the rounded 1-t, two products) and k (1-t) is exact, or it has e_(k-1) + 1 and
-//   k (1-t)/t has 2. x / (c + x) has no more than x and c together, and 2: so e_k = 6k for both weights, and 2 more in
-//   Q_k. The weight of b_i is a product over the later steps: at most sum over k of (6k + 2), below (3n + 2)(n + 1).
+// Bound: gamma_((3n+2)(n+1)) p~ for 0 <= t <= 1; wozny_chudy_weights.hpp derives it.
 // Fails: outside [0,1] the combinations are no longer convex and a denominator may vanish.
 #pragma once
 
 #include "core/basis/amplification.hpp"
-#include "core/basis/lane_choice.hpp"
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/wozny_chudy_weights.hpp"
 
 namespace bezierbench {
 
@@ -35,21 +32,13 @@ struct WoznyChudyPositive : TakenAsGiven<Form::bernstein> {
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();
-    const Scalar s = Scalar(1) - t;
-    const auto near_start = t + t <= Scalar(1);
-    const Scalar ratio = select(near_start, t, s) / select(near_start, s, t);
-    const Scalar of_h = select(near_start, ratio, Scalar(1));
-    const Scalar of_k = select(near_start, Scalar(1), ratio);
+    WoznyChudyWeights<Scalar> weights(n, t);
     Point<Scalar, Dimension> q;
     for (int axis = 0; axis < Dimension; ++axis) q[axis] = curve(axis, 0);
-    Scalar h = Scalar(1);
     for (int k = 1; k <= n; ++k) {
-      const Scalar numerator = h * of_h * static_cast<Scalar>(n - k + 1);
-      const Scalar complement = static_cast<Scalar>(k) * of_k;
-      const Scalar denominator = complement + numerator;
-      h = numerator / denominator;
-      const Scalar rest = complement / denominator;
-      for (int axis = 0; axis < Dimension; ++axis) q[axis] = rest * q[axis] + h * curve(axis, k);
+      const auto weight = weights.next(k);
+      for (int axis = 0; axis < Dimension; ++axis)
+        q[axis] = weight.of_point * q[axis] + weight.of_control * curve(axis, k);
     }
     return q;
   }
