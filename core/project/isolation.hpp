@@ -69,17 +69,15 @@ class Isolation {
   }
 
   void isolate_halves(const Piece& piece) {
-    const auto both = halves_of(piece);
-    isolate(both.first);
-    isolate(both.second);
-  }
-
-  /// gnu::flatten: otherwise GCC copies the polygons several times.
-  [[gnu::flatten]] static std::pair<Piece, Piece> halves_of(const Piece& piece) {
-    const auto offset = halves(piece.offset);
-    const auto difference = halves(piece.difference);
-    return {{offset.first, difference.first, piece.from, piece.width / 2},
-            {offset.second, difference.second, piece.middle(), piece.width / 2}};
+    Piece left;
+    Piece right;
+    halve(piece.offset, left.offset, right.offset);
+    halve(piece.difference, left.difference, right.difference);
+    left.from = piece.from;
+    right.from = piece.middle();
+    left.width = right.width = piece.width / 2;
+    isolate(left);
+    isolate(right);
   }
 
   /// The root in a piece that has at most one. Where f has the same sign at both ends, the root, if there is one, lies

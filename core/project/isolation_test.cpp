@@ -130,10 +130,11 @@ struct TwinPiece {
     }
   }
   void halve(bool left) {
-    const auto both = halves(offset);
-    const auto both_differences = halves(difference);
-    offset = left ? both.first : both.second;
-    difference = left ? both_differences.first : both_differences.second;
+    std::array<HalvedPolygon<2>, 2> both;
+    bezierbench::halve(offset, both[0], both[1]);
+    offset = both[left ? 0 : 1];
+    bezierbench::halve(difference, both[0], both[1]);
+    difference = both[left ? 0 : 1];
     for (auto& axis : exact_offset) halve_exactly(axis, left);
     for (auto& axis : exact_difference) halve_exactly(axis, left);
   }

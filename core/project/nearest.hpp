@@ -50,14 +50,14 @@ NearestCandidate<Dimension> nearest_candidate(const OffsetCurve<Dimension, Degre
 /// step may be off by one double, and next to the curve an ulp of t is several ulps of the distance.
 ///
 /// Elsewhere the neighbours need no evaluation. They are at most u away in t. A computed distance is off by at most
-/// 3.5 u of itself and the error of the compensated triangle. Where the square of the distance changes by at most u of
+/// 3.5 u of itself and the error of the compensated triangle. Where the square of the distance falls by at most u of
 /// itself, these leave no room for 8 u.
 template <int Dimension, int Degree>
 NearestCandidate<Dimension> nearest_neighbour(const OffsetCurve<Dimension, Degree>& curve,
                                               const NearestCandidate<Dimension>& candidate) {
   constexpr double u = 0x1p-53;
   auto best = candidate;
-  if (curve.largest_change(best.t, best.offset, best.scaled_distance, u) <=
+  if (curve.largest_fall(best.t, best.offset, best.scaled_distance, u) <=
       u * best.scaled_distance * best.scaled_distance)
     return best;
   for (const double other : {std::nextafter(candidate.t, 0.0), std::nextafter(candidate.t, 1.0)})

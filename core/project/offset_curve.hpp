@@ -32,13 +32,15 @@ class OffsetCurve {
     scaled.resize(Dimension, n + 1);
     high_.resize(Dimension, n + 1);
     low_.resize(Dimension, n + 1);
-    for (int i = 0; i <= n; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) {
-        scaled(axis, i) = curve(axis, i) * scale;
-        const auto difference = two_sum(scaled(axis, i), -(point[axis] * scale));
-        high_(axis, i) = difference.value;
-        low_(axis, i) = difference.error;
-      }
+    const Coordinates factor(scale);
+    const Coordinates from = -(Coordinates::load(point.data()) * factor);
+    for (int i = 0; i <= n; ++i) {
+      const Coordinates here = Coordinates::load(curve.data() + Dimension * i) * factor;
+      set_column<Dimension>(scaled, i, here);
+      const auto difference = two_sum(here, from);
+      set_column<Dimension>(high_, i, difference.value);
+      set_column<Dimension>(low_, i, difference.error);
+    }
     first_ = differences<Dimension>(scaled);
     second_ = differences<Dimension>(first_);
     const double largest_offset = largest_coordinate<Dimension>(high_);
@@ -59,19 +61,18 @@ class OffsetCurve {
   [[nodiscard, gnu::flatten]] Vector at(double t) const {
     if (t == 0) return high_.col(0);  // same bits as the code below
     if (t == 1) return high_.col(degree());
-    const auto s = two_sum(1.0, -t);
+    const Coordinates of_next(t);
+    const auto s = two_sum(Coordinates(1.0), -of_next);
     auto high = high_;
     auto low = low_;
+    const auto parts_of = [&](int i) { return std::array{column<Dimension>(high, i), column<Dimension>(low, i)}; };
     each_of_triangle<Degree>(degree(), [&](int i) {
-      for (int axis = 0; axis < Dimension; ++axis) {
-        const auto parts =
-            compensated_step<2, double>({high(axis, i), low(axis, i)}, {high(axis, i + 1), low(axis, i + 1)}, s, t);
-        high(axis, i) = parts[0];
-        low(axis, i) = parts[1];
-      }
+      const auto parts = compensated_step<2, Coordinates>(parts_of(i), parts_of(i + 1), s, of_next);
+      set_column<Dimension>(high, i, parts[0]);
+      set_column<Dimension>(low, i, parts[1]);
     });
     Vector sum;
-    for (int axis = 0; axis < Dimension; ++axis) sum[axis] = high(axis, 0) + low(axis, 0);
+    (column<Dimension>(high, 0) + column<Dimension>(low, 0)).store(sum.data());
     return sum;
   }
 
@@ -95,17 +96,20 @@ class OffsetCurve {
     return {dot<Dimension>(offset, velocity), speed_squared + bend, speed_squared};
   }
 
-  /// A bound of the change of |C - P|^2 / m^2 on the way from t by `step` or less, where (C(t) - P) / m is `offset`
-  /// and `distance` long: with f and f' as in Slope, at most 2 n |f(t)| step + n |f'| step^2.
-  [[nodiscard]] double largest_change(double t, const Vector& offset, double distance, double step) const {
-    const double f = std::abs(dot<Dimension>(offset, point_at<Dimension>(first_, t)));
-    return degree() * step * (2 * (f + slope_error_ * distance) + largest_slope_ * step);
+  /// A bound of how much |C - P|^2 / m^2 falls on the way from t by `step` or less, within [0, 1], where (C(t) - P) / m
+  /// is `offset` and `distance` long: with f and f' as in Slope, at most 2 n |f(t)| step + n |f'| step^2. An end of the
+  /// curve has one way only.
+  [[nodiscard]] double largest_fall(double t, const Vector& offset, double distance, double step) const {
+    const double f = dot<Dimension>(offset, point_at<Dimension>(first_, t));
+    const double falling = t == 0 ? std::max(0.0, -f) : t == 1 ? std::max(0.0, f) : std::abs(f);
+    return degree() * step * (2 * (falling + slope_error_ * distance) + largest_slope_ * step);
   }
 
   /// A bound of |f''| = |3 C'.C'' + (C - P).C'''| on [0, 1], over n m^2.
   [[nodiscard]] double largest_bend() const { return largest_bend_; }
 
  private:
+  using Coordinates = Axes<double, Dimension>;
   static constexpr int least_exponent = -1000;  // makes 1/m a double
 
   Points high_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/curve.hpp"
+#include "core/evaluate/points/axes.hpp"
 #include "core/project/written_out.hpp"
 
 namespace bezierbench {
@@ -25,6 +26,17 @@ int degree_of(const Polygon<Dimension, Points>& b) {
   return static_cast<int>(b.cols()) - 1;
 }
 
+/// All coordinates of point i, side by side in a vector: one number for the compiler, which else gathers coordinates of
+/// several points in a vector that is written in parts.
+template <int Dimension, int Points>
+Axes<double, Dimension> column(const Polygon<Dimension, Points>& b, Eigen::Index i) {
+  return Axes<double, Dimension>::load(b.data() + Dimension * i);
+}
+template <int Dimension, int Points>
+void set_column(Polygon<Dimension, Points>& b, Eigen::Index i, const Axes<double, Dimension>& coordinates) {
+  coordinates.store(b.data() + Dimension * i);
+}
+
 /// a.b, summed up from the first axis on.
 template <int Dimension>
 double dot(const Point<double, Dimension>& a, const Point<double, Dimension>& b) {
@@ -35,7 +47,7 @@ double dot(const Point<double, Dimension>& a, const Point<double, Dimension>& b)
 
 /// The largest magnitude of `count` numbers, 0 for none. Count is that number at compile time, or `dynamic`.
 template <int Count>
-double largest_magnitude(const double* values, int count) {
+[[gnu::always_inline]] inline double largest_magnitude(const double* values, int count) {
   if constexpr (Count == dynamic) {
     double largest = 0;
     for (int i = 0; i < count; ++i) largest = std::max(largest, std::abs(values[i]));
@@ -84,9 +96,10 @@ double largest_coordinate(const Polygon<Dimension, Points>& b) {
 template <int Dimension, int Points>
 Point<double, Dimension> point_at(Polygon<Dimension, Points> b, double t) {
   if (b.cols() == 0) return Point<double, Dimension>::Zero();
-  const double s = 1 - t;
+  const Axes<double, Dimension> s(1 - t);
+  const Axes<double, Dimension> of_next(t);
   each_of_triangle<count_of(Points, -1)>(degree_of<Dimension>(b), [&](int i) {
-    for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = s * b(axis, i) + t * b(axis, i + 1);
+    set_column<Dimension>(b, i, s * column<Dimension>(b, i) + of_next * column<Dimension>(b, i + 1));
   });
   return b.col(0);
 }
@@ -97,24 +110,25 @@ Polygon<Dimension, count_of(Points, -1)> differences(const Polygon<Dimension, Po
   Polygon<Dimension, count_of(Points, -1)> result;
   result.resize(Dimension, std::max<Eigen::Index>(b.cols() - 1, 0));
   for (Eigen::Index i = 0; i < result.cols(); ++i)
-    for (int axis = 0; axis < Dimension; ++axis) result(axis, i) = b(axis, i + 1) - b(axis, i);
+    set_column<Dimension>(result, i, column<Dimension>(b, i + 1) - column<Dimension>(b, i));
   return result;
 }
 
-/// The polygons over [0, 1/2] and [1/2, 1]. Each coordinate has at most `degree` roundings, of at most u
+/// Sets the polygons over [0, 1/2] and [1/2, 1]. Each coordinate has at most `degree` roundings, of at most u
 /// largest_coordinate(b) each.
 template <int Dimension, int Points>
-std::pair<Polygon<Dimension, Points>, Polygon<Dimension, Points>> halves(Polygon<Dimension, Points> b) {
-  const int n = degree_of<Dimension>(b);
-  Polygon<Dimension, Points> left;
-  left.resize(Dimension, n + 1);
-  left.col(0) = b.col(0);
+void halve(const Polygon<Dimension, Points>& b, Polygon<Dimension, Points>& left, Polygon<Dimension, Points>& right) {
+  auto last = b;   // column n - k will be the last point of level k
+  auto first = b;  // column k the first one
   int level = 0;
-  each_of_triangle<count_of(Points, -1)>(n, [&](int i) {
-    for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = (b(axis, i) + b(axis, i + 1)) / 2;
-    if (i == 0) left.col(++level) = b.col(0);
+  const Axes<double, Dimension> half(0.5);
+  each_of_triangle<count_of(Points, -1)>(degree_of<Dimension>(b), [&](int i) {
+    const auto middle = (column<Dimension>(last, i) + column<Dimension>(last, i + 1)) * half;
+    set_column<Dimension>(last, i, middle);
+    if (i == 0) set_column<Dimension>(first, ++level, middle);
   });
-  return {std::move(left), std::move(b)};  // column n - k of b keeps the last point of level k
+  left = std::move(first);
+  right = std::move(last);
 }
 
 }  // namespace bezierbench

@@ -24,17 +24,25 @@ struct UncertainPolynomial {
   [[nodiscard]] Polygon<1, Count> coefficients() const {
     Polygon<1, Count> result;
     result.resize(1, weighted.cols());
-    each<Count>(degree() + 1, [&](int k) { result[k] = coefficient(k); });
+    for (int k = 0; k <= degree(); ++k) result[k] = coefficient(k);
     return result;
   }
   /// The sign of coefficient k; 0 where the error makes it uncertain.
-  [[nodiscard]] int sign(int k) const { return coefficient(k) > error ? 1 : coefficient(k) < -error ? -1 : 0; }
+  [[nodiscard]] int sign(int k) const {
+    const bool at_end = k == 0 || k == degree();  // where the binomial is 1
+    const double value = at_end ? weighted[k] : coefficient(k);
+    return value > error ? 1 : value < -error ? -1 : 0;
+  }
   /// True if no sign is certain.
   [[nodiscard]] bool is_unknown() const { return sign(0) == 0 && largest_coordinate<1>(coefficients()) <= error; }
 
   /// The largest number of sign variations over all choices for the uncertain signs.
   [[nodiscard]] int most_variations() const {
-    if (is_surely_certain()) return variations();
+    return is_surely_certain() ? variations() : most_variations_of_choices();
+  }
+
+ private:
+  [[nodiscard]] int most_variations_of_choices() const {
     const int none = -degree() - 2;
     int after_plus = -1;  // two values for which the first sign is no variation
     int after_minus = -1;
@@ -46,8 +54,6 @@ struct UncertainPolynomial {
     }
     return std::max(after_plus, after_minus);
   }
-
- private:
   /// True only if all signs are certain; the margin covers the roundings of both sides.
   [[nodiscard]] bool is_surely_certain() const {
     const double least = error * (1 + 0x1p-50);

@@ -51,7 +51,9 @@ struct SubdivideHull {
         best.take(middle, offset.scaled_distance(middle));
         const double error = piece.error + 0x1p-53 * static_cast<double>(piece.offset.cols()) *
                                                largest_coordinate<Dimension>(piece.offset);
-        auto [left, right] = halves<Dimension>(std::move(piece.offset));
+        Polygon<Dimension> left;
+        Polygon<Dimension> right;
+        halve<Dimension>(piece.offset, left, right);
         next.push_back({std::move(left), piece.from, error});
         next.push_back({std::move(right), middle, error});
       }
