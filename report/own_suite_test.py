@@ -17,19 +17,35 @@ from .findings.roster import find_all
 # One study of each kind, and one whose id looks like that of a known suite.
 STUDIES = ("truth-bezier", "conversion-bezier", "worst-bezier", "peers-speed", "roofline-bezier", "derivative-order", "subdivision-degree",
            "arc_length-tolerance", "inverse_arc_length-tolerance", "projection-cubics", "interpolation-points", "fitting-cubics",
-           "grid-points", "bspline-degree", "guarantees-few", "every-float")
+           "grid-points", "bspline-degree", "guarantees-few", "every-float", "hard-few")
 TITLE = "Degree 20 on my machine"
+# Distances from a rounding boundary by search: on it, and nearer than the smallest double.
+DISTANCES = {"tie": ("0",), "nearest": ("1.5e-700", "2e-4"), "cancelled": ("0.25",)}
+
+
+def _write(path, name, rows):
+    """A table that the fixture has not."""
+    with open(path / name, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(schema.columns(name)), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 def _write_exhaustive(path):
-    """Two methods on two curves at every float, a table that the fixture has not."""
-    columns = list(schema.columns("exhaustive.csv"))
-    with open(path / "exhaustive.csv", "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, columns, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(dict(study="every-float", curve_id=curve, method=method, scalar="float", degree=degree, t_min="0", t_max="1",
-                              points=1065353217, max_error_ulp=degree + at / 2, worst_t="0x1p-2", misrounded=at, non_monotone=0, out_of_hull=0)
-                         for curve, degree in (("css_ease", 3), ("circle", 2)) for at, method in enumerate(("direct", "de_casteljau")))
+    """Two methods on two curves at every float."""
+    _write(path, "exhaustive.csv", (dict(study="every-float", curve_id=curve, method=method, scalar="float", degree=degree, t_min="0",
+                                         t_max="1", points=1065353217, max_error_ulp=degree + at / 2, worst_t="0x1p-2", misrounded=at,
+                                         non_monotone=0, out_of_hull=0)
+                                    for curve, degree in (("css_ease", 3), ("circle", 2))
+                                    for at, method in enumerate(("direct", "de_casteljau"))))
+
+
+def _write_hard_cases(path):
+    """The cases of DISTANCES in each scalar type."""
+    _write(path, "hard_cases.csv", (dict(study="hard-few", family="beside_a_tie", search=search, drawn=1000, form="bernstein", scalar=scalar,
+                                         degree=1, dimension=1, t="0x1p-1", coefficients="0x1p+0 0x1p+0", exact="1", rounded="0x1p+0",
+                                         rounded_double="0x1p+0", rounded_float="0x1p+0", distance_ulp=distance)
+                                    for scalar in ("double", "float") for search, distances in DISTANCES.items() for distance in distances))
 
 
 def _own(place, title=TITLE, printed=False):
@@ -38,9 +54,11 @@ def _own(place, title=TITLE, printed=False):
                          () if printed else ("scorecard.csv", "scorecard_timing.csv"))
     parts = re.split(r"(?=\[\[suites)", fixture.suite_toml())
     own = [part for part in parts if any(f'\nid = "{study}"\n' in part for study in STUDIES)]
-    own.append('[[study]]\nid = "every-float"\ntitle = "Every float"\nkind = "exhaustive"\n')
+    own.append('[[study]]\nid = "every-float"\ntitle = "Every float"\nkind = "exhaustive"\n'
+               '[[study]]\nid = "hard-few"\ntitle = "Hard cases"\nkind = "hard_cases"\n')
     (path / "suite.toml").write_text(f'[suite]\nid = "mine"\ntitle = "{title}"\n' + "".join(own).replace("[[suites.study]]", "[[study]]"))
     _write_exhaustive(path)
+    _write_hard_cases(path)
     return Bundle(fixture.seal(path))
 
 
@@ -55,7 +73,7 @@ class OwnSuite(unittest.TestCase):
 
     def test_every_kind_with_a_figure_is_tried(self):
         self.assertEqual({self.bundle.studies[study].kind for study in STUDIES},
-                         {name for name, kind in KINDS.items() if kind.measures or name == "guarantees"})
+                         {name for name, kind in KINDS.items() if kind.measures or name in ("guarantees", "hard_cases")})
 
     def test_every_study_has_its_figure_and_its_table(self):
         own = next(chapter for chapter in self.chapters if chapter.id == "suite-mine")
@@ -88,6 +106,14 @@ class OwnSuite(unittest.TestCase):
         self.assertGreater(len({row["generator"] for row in rows}), 1)
         self.assertIn("against degree n; each point is the largest value over", captions["truth-bezier-figure"])
         self.assertIn("generator", captions["truth-bezier-figure"])
+
+    def test_a_hard_case_stands_at_its_distance(self):
+        figure = next(one for one in self.figures() if one.id == "hard-few-figure")
+        points = {series.name: [point[2] for point in series.points] for series in figure.series}
+        self.assertEqual(points, {name: [f"beside_a_tie, degree 1: {distance} ulp ({scalar})" for scalar in ("double", "float")
+                                         for distance in distances]
+                                  for name, distances in (("next to a boundary", ("1.50e-700", "2.00e-4")), ("cancelled most", ("2.50e-1",)))})
+        self.assertIn("2 cases on a boundary, of beside_a_tie,", figure.caption)
 
     def test_the_title_is_that_of_the_suite(self):
         self.assertIn(f"<h1>{TITLE}</h1>", self.html)

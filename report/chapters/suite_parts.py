@@ -28,11 +28,11 @@ def figure(name, bundle):
 
 
 def study_figure(bundle, study):
-    """The figure of one study, as a list, empty where there is nothing to draw: of verdicts a matrix, else lines along the axis that it
+    """The figure of one study, as a list, empty where there is nothing to draw: that of its kind, else lines along the axis that it
     varies."""
-    from ..figures import guarantee_matrix, study_lines
+    from ..figures import guarantee_matrix, hard_case_distances, study_lines
 
-    drawn = guarantee_matrix if bundle.studies[study].kind == "guarantees" else study_lines
+    drawn = {"guarantees": guarantee_matrix, "hard_cases": hard_case_distances}.get(bundle.studies[study].kind, study_lines)
     try:
         return [drawn.draw(bundle, study)]
     except Missing:

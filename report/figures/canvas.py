@@ -156,12 +156,13 @@ def _all_series(canvas):
             artist.set_gid(f"s{order}-{next(numbers)}")
             if not isinstance(artist, Line2D) or getattr(artist, "beside", False):
                 continue
-            rows = getattr(artist, "rows", None)
+            rows, reads = getattr(artist, "rows", None), getattr(artist, "reads", None)  # `reads`: what points say instead of their place
             for at, (x, y) in enumerate(zip(artist.get_xdata(), artist.get_ydata())):
                 place = ax.transData.transform((x, y)) * scale
                 if not (isinstance(x, (int, float)) and isinstance(y, (int, float)) and all(map(math.isfinite, place))):
                     continue
-                words = f"{across} {_written(ax.xaxis, x)}, {up} {_written(ax.yaxis, y)}" + (f" ({title})" if title else "")
+                words = reads[at] if reads else f"{across} {_written(ax.xaxis, x)}, {up} {_written(ax.yaxis, y)}"
+                words += f" ({title})" if title else ""
                 points.append((round(float(place[0]), 1), round(float(height - place[1]), 1), words, rows[at] if rows else None))
     for legend in [*canvas.legends, *(ax.get_legend() for ax in canvas.axes if ax.get_legend())]:
         for text in legend.get_texts():
