@@ -34,15 +34,16 @@ class Study:
     printed: bool = False  # whether a source prints values of it
 
 
-# The kind of a study that only rows tell of, by the file that they stand in.
-_KIND_OF_FILE = {"accuracy.csv": "accuracy", "unstable.csv": "accuracy", "conversion.csv": "conversion", "search.csv": "search",
-                 "timing.csv": "timing", "roofline.csv": "roofline", "derivative.csv": "derivative", "subdivision.csv": "subdivision",
-                 "grid.csv": "grid", "bspline.csv": "bspline",
-                 "arc_length.csv": "arc_length", "arc_length_unstable.csv": "arc_length",
-                 "inverse_arc_length.csv": "inverse_arc_length", "projection.csv": "projection",
-                 "projection_unstable.csv": "projection", "interpolation.csv": "interpolation", "fitting.csv": "fitting",
-                 "hard_cases.csv": "hard_cases", "guarantees.csv": "guarantees",
-                 "guarantees_unstable.csv": "guarantees", "exhaustive.csv": "exhaustive"}
+def _unstable(file):
+    """The file of the rows that depend on a library, beside those of the digest."""
+    return "unstable.csv" if file == "accuracy.csv" else file.replace(".csv", "_unstable.csv")
+
+
+def _kind_of(file):
+    """The kind of the studies that the rows of a file are of; None where other files say it."""
+    from .chapters.kinds import KINDS  # what shows a bundle knows the kinds, and reads bundles itself
+
+    return next((name for name, kind in KINDS.items() if file in (kind.file, _unstable(kind.file))), None)
 
 
 @contextmanager
@@ -170,8 +171,7 @@ class Bundle(Folder):
 
     def judged(self, file="accuracy.csv"):
         """Rows of every method: those of the digest and those that depend on a library."""
-        unstable = "unstable.csv" if file == "accuracy.csv" else file.replace(".csv", "_unstable.csv")
-        tables = [self.tables[f] for f in (file, unstable) if f in self.tables]
+        tables = [self.tables[f] for f in (file, _unstable(file)) if f in self.tables]
         if not tables:
             raise Missing(f"the bundle has no `{file}`")
         return tables[0].with_rows([row for t in tables for row in t.rows])
@@ -232,7 +232,8 @@ class Bundle(Folder):
     def _add_unnamed(self):
         """Studies that suite.toml does not name follow those that it does; tables learn the suites of all."""
         for file, table in self.tables.items():
-            for study in dict.fromkeys(row["study"] for row in table.rows) if file in _KIND_OF_FILE else ():
-                if study is not None:
-                    self.studies.setdefault(study, Study(study, study, _KIND_OF_FILE[file], ""))
+            named = dict.fromkeys(row["study"] for row in table.rows) if "study" in table.columns else {}
+            unnamed = [study for study in named if study is not None and study not in self.studies]
+            if unnamed and (kind := _kind_of(file)):
+                self.studies.update((study, Study(study, study, kind, "")) for study in unnamed)
             table.suite_of = {study.id: study.suite for study in self.studies.values()}

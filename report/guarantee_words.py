@@ -14,7 +14,7 @@ def of_all(rows):
 
 
 def share(rows):
-    """The largest share of random inputs that break the property; None where no input was judged."""
+    """Of the counts of these rows, the largest share of random inputs that break the property; None where no input was judged."""
     shares = [row["broken"] / row["trials"] for row in rows if row["trials"]]
     return max(shares, default=None)
 

@@ -7,8 +7,10 @@ from ..bundle import Missing, Row
 from ..wording import count
 
 SUITE = "regimes"
-ALIKE = 2  # means of heavy-tailed errors, as those of converted paths are, differ by less from sample to sample
-CLOSE = 1.25  # means that differ by less are called equal
+# Both are choices of this report, and every sentence that rests on one of them names it. Bundles say nothing of how much a mean
+# error differs from sample to sample; that of a converted path, whose errors are heavy-tailed, differs more than others.
+ALIKE = 2  # means that differ by no more say nothing of a dependence
+CLOSE = 1.25  # means that differ by no more are counted as equal
 
 
 @dataclass(frozen=True)
