@@ -85,7 +85,7 @@ class Page:
     def cmake(self, body):
         (self.folder / "CMakeLists.txt").write_text(body, encoding="utf-8")
         shutil.rmtree(self.folder / "build", ignore_errors=True)
-        self.run("cmake", "-S", ".", "-B", "build")
+        self.run("cmake", "-G", "Ninja", "-S", ".", "-B", "build")
         self.run("cmake", "--build", "build")
         return ""
 

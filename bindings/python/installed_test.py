@@ -60,7 +60,7 @@ class Installed(unittest.TestCase):
         source.mkdir()
         text = PROJECT.format(prefix=self.prefix, source=HERE.parent / "c/c99_test.c")
         (source / "CMakeLists.txt").write_text(text, encoding="utf-8")
-        run("cmake", "-S", source, "-B", source / "build")
+        run("cmake", "-G", "Ninja", "-S", source, "-B", source / "build")
         run("cmake", "--build", source / "build")
         self.assertEqual(run(source / "build/program"), "")
 

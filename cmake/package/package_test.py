@@ -61,7 +61,7 @@ class Package(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def configure(self, source, *options):
-        return run("cmake", "-S", source, "-B", self.folder / "build", f"-DCMAKE_PREFIX_PATH={PREFIX}", *options)
+        return run("cmake", "-G", "Ninja", "-S", source, "-B", self.folder / "build", f"-DCMAKE_PREFIX_PATH={PREFIX}", *options)
 
     def project(self, *lines):
         text = "cmake_minimum_required(VERSION 3.22)\nproject(p CXX)\n" + "\n".join(lines) + "\n"

@@ -123,7 +123,7 @@ class Recipes(unittest.TestCase):
             return
         (self.folder / "user").mkdir()
         (self.folder / "user/CMakeLists.txt").write_text(USER, encoding="utf-8")
-        run("cmake", "-S", self.folder / "user", "-B", self.folder / "user/build", f"-DCMAKE_PREFIX_PATH={prefix}")
+        run("cmake", "-G", "Ninja", "-S", self.folder / "user", "-B", self.folder / "user/build", f"-DCMAKE_PREFIX_PATH={prefix}")
 
     def test_conan(self):
         modules = conan_modules(self.folder)

@@ -28,7 +28,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="bezierbench-own-") as name:
         folder = pathlib.Path(name)
         (folder / "CMakeLists.txt").write_text(PROJECT, encoding="utf-8")
-        subprocess.run(["cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}",
+        subprocess.run(["cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}",
                         "-DCMAKE_BUILD_TYPE=Release"], check=True, stdout=subprocess.DEVNULL)
         subprocess.run(["cmake", "--build", folder / "build"], check=True, stdout=subprocess.DEVNULL)
         return subprocess.run([sys.executable, "-EsB", HERE / "outside_test.py", program, "Ways"], check=False,
