@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# bezierbench_folder(NAME [SUBFOLDERS] [POSITION_INDEPENDENT] [JOINED n] [JOINED_TESTS n] DEPENDS target...): the sources of
-# this folder, and with SUBFOLDERS those of the folders in it, become the library NAME, their *_test.cpp the test program
-# NAME_test. Files are globbed so that adding a method or a study needs no second list.
+# bezierbench_folder(NAME [SUBFOLDERS] [WITH folder...] [POSITION_INDEPENDENT] [JOINED n] [JOINED_TESTS n] DEPENDS target...):
+# the sources of this folder, with SUBFOLDERS those of the folders in it, and those of the folders WITH, become the library
+# NAME, their *_test.cpp the test program NAME_test. Files are globbed so that adding a method or a study needs no second list.
 #
 # With JOINED GCC compiles up to n sources as one translation unit, with JOINED_TESTS up to n tests, since most of a short
 # one's time goes into what it includes. Names in the unnamed namespaces of such a folder are different from each other.
@@ -16,11 +16,14 @@ function(bezierbench_join target number)
 endfunction()
 
 function(bezierbench_folder name)
-  cmake_parse_arguments(FOLDER "SUBFOLDERS;POSITION_INDEPENDENT" "JOINED;JOINED_TESTS" "DEPENDS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(FOLDER "SUBFOLDERS;POSITION_INDEPENDENT" "JOINED;JOINED_TESTS" "WITH;DEPENDS;TEST_DEPENDS" ${ARGN})
   set(patterns *.cpp)
   if(FOLDER_SUBFOLDERS)
     list(APPEND patterns */*.cpp)
   endif()
+  foreach(folder IN LISTS FOLDER_WITH)
+    list(APPEND patterns ${folder}/*.cpp)
+  endforeach()
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "(_test|_fuzz|/main)\\.cpp$")

@@ -7,27 +7,12 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/error_free.hpp"
+
 namespace bezierbench::reference {
 namespace {
 
 constexpr int expansion_bits = 3 * 53;
-
-/// a + b = sum + error exactly, for |a| >= |b| ([Dekker 1971]).
-struct TwoTerms {
-  double sum;
-  double error;
-};
-TwoTerms fast_two_sum(double a, double b) {
-  const double sum = a + b;
-  return {sum, b - (sum - a)};
-}
-
-/// a + b = sum + error exactly ([Knuth 1997], section 4.2.2).
-TwoTerms two_sum(double a, double b) {
-  const double sum = a + b;
-  const double b_part = sum - a;
-  return {sum, (a - (sum - b_part)) + (b - b_part)};
-}
 
 /// floor(log2 |x|) of a normal number, read from its bits.
 int binary_exponent(double x) { return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52U) & 0x7ffU) - 1023; }
@@ -142,12 +127,12 @@ Distance::Expansion Distance::expand(const mpz_class& numerator, const mpz_class
     remainder = top;
     leading -= remainder;
   }
-  const TwoTerms lower = fast_two_sum(chunk[1], chunk[2]);
-  const TwoTerms upper = fast_two_sum(chunk[0], lower.sum);
-  const TwoTerms rest = fast_two_sum(upper.error, lower.error);
-  const int scale = binary_exponent(upper.sum) + 1;
-  result.high = upper.sum * power_of_two(-scale);
-  result.middle = rest.sum * power_of_two(-scale);
+  const auto lower = fast_two_sum(chunk[1], chunk[2]);
+  const auto upper = fast_two_sum(chunk[0], lower.value);
+  const auto rest = fast_two_sum(upper.error, lower.error);
+  const int scale = binary_exponent(upper.value) + 1;
+  result.high = upper.value * power_of_two(-scale);
+  result.middle = rest.value * power_of_two(-scale);
   result.low = rest.error * power_of_two(-scale);
   result.exponent += scale;
   return result;
@@ -171,9 +156,9 @@ Distance::Difference Distance::difference(double value, const Expansion& expansi
     }
     scaled = value * power_of_two(static_cast<int>(-expansion.exponent));
   }
-  const TwoTerms top = two_sum(scaled, -expansion.high);
+  const auto top = two_sum(scaled, -expansion.high);
   const double rest = (top.error - expansion.middle) - expansion.low;
-  result.value = top.sum + rest;
+  result.value = top.value + rest;
   // `high` is the double nearest to the truth, so |value - truth| >= |middle + low| for any double: nothing cancels
   // beyond a factor of two, and the roundings above change the result by at most 2^-50 of it. The remainder of the
   // expansion is below 2^-155.

@@ -8,7 +8,7 @@
 
 #include "bindings/c/chosen.hpp"
 #include "core/fit/kernel.hpp"
-#include "reference/fit_distance.hpp"
+#include "reference/companion/fit_distance.hpp"
 
 using namespace bezierbench;
 

@@ -2,7 +2,7 @@
 // Projections by a method, true ones, and errors.
 #include "bindings/c/chosen.hpp"
 #include "core/project/kernel.hpp"
-#include "reference/projection.hpp"
+#include "reference/companion/projection.hpp"
 
 using namespace bezierbench;
 

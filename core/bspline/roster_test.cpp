@@ -11,7 +11,7 @@
 
 #include "core/bspline/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
-#include "reference/exact_bspline.hpp"
+#include "reference/companion/exact_bspline.hpp"
 
 namespace bezierbench {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/interpolate/kernel.hpp"
-#include "reference/interpolation.hpp"
+#include "reference/companion/interpolation.hpp"
 
 namespace bezierbench {
 namespace {

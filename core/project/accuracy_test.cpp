@@ -8,8 +8,8 @@
 
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/project/kernel.hpp"
+#include "reference/companion/projection.hpp"
 #include "reference/exact_curve.hpp"
-#include "reference/projection.hpp"
 
 namespace bezierbench {
 namespace {

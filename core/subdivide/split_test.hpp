@@ -11,7 +11,7 @@
 
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/subdivide/kernel.hpp"
-#include "reference/exact_split.hpp"
+#include "reference/companion/exact_split.hpp"
 
 namespace bezierbench {
 

@@ -15,7 +15,7 @@
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/outside.hpp"
 #include "experiments/suite/pattern.hpp"
-#include "experiments/suite/writer.hpp"
+#include "experiments/suite/text/writer.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/tables/scorecard.hpp"
 #include "experiments/tables/timed_checks.hpp"

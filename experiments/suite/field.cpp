@@ -2,7 +2,7 @@
 #include "experiments/suite/field.hpp"
 
 #include "experiments/suite/kinds.hpp"
-#include "experiments/suite/toml_value.hpp"
+#include "experiments/suite/text/toml_value.hpp"
 
 namespace bezierbench::suite {
 namespace {

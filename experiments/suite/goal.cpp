@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/suite/toml_value.hpp"
+#include "experiments/suite/text/toml_value.hpp"
 
 namespace bezierbench::suite {
 namespace {

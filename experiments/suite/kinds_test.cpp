@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
-#include "experiments/suite/reader.hpp"
 #include "experiments/suite/test_vocabulary.hpp"
-#include "experiments/suite/writer.hpp"
+#include "experiments/suite/text/reader.hpp"
+#include "experiments/suite/text/writer.hpp"
 
 namespace bezierbench::suite {
 namespace {

@@ -8,7 +8,7 @@
 #include <array>
 #include <set>
 
-#include "experiments/suite/toml_value.hpp"
+#include "experiments/suite/text/toml_value.hpp"
 
 namespace bezierbench::suite {
 namespace {

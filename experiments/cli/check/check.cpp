@@ -25,8 +25,8 @@
 #include "experiments/race/repetition.hpp"
 #include "experiments/requirements/requirements.hpp"
 #include "experiments/run/interruption.hpp"
-#include "experiments/suite/reader.hpp"
-#include "experiments/suite/writer.hpp"
+#include "experiments/suite/text/reader.hpp"
+#include "experiments/suite/text/writer.hpp"
 
 namespace bezierbench::cli {
 namespace {

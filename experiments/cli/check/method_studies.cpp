@@ -13,7 +13,7 @@
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
-#include "experiments/suite/reader.hpp"
+#include "experiments/suite/text/reader.hpp"
 
 namespace bezierbench::cli {
 namespace {

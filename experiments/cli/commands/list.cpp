@@ -21,7 +21,7 @@
 #include "experiments/cli/terminal/fitted.hpp"
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/names.hpp"
-#include "experiments/suite/reader.hpp"
+#include "experiments/suite/text/reader.hpp"
 #include "experiments/terminal.hpp"
 
 namespace bezierbench::cli {

@@ -12,7 +12,7 @@
 #include "experiments/failure.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/suite/outside.hpp"
-#include "experiments/suite/reader.hpp"
+#include "experiments/suite/text/reader.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -19,8 +19,8 @@
 #include "experiments/sample/draw.hpp"
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/nearest.hpp"
-#include "experiments/suite/overrides.hpp"
-#include "experiments/suite/reader.hpp"
+#include "experiments/suite/text/overrides.hpp"
+#include "experiments/suite/text/reader.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
 namespace bezierbench::cli {

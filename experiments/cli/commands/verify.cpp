@@ -16,7 +16,7 @@
 #include "experiments/echo.hpp"
 #include "experiments/run/expected.hpp"
 #include "experiments/studies/roster.hpp"
-#include "experiments/suite/reader.hpp"
+#include "experiments/suite/text/reader.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -18,7 +18,7 @@
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/metric/bspline_bound_at.hpp"
 #include "experiments/number/number.hpp"
-#include "reference/exact_bspline.hpp"
+#include "reference/companion/exact_bspline.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
-#include "reference/projection.hpp"
+#include "reference/companion/projection.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -13,8 +13,8 @@
 #include "experiments/outside/answers.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/suite/outside.hpp"
-#include "experiments/suite/reader.hpp"
-#include "experiments/suite/writer.hpp"
+#include "experiments/suite/text/reader.hpp"
+#include "experiments/suite/text/writer.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
 namespace bezierbench::cli {

@@ -6,7 +6,7 @@
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/terminal/whole_number.hpp"
-#include "experiments/suite/reader.hpp"
+#include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/validate.hpp"
 
 namespace bezierbench::cli {

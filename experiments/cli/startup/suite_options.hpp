@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "experiments/cli/command.hpp"
-#include "experiments/suite/overrides.hpp"
+#include "experiments/suite/text/overrides.hpp"
 
 namespace bezierbench::cli {
 

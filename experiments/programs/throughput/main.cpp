@@ -9,7 +9,7 @@
 #include "experiments/failure.hpp"
 #include "experiments/programs/throughput/reference_cost.hpp"
 #include "experiments/programs/throughput/sweep_cost.hpp"
-#include "experiments/suite/reader.hpp"
+#include "experiments/suite/text/reader.hpp"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/bspline/problem.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
-#include "reference/exact_bspline.hpp"
+#include "reference/companion/exact_bspline.hpp"
 
 namespace bezierbench::studies {
 namespace {

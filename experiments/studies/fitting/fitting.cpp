@@ -12,7 +12,7 @@
 #include "experiments/studies/fitting/problem.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
 #include "experiments/suite/kinds.hpp"
-#include "reference/fit_distance.hpp"
+#include "reference/companion/fit_distance.hpp"
 
 namespace bezierbench::studies {
 namespace {

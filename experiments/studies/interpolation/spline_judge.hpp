@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "experiments/metric/counts.hpp"
-#include "reference/interpolation.hpp"
+#include "reference/companion/interpolation.hpp"
 
 namespace bezierbench::studies {
 

@@ -13,7 +13,7 @@
 #include "experiments/sample/placement.hpp"
 #include "experiments/studies/projection/projection.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
-#include "reference/projection.hpp"
+#include "reference/companion/projection.hpp"
 
 namespace bezierbench::studies {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/subdivide/kernel.hpp"
-#include "reference/exact_split.hpp"
+#include "reference/companion/exact_split.hpp"
 
 namespace bezierbench::studies {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/kinds/derivative.hpp"
+#include "experiments/suite/kinds/companion/derivative.hpp"
 
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/kinds/key_checks.hpp"

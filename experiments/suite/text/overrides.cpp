@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/overrides.hpp"
+#include "experiments/suite/text/overrides.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -14,7 +14,7 @@
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
-#include "experiments/suite/toml_value.hpp"
+#include "experiments/suite/text/toml_value.hpp"
 #include "experiments/suite/validate.hpp"
 
 namespace bezierbench::suite {

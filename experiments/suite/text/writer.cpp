@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/writer.hpp"
+#include "experiments/suite/text/writer.hpp"
 
 #include <fmt/format.h>
 
 #include <iterator>
 
 #include "experiments/suite/kinds.hpp"
-#include "experiments/suite/toml_value.hpp"
+#include "experiments/suite/text/toml_value.hpp"
 
 namespace bezierbench::suite {
 

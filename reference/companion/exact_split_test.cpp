@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/exact_split.hpp"
+#include "reference/companion/exact_split.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "reference/projection.hpp"
+#include "reference/companion/projection.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "reference/integer_polynomial.hpp"
+#include "reference/companion/integer_polynomial.hpp"
 
 namespace bezierbench::reference {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/interpolation.hpp"
+#include "reference/companion/interpolation.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/writer.hpp"
+#include "experiments/suite/text/writer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 #include <variant>
 
 #include "experiments/suite/kinds.hpp"
-#include "experiments/suite/reader.hpp"
 #include "experiments/suite/test_vocabulary.hpp"
+#include "experiments/suite/text/reader.hpp"
 
 namespace bezierbench::suite {
 namespace {

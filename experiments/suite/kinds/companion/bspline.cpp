@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/kinds/bspline.hpp"
+#include "experiments/suite/kinds/companion/bspline.hpp"
 
 #include "experiments/suite/kinds.hpp"
 

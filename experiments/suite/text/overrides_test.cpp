@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/overrides.hpp"
+#include "experiments/suite/text/overrides.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

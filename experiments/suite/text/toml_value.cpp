@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/toml_value.hpp"
+#include "experiments/suite/text/toml_value.hpp"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "reference/fit_distance.hpp"
+#include "reference/companion/fit_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
 
+#include "reference/companion/projection.hpp"
 #include "reference/exact_curve.hpp"
-#include "reference/projection.hpp"
 
 namespace bezierbench::reference {
 namespace {

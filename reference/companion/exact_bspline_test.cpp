@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The exact values of B-spline curves. Over any knots, the control points of t^n are the products of n neighbouring
 // knots (Marsden's identity), and those of t their means.
-#include "reference/exact_bspline.hpp"
+#include "reference/companion/exact_bspline.hpp"
 
 #include <gtest/gtest.h>
 

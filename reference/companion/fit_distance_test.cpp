@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/fit_distance.hpp"
+#include "reference/companion/fit_distance.hpp"
 
 #include <gtest/gtest.h>
 

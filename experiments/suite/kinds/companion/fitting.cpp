@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/kinds/fitting.hpp"
+#include "experiments/suite/kinds/companion/fitting.hpp"
 
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/kinds/key_checks.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/curve_view.hpp"
-#include "reference/integer_polynomial.hpp"
+#include "reference/companion/integer_polynomial.hpp"
 #include "reference/rational.hpp"
 
 namespace bezierbench::reference {

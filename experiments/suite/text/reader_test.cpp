@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/reader.hpp"
+#include "experiments/suite/text/reader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

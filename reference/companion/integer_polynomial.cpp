@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/integer_polynomial.hpp"
+#include "reference/companion/integer_polynomial.hpp"
 
 #include <algorithm>
 

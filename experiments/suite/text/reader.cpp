@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/reader.hpp"
+#include "experiments/suite/text/reader.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -21,7 +21,7 @@
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/outside.hpp"
-#include "experiments/suite/toml_value.hpp"
+#include "experiments/suite/text/toml_value.hpp"
 #include "experiments/suite/validate.hpp"
 
 namespace bezierbench::suite {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/projection.hpp"
+#include "reference/companion/projection.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "reference/companion/integer_polynomial.hpp"
 #include "reference/exact_curve.hpp"
-#include "reference/integer_polynomial.hpp"
 
 namespace bezierbench::reference {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/kinds/interpolation.hpp"
+#include "experiments/suite/kinds/companion/interpolation.hpp"
 
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/kinds/key_checks.hpp"

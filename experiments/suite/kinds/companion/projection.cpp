@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/kinds/projection.hpp"
+#include "experiments/suite/kinds/companion/projection.hpp"
 
 #include "experiments/suite/kinds.hpp"
 

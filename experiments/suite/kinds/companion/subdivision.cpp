@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/kinds/subdivision.hpp"
+#include "experiments/suite/kinds/companion/subdivision.hpp"
 
 #include "experiments/suite/kinds.hpp"
 

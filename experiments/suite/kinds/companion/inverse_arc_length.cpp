@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/kinds/inverse_arc_length.hpp"
+#include "experiments/suite/kinds/companion/inverse_arc_length.hpp"
 
 #include "experiments/suite/kinds.hpp"
 #include "experiments/suite/kinds/key_checks.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/exact_bspline.hpp"
+#include "reference/companion/exact_bspline.hpp"
 
 #include <cassert>
 
