@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Points by a method.
-#include <memory>
-
 #include "bindings/c/chosen.hpp"
-#include "bindings/c/prepared.hpp"
+#include "core/evaluate/prepared_state.hpp"
 
 using namespace bezierbench;
 
 struct bb_prepared {
-  c::Prepared<double> state;
+  PreparedState<double> state;
 };
 
 namespace {
 
 template <class Scalar>
-c::Prepared<Scalar> prepared(const char* method, const CurveView<Scalar>& curve) {
+PreparedState<Scalar> prepared(const char* method, const CurveView<Scalar>& curve) {
   return {c::chosen(kernels<Scalar>(curve.dimension), method, curve), curve};
 }
 
 template <class Scalar>
-void evaluate(const c::Prepared<Scalar>& curve, const Scalar* t, std::size_t count, Scalar* out) {
-  const auto at = c::parameters(curve.info(), t, count);
+void evaluate(const PreparedState<Scalar>& curve, const Scalar* t, std::size_t count, Scalar* out) {
+  const auto at = c::parameters(*curve.kernel().info, t, count);
   if (at.empty()) return;
   c::require_pointers(out);
   curve.evaluate(at, out);

@@ -14,7 +14,7 @@ namespace {
 template <class Scalar>
 std::vector<Scalar> batch_points(const BatchKernel<Scalar>& batch, const Kernel<Scalar>& kernel,
                                  const CurveView<Scalar>& curve, const std::vector<Scalar>& t) {
-  const PreparedCurve<Scalar> prepared(kernel, curve);
+  const PreparedState<Scalar> prepared(kernel, curve);
   const auto d = static_cast<std::size_t>(curve.dimension);
   constexpr Scalar untouched = 77;
   std::vector<Scalar> by_axis(t.size() * d + 1, untouched);

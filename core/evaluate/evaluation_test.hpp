@@ -8,7 +8,6 @@ namespace bezierbench {
 
 using requirements::evaluate;
 using requirements::Inputs;
-using requirements::PreparedCurve;
 using requirements::view;
 
 }  // namespace bezierbench

@@ -188,40 +188,21 @@ TEST(Peers, ProjectOntoAParabola) {
     }
 }
 
-/// A prepared curve that another thread may evaluate.
-class PreparedCurve {
- public:
-  PreparedCurve(const Kernel<double>& kernel, const CurveView<double>& curve)
-      : kernel_(kernel), memory_(kernel.prepared_size / sizeof(std::max_align_t) + 1) {
-    kernel_.prepare(curve, memory_.data());
-  }
-  PreparedCurve(const PreparedCurve&) = delete;
-  PreparedCurve& operator=(const PreparedCurve&) = delete;
-  PreparedCurve(PreparedCurve&&) = delete;
-  PreparedCurve& operator=(PreparedCurve&&) = delete;
-  ~PreparedCurve() {
-    if (kernel_.destroy != nullptr) kernel_.destroy(memory_.data());
-  }
-  [[nodiscard]] std::vector<double> at(double t) const {
-    std::vector<double> point(static_cast<std::size_t>(kernel_.dimension));
-    kernel_.evaluate(memory_.data(), std::span<const double>(&t, 1), point.data());
-    return point;
-  }
-
- private:
-  const Kernel<double>& kernel_;
-  std::vector<std::max_align_t> memory_;
-};
+std::vector<double> point_of(const PreparedState<double>& prepared, double t) {
+  std::vector<double> point(static_cast<std::size_t>(prepared.kernel().dimension));
+  prepared.evaluate(std::span<const double>(&t, 1), point.data());
+  return point;
+}
 
 TEST(Peers, EvaluateOnAnotherThreadThanTheyWerePreparedOn) {
   Inputs inputs(5);
   for (const auto* kernel : all_kernels()) {
     const auto coefficients = inputs.coefficients(7, kernel->dimension);
     const auto curve = view<double>(Form::bernstein, kernel->dimension, 7, coefficients);
-    const PreparedCurve prepared(*kernel, curve);
-    const auto here = prepared.at(0.7);
+    const PreparedState<double> prepared(*kernel, curve);  // which another thread may evaluate
+    const auto here = point_of(prepared, 0.7);
     std::vector<double> there;
-    std::thread([&] { there = prepared.at(0.7); }).join();
+    std::thread([&] { there = point_of(prepared, 0.7); }).join();
     EXPECT_EQ(here, there) << describe(*kernel, 7);
   }
 }

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "experiments/judge/workspace.hpp"
+#include "core/evaluate/prepared_state.hpp"
 #include "experiments/race/kernel_rival.hpp"
 
 namespace bezierbench::programs {
@@ -23,11 +23,8 @@ inline race::Inputs<double> one_curve(Form form, int degree, std::size_t points)
 
 /// The points of the first curve at every t, one after the other.
 inline std::vector<double> points_of(const Kernel<double>& kernel, const race::Inputs<double>& inputs) {
-  judge::PreparedStorage storage;
-  void* prepared = storage.reserve(kernel.prepared_size);
-  kernel.prepare(inputs.curve(0), prepared);
   std::vector<double> points(inputs.t.size() * 2);
-  kernel.evaluate(prepared, inputs.t, points.data());
+  PreparedState<double>(kernel, inputs.curve(0)).evaluate(inputs.t, points.data());
   return points;
 }
 

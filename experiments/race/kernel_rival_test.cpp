@@ -32,9 +32,9 @@ template <class Scalar>
 std::vector<Scalar> judged_points(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs) {
   std::vector<Scalar> points(inputs.t.size() * static_cast<std::size_t>(inputs.dimension));
   for (std::size_t k = 0; k < inputs.t.size(); ++k) {
-    const requirements::PreparedCurve<Scalar> prepared(kernel, inputs.curve_of(k, mode));
-    kernel.evaluate(prepared.get(), std::span<const Scalar>(&inputs.t[k], 1),
-                    points.data() + k * static_cast<std::size_t>(inputs.dimension));
+    const PreparedState<Scalar> prepared(kernel, inputs.curve_of(k, mode));
+    prepared.evaluate(std::span<const Scalar>(&inputs.t[k], 1),
+                      points.data() + k * static_cast<std::size_t>(inputs.dimension));
   }
   return points;
 }

@@ -5,11 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <random>
 #include <vector>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/prepared_state.hpp"
 
 namespace bezierbench::requirements {
 
@@ -40,37 +39,12 @@ CurveView<Scalar> view(Form form, int dimension, int degree, const std::vector<S
   return {form, dimension, degree, coefficients, w};
 }
 
-/// What a kernel prepared of a curve.
-template <class Scalar>
-class PreparedCurve {
- public:
-  PreparedCurve(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve)
-      : kernel_(kernel), memory_(kernel.prepared_size + kernel.prepared_alignment), prepared_(memory_.data()) {
-    std::size_t space = memory_.size();
-    std::align(kernel.prepared_alignment, kernel.prepared_size, prepared_, space);
-    kernel.prepare(curve, prepared_);
-  }
-  PreparedCurve(const PreparedCurve&) = delete;
-  PreparedCurve& operator=(const PreparedCurve&) = delete;
-  ~PreparedCurve() {
-    if (kernel_.destroy != nullptr) kernel_.destroy(prepared_);
-  }
-
-  [[nodiscard]] const void* get() const { return prepared_; }
-
- private:
-  const Kernel<Scalar>& kernel_;
-  std::vector<std::byte> memory_;
-  void* prepared_;
-};
-
 /// The points at every t, one after the other.
 template <class Scalar>
 std::vector<Scalar> evaluate(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve,
                              const std::vector<Scalar>& t) {
-  const PreparedCurve<Scalar> prepared(kernel, curve);
   std::vector<Scalar> points(t.size() * static_cast<std::size_t>(curve.dimension));
-  kernel.evaluate(prepared.get(), t, points.data());
+  PreparedState<Scalar>(kernel, curve).evaluate(t, points.data());
   return points;
 }
 

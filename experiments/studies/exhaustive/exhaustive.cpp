@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "core/batch/batch.hpp"
+#include "core/evaluate/prepared_state.hpp"
 #include "experiments/judge/method_choice.hpp"
-#include "experiments/judge/workspace.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/exhaustive/float_range.hpp"
@@ -54,52 +54,41 @@ struct Tallies {
 /// of the method's own kernel, else that one.
 class PreparedMethod {
  public:
-  PreparedMethod(const Kernel<float>& kernel, const CurveView<float>& curve)
-      : kernel_(&kernel), bytes_(std::make_unique<judge::PreparedStorage>()) {
+  PreparedMethod(const Kernel<float>& kernel, const CurveView<float>& curve) : prepared_(kernel, curve) {
     for (const auto* target : batch::usable_targets())
       if (!batch_) batch_ = batch::find(*target, kernel);
-    prepared_ = bytes_->reserve(kernel.prepared_size);
-    kernel.prepare(curve, prepared_);
-  }
-  PreparedMethod(PreparedMethod&& other) noexcept = default;
-  PreparedMethod& operator=(PreparedMethod&&) = delete;
-  PreparedMethod(const PreparedMethod&) = delete;
-  PreparedMethod& operator=(const PreparedMethod&) = delete;
-  ~PreparedMethod() {
-    if (bytes_ != nullptr && kernel_->destroy != nullptr) kernel_->destroy(prepared_);
   }
 
   /// The point at one t, by the method's own kernel.
   [[nodiscard]] std::array<float, reference::max_dimension> point(float t) const {
     std::array<float, reference::max_dimension> point{};
-    kernel_->evaluate(prepared_, std::span<const float>(&t, 1), point.data());
+    prepared_.evaluate(std::span<const float>(&t, 1), point.data());
     return point;
   }
 
   /// Coordinate `axis` of the point at t[k] goes to values[axis * t.size() + k].
   void points(std::span<const float> t, std::span<float> values) {
-    if (batch_) return batch_(prepared_, t, values.data());
-    const auto axes = static_cast<std::size_t>(kernel_->dimension);
-    side_by_side_.resize(axes * t.size());
-    kernel_->evaluate(prepared_, t, side_by_side_.data());
-    for (std::size_t axis = 0; axis < axes; ++axis)
-      for (std::size_t k = 0; k < t.size(); ++k) values[axis * t.size() + k] = side_by_side_[k * axes + axis];
+    if (batch_) return batch_(prepared_.get(), t, values.data());
+    side_by_side_.resize(axes() * t.size());
+    prepared_.evaluate(t, side_by_side_.data());
+    for (std::size_t axis = 0; axis < axes(); ++axis)
+      for (std::size_t k = 0; k < t.size(); ++k) values[axis * t.size() + k] = side_by_side_[k * axes() + axis];
   }
 
   /// Throws std::logic_error unless the first of these points has the bits of the method's own kernel.
   void check_first(std::span<const float> t, std::span<const float> values) const {
     const auto expected = point(t.front());
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(kernel_->dimension); ++axis)
+    for (std::size_t axis = 0; axis < axes(); ++axis)
       if (std::bit_cast<std::uint32_t>(values[axis * t.size()]) != std::bit_cast<std::uint32_t>(expected[axis]))
-        throw std::logic_error(
-            fmt::format("the batch kernel of {} differs from the method at t = {}", kernel_->info->id, t.front()));
+        throw std::logic_error(fmt::format("the batch kernel of {} differs from the method at t = {}",
+                                           prepared_.kernel().info->id, t.front()));
   }
 
  private:
-  const Kernel<float>* kernel_;
+  [[nodiscard]] std::size_t axes() const { return static_cast<std::size_t>(prepared_.kernel().dimension); }
+
+  PreparedState<float> prepared_;
   batch::BatchKernel<float> batch_;
-  std::unique_ptr<judge::PreparedStorage> bytes_;
-  void* prepared_ = nullptr;
   std::vector<float> side_by_side_;
 };
 
