@@ -5,32 +5,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 
-#include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/rational_curve_test.hpp"
 
 namespace bezierbench {
 namespace {
 
-namespace mp = boost::multiprecision;
-using Rational = mp::number<mp::cpp_rational_backend, mp::et_off>;
 constexpr double u = 0x1p-53;
-
-template <class Scalar>
-Curve<Form::bernstein, Scalar, 1> curve_of(const std::vector<Scalar>& values) {
-  Curve<Form::bernstein, Scalar, 1> curve(static_cast<int>(values.size()) - 1);
-  for (int i = 0; i <= curve.degree(); ++i) curve(0, i) = values[static_cast<std::size_t>(i)];
-  return curve;
-}
 
 /// The weights of b_k in s_0, ..., s_n.
 template <class Scalar>
 std::vector<Scalar> weights_of(int k, int n) {
-  std::vector<Scalar> unit(static_cast<std::size_t>(n) + 1, Scalar(0));
-  unit[static_cast<std::size_t>(k)] = Scalar(1);
-  const auto prepared = Seiler::prepare(curve_of(unit));
+  const auto prepared = Seiler::prepare(curve_of(unit_vector<Scalar>(n, k)));
   std::vector<Scalar> weights;
   for (int j = 0; j <= n; ++j) weights.push_back(prepared.seiler(0, j));
   return weights;
@@ -44,16 +31,7 @@ TEST(Seiler, TheCubicHasThePublishedPoints) {
   EXPECT_THAT(weights_of<double>(3, 3), testing::ElementsAre(0, -1, -1, 1));
 }
 
-TEST(Seiler, IsDeCasteljauWhenNothingRounds) {
-  for (int n = 0; n <= 30; ++n) {
-    std::vector<Rational> values;
-    for (int i = 0; i <= n; ++i) values.emplace_back((7 * i * i - 11 * i + 3) % 17, 1 + i % 5);
-    const auto curve = curve_of(values);
-    const auto prepared = Seiler::prepare(curve);
-    for (const Rational& t : {Rational(1, 3), Rational(4, 5), Rational(-2, 7)})
-      EXPECT_EQ(Seiler::evaluate(prepared, t)[0], DeCasteljau::evaluate(curve, t)[0]) << "n " << n << " t " << t;
-  }
-}
+TEST(Seiler, IsDeCasteljauWhenNothingRounds) { expect_de_casteljau_when_nothing_rounds<Seiler>(); }
 
 /// S has at most n roundings; C(n,k) up to n = 54 none.
 TEST(Seiler, NothingCancelsInItsWeights) {

@@ -4,33 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <random>
 
-#include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/rational_curve_test.hpp"
 
 namespace bezierbench {
 namespace {
 
-namespace mp = boost::multiprecision;
-using Rational = mp::number<mp::cpp_rational_backend, mp::et_off>;
 constexpr double u = 0x1p-53;
-
-template <class Scalar>
-Curve<Form::bernstein, Scalar, 1> curve_of(const std::vector<Scalar>& values) {
-  Curve<Form::bernstein, Scalar, 1> curve(static_cast<int>(values.size()) - 1);
-  for (int i = 0; i <= curve.degree(); ++i) curve(0, i) = values[static_cast<std::size_t>(i)];
-  return curve;
-}
-
-template <class Scalar>
-std::vector<Scalar> unit_vector(int n, int k) {
-  std::vector<Scalar> values(static_cast<std::size_t>(n) + 1, Scalar(0));
-  values[static_cast<std::size_t>(k)] = Scalar(1);
-  return values;
-}
 
 Rational power(const Rational& base, int exponent) { return integer_power<Rational>(base, exponent); }
 
@@ -49,16 +31,7 @@ TEST(WangBall, EvaluatesItsBasis) {
       }
 }
 
-TEST(WangBall, IsDeCasteljauWhenNothingRounds) {
-  for (int n = 0; n <= 30; ++n) {
-    std::vector<Rational> values;
-    for (int i = 0; i <= n; ++i) values.emplace_back((7 * i * i - 11 * i + 3) % 17, 1 + i % 5);
-    const auto curve = curve_of(values);
-    const auto prepared = WangBall::prepare(curve);
-    for (const Rational& t : {Rational(1, 3), Rational(4, 5), Rational(-2, 7)})
-      EXPECT_EQ(WangBall::evaluate(prepared, t)[0], DeCasteljau::evaluate(curve, t)[0]) << "n " << n << " t " << t;
-  }
-}
+TEST(WangBall, IsDeCasteljauWhenNothingRounds) { expect_de_casteljau_when_nothing_rounds<WangBall>(); }
 
 /// Ball's cubic ([Ball 1974]): b_1 = (v_0 + 2 v_1)/3, b_2 = (2 v_2 + v_3)/3.
 TEST(WangBall, TheCubicIsBalls) {
