@@ -146,7 +146,7 @@ requires(F == Form::bernstein ||
                                                     const std::type_identity_t<ScalarOf<Points>>& t) {
   const int degree = degree_of_points(points);
   const auto curve = detail::curve_of<F>(points, degree);
-  return detail::with_recommended<F>(degree, t, [&]<class Method>() -> PointOf<Points> {
+  return detail::with_recommended<F, ScalarOf<Points>>(degree, [&]<class Method>() -> PointOf<Points> {
     if constexpr (detail::may_be_chosen<Method, Points>) return detail::point_of<Method>(curve, t);
     return {};
   });
@@ -162,7 +162,7 @@ PointOf<Points> evaluate(const Points& points, const Weights& weights,
                          const std::type_identity_t<ScalarOf<Points>>& t) {
   const int degree = degree_of_points(points);
   const auto curve = detail::curve_of(points, weights, degree);
-  return detail::with_recommended<Form::rational>(degree, t, [&]<class Method>() -> PointOf<Points> {
+  return detail::with_recommended<Form::rational, ScalarOf<Points>>(degree, [&]<class Method>() -> PointOf<Points> {
     if constexpr (detail::may_be_chosen<Method, Points>) return detail::point_of<Method>(curve, t);
     return {};
   });
@@ -221,7 +221,8 @@ requires(Method::info.form != Form::rational &&
 template <Form F, ControlPoints Points>
 requires((F == Form::bernstein || F == Form::power) &&
          MeasuredPoints<Points>) auto error_bound(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {
-  return detail::bounds_of(recommended<F>(degree_of_points(points), t), F, points, static_cast<double>(t));
+  return detail::bounds_of(recommended<F, ScalarOf<Points>>(degree_of_points(points)), F, points,
+                           static_cast<double>(t));
 }
 template <ControlPoints Points>
 requires(MeasuredPoints<Points>) auto error_bound(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {

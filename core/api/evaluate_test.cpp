@@ -74,15 +74,14 @@ TEST(Evaluate, TakesScalarsThatOnlyAddAndMultiply) {
 }
 
 TEST(Evaluate, ChoosesAsTheRuleSays) {
-  EXPECT_EQ(recommended(2, 0.5).id, "de_casteljau");
-  EXPECT_EQ(recommended(3, 0.5).id, "horner_bernstein");
-  EXPECT_EQ(recommended(3, -0.1).id, "horner_bernstein");
-  EXPECT_EQ(recommended(512, 0.5).id, "horner_bernstein");
-  EXPECT_EQ(recommended(513, 0.5).id, "de_casteljau");
-  EXPECT_EQ(recommended(64, 0.5F).id, "horner_bernstein");
-  EXPECT_EQ(recommended(65, 0.5F).id, "de_casteljau");
-  EXPECT_EQ(recommended<Form::power>(3, 0.5).id, "horner");
-  EXPECT_EQ(recommended<Form::rational>(3, 0.5).id, "horner_bernstein");
+  EXPECT_EQ(recommended(2).id, "de_casteljau");
+  EXPECT_EQ(recommended(3).id, "horner_bernstein");
+  EXPECT_EQ(recommended(512).id, "horner_bernstein");
+  EXPECT_EQ(recommended(513).id, "de_casteljau");
+  EXPECT_EQ((recommended<Form::bernstein, float>(64).id), "horner_bernstein");
+  EXPECT_EQ((recommended<Form::bernstein, float>(65).id), "de_casteljau");
+  EXPECT_EQ(recommended<Form::power>(3).id, "horner");
+  EXPECT_EQ(recommended<Form::rational>(3).id, "horner_bernstein");
 }
 
 TEST(Evaluate, ChoosesNothingThatOverflowsForCoordinatesOfUsualSize) {
@@ -97,7 +96,7 @@ TEST(Evaluate, ChoosesNothingThatOverflowsForCoordinatesOfUsualSize) {
 /// The point has the bits of the method that the rule names.
 template <class Method, class Points>
 bool is_by(const Points& points, ScalarOf<Points> t) {
-  return recommended(degree_of_points(points), t).id == Method::info.id &&
+  return recommended<Form::bernstein, ScalarOf<Points>>(degree_of_points(points)).id == Method::info.id &&
          evaluate(points, t) == evaluate<Method>(points, t);
 }
 

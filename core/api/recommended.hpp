@@ -2,26 +2,14 @@
 // The evaluator that a caller gets who names none. Rule: of the methods with a proved bound at every trial that need
 // neither a conversion nor a fused operation in hardware, those whose times in mode `point` have a product over the
 // degrees 3, 12 and 30 within a fifth of the smallest (a race is no sharper), and of these the one with the smallest
-// errors. The test beside this file applies it to the committed bundle results/answers:
+// errors. The test beside this file applies it to timing.csv and accuracy.csv of the committed bundle results/answers:
+// to the studies answers-bezier (t in [0,1]), answers-outside (t in [-100,100]), answers-power, answers-rational, and
+// those of the same names with -time. The choice is the same inside and outside of [0,1]; for rational curves no method
+// has a bound outside.
 //
-//   studies (and -time)               method            ns a point       largest error in u p~
-//   answers-bezier, t in [0,1]        horner_bernstein  3.1, 13, 30      3.4, 8.6, 17
-//                                     de_casteljau      3.3, 34, 210     3.0, 8.1, 16
-//   answers-outside, t in [-100,100]  horner_bernstein  3.4, 11, 32      3.0, 9.6, 18
-//                                     de_casteljau      3.8, 34, 249     3.3, 6.4, 17
-//   answers-power, t in [0,1]         horner            3.5, 4.8, 20     1.9, 1.5, 1.7
-//                                     power_sum         2.8, 5.6, 19     2.3, 4.3, 5.6
-//   answers-rational, t in [0,1]      horner_bernstein  5.8, 19, 41      4.7, 6.7, 9.8
-//                                     de_casteljau      6.2, 45, 250     5.0, 7.0, 11
-//
-// speed-bezier and speed-polynomial in results/atlas/speed say the same at degrees 10 and 20: 6.9 and 15 ns for
-// `horner_bernstein`, 23 and 76 for `de_casteljau`; 3.8 and 11 for `horner`, 4.2 and 17 for `power_sum`. So inside and
-// outside of [0,1] the choice is the same; for rational curves no method has a bound outside.
-//
-// `de_casteljau` takes the degrees to 2, where the triangle is as fast (4.9 ns both, rational-time in
-// results/atlas/rational) and its bound smaller, and those past half of the type's largest exponent, 512 in double and
-// 64 in float. Up to there C(n,i) < 2^n, so that C(n,i) b_i is finite for coordinates up to 1e154 in double, 1e19 in
-// float.
+// `de_casteljau` takes the degrees to 2, where its bound is smaller and the time about the same (rational-time in
+// results/atlas/rational), and those past half of the type's largest exponent, 512 in double and 64 in float. Up to
+// there C(n,i) < 2^n, so that C(n,i) b_i is finite for coordinates up to 1e154 in double, 1e19 in float.
 //
 // Scalars that are not floating-point numbers get the scheme that needs least of them, sums and products:
 // `de_casteljau` or `horner`.
@@ -44,9 +32,9 @@ constexpr bool is_for_nested_scheme(int degree) {
          HornerBernstein::info.supports<Scalar>(degree);
 }
 
-/// Returns `use.template operator()<Method>()` of the method for a curve of this form and degree at t.
+/// Returns `use.template operator()<Method>()` of the method for a curve of this form, type and degree.
 template <Form F, class Scalar, class Use>
-auto with_recommended(int degree, const Scalar& /*t*/, const Use& use) {
+auto with_recommended(int degree, const Use& use) {
   if constexpr (F == Form::power) {
     return use.template operator()<Horner>();
   } else if constexpr (F == Form::rational) {
@@ -65,10 +53,11 @@ auto with_recommended(int degree, const Scalar& /*t*/, const Use& use) {
 
 namespace bezierbench {
 
-/// What is known of the method that `evaluate` chooses: its id, label, cost, bound and source.
+/// What is known of the method that `evaluate` chooses for curves of this degree, at every t: its id, label, cost,
+/// bound and source.
 template <Form F = Form::bernstein, class Scalar = double>
-const MethodInfo& recommended(int degree, const Scalar& t) {
-  return *detail::with_recommended<F>(degree, t, []<class Method>() { return &Method::info; });
+const MethodInfo& recommended(int degree) {
+  return *detail::with_recommended<F, Scalar>(degree, []<class Method>() { return &Method::info; });
 }
 
 }  // namespace bezierbench

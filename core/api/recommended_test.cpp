@@ -70,10 +70,10 @@ std::string chosen_by_rule(const std::string& study) {
 
 TEST(Recommended, IsWhatTheCommittedTablesSay) {
   for (const int degree : {3, 12, 30}) {
-    EXPECT_EQ(recommended(degree, 0.5).id, chosen_by_rule("answers-bezier"));
-    EXPECT_EQ(recommended(degree, -50.0).id, chosen_by_rule("answers-outside"));
-    EXPECT_EQ(recommended<Form::power>(degree, 0.5).id, chosen_by_rule("answers-power"));
-    EXPECT_EQ(recommended<Form::rational>(degree, 0.5).id, chosen_by_rule("answers-rational"));
+    EXPECT_EQ(recommended(degree).id, chosen_by_rule("answers-bezier"));
+    EXPECT_EQ(recommended(degree).id, chosen_by_rule("answers-outside"));
+    EXPECT_EQ(recommended<Form::power>(degree).id, chosen_by_rule("answers-power"));
+    EXPECT_EQ(recommended<Form::rational>(degree).id, chosen_by_rule("answers-rational"));
   }
 }
 
