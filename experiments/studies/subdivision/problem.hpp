@@ -56,27 +56,24 @@ class SubdivisionProblem {
   };
 
   static constexpr std::array<judge::CaseColumn, 0> case_columns{};
-  static constexpr std::array columns{
-      TrialColumn<Row>{"mean_error", column::statistic<tables::mean, &Errors::error>},
-      TrialColumn<Row>{"p50_error", column::statistic<tables::median, &Errors::error>},
-      TrialColumn<Row>{"p99_error", column::statistic<tables::p99, &Errors::error>},
-      TrialColumn<Row>{"max_error", column::statistic<tables::largest, &Errors::error>},
-      TrialColumn<Row>{"mean_error_u", column::statistic<tables::mean, &Errors::error_u>},
-      TrialColumn<Row>{"max_error_u", column::statistic<tables::largest, &Errors::error_u>},
-      TrialColumn<Row>{"max_weight_error_u",
-                       [](const Row& row) {
-                         const bool any = row.errors.error.count() > 0 && row.method.info->form == Form::rational;
-                         return any ? tables::field(row.errors.weight_error_u) : std::string();
-                       }},
-      TrialColumn<Row>{"bound_u", column::where_bounded<&Errors::bound_u>},
-      TrialColumn<Row>{"bound_violations", column::where_bounded<&Errors::violations>},
-      TrialColumn<Row>{"junctions_apart", column::where_any<&Errors::junctions_apart>},
-      TrialColumn<Row>{"ends_moved", column::where_any<&Errors::ends_moved>},
-      TrialColumn<Row>{
-          "points_off",
-          [](const Row& row) { return row.errors.middles > 0 ? tables::field(row.errors.points_off) : std::string(); }},
-      TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
-  };
+  static constexpr auto columns = joined(
+      error_columns<Row>,
+      std::array{
+          TrialColumn<Row>{"max_weight_error_u",
+                           [](const Row& row) {
+                             const bool any = row.errors.error.count() > 0 && row.method.info->form == Form::rational;
+                             return any ? tables::field(row.errors.weight_error_u) : std::string();
+                           }},
+          TrialColumn<Row>{"bound_u", column::where_bounded<&Errors::bound_u>},
+          TrialColumn<Row>{"bound_violations", column::where_bounded<&Errors::violations>},
+          TrialColumn<Row>{"junctions_apart", column::where_any<&Errors::junctions_apart>},
+          TrialColumn<Row>{"ends_moved", column::where_any<&Errors::ends_moved>},
+          TrialColumn<Row>{"points_off",
+                           [](const Row& row) {
+                             return row.errors.middles > 0 ? tables::field(row.errors.points_off) : std::string();
+                           }},
+          TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
+      });
   static constexpr std::array failures{
       TrialFailure<Row>{"control points", column::trials<&Errors::violations>},
       TrialFailure<Row>{"promise of ends or junction", column::trials<&Errors::broken_promises>},

@@ -2,6 +2,9 @@
 // The columns of the errors of a companion problem.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -14,8 +17,9 @@
 namespace bezierbench::studies {
 
 /// The content of a row: the errors of one method in all trials of a part, at one tolerance.
-template <class Kernel, class Errors>
+template <class Kernel, class ErrorsT>
 struct TrialRow {
+  using Errors = ErrorsT;
   const sample::Cell& cell;
   judge::CaseValues values;
   const Kernel& method;
@@ -77,5 +81,25 @@ inline constexpr auto trials =
     [](const auto& row) -> const metric::TrialCount& { return reached<members...>(row.errors); };
 
 }  // namespace column
+
+/// The columns of errors that are tallied as `error` and `error_u`.
+template <class Row, class Errors = typename Row::Errors>
+inline constexpr std::array error_columns{
+    TrialColumn<Row>{"mean_error", column::statistic<tables::mean, &Errors::error>},
+    TrialColumn<Row>{"p50_error", column::statistic<tables::median, &Errors::error>},
+    TrialColumn<Row>{"p99_error", column::statistic<tables::p99, &Errors::error>},
+    TrialColumn<Row>{"max_error", column::statistic<tables::largest, &Errors::error>},
+    TrialColumn<Row>{"mean_error_u", column::statistic<tables::mean, &Errors::error_u>},
+    TrialColumn<Row>{"max_error_u", column::statistic<tables::largest, &Errors::error_u>},
+};
+
+/// The columns of both, in this order.
+template <class Column, std::size_t first, std::size_t second>
+constexpr std::array<Column, first + second> joined(const std::array<Column, first>& a,
+                                                    const std::array<Column, second>& b) {
+  std::array<Column, first + second> all{};
+  std::ranges::copy(b, std::ranges::copy(a, all.begin()).out);
+  return all;
+}
 
 }  // namespace bezierbench::studies
