@@ -17,10 +17,15 @@
 
 namespace bezierbench::run {
 
-/// A trial whose error is beyond a proved bound.
+/// What results can contradict: a proved bound of an error, what a method said of its own answer, or a property that
+/// is stated as proved.
+enum class Broken { bound, promise, proof };
+
+/// Trials with an error beyond a proved bound or a broken promise, or a proof that an input refutes.
 struct Violation {
-  std::string where;  ///< study, method, cell and trial
-  std::uint64_t count;
+  std::string where;    ///< study, method, cell and trial
+  std::uint64_t count;  ///< of trials, or of proofs
+  Broken what = Broken::bound;
 };
 
 /// The size of a study, known before it runs.
@@ -100,6 +105,9 @@ class Job {
   /// Throws Failure(environment) where this machine is not fit for the work, for example without a steady clock for
   /// timings.
   virtual void require_machine() const {}
+  /// Whether the work follows from the study. It does not for a search that ends when it has found something; --dry-run
+  /// then has no estimate.
+  [[nodiscard]] virtual bool is_estimable() const { return true; }
   /// For --dry-run.
   [[nodiscard]] virtual Extent extent() const = 0;
 

@@ -74,6 +74,24 @@ void add_outside_jobs(const RunRequest& request, const suite::Study& study, cons
                                       *named)});
 }
 
+void add(const Violation& violation, Outcome& outcome) {
+  const auto& [where, count, what] = violation;
+  switch (what) {
+    case Broken::bound:
+      outcome.violations += count;
+      outcome.findings.push_back(fmt::format("bound violated {} times: {}", count, where));
+      break;
+    case Broken::promise:
+      outcome.broken_promises += count;
+      outcome.findings.push_back(fmt::format("promise broken {} times: {}", count, where));
+      break;
+    case Broken::proof:
+      outcome.refuted_proofs += count;
+      outcome.findings.push_back(fmt::format("proof refuted: {}", where));
+      break;
+  }
+}
+
 void count_times(const tables::Tables& tables, Outcome& outcome) {
   const auto timing = tables.all().find("timing.csv");
   if (timing == tables.all().end()) return;
@@ -177,10 +195,7 @@ Outcome outcome_of(const Jobs& jobs, const tables::Tables& tables) {
   outcome.ending = Ending::complete;
   outcome.cells = cells_of(jobs);
   for (const auto& job : jobs)
-    for (const auto& violation : job->violations()) {
-      outcome.violations += violation.count;
-      outcome.findings.push_back(fmt::format("bound violated {} times: {}", violation.count, violation.where));
-    }
+    for (const auto& violation : job->violations()) add(violation, outcome);
   count_times(tables, outcome);
   return outcome;
 }

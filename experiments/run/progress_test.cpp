@@ -83,9 +83,17 @@ TEST(ProgressText, Ending) {
   outcome.violations = 7;
   outcome.times = 0;
   EXPECT_EQ(ending_line(outcome), "complete in 48 s: 1 cell, bounds violated 7 times");
+  outcome.refuted_proofs = 1;
+  EXPECT_EQ(ending_line(outcome), "complete in 48 s: 1 cell, bounds violated 7 times, 1 proof refuted");
+  outcome.broken_promises = 2;
+  outcome.violations = 0;
+  outcome.refuted_proofs = 3;
+  EXPECT_EQ(ending_line(outcome), "complete in 48 s: 1 cell, promises broken 2 times, 3 proofs refuted");
   const auto json = Json::parse(ending_json(outcome, "a\"\x1b", {"verify b"}));
   EXPECT_EQ(json.at("out"), "a\"\\x1b");
-  EXPECT_EQ(json.at("violations"), 7);
+  EXPECT_EQ(json.at("violations"), 0);
+  EXPECT_EQ(json.at("broken_promises"), 2);
+  EXPECT_EQ(json.at("refuted_proofs"), 3);
   EXPECT_EQ(json.at("findings"), 1);
   EXPECT_EQ(json.at("next"), Json::array({"verify b"}));
 }

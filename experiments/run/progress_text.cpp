@@ -2,6 +2,7 @@
 #include "experiments/run/progress_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,16 @@ std::string_view word_of(Ending ending) {
     case Ending::nothing_to_do: return "nothing_to_do";
   }
   return "";
+}
+
+/// "bounds violated 7 times, 2 proofs refuted"
+std::string broken(const Outcome& outcome) {
+  std::vector<std::string> parts;
+  if (outcome.violations > 0) parts.push_back(fmt::format("bounds violated {} times", outcome.violations));
+  if (outcome.broken_promises > 0) parts.push_back(fmt::format("promises broken {} times", outcome.broken_promises));
+  if (outcome.refuted_proofs > 0)
+    parts.push_back(fmt::format("{} proof{} refuted", outcome.refuted_proofs, outcome.refuted_proofs == 1 ? "" : "s"));
+  return parts.empty() ? "no bound violated" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
 /// Programs need no more digits of a share or of seconds.
@@ -63,7 +74,7 @@ std::string ending_line(const Outcome& outcome) {
   constexpr double percent = 100;
   auto line = fmt::format("{} in {}: {} cell{}, ", word_of(outcome.ending), duration(outcome.seconds), outcome.cells,
                           outcome.cells == 1 ? "" : "s");
-  line += outcome.violations == 0 ? "no bound violated" : fmt::format("bounds violated {} times", outcome.violations);
+  line += broken(outcome);
   if (outcome.times > 0)
     line += fmt::format(", {} of {} times noisy ({:.1f} %)", outcome.noisy, outcome.times,
                         percent * static_cast<double>(outcome.noisy) / static_cast<double>(outcome.times));
@@ -75,6 +86,8 @@ std::string ending_json(const Outcome& outcome, const std::string& out, const st
   if (outcome.ending == Ending::complete) {
     json["cells"] = outcome.cells;
     json["violations"] = outcome.violations;
+    json["broken_promises"] = outcome.broken_promises;
+    json["refuted_proofs"] = outcome.refuted_proofs;
     json["times"] = outcome.times;
     json["noisy"] = outcome.noisy;
   }

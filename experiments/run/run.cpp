@@ -138,6 +138,7 @@ Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, 
                       bytes_per_row * static_cast<double>(extent.rows)};
   std::vector<ResultsOfStudy> results;
   for (std::size_t job = 0; job < plan.studies.size(); ++job) {  // what methods from outside take is not known
+    if (!plan.jobs[job]->is_estimable()) continue;
     const auto estimated = estimate(plan.studies[job].study, request.kinds, plan.studies[job].context);
     const double seconds = nanosecond * estimated.per_cost * share.cost_left(job);
     needs.seconds += seconds;
@@ -157,6 +158,11 @@ void describe(const RunRequest& request, const Plan& plan, bool already_complete
   require_same(found, plan, Exit::usage);
   for (const auto& line : checkpoints.load(found, Checkpoints::Whose::all)) note(line);
   const Share share(plan.jobs, checkpoints, request.shard.value_or(Shard()));
+  std::string left_out;
+  for (std::size_t job = 0; job < plan.jobs.size(); ++job)
+    if (!already_complete && !plan.jobs[job]->is_estimable())
+      left_out += fmt::format("no estimate  for {}: how long it searches depends on what it finds\n",
+                              printable(plan.job_names[job]));
   const Needs needs = already_complete ? Needs{} : needs_of(request, plan, share, extent);
   constexpr double megabyte = 1e6;
   fmt::print("studies      {}\ncells        {}\nevaluations  {}\n", plan.studies.size(), extent.cells,
@@ -164,8 +170,8 @@ void describe(const RunRequest& request, const Plan& plan, bool already_complete
   fmt::print("blocks       {}{}, {} of them done\n", share.count(),
              request.shard ? fmt::format(" of {}", name_of(request.shard)) : "",
              already_complete ? share.count() : share.count_done());
-  fmt::print("estimated    {:.1f} s on one thread, {:.2f} MB of disk, {:.0f} MB of memory\nout          {}{}\n",
-             needs.seconds, needs.disk / megabyte, needs.memory / megabyte, printable(request.out.string()),
+  fmt::print("estimated    {:.1f} s on one thread, {:.2f} MB of disk, {:.0f} MB of memory\n{}out          {}{}\n",
+             needs.seconds, needs.disk / megabyte, needs.memory / megabyte, left_out, printable(request.out.string()),
              already_complete ? " (already complete)" : "");
 }
 

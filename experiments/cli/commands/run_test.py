@@ -56,6 +56,12 @@ class Bundles(Case):
         self.assertLess(self.estimated(self.suite({**STUDY, "degree": degrees, "trials": "1"}))[0], 0.5)
         self.assertGreater(self.estimated(self.suite({**TIMING, "degree": degrees, "methods": '["direct", "de_casteljau"]'}))[0], 1)
 
+    def test_dry_run_has_no_estimate_of_searches_that_end_when_they_have_found_something(self):
+        guarantees = {"id": '"g"', "kind": '"guarantees"', "degree": "[2]", "trials": "100", "budget": "1000000"}
+        text = self.fine("run", self.suite(guarantees, STUDY), "--out", "dry", "--dry-run")
+        self.assertRegex(text, r"estimated +\d.* of memory\nno estimate +for g: .*\nout +dry\n")
+        self.assertNotIn("for a:", text)
+
     def estimated(self, suite, *options):
         """Seconds, megabytes of disk and of memory."""
         text = self.fine("run", suite, "--out", "dry", "--dry-run", *options)

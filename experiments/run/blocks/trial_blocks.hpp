@@ -41,8 +41,8 @@ class TrialBlocks {
   std::int64_t most_;
 };
 
-/// Calls visit(first trial, number of trials) for groups of at most `together` consecutive trials, until an interruption
-/// arrives.
+/// Calls visit(first trial, number of trials) for groups of at most `together` consecutive trials, until an
+/// interruption arrives.
 template <class Visit>
 void each_group(const TrialBlock& block, std::int64_t together, const Visit& visit) {
   for (auto trial = block.first; trial < block.end && !interrupted(); trial += together)

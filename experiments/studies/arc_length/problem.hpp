@@ -61,7 +61,8 @@ class ArcLengthProblem {
       TrialColumn<Row>{"broken_promises", column::count<&Errors::promises, &Promises::broken>},
       TrialColumn<Row>{"non_finite", column::count<&Errors::promises, &Promises::non_finite>},
   };
-  static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::promises, &Promises::broken>}};
+  static constexpr std::array failures{
+      TrialFailure<Row>{"", column::trials<&Errors::promises, &Promises::broken>, run::Broken::promise}};
 
   static std::span<const Kernel> kernels(int dimension) { return judge::arc_length_methods(dimension); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 32; }

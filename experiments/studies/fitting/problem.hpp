@@ -74,7 +74,7 @@ class FittingProblem {
       TrialColumn<Row>{"understated", column::count<&Errors::understated>},
       TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
   };
-  static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::broken>}};
+  static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::broken>, run::Broken::promise}};
 
   static std::span<const Kernel> kernels(int dimension) { return fitting_kernels(dimension); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 16; }

@@ -56,6 +56,7 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
     const auto inputs = static_cast<double>(study_.trials + budget()) / static_cast<double>(blocks_per_part());
     return inputs * (300 + 60 * n + 4 * n * n);
   }
+  [[nodiscard]] bool is_estimable() const override { return false; }
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
     for (std::size_t part = 0; part < parts(); ++part)
@@ -77,7 +78,7 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
                   {fmt::format("study {}, {} of method {} in {}, degree {}, is stated as proved; see guarantees.csv",
                                study_.id, name(question.statement->property), question.method().id,
                                suite::name(scalar_of(question)), question.cell.degree),
-                   std::max<std::uint64_t>(1, state(part).broken)});
+                   1, run::Broken::proof});
           },
           questions_[part]);
     return all;

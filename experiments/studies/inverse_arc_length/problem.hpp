@@ -72,7 +72,8 @@ class InverseArcLengthProblem {
       TrialColumn<Row>{"outside", column::count<&Errors::outside>},
       TrialColumn<Row>{"non_finite", column::count<&Errors::promises, &Promises::non_finite>},
   };
-  static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::promises, &Promises::broken>}};
+  static constexpr std::array failures{
+      TrialFailure<Row>{"", column::trials<&Errors::promises, &Promises::broken>, run::Broken::promise}};
 
   static std::span<const Kernel> kernels(int dimension) { return inverse_arc_length_kernels(dimension); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 32; }

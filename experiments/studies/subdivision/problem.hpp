@@ -76,7 +76,7 @@ class SubdivisionProblem {
       });
   static constexpr std::array failures{
       TrialFailure<Row>{"control points", column::trials<&Errors::violations>},
-      TrialFailure<Row>{"promise of ends or junction", column::trials<&Errors::broken_promises>},
+      TrialFailure<Row>{"ends or junction", column::trials<&Errors::broken_promises>, run::Broken::promise},
       TrialFailure<Row>{"points of a half", column::trials<&Errors::points_off>},
   };
 

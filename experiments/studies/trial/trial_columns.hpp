@@ -11,6 +11,7 @@
 
 #include "experiments/judge/case_axes.hpp"
 #include "experiments/metric/counts.hpp"
+#include "experiments/run/job.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/tables/statistics.hpp"
 
@@ -38,6 +39,7 @@ template <class Row>
 struct TrialFailure {
   std::string_view what;  ///< for messages; empty if the problem has no other failure
   const metric::TrialCount& (*trials)(const Row& row);
+  run::Broken broken = run::Broken::bound;
 };
 
 /// Functions that make a field from a value in the errors of a row. `members` lead to the value: a pointer to a member

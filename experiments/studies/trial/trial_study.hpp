@@ -89,7 +89,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     each_row([&](const Row& row) {
       for (const auto& failure : P::failures)
         if (const metric::TrialCount& failed = failure.trials(row); failed.count > 0)
-          all.push_back({where(row, failure.what, failed.first), failed.count});
+          all.push_back({where(row, failure.what, failed.first), failed.count, failure.broken});
     });
     return all;
   }
