@@ -23,9 +23,8 @@ Finding check_points(const std::vector<int>& points) {
 
 Finding check_grid_points(const std::vector<int>& points) {
   return each("points", points, [](int value) {
-    const int steps = value - 1;
-    const bool right = steps >= 1 && value <= most_points && (steps & (steps - 1)) == 0;
-    return std::string(right ? "" : "points of a grid must be a power of two and one, 2 to 524289");
+    const bool right = value >= 2 && value <= most_grid_points && std::has_single_bit(static_cast<unsigned>(value - 1));
+    return right ? "" : fmt::format("points of a grid must be a power of two and one, 2 to {}", most_grid_points);
   });
 }
 

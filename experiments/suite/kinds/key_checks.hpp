@@ -2,6 +2,7 @@
 // Keys that several kinds have, and the checks of their values; internal to this folder.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -28,6 +29,9 @@ inline constexpr Field points_key{.key = "points",
                                   .needed = true,
                                   .axis = Axis::of_cases};
 static_assert(most_points == 1000000, "the meaning of points states it");
+
+/// Of grids: the largest power of two and one that is no more.
+inline constexpr int most_grid_points = static_cast<int>(std::bit_floor(static_cast<unsigned>(most_points - 1))) + 1;
 
 constexpr Field tolerance_key(std::string_view meaning, std::string_view example) {
   return {.key = "tolerance", .meaning = meaning, .example = example, .needed = true, .axis = Axis::of_cases};

@@ -13,6 +13,8 @@ constexpr Field grid_points_key{.key = "points",
                                 .needed = true,
                                 .axis = Axis::of_cases};
 
+static_assert(most_grid_points == 524289, "the meaning of points states it");
+
 constexpr std::array grid_fields{field<&GridKeys::points>(grid_points_key)};
 
 Finding check_grid(const Study& study, const Vocabulary& /*known*/) {
