@@ -59,9 +59,12 @@ Exit judge(const JudgeOptions& options) {
 void add_judge(Command program, Exit& exit) {
   auto options = std::make_shared<JudgeOptions>();
   auto command = program.command("judge", "the errors of answers to inputs, from anywhere");
-  command.option("file", options->file, "what `inputs` wrote, with the answers in columns x, y and z").required();
+  command.option("file", options->file, "what `inputs` wrote, with the answers in columns x, y and z")
+      .required()
+      .takes(file_value);
   command.option("--id", options->id, "of the method, answers_NAME; default: after the file");
-  command.option("--out", options->out, "folder of a bundle; without it the rows of accuracy.csv are printed");
+  command.option("--out", options->out, "folder of a bundle; without it the rows of accuracy.csv are printed")
+      .takes(folder_value);
   command.action([options, &exit] { exit = judge(*options); });
 }
 

@@ -28,8 +28,11 @@ double positive(std::string_view option, const std::string& text, double most) {
 void OutsideOptions::add(Command& command) {
   command
       .option("--plugin", plugins_, "shared object with a method of yours (docs/own_method.md), for errors and times")
-      .one_each_time();
-  command.option("--program", programs_, "command that is a method of yours, for errors").one_each_time();
+      .one_each_time()
+      .takes(file_value);
+  command.option("--program", programs_, "command that is a method of yours, for errors")
+      .one_each_time()
+      .takes(command_value);
   command.option("--outside-seconds", seconds_, "a method from outside may take for 1024 inputs; default 10");
   command.option("--outside-memory", megabytes_, "MiB that it may take; default 1024");
 }

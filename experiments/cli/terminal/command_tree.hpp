@@ -14,8 +14,9 @@ using KnownValues = std::function<std::vector<std::string>()>;
 /// Names of values that the shells complete by themselves.
 inline constexpr const char* file_value = "FILE";
 inline constexpr const char* folder_value = "FOLDER";
-inline constexpr const char* bundle_value = "BUNDLE";  ///< the folder of one
-inline constexpr const char* suite_value = "SUITE";    ///< an id or a file
+inline constexpr const char* bundle_value = "BUNDLE";    ///< the folder of one
+inline constexpr const char* suite_value = "SUITE";      ///< an id or a file
+inline constexpr const char* command_value = "COMMAND";  ///< a program, with arguments
 inline constexpr const char* against_value = "PROGRAM|COMMIT|BUNDLE";
 
 struct OptionNode {

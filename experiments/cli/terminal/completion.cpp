@@ -56,7 +56,7 @@ void add_values(const OptionNode& option, const std::string& begun, const std::s
   if (option.values)
     for (const auto& value : option.values())
       if (value.starts_with(wanted)) all.push_back(lead + typed + value.substr(key.size()));
-  for (const std::string_view of_files : {file_value, suite_value, against_value})
+  for (const std::string_view of_files : {file_value, suite_value, command_value, against_value})
     if (option.value == of_files) all.emplace_back(files);
   if (option.value == folder_value || option.value == bundle_value) all.emplace_back(folders);
 }

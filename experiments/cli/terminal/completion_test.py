@@ -60,6 +60,11 @@ class Shells(Case):
         self.assertEqual(self.bash("bezierbench curve eval --curve c"), ["curve.csv"])
         self.assertEqual(self.bash("bezierbench list methods --format "), ["text", "csv"])
         self.assertEqual(self.bash("bezierbench list methods --format=c"), ["csv"])
+        self.assertEqual(self.bash("bezierbench run report --plugin c"), ["curve.csv"])
+        self.assertEqual(self.bash("bezierbench run report --program c"), ["curve.csv"])
+        self.assertEqual(self.bash("bezierbench inputs report --out c"), ["curve.csv"])
+        self.assertEqual(self.bash("bezierbench judge c"), ["curve.csv"])
+        self.assertEqual(self.bash("bezierbench judge curve.csv --out "), ["bundle"])
         self.assertEqual(self.bash(f"{PROGRAM} verify b"), ["bundle"])
 
     def test_bash_knows_all_ids(self):
