@@ -111,6 +111,9 @@ std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& gro
     auto cells = judge_class(group, *of, evidence.judged, evidence.methods, wish.accuracy_study);
     if (!group.choices.empty()) races.push_back({std::move(group), *of, std::move(cells)});
   }
+  if (missing.empty() && races.empty())
+    missing = fmt::format("{}: timing.csv does not say in numbers what the timed curves are drawn from{}", wish.bundle,
+                          remedy(wish));
   if (races.empty()) throw Failure(Exit::usage, missing);
   return races;
 }

@@ -49,10 +49,11 @@ class Choose(Case):
     def chosen(self, *more):
         return list(csv.DictReader(io.StringIO(self.fine("choose", "b", "--degree", "8", "--format", "csv", *more))))
 
-    def retime(self, ns):
-        """Puts other times into timing.csv: choose reads that file."""
+    def retime(self, ns, **more):
+        """Puts other times, and more in every row, into timing.csv: choose reads that file."""
         rows = self.table("timing.csv")
         for row in rows:
+            row.update(more)
             if row["method"] in ns:
                 row.update(zip(["median_ns", "low_ns", "high_ns"], map(str, ns[row["method"]])))
         with open(self.folder / "b/timing.csv", "w", newline="") as file:
@@ -126,6 +127,10 @@ class Choose(Case):
         self.retime({"de_casteljau": (58, 50, 66)})
         self.assertEqual({row["method"]: row["pareto"] for row in self.chosen("--tolerance", "1e9")}
                          ["differences:horner"], "no")  # horner_bernstein still beats it
+
+    def test_times_of_curves_that_are_not_described_are_refused_in_words(self):
+        self.retime({}, coordinate_range="wide")
+        self.refused(USAGE, ["choose", "b", "--degree", "8", "--tolerance", "1"], "b: timing.csv does not say")
 
     def lines(self, *more, code=FINE):
         result = self.run_program("choose", "b", "--degree", "8", *more)
