@@ -94,12 +94,12 @@ CheckedProperties checked_properties(const std::string& id) {
   return all;
 }
 
-void judge(const std::vector<suite::Suite>& suites, const fs::path& out) {
+run::Outcome judge(const std::vector<suite::Suite>& suites, const fs::path& out) {
   auto request = request_of_this_build();
   request.suites = suites;
   request.out = out;
   request.telling = run::Telling::nothing;
-  run::run(request);  // what it finds is in the bundle
+  return run::run(request);
 }
 
 /// The accuracy of the method in two bundles of the same cells.
@@ -171,8 +171,9 @@ Exit check(const CheckOptions& options) {
                      .judged_in = has_bundle ? against->name : "suite quick",
                      .properties = checked_properties(options.method),
                      .cells = {},
+                     .judged = {},
                      .against = {}};
-  judge(judged, place / "after");
+  report.judged = judge(judged, place / "after");
   report.cells = judged_cells(place / "after", options.method);
   if (against) {
     auto& comparison = report.against.emplace();

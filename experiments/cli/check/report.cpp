@@ -61,10 +61,11 @@ std::string accuracy_text(const JudgedCells& cells, const std::string& judged_in
   return cells.worst ? text + line("", "at " + cells.where) : text;
 }
 
-std::string bound_text(const JudgedCells& cells) {
+std::string bound_text(const JudgedCells& cells, std::uint64_t violations) {
   constexpr double percent = 100;
   if (cells.violations > 0)
     return line("bound", fmt::format("violated in {} trials", number::decimal(cells.violations)));
+  if (violations > 0) return line("bound", fmt::format("violated {} times", violations));
   if (!cells.bound_used) return line("bound", "none is stated in units of u p~");
   return line("bound",
               fmt::format("kept in every trial; the largest error is {:.2g} % of it", percent * *cells.bound_used));
@@ -118,7 +119,10 @@ std::string against_text(const Comparison& against, bool all) {
 std::vector<std::string> CheckReport::findings() const {
   std::vector<std::string> all;
   for (const auto& lost : properties.lost) all.push_back(fmt::format("property {} is lost", lost.name));
-  if (cells.violations > 0) all.emplace_back("the bound is violated");
+  if (judged.violations > 0) all.emplace_back("the bound is violated");
+  if (judged.broken_promises > 0)
+    all.push_back(fmt::format("what it promises does not hold in {} trials", judged.broken_promises));
+  if (judged.refuted_proofs > 0) all.push_back(fmt::format("proofs refuted: {}", judged.refuted_proofs));
   if (!against) return all;
   if (const auto changed = against->changed.size(); changed > 0)
     all.push_back(fmt::format("accuracy differs in {} of {} rows", changed, against->rows));
@@ -134,7 +138,7 @@ std::string CheckReport::text(bool all) const {
   return line("verdict",
               fmt::format("{}: {}", method,
                           found.empty() ? "nothing wrong was found" : fmt::format("{}", fmt::join(found, "; ")))) +
-         properties_text(properties) + accuracy_text(cells, judged_in) + bound_text(cells) +
+         properties_text(properties) + accuracy_text(cells, judged_in) + bound_text(cells, judged.violations) +
          (against ? against_text(*against, all) : "");
 }
 

@@ -10,6 +10,7 @@
 #include "experiments/cli/check/judged_cells.hpp"
 #include "experiments/cli/check/paired_times.hpp"
 #include "experiments/compare/side.hpp"
+#include "experiments/run/outcome.hpp"
 
 namespace bezierbench::cli {
 
@@ -52,6 +53,7 @@ struct CheckReport {
   std::string judged_in;  ///< whose cells these are, for people
   CheckedProperties properties;
   JudgedCells cells;
+  run::Outcome judged;  ///< of the run over these cells: what it found wrong beside `cells`
   std::optional<Comparison> against;
 
   /// What is wrong, in a few words each; empty where nothing is.
