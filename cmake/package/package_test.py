@@ -130,6 +130,11 @@ class Package(unittest.TestCase):
                                     compiler=compiler)
                 self.assertEqual(done.returncode, 0, done.stdout)
 
+    def test_all_headers_of_core_but_those_of_batches_are_there(self):
+        core = [str(path.relative_to(ROOT)) for path in (ROOT / "core").rglob("*.hpp") if not path.name.endswith("_test.hpp")]
+        wanted = {f"bezierbench/{name}" for name in core if not name.startswith("core/batch/")} - {"bezierbench/core/api/evaluate.hpp"}
+        self.assertLessEqual(wanted | {"bezierbench/evaluate.hpp"}, set(headers()))
+
     def test_methods_need_eigen_alone(self):
         methods = [header for header in headers() if header.startswith("bezierbench/core/")]
         for header in ["bezierbench/evaluate.hpp", *methods]:
