@@ -23,15 +23,16 @@ def swept(rows):
     return across, down
 
 
-def error_tables(study, rows, across="degree", down="generator"):
-    """Two tables for each cell of the remaining axes, then what became of the bounds."""
+def error_tables(study, rows, across="degree", down="generator", curves=None):
+    """Two tables for each cell of the remaining axes, then what became of the bounds. `curves`: what the
+    curves are, in English and Chinese, where that is not their form."""
     free = {*COLUMNS.get(across, (across,)), down}
     fixed = [c for c in CELL if c not in free]
     cells = {}
     for row in rows:
         cells.setdefault(tuple(row[c] for c in fixed), []).append(row)
     for number, members in enumerate(cells.values(), 1):
-        yield from _pair(study if len(cells) == 1 else f"{study}-{number}", members, across, down)
+        yield from _pair(study if len(cells) == 1 else f"{study}-{number}", members, across, down, curves)
     yield _bounds(rows)
 
 
@@ -74,8 +75,8 @@ def named(down, kind):
     return NAMES[down].format(shortest(kind) if isinstance(kind, float) else kind)
 
 
-def _pair(study, rows, across, down):
-    english, chinese = form(rows[0]["curve"])
+def _pair(study, rows, across, down, curves):
+    english, chinese = curves or form(rows[0]["curve"])
     where, trials = _where(rows[0], across, down), large(max(r["trials"] for r in rows))
     kinds = list(dict.fromkeys(r[down] for r in rows))
 

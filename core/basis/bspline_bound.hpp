@@ -3,6 +3,7 @@
 // control points of a knot span in Bernstein form.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "core/basis/error_bound.hpp"
@@ -11,15 +12,19 @@ namespace bezierbench {
 
 /// With p~ = sum |d_i| N_i(t) over the control points of the B-spline curve of degree n, on each axis, for t in the
 /// span,
-///   |computed - true| <= point(n, u) u p~ + underflow(n) eta (1 + max|d|),
-/// where eta is the smallest subnormal. A control point of the span in Bernstein form is the blossom of the curve at
-/// ends of the span, sum d_i c_i with c_i >= 0, and has the same bound with `control` for `point` and p~ = sum |d_i|
-/// c_i. Holds while nothing overflows.
+///   |computed - true| <= factor(n, u) u p~ + underflow(n) eta (1 + max|d|)
+/// of `point`, where eta is the smallest subnormal. A control point of the span in Bernstein form is the blossom of the
+/// curve at ends of the span, sum d_i c_i with c_i >= 0, and has the same bound by `control`, with p~ = sum |d_i| c_i.
+/// Holds while nothing overflows.
 struct BsplineBound {
+  struct Part {
+    double (*factor)(int degree, double u);
+    double (*underflow)(int degree);
+  };
+
   std::string_view text;  ///< for people
-  double (*point)(int degree, double u);
-  double (*control)(int degree, double u);  ///< nullptr where the method makes no Bernstein form
-  double (*underflow)(int degree);
+  Part point;
+  std::optional<Part> control = std::nullopt;  ///< where the method makes the Bernstein form
 };
 
 }  // namespace bezierbench

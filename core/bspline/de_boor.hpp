@@ -16,9 +16,8 @@ namespace bezierbench {
 
 struct DeBoor {
   static constexpr BsplineBound bound{.text = "gamma_5n p~",
-                                      .point = [](int n, double u) { return gamma_over_u(5.0 * n, u); },
-                                      .control = nullptr,
-                                      .underflow = [](int n) { return 2.0 * n; }};
+                                      .point = {.factor = [](int n, double u) { return gamma_over_u(5.0 * n, u); },
+                                                .underflow = [](int n) { return 2.0 * n; }}};
   static constexpr MethodInfo info{.id = "de_boor",
                                    .label = "de Boor",
                                    .problem = Problem::bspline,

@@ -17,9 +17,8 @@ namespace bezierbench {
 
 struct DeBoorCoxBasis {
   static constexpr BsplineBound bound{.text = "gamma_(6n+1) p~",
-                                      .point = [](int n, double u) { return gamma_over_u(6.0 * n + 1, u); },
-                                      .control = nullptr,
-                                      .underflow = [](int n) { return (n + 1.0) * (n + 2.0); }};
+                                      .point = {.factor = [](int n, double u) { return gamma_over_u(6.0 * n + 1, u); },
+                                                .underflow = [](int n) { return (n + 1.0) * (n + 2.0); }}};
   static constexpr MethodInfo info{.id = "de_boor_cox_basis",
                                    .label = "Basis functions of de Boor and Cox",
                                    .problem = Problem::bspline,

@@ -7,7 +7,7 @@
 // Cost: (3d + 5) n(n-1) flops for the control points, (3d) n(n+1)/2 + 5 for a point.
 // Bound: gamma_10(n-1) sum |d_i| c_i of a control point, gamma_(15n-10) p~ of a point. A path to a control point passes
 //   at most n-1 levels for each end, of five roundings, and one to a point n more. All weights are >= 0: every a and c
-//   lies between the knots that it is put between. Underflow as for de_boor, for 3n levels.
+//   lies between the knots that it is put between. Underflow as for de_boor, for as many levels.
 // Fails: differences of knots may overflow.
 #pragma once
 
@@ -18,9 +18,11 @@ namespace bezierbench {
 struct KnotInsertionSpan {
   static constexpr BsplineBound bound{
       .text = "gamma_(15n-10) p~, control points gamma_10(n-1)",
-      .point = [](int n, double u) { return gamma_over_u(10.0 * (n - 1) + roundings_of_point_of_span(n), u); },
-      .control = [](int n, double u) { return gamma_over_u(10.0 * (n - 1), u); },
-      .underflow = [](int n) { return 6.0 * n; }};
+      .point = {
+          .factor = [](int n, double u) { return gamma_over_u(10.0 * (n - 1) + roundings_of_point_of_span(n), u); },
+          .underflow = [](int n) { return 6.0 * n; }},
+      .control = BsplineBound::Part{.factor = [](int n, double u) { return gamma_over_u(10.0 * (n - 1), u); },
+                                    .underflow = [](int n) { return 4.0 * (n - 1); }}};
   static constexpr MethodInfo info{.id = "knot_insertion_span",
                                    .label = "Bernstein form by knot insertion",
                                    .problem = Problem::bspline,

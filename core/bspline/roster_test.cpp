@@ -77,17 +77,17 @@ std::vector<double> some_knots(int kind, int n, Inputs& inputs) {
 }
 constexpr int kinds_of_knots = 6;
 
-/// The error of `value`, and its bound where the method has one.
-void expect_bound(const BsplineKernel& kernel, double factor, const BsplineSpanView& span,
+/// That the error of `value` is within a bound of the method.
+void expect_bound(const BsplineKernel& kernel, const BsplineBound::Part& bound, const BsplineSpanView& span,
                   const reference::ExactBsplineWeights& weights, double value, int trial) {
   std::vector<double> magnitudes;
   for (const double d : span.control_points) magnitudes.push_back(std::abs(d));
   const auto truth = weights.sum(1, span.control_points);
   const double p_tilde = reference::round_to(reference::binary64, weights.sum(1, magnitudes).coordinate(0));
   const double error = reference::Distance(truth).to(std::span(&value, 1));
-  const double lost = kernel.bound->underflow(span.degree) * std::numeric_limits<double>::denorm_min() *
+  const double lost = bound.underflow(span.degree) * std::numeric_limits<double>::denorm_min() *
                       (1 + *std::ranges::max_element(magnitudes));
-  EXPECT_LE(error, (factor * u * p_tilde + lost) * (1 + 0x1p-20))
+  EXPECT_LE(error, (bound.factor(span.degree, u) * u * p_tilde + lost) * (1 + 0x1p-20))
       << kernel.info->id << " degree " << span.degree << " trial " << trial;
 }
 
@@ -109,12 +109,10 @@ TEST(Bspline, PointsAndControlPointsKeepTheirBounds) {
       const auto all = solve(kernel, span, t);
       ASSERT_TRUE(std::ranges::all_of(all, [](double x) { return std::isfinite(x); })) << kernel.info->id;
       if (kernel.bound == nullptr) continue;
-      expect_bound(kernel, kernel.bound->point(n, u), span, reference::ExactBsplineWeights::at(knots, t), all[0],
-                   trial);
+      expect_bound(kernel, kernel.bound->point, span, reference::ExactBsplineWeights::at(knots, t), all[0], trial);
       for (int k = 0; k <= n && kernel.makes_bernstein; ++k)
-        expect_bound(kernel, kernel.bound->control(n, u), span,
-                     reference::ExactBsplineWeights::of_control_point(knots, k), all[static_cast<std::size_t>(k) + 1],
-                     trial);
+        expect_bound(kernel, *kernel.bound->control, span, reference::ExactBsplineWeights::of_control_point(knots, k),
+                     all[static_cast<std::size_t>(k) + 1], trial);
     }
   }
 }

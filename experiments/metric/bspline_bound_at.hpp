@@ -18,12 +18,10 @@ struct BsplineSizes {
   double largest;  ///< max |d_i|
 };
 
-/// `factor` is bound.point or bound.control.
-inline double bound_at(const BsplineBound& bound, double (*factor)(int degree, double u), const BsplineSizes& sizes,
-                       const Arithmetic& arithmetic) {
+inline double bound_at(const BsplineBound::Part& bound, const BsplineSizes& sizes, const Arithmetic& arithmetic) {
   const double u = arithmetic.unit_roundoff;
   const double lost = std::ceil(bound.underflow(sizes.degree)) * sizes.axes * (1 + sizes.largest);
-  return factor(sizes.degree, u) * u * sizes.p_tilde + lost * arithmetic.smallest_subnormal;
+  return bound.factor(sizes.degree, u) * u * sizes.p_tilde + lost * arithmetic.smallest_subnormal;
 }
 
 }  // namespace bezierbench::metric

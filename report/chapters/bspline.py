@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """B-spline curves in a knot span: points, and the Bernstein form of the span."""
 
-from ..document import Cell, Text
+from ..bundle import Missing
+from ..document import Cell, Heading, Text
 from ..error_tables import error_tables, swept
 from ..tables import by_axis
 from ..wording import general
@@ -9,7 +10,7 @@ from .suite_parts import of_studies, with_times
 
 TITLE = "B-spline curves"
 SUITE = KIND = "bspline"
-CONTROL = (("mean", "mean_control_error_u"), ("largest", "max_control_error_u"), ("proved bound", "control_bound_u"))
+CURVES = ("B-spline curves", "B 样条曲线")
 
 
 def _number(column):
@@ -21,18 +22,34 @@ def _control_points(study, rows, across):
     made = [r for r in rows if r["max_control_error_u"] is not None]
     if not made:
         return
+    kinds = dict.fromkeys(r["knots"] for r in made)
     lines = [(f"{text}, {knots} knots", _number(column), lambda r, knots=knots: r["knots"] == knots)
-             for knots in dict.fromkeys(r["knots"] for r in made) for text, column in CONTROL]
+             for text, column in (("mean", "mean_control_error_u"), ("largest", "max_control_error_u")) for knots in kinds]
+    lines.append(("proved bound", _number("control_bound_u"), lambda r: True))  # it does not depend on the kind of knots
     yield by_axis(made, across, f"{study}-control", "Error of the control points of the span's Bernstein form over u p~",
-                  "节点区间 Bernstein 控制点的误差（以 u p~ 计）", lines, row_head="knots")
+                  "节点区间 Bernstein 控制点的误差（以 u p~ 计）", lines, row_head="quantity")
 
 
 def study_tables(bundle, study):
     """Errors of points, then those of control points."""
     rows = bundle["bspline.csv"].some(study=study)
     across = swept(rows)[0]
-    yield from error_tables(study, rows, across, "knots")
+    yield from error_tables(study, rows, across, "knots", CURVES)
     yield from _control_points(study, rows, across)
+
+
+def _evaluators(bundle):
+    """Errors of evaluators of Bezier curves on knot spans; nothing where the bundle has none."""
+    try:
+        judged = bundle.judged().of_suite(SUITE)
+    except Missing:
+        return
+    yield Heading("Evaluators on knot spans")
+    yield Text("The inputs `bspline` are knot spans of random B-spline curves in Bernstein form, rounded, and exact from there on; "
+               "neighbouring control points of theirs are averages of the same points. Those of `continuous` inputs are independent.")
+    for study in judged.distinct("study"):
+        yield from study_figure(bundle, study)
+        yield from error_tables(study, judged.some(study=study))
 
 
 @with_times("bspline")
@@ -45,3 +62,4 @@ def blocks(bundle, findings):
                "points of the B-spline curve. p~ is the sum of the magnitudes of these control points, times their weights in the "
                "result. A time is that of one point with everything that it takes: a Bernstein form would serve any number of points "
                "of its span, which these times do not show.")
+    yield from _evaluators(bundle)

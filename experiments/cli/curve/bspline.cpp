@@ -121,12 +121,11 @@ void add_rows(const BsplineKernel& method, const BsplineTarget& target, bundle::
       row.push_back(std::move(field));
     const metric::BsplineSizes sizes{n, 1, reference::round_to(reference::binary64, p_tilde),
                                      largest_of(target.span, axis)};
-    row.push_back(
-        method.bound == nullptr
-            ? ""
-            : bound_field(metric::bound_at(*method.bound, place == 0 ? method.bound->point : method.bound->control,
-                                           sizes, metric::double_arithmetic),
-                          p_tilde));
+    const auto bound = [&] {
+      return metric::bound_at(place == 0 ? method.bound->point : *method.bound->control, sizes,
+                              metric::double_arithmetic);
+    };
+    row.push_back(method.bound == nullptr ? "" : bound_field(bound(), p_tilde));
     table.add_row(std::move(row));
   }
 }

@@ -34,8 +34,7 @@ std::vector<reference::ExactBsplineWeights> exact_weights(const BsplineProblem::
 double bound_of(const BsplineKernel& method, const BsplineProblem::Drawn& drawn, std::size_t k) {
   if (method.bound == nullptr) return infinite;
   const metric::BsplineSizes sizes{drawn.span.degree, drawn.span.dimension, drawn.p_tilde[k], drawn.largest};
-  return metric::bound_at(*method.bound, k == 0 ? method.bound->point : method.bound->control, sizes,
-                          metric::double_arithmetic);
+  return metric::bound_at(k == 0 ? method.bound->point : *method.bound->control, sizes, metric::double_arithmetic);
 }
 
 double in_bound_units(double error, double p_tilde) {
