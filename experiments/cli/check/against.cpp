@@ -25,8 +25,8 @@ Against find_against(const std::string& word, bool quiet) {
                               echo(word)));
   constexpr std::size_t enough_digits = 12;
   if (!quiet)
-    say(fmt::format("builds commit {} in {}; the first time this may take an hour", commit->id.substr(0, enough_digits),
-                    folder_of(*commit).string()));
+    say(fmt::format("builds commit {} in {}, output in {}; the first time this may take an hour",
+                    commit->id.substr(0, enough_digits), folder_of(*commit).string(), log_of(*commit).string()));
   return {Against::Kind::program, fmt::format("commit {}", commit->id.substr(0, enough_digits)), build(*commit)};
 }
 

@@ -43,9 +43,11 @@ std::optional<Commit> find_commit(const std::string& name) {
 
 std::filesystem::path folder_of(const Commit& commit) { return cache_folder() / "commits" / commit.id; }
 
+std::filesystem::path log_of(const Commit& commit) { return folder_of(commit).parent_path() / (commit.id + ".log"); }
+
 std::filesystem::path build(const Commit& commit) {
   const auto folder = folder_of(commit);
-  const auto log = folder.parent_path() / (commit.id + ".log");
+  const auto log = log_of(commit);
   std::error_code error;
   std::filesystem::create_directories(folder.parent_path(), error);
   if (error)

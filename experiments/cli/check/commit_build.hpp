@@ -20,6 +20,9 @@ std::optional<Commit> find_commit(const std::string& name);
 /// Throws Failure(Exit::environment) where neither is known.
 std::filesystem::path folder_of(const Commit& commit);
 
+/// The file beside it with the output of the build.
+std::filesystem::path log_of(const Commit& commit);
+
 /// Builds the program of a commit with the preset `release` and returns its path. Throws Failure(Exit::environment)
 /// where that fails, naming the file with the output.
 std::filesystem::path build(const Commit& commit);

@@ -54,9 +54,8 @@ std::vector<metric::Front> fronts(const JudgedRace& race, const Wish& wish) {
 std::string_view unit_words(const Wish& wish) { return wish.unit == "u" ? "u p~" : "coordinate units"; }
 
 std::string in_few_words(const tables::Choice& choice, const Wish& wish) {
-  const auto& error = wish.error_of(choice);
-  return fmt::format("{:.4g} ns [{:.4g}, {:.4g}] a point, error {} {}", choice.ns.median, choice.ns.low, choice.ns.high,
-                     brief(error.observed), unit_words(wish));
+  return fmt::format("{:.4g} ns [{:.4g}, {:.4g}] a point, error {}", choice.ns.median, choice.ns.low, choice.ns.high,
+                     error_text(choice, wish));
 }
 
 /// Lines in the width of the terminal, those after the first four characters to the right.
@@ -64,6 +63,10 @@ std::string paragraph(const std::string& text) { return wrapped("", text, 4); }
 std::string indented(const std::string& text) { return wrapped("  ", text, 4); }
 
 }  // namespace
+
+std::string error_text(const tables::Choice& choice, const Wish& wish) {
+  return fmt::format("{} {}", brief(wish.error_of(choice).observed), unit_words(wish));
+}
 
 std::vector<const tables::Choice*> within(const JudgedRace& race, const Wish& wish) {
   std::vector<const tables::Choice*> kept;

@@ -10,6 +10,9 @@
 
 namespace bezierbench::cli {
 
+/// The largest error seen of a method, in short and with its unit.
+std::string error_text(const tables::Choice& choice, const Wish& wish);
+
 /// The methods within the tolerance, in the order of the race.
 std::vector<const tables::Choice*> within(const JudgedRace& race, const Wish& wish);
 

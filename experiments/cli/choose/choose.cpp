@@ -133,9 +133,9 @@ bool is_quick_to_slow(const tables::Choice& a, const tables::Choice& b) { return
 std::string none_is_right_enough(const JudgedRace& race, const Wish& wish) {
   const auto best = std::ranges::min_element(
       race.group.choices, {}, [&](const tables::Choice& choice) { return wish.error_of(choice).observed; });
-  return fmt::format("{}: no method stays within {} {} at degree {}, {}; the most accurate is {} with {}", wish.bundle,
-                     wish.tolerance_text, wish.unit, wish.degree, in_words(race.of), best->method,
-                     number::decimal(wish.error_of(*best).observed));
+  return fmt::format("{}: no method stays within {} at degree {}, {}; the most accurate is {} with {}{}", wish.bundle,
+                     wish.tolerance_text, wish.degree, in_words(race.of), best->method, error_text(*best, wish),
+                     wish.unit == "u" ? "; --unit coordinate takes a tolerance in coordinates" : "");
 }
 
 void read_numbers(Wish& wish) {

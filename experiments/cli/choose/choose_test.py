@@ -222,7 +222,10 @@ class Choose(Case):
         result = self.run_program("choose", "b", "--degree", "8", "--tolerance", "1e-9", "--format", "csv")
         self.assertEqual(result.returncode, FINDING)
         self.assertEqual(len(result.stdout.splitlines()), 1)  # the header
-        self.assert_one_line(result, "most accurate is compensated_de_casteljau")
+        self.assert_one_line(result, "most accurate is compensated_de_casteljau with ")
+        self.assertRegex(result.stderr.decode(), r"with [0-9.]{1,7} u p~; --unit coordinate takes a tolerance in coordinates\n$")
+        result = self.run_program("choose", "b", "--degree", "8", "--tolerance", "1e-30", "--unit", "coordinate")
+        self.assertRegex(result.stderr.decode(), r"with \S{1,9} coordinate units\n$")
 
     def test_refusals(self):
         asked = ["choose", "b", "--tolerance", "30", "--degree"]
