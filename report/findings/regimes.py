@@ -7,8 +7,8 @@ from ..bundle import Missing, Row
 from ..wording import count
 
 SUITE = "regimes"
-# Both are choices of this report, and every sentence that rests on one of them names it. Bundles say nothing of how much a mean
-# error differs from sample to sample; that of a converted path, whose errors are heavy-tailed, differs more than others.
+# Both are choices of this report, and every sentence that rests on one of them names it. No column is an interval of a mean error;
+# that of a converted path, whose errors are heavy-tailed, differs more from sample to sample than others.
 ALIKE = 2  # means that differ by no more say nothing of a dependence
 CLOSE = 1.25  # means that differ by no more are counted as equal
 
