@@ -20,4 +20,12 @@ concept DerivativeMethod = requires(const Curve<M::info.form, double, 2>& curve,
   { M::evaluate(M::prepare(curve, order), t) } -> std::same_as<Point<double, 2>>;
 };
 
+/// `all(curve, last_order, t, take)` calls take(k, C^(k)(t)) once for every order k from 0 to `last_order`, in any
+/// sequence, with work that the orders share; each keeps the bound of its order.
+template <class M>
+concept AllOrdersMethod = DerivativeMethod<M> && requires(const Curve<M::info.form, double, 2>& curve, int last_order,
+                                                          double t, void (*take)(int, const Point<double, 2>&)) {
+  M::all(curve, last_order, t, take);
+};
+
 }  // namespace bezierbench

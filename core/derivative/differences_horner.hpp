@@ -24,6 +24,7 @@ struct DifferencesHorner : HodographBy<HornerBernstein> {
                                    .flops = "(n-k)(1+3d) + 1",
                                    .prepare_exponent = 2,
                                    .citation = "[Farin 2002], nested multiplication"};
+  static constexpr std::string_view flops_of_all = "(1+6d)(k+1)(2n-k)/2 + (1+3d)(k+1) - d(n+1)";
 };
 
 }  // namespace bezierbench

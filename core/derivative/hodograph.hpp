@@ -18,20 +18,36 @@
 
 namespace bezierbench {
 
-/// The control points of the derivative of this order; a single point, 0, for orders beyond the degree.
+namespace detail {
+
+/// D^k b_i from D^(k-1) b_i, for i up to n - k.
 template <class Scalar, int Dimension, int Degree>
-Curve<Form::bernstein, Scalar, Dimension> hodograph(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve,
-                                                    int order) {
-  const int n = curve.degree();
+void take_differences(Curve<Form::bernstein, Scalar, Dimension, Degree>& b, int k) {
+  for (int i = 0; i <= b.degree() - k; ++i)
+    for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = b(axis, i + 1) - b(axis, i);
+}
+
+/// (n)_k D^k b_i from D^k b_i, k = `order`; a single point, 0, for orders beyond the degree.
+template <class Scalar, int Dimension, int Degree>
+Curve<Form::bernstein, Scalar, Dimension> scaled_differences(
+    const Curve<Form::bernstein, Scalar, Dimension, Degree>& difference, int order) {
+  const int n = difference.degree();
   Curve<Form::bernstein, Scalar, Dimension> result(std::max(n - order, 0));
-  auto difference = curve;
-  for (int k = 1; k <= std::min(order, n); ++k)
-    for (int i = 0; i <= n - k; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) difference(axis, i) = difference(axis, i + 1) - difference(axis, i);
   const auto factor = static_cast<Scalar>(falling_factorial(n, order));
   for (int i = 0; i <= result.degree(); ++i)
     for (int axis = 0; axis < Dimension; ++axis) result(axis, i) = order > n ? Scalar(0) : factor * difference(axis, i);
   return result;
+}
+
+}  // namespace detail
+
+/// The control points of the derivative of this order; a single point, 0, for orders beyond the degree.
+template <class Scalar, int Dimension, int Degree>
+Curve<Form::bernstein, Scalar, Dimension> hodograph(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve,
+                                                    int order) {
+  auto difference = curve;
+  for (int k = 1; k <= std::min(order, curve.degree()); ++k) detail::take_differences(difference, k);
+  return detail::scaled_differences(difference, order);
 }
 
 /// All members of a method except `info`: differences, then the evaluator `E` on the hodograph.
@@ -50,6 +66,16 @@ struct HodographBy {
   template <class Prepared, class Scalar>
   static auto evaluate(const Prepared& prepared, Scalar t) {
     return E::evaluate(prepared, t);
+  }
+
+  template <class Scalar, int Dimension, int Degree, class Take>
+  static void all(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, int last_order, const Scalar& t,
+                  Take take) {
+    auto difference = curve;
+    for (int k = 0; k <= last_order; ++k) {
+      if (k > 0) detail::take_differences(difference, k);
+      take(k, E::evaluate(E::prepare(detail::scaled_differences(difference, k)), t));
+    }
   }
 
   static constexpr DerivativeBound bound_as(std::string_view text) {

@@ -126,20 +126,6 @@ TEST(Derivative, AxesDoNotMix) {
     }
 }
 
-TEST(TriangleDerivatives, GivesAllOrdersAtOnce) {
-  Inputs inputs(9);
-  for (const int n : {0, 1, 2, 5, 20}) {
-    Curve<Form::bernstein, double, 2> curve(n);
-    for (int i = 0; i <= n; ++i)
-      for (int axis = 0; axis < 2; ++axis) curve(axis, i) = inputs.symmetric();
-    const double t = inputs.unit();
-    const auto all = TriangleDerivatives::all(curve, n + 2, t);
-    ASSERT_EQ(all.cols(), n + 3);
-    for (int k = 0; k <= n + 2; ++k)
-      EXPECT_EQ(all.col(k), TriangleDerivatives::evaluate(TriangleDerivatives::prepare(curve, k), t)) << n << " " << k;
-  }
-}
-
 /// Curves on which differences or evaluators lose digits or range.
 std::vector<double> nasty(int kind, int n, int d, Inputs& inputs) {
   auto c = inputs.coefficients(n, d);

@@ -17,7 +17,8 @@ import exact  # noqa: E402
 
 COLUMNS = "method,t,order,axis,value,exact,error,error_ulp,error_u,bound_u".split(",")
 METHODS = {"bernstein": ["differences_de_casteljau", "differences_horner", "compensated_differences", "triangle_derivatives",
-                         "seed_000"],
+                         "wozny_chudy_derivatives", "all_orders_differences_horner", "all_orders_triangle_derivatives",
+                         "all_orders_wozny_chudy_derivatives", "seed_000"],
            "power": ["power_derivative", "compensated_power_derivative"]}
 AS_PRINTED = "seed_000"
 

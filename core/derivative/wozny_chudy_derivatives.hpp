@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Formula: for all orders up to r the points b_0^m, ..., b_r^m of level m = n - r of de Casteljau's triangle. Each is a
+//   point of a curve of degree m, b_j^m = sum_i B_i,m(t) b_(j+i), and all have the same weights in Wozny and Chudy's
+//   geometric algorithm: Q_j <- c_k Q_j + h_k b_(j+k) for k = 1, ..., m. The levels above are those of the triangle,
+//   C^(k)(t) = (n)_k D^k b_0^(n-k). One order by itself is r = k.
+// Source: [Chudy and Wozny 2023] evaluate derivatives by the algorithm of [Wozny and Chudy 2020] in O(rnd); the use of
+//   one set of weights for the points of a level is derived here.
+// Cost: (n-k)(6 + 3d(k+1)) + d k(k+1)/2 + d + 4 flops per point, 2(n-k) + 1 of them divisions; for all orders up to r,
+//   m (6 + 3d(r+1)) + 3d r(r+1)/2 + d r(r+1)(r+2)/6 + d(r+1) + 4, 2m + 1 of them divisions: O(d r n) while r^2 is of
+//   the size of n. Memory O(d r).
+// Bound: gamma_((3m+2)(m+1)+2k) A, m = n-k, where the points of level m have (3m+2)(m+1) roundings
+//   (wozny_chudy_weights.hpp) and the rest is that of triangle_derivatives. In a call for more orders the points come
+//   from a lower level and from three roundings for each level between, which are fewer. A weight may lose
+//   4 (m+1)^2 2^m eta by underflow, as a point of wozny_chudy_positive does, and A has the points with their binomials.
+// Fails: outside [0,1], where the weights may be negative, it is triangle_derivatives. Of its own level the points have
+//   the size of the coordinates, as in triangle_derivatives.
+#pragma once
+
+#include <algorithm>
+
+#include "core/basis/falling_factorial.hpp"
+#include "core/basis/integer_power.hpp"
+#include "core/derivative/level_derivatives.hpp"
+#include "core/evaluate/wozny_chudy_weights.hpp"
+
+namespace bezierbench {
+
+struct WoznyChudyDerivatives {
+  static constexpr DerivativeBound bound{
+      .text = "gamma_((3m+2)(m+1)+2k) A, m = n-k",
+      .differences =
+          [](int n, int k, double u) {
+            const double m = std::max(n - k, 0);
+            return gamma_over_u((3 * m + 2) * (m + 1) + 2 * std::min(n, k), u);
+          },
+      .evaluation = [](int, int, double) { return 0.0; },
+      .underflow =
+          [](int n, int k) {
+            const int m = std::max(n - k, 0);
+            const double of_weights = 4 * (m + 1.0) * (m + 1.0) * integer_power(2.0, m);
+            return of_weights + falling_factorial(n, k) * integer_power(2.0, std::min(n, k)) * 2 * m + 1;
+          },
+      .underflow_scales_with_coefficients = true};
+  static constexpr MethodInfo info{.id = "wozny_chudy_derivatives",
+                                   .label = "Wozny-Chudy, all orders",
+                                   .problem = Problem::derivative,
+                                   .form = Form::bernstein,
+                                   .promise = bound.text,
+                                   .one_minus_t = OneMinusT::normalised,
+                                   .flops = "(n-k)(6+3d(k+1)) + d k(k+1)/2 + d + 4, 2(n-k) + 1 of them divisions",
+                                   .citation = "[Chudy and Wozny 2023]; [Wozny and Chudy 2020]; bound derived here"};
+  static constexpr std::string_view flops_of_all =
+      "(n-k)(6+3d(k+1)) + 3d k(k+1)/2 + d k(k+1)(k+2)/6 + d(k+1) + 4, 2(n-k) + 1 of them divisions";
+
+  template <int Dimension>
+  struct Prepared {
+    Curve<Form::bernstein, double, Dimension> curve;
+    int order;
+  };
+
+  template <int Dimension>
+  static Prepared<Dimension> prepare(const Curve<Form::bernstein, double, Dimension>& curve, int order) {
+    return {curve, order};
+  }
+
+  template <int Dimension>
+  static Point<double, Dimension> evaluate(const Prepared<Dimension>& prepared, double t) {
+    Point<double, Dimension> result;
+    level_derivatives(prepared.curve, prepared.order, prepared.order, t, level<double, Dimension>,
+                      [&](int, const auto& derivative) { result = derivative; });
+    return result;
+  }
+
+  template <class Scalar, int Dimension, class Take>
+  static void all(const Curve<Form::bernstein, Scalar, Dimension>& curve, int last_order, const Scalar& t, Take take) {
+    level_derivatives(curve, 0, last_order, t, level<Scalar, Dimension>, take);
+  }
+
+ private:
+  /// The n - m + 1 points of level m, all by the same weights.
+  template <class Scalar, int Dimension>
+  static Curve<Form::bernstein, Scalar, Dimension> level(const Curve<Form::bernstein, Scalar, Dimension>& curve, int m,
+                                                         const Scalar& t) {
+    if (!(Scalar(0) <= t && t <= Scalar(1))) return triangle_level(curve, m, t);
+    const int last = curve.degree() - m;
+    Curve<Form::bernstein, Scalar, Dimension> q(last);
+    for (int j = 0; j <= last; ++j)
+      for (int axis = 0; axis < Dimension; ++axis) q(axis, j) = curve(axis, j);
+    WoznyChudyWeights<Scalar> weights(m, t);
+    for (int k = 1; k <= m; ++k) {
+      const auto weight = weights.next(k);
+      for (int j = 0; j <= last; ++j)
+        for (int axis = 0; axis < Dimension; ++axis)
+          q(axis, j) = weight.of_point * q(axis, j) + weight.of_control * curve(axis, j + k);
+    }
+    return q;
+  }
+};
+
+}  // namespace bezierbench
