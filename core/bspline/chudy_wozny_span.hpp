@@ -8,11 +8,11 @@
 //   from the blossom f of N_i: f(x, .) is N of degree n-1 over u_i..u_(i+n), times (u_(i+n) - x) / (u_(i+n) - u_i), for
 //   N_i and x = u_(i-1), and times (y - u_i) / (u_(i+n) - u_i) for N_(i+1) and x = y; and f(x, .) has the Bernstein
 //   coefficients ((c - x) f^k + (x - a) f^(k+1)) / (c - a).
-// Cost: about 19 n^2/2 + d (2n + 1)(n + 1) flops for the control points, of which the first part does not depend on the
-//   curve, and 3d n(n+1)/2 + 5 for a point.
-// Bound: none. (c - y) is negative: the coefficients are positive, but come as differences of larger ones, and an error
-//   in one of them reaches all that follow.
-// Fails: where (y - a) N_(i+1)^(k+1) and (c - y) N_(i+1)^k nearly cancel, as with uneven distances of knots.
+// Cost: about 11 n^2 + 2d n^2 flops for the control points, of which the first part does not depend on the curve, and
+//   3d n(n+1)/2 + 5 for a point.
+// Bound: none. (c - y) is negative: the coefficients are positive, but come as differences of larger numbers, and an
+//   error in one of them reaches all that follow.
+// Fails: where these differences cancel. Clamped and uneven knots of degree 10 or more lose many digits.
 #pragma once
 
 #include "core/bspline/basis_functions.hpp"
@@ -61,13 +61,16 @@ struct ChudyWoznySpan {
     // N_n has one coefficient, from which y drops out: any knot behind a will do.
     const Scalar& y = span.knot(i + 1 < n ? i + n + 1 : i + n);
     const Scalar v = Scalar(span.knot(i + n) - x) / Scalar(y - span.knot(i));
+    const Scalar from_x = a - x;
     const Scalar width = c - x;
+    const Scalar behind_y = c - y;
+    const Scalar to_y = y - a;
     Scalar following = row[n];  // N_(i+1)^(k+1)
     row[n] = last;
     for (int k = n - 1; k >= 0; --k) {
-      const Scalar above = v * (Scalar(c - y) * row[k] + Scalar(y - a) * following);
+      const Scalar of_right_neighbour = v * (behind_y * row[k] + to_y * following);
       following = row[k];
-      row[k] = (Scalar(a - x) * row[k + 1] + above) / width;
+      row[k] = (from_x * row[k + 1] + of_right_neighbour) / width;
     }
   }
 
