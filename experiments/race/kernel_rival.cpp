@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "experiments/race/clock.hpp"
 #include "experiments/race/page_vector.hpp"
 
 namespace bezierbench::race {
@@ -55,13 +56,21 @@ struct State {
     kernel.prepare(inputs.curve(k), prepared.data());
   }
 
+  /// Leaves the first `count` inputs.
+  void keep(std::size_t count) {
+    t.resize(count);
+    points.resize(count * static_cast<std::size_t>(inputs.dimension));
+    judged.resize(points.size());
+  }
+
   /// True where the points are the judged ones. Overwrites them, so that a batch that writes nothing fails the next
   /// check.
   bool check() {
     const bool same = std::memcmp(points.data(), judged.data(), points.size() * sizeof(Scalar)) == 0;
-    std::ranges::fill(points, spoilt);
+    spoil();
     return same;
   }
+  void spoil() { std::ranges::fill(points, spoilt); }
 
  private:
   void destroy() {
@@ -97,6 +106,35 @@ void one_shot(State<Scalar>& s) {
     s.prepare(k);
     points.evaluate(k, points.t[k]);
   }
+}
+
+constexpr std::size_t fewest_one_shots = 8;
+constexpr double longest_one_shots_seconds = 4 * shortest_turn_seconds;
+
+/// The time of one of the first inputs in mode one_shot. The least of three counts, so that a preemption does not.
+template <class Scalar>
+double one_shot_seconds(State<Scalar>& s) {
+  const PointByPoint<Scalar> points(s);
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const std::int64_t start = steady_ns();
+    for (std::size_t k = 0; k < fewest_one_shots; ++k) {
+      s.prepare(k);
+      points.evaluate(k, points.t[k]);
+    }
+    least = std::min(least, steady_ns() - start);
+  }
+  s.spoil();
+  return 1e-9 * static_cast<double>(least) / fewest_one_shots;
+}
+
+/// Where one batch would take several turns, leaves as many inputs as take one.
+template <class Scalar>
+void shorten_one_shots(State<Scalar>& s) {
+  if (s.t.size() <= fewest_one_shots) return;
+  const double seconds = one_shot_seconds(s);
+  if (seconds * static_cast<double>(s.t.size()) <= longest_one_shots_seconds) return;
+  s.keep(std::max(fewest_one_shots, static_cast<std::size_t>(shortest_turn_seconds / seconds)));
 }
 
 template <class Scalar>
@@ -212,6 +250,7 @@ Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<
     for (const auto* target : batch::usable_targets())
       if (const auto vectors = batch::find(*target, kernel)) return vector_rival(vectors, kernel, inputs, judged);
   auto state = state_of(kernel, inputs, std::move(judged));
+  if (mode == suite::Mode::one_shot) shorten_one_shots(*state);
   return rival_of<Scalar>(state, [state, run = run_of<Scalar>(mode)] { run(*state); });
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <set>
 
+#include "experiments/race/clock.hpp"
 #include "experiments/race/page_vector.hpp"
 #include "experiments/requirements/seeded_curves.hpp"
 
@@ -102,6 +103,31 @@ TYPED_TEST(KernelRival, LatencyHandsOnWhatIsNoNumber) {
   auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
   inputs.t[3] = -TypeParam(0);
   const Rival rival = kernel_rival(echo, suite::Mode::latency, inputs, judged_points(echo, suite::Mode::point, inputs));
+  rival.run();
+  EXPECT_TRUE(rival.check());
+}
+
+/// A turn of a race is 50 us; all inputs of a method that takes 20 us each would take 5 ms.
+TYPED_TEST(KernelRival, OneShotsOfASlowMethodFillATurn) {
+  Kernel<TypeParam> slow = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
+  Inputs<TypeParam> inputs{Form::bernstein, 2, 1, {}, {}, {}};
+  for (int k = 0; k < 256; ++k) {
+    inputs.curves.push_back({0, 0, TypeParam(k), 1});
+    inputs.t.push_back(TypeParam(0.5));
+  }
+  const auto judged = judged_points(slow, suite::Mode::one_shot, inputs);
+  const auto inputs_of = [&](suite::Mode mode) { return kernel_rival(slow, mode, inputs, judged).points_per_batch; };
+  EXPECT_EQ(inputs_of(suite::Mode::one_shot), 256U);
+  static const auto prepare = slow.prepare;
+  slow.prepare = [](const CurveView<TypeParam>& curve, void* prepared) {
+    for (const auto start = steady_ns(); steady_ns() - start < 20'000;) {
+    }
+    prepare(curve, prepared);
+  };
+  EXPECT_EQ(inputs_of(suite::Mode::point), 256U);
+  const Rival rival = kernel_rival(slow, suite::Mode::one_shot, inputs, judged);
+  EXPECT_EQ(rival.points_per_batch, 8U);
+  EXPECT_FALSE(rival.check()) << "what was measured is no result";
   rival.run();
   EXPECT_TRUE(rival.check());
 }
