@@ -10,6 +10,7 @@
 #include "core/basis/binomial_table.hpp"
 #include "core/basis/same_for_every_axis.hpp"
 #include "core/convert/conversion.hpp"
+#include "core/convert/neighbour_levels.hpp"
 
 namespace bezierbench {
 
@@ -38,16 +39,14 @@ struct Differences : SameForEveryAxis {
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& b) {
     const int n = b.degree();
     const BinomialRow<Scalar, computed_degree<Degree>> binomial(n);
-    Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> difference(n);
-    for (int i = 0; i <= n; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) difference(axis, i) = b(axis, i);
     Curve<Form::power, Scalar, Dimension, computed_degree<Degree>> q(n);
-    for (int j = 0; j <= n; ++j) {
-      for (int axis = 0; axis < Dimension; ++axis) q(axis, j) = binomial[j] * difference(axis, 0);
-      for (int i = 0; i < n - j; ++i)
-        for (int axis = 0; axis < Dimension; ++axis)
-          difference(axis, i) = difference(axis, i + 1) - difference(axis, i);
-    }
+    for (int i = 0; i <= n; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) q(axis, i) = b(axis, i);
+    for (int axis = 0; axis < Dimension; ++axis)  // coefficient j becomes D^j b_0
+      combine_neighbours([&](int i) -> Scalar& { return q(axis, i); }, n,
+                         [](const Scalar& here, const Scalar& before) -> Scalar { return here - before; });
+    for (int j = 0; j <= n; ++j)
+      for (int axis = 0; axis < Dimension; ++axis) q(axis, j) = binomial[j] * q(axis, j);
     return q;
   }
 };

@@ -11,6 +11,7 @@
 #include "core/basis/binomial_table.hpp"
 #include "core/basis/same_for_every_axis.hpp"
 #include "core/convert/conversion.hpp"
+#include "core/convert/neighbour_levels.hpp"
 
 namespace bezierbench {
 
@@ -42,9 +43,9 @@ struct Triangle : SameForEveryAxis {
     Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> b(n);
     for (int j = 0; j <= n; ++j)
       for (int axis = 0; axis < Dimension; ++axis) b(axis, j) = q(axis, j) / binomial[j];
-    for (int k = 1; k <= n; ++k)
-      for (int i = n; i >= k; --i)
-        for (int axis = 0; axis < Dimension; ++axis) b(axis, i) += b(axis, i - 1);
+    for (int axis = 0; axis < Dimension; ++axis)
+      combine_neighbours([&](int i) -> Scalar& { return b(axis, i); }, n,
+                         [](const Scalar& here, const Scalar& before) -> Scalar { return here + before; });
     return b;
   }
 };
