@@ -38,19 +38,13 @@ struct AllOrders {
   }();
 
   template <int Dimension>
-  struct Prepared {
-    Curve<info.form, double, Dimension> curve;
-    int order;
-  };
-
-  template <int Dimension>
-  static Prepared<Dimension> prepare(const Curve<info.form, double, Dimension>& curve, int order) {
+  static CurveAndOrder<info.form, Dimension> prepare(const Curve<info.form, double, Dimension>& curve, int order) {
     return {curve, order};
   }
 
   /// Keeps the results of all orders within the degree, as a caller of `all` does.
   template <int Dimension>
-  static Point<double, Dimension> evaluate(const Prepared<Dimension>& prepared, double t) {
+  static Point<double, Dimension> evaluate(const CurveAndOrder<info.form, Dimension>& prepared, double t) {
     const int n = prepared.curve.degree();
     const int last = std::min(prepared.order, n);
     Curve<info.form, double, Dimension> results(last);

@@ -28,4 +28,11 @@ concept AllOrdersMethod = DerivativeMethod<M> && requires(const Curve<M::info.fo
   M::all(curve, last_order, t, take);
 };
 
+/// What a method whose work is all per point has of a curve.
+template <Form F, int Dimension>
+struct CurveAndOrder {
+  Curve<F, double, Dimension> curve;
+  int order;
+};
+
 }  // namespace bezierbench

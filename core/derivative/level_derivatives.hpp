@@ -4,8 +4,6 @@
 // levels above follow by steps of the triangle.
 #pragma once
 
-#include <algorithm>
-
 #include "core/basis/falling_factorial.hpp"
 #include "core/derivative/derivative.hpp"
 
@@ -37,32 +35,45 @@ Point<Scalar, Dimension> top_difference(const Curve<Form::bernstein, Scalar, Dim
 
 }  // namespace detail
 
-/// The points of a level of the triangle, from the start; those beyond its n - level + 1 mean nothing.
-template <class Scalar, int Dimension>
-Curve<Form::bernstein, Scalar, Dimension> triangle_level(const Curve<Form::bernstein, Scalar, Dimension>& curve,
-                                                         int level, const Scalar& t) {
-  auto b = curve;
-  const Scalar s = Scalar(1) - t;
-  for (int m = 0; m < level; ++m) detail::raise(b, curve.degree() - m, s, t);
-  return b;
-}
-
-/// Calls take(k, C^(k)(t)) for every order k from `last_order` down to `first_order`. `level_of(curve, m, t)` gives the
-/// points of level m.
-template <class Scalar, int Dimension, class LevelOf, class Take>
-void level_derivatives(const Curve<Form::bernstein, Scalar, Dimension>& curve, int first_order, int last_order,
-                       const Scalar& t, LevelOf level_of, Take take) {
-  const int n = curve.degree();
-  int k = last_order;
-  for (; k >= first_order && k > n; --k) take(k, Point<Scalar, Dimension>::Constant(Scalar(0)).eval());
-  if (k < first_order) return;
-  auto b = level_of(curve, n - k, t);
-  const Scalar s = Scalar(1) - t;
-  for (; k > first_order; --k) {
-    take(k, detail::top_difference(b, n, k));
-    detail::raise(b, k, s, t);
+/// All members of a method except `info` and `bound`: `Method::level(curve, m, t)` gives the points of level m,
+/// from the start; what it has beyond those n - m + 1 means nothing.
+template <class Method>
+struct LevelDerivatives {
+  template <int Dimension>
+  static CurveAndOrder<Form::bernstein, Dimension> prepare(const Curve<Form::bernstein, double, Dimension>& curve,
+                                                           int order) {
+    return {curve, order};
   }
-  take(k, detail::top_difference(b, n, k));
-}
+
+  template <int Dimension>
+  static Point<double, Dimension> evaluate(const CurveAndOrder<Form::bernstein, Dimension>& prepared, double t) {
+    Point<double, Dimension> result;
+    run(prepared.curve, prepared.order, prepared.order, t, [&](int, const auto& derivative) { result = derivative; });
+    return result;
+  }
+
+  template <class Scalar, int Dimension, class Take>
+  static void all(const Curve<Form::bernstein, Scalar, Dimension>& curve, int last_order, const Scalar& t, Take take) {
+    run(curve, 0, last_order, t, take);
+  }
+
+ private:
+  /// Calls take(k, C^(k)(t)) for every order k from `last_order` down to `first_order`.
+  template <class Scalar, int Dimension, class Take>
+  static void run(const Curve<Form::bernstein, Scalar, Dimension>& curve, int first_order, int last_order,
+                  const Scalar& t, Take take) {
+    const int n = curve.degree();
+    int k = last_order;
+    for (; k >= first_order && k > n; --k) take(k, Point<Scalar, Dimension>::Constant(Scalar(0)).eval());
+    if (k < first_order) return;
+    auto b = Method::level(curve, n - k, t);
+    const Scalar s = Scalar(1) - t;
+    for (; k > first_order; --k) {
+      take(k, detail::top_difference(b, n, k));
+      detail::raise(b, k, s, t);
+    }
+    take(k, detail::top_difference(b, n, k));
+  }
+};
 
 }  // namespace bezierbench

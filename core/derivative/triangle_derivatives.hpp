@@ -19,7 +19,7 @@
 
 namespace bezierbench {
 
-struct TriangleDerivatives {
+struct TriangleDerivatives : LevelDerivatives<TriangleDerivatives> {
   static constexpr DerivativeBound bound{
       .text = "gamma_(3(n-k)+2k) A",
       .differences = [](int n, int k,
@@ -41,28 +41,13 @@ struct TriangleDerivatives {
                                    .citation = "[Farin 2002], derivatives from the triangle"};
   static constexpr std::string_view flops_of_all = "3d n(n+1)/2 + d k(k+1)(k+2)/6 + d(k+1) + 2";
 
-  template <int Dimension>
-  struct Prepared {
-    Curve<Form::bernstein, double, Dimension> curve;
-    int order;
-  };
-
-  template <int Dimension>
-  static Prepared<Dimension> prepare(const Curve<Form::bernstein, double, Dimension>& curve, int order) {
-    return {curve, order};
-  }
-
-  template <int Dimension>
-  static Point<double, Dimension> evaluate(const Prepared<Dimension>& prepared, double t) {
-    Point<double, Dimension> result;
-    level_derivatives(prepared.curve, prepared.order, prepared.order, t, triangle_level<double, Dimension>,
-                      [&](int, const auto& derivative) { result = derivative; });
-    return result;
-  }
-
-  template <class Scalar, int Dimension, class Take>
-  static void all(const Curve<Form::bernstein, Scalar, Dimension>& curve, int last_order, const Scalar& t, Take take) {
-    level_derivatives(curve, 0, last_order, t, triangle_level<Scalar, Dimension>, take);
+  template <class Scalar, int Dimension>
+  static Curve<Form::bernstein, Scalar, Dimension> level(const Curve<Form::bernstein, Scalar, Dimension>& curve, int m,
+                                                         const Scalar& t) {
+    auto b = curve;
+    const Scalar s = Scalar(1) - t;
+    for (int k = 0; k < m; ++k) detail::raise(b, curve.degree() - k, s, t);
+    return b;
   }
 };
 
