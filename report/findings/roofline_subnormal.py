@@ -27,7 +27,8 @@ def find(bundle):
         headline=f"With t anywhere in [0, 1], {where} takes {general(times)} times as long as with t in the middle." if times >= LEAST
         else f"With t anywhere in [0, 1], {where} takes about as long as with t in the middle.",
         detail=(f"{general(whole['median_ns'])} ns per point for t drawn from [0, 1], {general(middle['median_ns'])} ns from "
-                f"[{middle.number('t_min'):g}, {middle.number('t_max'):g}], with the same instructions: powers of t near 0, and of "
-                "1 - t near 1, are subnormal numbers in float at such degrees, and one of them stops a whole vector. "
-                "de Casteljau's algorithm forms no powers.",),
+                f"[{middle.number('t_min'):g}, {middle.number('t_max'):g}], with the same instructions. Powers of t near 0, and of "
+                "1 - t near 1, are subnormal numbers in float at such degrees, "
+                + ("and a processor that is slow with these waits with a whole vector for one of them. de Casteljau's algorithm forms "
+                   "no powers." if times >= LEAST else f"which cost less than a factor of {LEAST} here."),),
         rows=slowest)
