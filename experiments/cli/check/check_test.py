@@ -137,6 +137,9 @@ class Check(Case):
         lines = self.check(FINE, "c2_natural", "--against", PROGRAM, "--pairs", "1")
         self.assertIn("  accuracy  the same bits in 1 of 1 rows", lines)
         self.assertIn("  times     0 slower, 0 faster, 0 same, 1 unresolved of 1; now over before, 1 pairs of runs", lines)
+        lines = self.check(FINE, "horner", "--against", PROGRAM, "--pairs", "1")
+        self.assertEqual(lines[-1].strip(), "and 3 more; see --all")  # of 4 races that are not resolved
+        self.assertLessEqual(len(lines), 10)
 
     def test_a_program_with_other_errors(self):
         lines = self.check(FINDING, "horner", "--against", self.program(change=DOUBLED), "--pairs", "0", "--out", "kept")

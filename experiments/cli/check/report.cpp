@@ -35,10 +35,9 @@ std::string line(std::string_view label, const std::string& text) {
   return wrapped(padded(label, indent), text, indent);
 }
 
-std::string more(std::size_t count, bool all) {
-  const auto left = count - shown_of(count, all);
-  return left > 0 ? line("", fmt::format("and {} more; see --all", left)) : "";
-}
+std::string more(std::size_t left) { return left > 0 ? line("", fmt::format("and {} more; see --all", left)) : ""; }
+
+std::string more(std::size_t count, bool all) { return more(count - shown_of(count, all)); }
 
 std::string properties_text(const CheckedProperties& properties) {
   if (properties.count == 0) return line("properties", "of evaluators only; the tests of this method have others");
@@ -92,7 +91,12 @@ std::string time_line(const PairedTime& time) {
                               time.after.median, row_words(time.inputs), time.right ? "" : ", wrong results"));
 }
 
-/// The times that are not certainly the same, or all, the slowest first.
+/// Whether a time is a finding by itself.
+bool is_decided(const PairedTime& time) {
+  return !time.right || time.verdict == Verdict::slower || time.verdict == Verdict::faster;
+}
+
+/// The times that are not certainly the same, or all, the slowest first; where none is decided, the first alone.
 std::string times_text(const Comparison& against, bool all) {
   if (against.pairs == 0) return against.not_timed.empty() ? "" : line("  times", "none: " + against.not_timed);
   std::string text = line(
@@ -103,8 +107,10 @@ std::string times_text(const Comparison& against, bool all) {
   auto times = against.times;
   std::erase_if(times, [&](const PairedTime& time) { return !all && time.right && time.verdict == Verdict::same; });
   std::ranges::stable_sort(times, std::greater(), [](const PairedTime& time) { return time.ratio.median; });
-  for (std::size_t k = 0; k < shown_of(times.size(), all); ++k) text += time_line(times[k]);
-  return text + more(times.size(), all);
+  const std::size_t most = std::ranges::any_of(times, is_decided) ? most_shown : 1;
+  const std::size_t shown = all ? times.size() : std::min(times.size(), most);
+  for (std::size_t k = 0; k < shown; ++k) text += time_line(times[k]);
+  return text + more(times.size() - shown);
 }
 
 std::string against_text(const Comparison& against, bool all) {
