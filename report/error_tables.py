@@ -23,6 +23,15 @@ def swept(rows):
     return across, down
 
 
+def swept_with(case, rows):
+    """The same where an axis of cases, such as the order of a derivative, sets rows apart as well: it runs across where it has more
+    values than the degree has and no other axis runs there, and down otherwise."""
+    across = swept(rows)[0]
+    if across == "degree" and len({r[case] for r in rows}) > len({r["degree"] for r in rows}):
+        return case, "degree"
+    return across, case
+
+
 def error_tables(study, rows, across="degree", down="generator", curves=None):
     """Two tables for each cell of the remaining axes, then what became of the bounds. `curves`: what the
     curves are, in English and Chinese, where that is not their form."""

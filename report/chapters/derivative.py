@@ -2,26 +2,17 @@
 """Derivatives of any order: by differences, from the triangle, in power form, and as the source document prints them."""
 
 from ..document import Text
-from ..error_tables import error_tables, swept
+from ..error_tables import error_tables, swept_with
 from .suite_parts import of_studies, with_times
 
 TITLE = "Derivatives"
 SUITE = KIND = "derivative"
 
 
-def _axes(rows):
-    """(axis across, kind of inputs down): orders run across unless an interval or the degrees do."""
-    across = swept(rows)[0]
-    orders = {r["order"] for r in rows}
-    if across == "degree" and len(orders) > len({r["degree"] for r in rows}):
-        return "order", "degree"
-    return across, "order"
-
-
 def study_tables(bundle, study):
     """Mean and largest error, with orders across unless an interval or the degrees run there."""
     rows = bundle["derivative.csv"].some(study=study)
-    yield from error_tables(study, rows, *_axes(rows))
+    yield from error_tables(study, rows, *swept_with("order", rows))
 
 
 @with_times("derivative")

@@ -2,25 +2,17 @@
 """Points on uniform grids: forward differencing, whose error grows with the number of points, against one point at a time."""
 
 from ..document import Text
-from ..error_tables import error_tables, swept
+from ..error_tables import error_tables, swept_with
 from .suite_parts import of_studies, with_times
 
 TITLE = "Points on a grid"
 SUITE = KIND = "grid"
 
 
-def _axes(rows):
-    """(axis across, kind of inputs down): numbers of points run across where there are more of them than degrees."""
-    across = swept(rows)[0]
-    if len({r["points"] for r in rows}) > len({r["degree"] for r in rows}):
-        return "points", "degree"
-    return across, "points"
-
-
 def study_tables(bundle, study):
-    """Mean and largest error."""
+    """Mean and largest error, with numbers of points across where there are more of them than degrees."""
     rows = bundle["grid.csv"].some(study=study)
-    yield from error_tables(study, rows, *_axes(rows))
+    yield from error_tables(study, rows, *swept_with("points", rows))
 
 
 @with_times("grid")
