@@ -89,7 +89,8 @@ double length(const Point<double, Dimension>& v) {
 /// The largest magnitude of a coordinate.
 template <int Dimension, int Points>
 double largest_coordinate(const Polygon<Dimension, Points>& b) {
-  return largest_magnitude < Points == dynamic ? dynamic : Dimension * Points > (b.data(), static_cast<int>(b.size()));
+  constexpr int coordinates = Points == dynamic ? dynamic : Dimension * Points;
+  return largest_magnitude<coordinates>(b.data(), static_cast<int>(b.size()));
 }
 
 /// The point at t by de Casteljau; the zero vector for no points.
