@@ -18,7 +18,7 @@ def draw(bundle):
     for degree in sorted({r["degree"] for r in rows}):
         lines = series([r for r in rows if r["degree"] == degree], lambda r: r["points"], "max_error_u")
         if lines:
-            parts.append((f"degree {degree}", lines))
+            parts.append((f"degree {degree:g}", lines))
     if not parts:
         raise Missing("`grid.csv` has no row that a figure can show")
     canvas, lowest, words = stacked(parts, lambda ax, lines: ax.set_xscale("log"), "largest error / (u p~)", "on the finest grid",
