@@ -184,7 +184,9 @@ void add_error(double error, std::int64_t replicate, ChainErrors& errors) {
 
 metric::Rows<ChainErrors> ConversionJob::work(std::size_t block) const {
   const auto trials = blocks_[block % blocks_per_part()];
-  const auto& [cell, chains] = parts_[part_of(block)];
+  const Part& part = parts_[part_of(block)];
+  const auto& cell = part.cell;  // no structured binding: Clang 14 captures none
+  const auto& chains = part.chains;
   metric::Rows<ChainErrors> tally{std::vector<ChainErrors>(chains.size())};
   const sample::Sampler sampler(seed_, study_.id, cell);
   sample::Trial trial;
