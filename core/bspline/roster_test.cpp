@@ -19,7 +19,7 @@ namespace {
 constexpr double u = 0x1p-53;
 
 std::vector<double> solve(const BsplineKernel& kernel, const BsplineSpanView& span, double t) {
-  std::vector<double> all(static_cast<std::size_t>(points_of(kernel, span.degree) * span.dimension));
+  std::vector<double> all(static_cast<std::size_t>(points_solved(kernel, span.degree) * span.dimension));
   kernel.solve(span, t, all.data());
   return all;
 }

@@ -109,7 +109,7 @@ double largest_of(const BsplineSpanView& span, int axis) {
 void add_rows(const BsplineKernel& method, const BsplineTarget& target, bundle::CsvTable& table) {
   const int d = target.span.dimension;
   const int n = target.span.degree;
-  std::vector<double> values(static_cast<std::size_t>(points_of(method, n) * d));
+  std::vector<double> values(static_cast<std::size_t>(points_solved(method, n) * d));
   method.solve(target.span, target.t, values.data());
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::size_t place = k / static_cast<std::size_t>(d);

@@ -96,7 +96,7 @@ class BsplineProblem {
 
   void draw(std::uint64_t number, Drawn& drawn) const;
   static void ask(const Kernel& method, const Drawn& drawn, double /*tolerance*/, Answer& answer) {
-    answer.resize(static_cast<std::size_t>(points_of(method, drawn.span.degree) * drawn.span.dimension));
+    answer.resize(static_cast<std::size_t>(points_solved(method, drawn.span.degree) * drawn.span.dimension));
     method.solve(drawn.span, drawn.t, answer.data());
   }
   static std::array<std::span<double>, 1> numbers(Answer& answer) { return {answer}; }
