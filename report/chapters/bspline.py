@@ -6,7 +6,7 @@ from ..document import Cell, Heading, Text
 from ..error_tables import error_tables, swept
 from ..tables import by_axis
 from ..wording import general
-from .suite_parts import of_studies, with_times
+from .suite_parts import of_studies, study_figure, with_times
 
 TITLE = "B-spline curves"
 SUITE = KIND = "bspline"
