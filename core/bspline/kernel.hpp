@@ -22,7 +22,9 @@ struct BsplineKernel {
 };
 
 /// The number of points that `solve` writes.
-inline int points_solved(const BsplineKernel& kernel, int degree) { return 1 + (kernel.makes_bernstein ? degree + 1 : 0); }
+inline int points_solved(const BsplineKernel& kernel, int degree) {
+  return 1 + (kernel.makes_bernstein ? degree + 1 : 0);
+}
 
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const BsplineKernel> bspline_kernels(int dimension);
