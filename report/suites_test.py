@@ -8,7 +8,7 @@ from pathlib import Path
 
 from . import fixture
 from .bundle import Bundle, BundleError, Missing
-from .chapters import (arc_length, conditioning, conversion, derivative, fitting, interpolation, inverse_arc_length, ladder, peers,
+from .chapters import (arc_length, bspline, conditioning, conversion, derivative, fitting, grid, interpolation, inverse_arc_length, ladder, peers,
                        projection, rational, regimes, subdivision, worst)
 from .chapters.roster import build_all
 from .error_tables import swept
@@ -18,7 +18,8 @@ from .search_tables import search_tables
 
 CHAPTERS = {"ladder": ladder, "regimes": regimes, "conditioning": conditioning, "conversion": conversion, "worst": worst,
             "rational": rational, "peers": peers, "derivative": derivative, "arc_length": arc_length,
-            "inverse_arc_length": inverse_arc_length, "projection": projection, "interpolation": interpolation, "fitting": fitting}
+            "inverse_arc_length": inverse_arc_length, "projection": projection, "interpolation": interpolation, "fitting": fitting,
+            "subdivision": subdivision, "grid": grid, "bspline": bspline}
 
 
 def _only(*suites):
@@ -73,6 +74,11 @@ class Suites(unittest.TestCase):
                 self.assertEqual(kinds[0], "finding")
                 self.assertLess(kinds.index("figure"), kinds.index("table"))
                 self.assertEqual(kinds[-1], "text")
+
+    def test_errors_of_evaluators_on_knot_spans(self):
+        blocks = self.blocks("bspline", self.bundle())
+        at = next(k for k, block in enumerate(blocks) if block.kind == "heading" and block.text == "Evaluators on knot spans")
+        self.assertIn("bspline-evaluators", [block.id.rsplit("-", 1)[0] for block in blocks[at:] if block.kind == "table"])
 
     def test_old_bundles_without_the_new_columns_stay_readable(self):
         fixture.write(self.place / "b")

@@ -12,7 +12,7 @@ NAMES = """cells_inside bounds_hold yardstick_ranking common_rounding forward_su
            rational_weights projection_isolate projection_printed choosing roofline roofline_subnormal peers_accuracy peers_cache
            derivative_as_printed derivative_distant derivative_bounds arc_length_promise arc_length_cost
            inverse_arc_length_brackets inverse_arc_length_unguarded inverse_arc_length_spacing
-           fitting_promise fitting_source subdivision_halves subdivision_best bspline_recurrence interpolation_residuals interpolation_time
+           fitting_promise fitting_source subdivision_halves subdivision_best grid_growth bspline_recurrence interpolation_residuals interpolation_time
            fitting_time derivative_time
            arc_length_time arc_length_time_fastest inverse_arc_length_time projection_time projection_time_fastest""".split()
 ROSTER = tuple(import_module(f".{name}", __package__) for name in NAMES)
