@@ -4,14 +4,15 @@
 //   i = n-1..1, with x = u_(i-1), y = u_(i+n+1), v = (u_(i+n) - x) / (y - u_i), k = n-1..0,
 //     N_i^k = ((a - x) N_i^(k+1) + v ((c - y) N_(i+1)^k + (y - a) N_(i+1)^(k+1))) / (c - x).
 //   Points by the triangle over b_k (point_of_span.hpp).
-// Source: [Chudy and Wozny 2024], the recurrence over one knot span, whose direction and starts are these. It follows
-//   from the blossom f of N_i: f(x, .) is N of degree n-1 over u_i..u_(i+n), times (u_(i+n) - x) / (u_(i+n) - u_i), for
-//   N_i and x = u_(i-1), and times (y - u_i) / (u_(i+n) - u_i) for N_(i+1) and x = y; and f(x, .) has the Bernstein
-//   coefficients ((c - x) f^k + (x - a) f^(k+1)) / (c - a).
+// Source: [Chudy and Wozny 2024] has the recurrence over one knot span, its order i = n..0, k = n..0 and its first
+//   values N_n^n, N_i^n and N_0^0. Derived here from blossoms: let M be the basis function of degree n-1 over the knots
+//   u_i..u_(i+n). The blossom f of N_i, with one argument x = u_(i-1), is (u_(i+n) - x) / (u_(i+n) - u_i) M; that of
+//   N_(i+1), with one argument y, is (y - u_i) / (u_(i+n) - u_i) M. A blossom with one argument x has the Bernstein
+//   coefficients ((c - x) f^k + (x - a) f^(k+1)) / (c - a). Both expressions for those of M give the recurrence.
 // Cost: about 11 n^2 + 2d n^2 flops for the control points, of which the first part does not depend on the curve, and
 //   3d n(n+1)/2 + 5 for a point.
 // Bound: none. (c - y) is negative: the coefficients are positive, but come as differences of larger numbers, and an
-//   error in one of them reaches all that follow.
+//   error in one of them goes into all later ones.
 // Fails: where these differences cancel. Clamped and uneven knots of degree 10 or more lose many digits.
 #pragma once
 

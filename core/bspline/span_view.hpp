@@ -6,7 +6,8 @@
 
 namespace bezierbench {
 
-/// A curve of degree m >= 1 in one knot span, as core/bspline/bspline.hpp describes it. Nothing is owned.
+/// A curve of degree m >= 1 in one knot span, as core/bspline/bspline.hpp describes it. Knots and control points
+/// stay in the caller's memory.
 struct BsplineSpanView {
   int dimension = 2;
   int degree = 1;

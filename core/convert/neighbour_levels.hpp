@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The levels of a triangle of sums or differences of neighbours, in place.
+// A triangle of sums or differences of neighbours, in place: level k replaces a_i by the sum or difference of a_i and
+// a_(i-1), for i = n, ..., k.
 #pragma once
 
 #include <array>
@@ -10,8 +11,8 @@ namespace bezierbench {
 
 namespace detail {
 
-/// Levels k to k + Levels - 1 in one pass: what a level leaves at i - 1 waits in `before`, so that every coefficient is
-/// read and written once.
+/// Levels k to k + Levels - 1 in one pass over the coefficients, each of which is read and written once. before[l] holds
+/// the value of coefficient i - 1 before level k + l.
 template <std::size_t Levels, class At, class Combine>
 void levels_at_once(const At& at, int k, int n, const Combine& combine) {
   using Scalar = std::remove_cvref_t<decltype(at(0))>;

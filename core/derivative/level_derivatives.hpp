@@ -35,8 +35,8 @@ Point<Scalar, Dimension> top_difference(const Curve<Form::bernstein, Scalar, Dim
 
 }  // namespace detail
 
-/// All members of a method except `info` and `bound`: `Method::level(curve, m, t)` gives the points of level m,
-/// from the start; what it has beyond those n - m + 1 means nothing.
+/// All members of a method except `info` and `bound`: `Method::level(curve, m, t)` returns a curve whose first
+/// n - m + 1 control points are those of level m of the triangle; the others are not used.
 template <class Method>
 struct LevelDerivatives {
   template <int Dimension>

@@ -26,8 +26,8 @@ int degree_of(const Polygon<Dimension, Points>& b) {
   return static_cast<int>(b.cols()) - 1;
 }
 
-/// All coordinates of point i, side by side in a vector: one number for the compiler, which else gathers coordinates of
-/// several points in a vector that is written in parts.
+/// All coordinates of point i in one vector. Without it the compiler builds vectors of coordinates of several points,
+/// element by element.
 template <int Dimension, int Points>
 Axes<double, Dimension> column(const Polygon<Dimension, Points>& b, Eigen::Index i) {
   return Axes<double, Dimension>::load(b.data() + Dimension * i);

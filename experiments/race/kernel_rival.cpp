@@ -56,7 +56,7 @@ struct State {
     kernel.prepare(inputs.curve(k), prepared.data());
   }
 
-  /// Leaves the first `count` inputs.
+  /// Drops all inputs but the first `count`.
   void keep(std::size_t count) {
     t.resize(count);
     points.resize(count * static_cast<std::size_t>(inputs.dimension));
