@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/arc_length/part.hpp"
-#include "core/arc_length/power_of_two.hpp"
 #include "core/arc_length/roster.hpp"
 #include "core/arc_length/scale.hpp"
+#include "core/basis/binary_exponent.hpp"
 #include "core/evaluate/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 

@@ -22,7 +22,7 @@
 #include <cstddef>
 
 #include "core/arc_length/chebyshev_series.hpp"
-#include "core/arc_length/power_of_two.hpp"
+#include "core/basis/binary_exponent.hpp"
 #include "core/basis/integer_power.hpp"
 
 namespace bezierbench {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/arc_length/power_of_two.hpp"
+#include "core/basis/binary_exponent.hpp"
 #include "core/curve.hpp"
 #include "core/derivative/hodograph.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Products with powers of two and binary exponents, by the bits of a double where that gives what the functions of libm
-// give: these are called out of line.
+// Products with powers of two and binary exponents. The results are those of std::ldexp and std::frexp, which are calls
+// of libm; here they come from the bits of a double wherever these suffice.
 #pragma once
 
 #include <bit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The functions of libm have the same bits.
-#include "core/arc_length/power_of_two.hpp"
+#include "core/basis/binary_exponent.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::vector<double> numbers() {
   return all;
 }
 
-TEST(PowerOfTwo, TimesItIsLdexp) {
+TEST(BinaryExponent, TimesItIsLdexp) {
   for (const double value : numbers())
     for (int e = -2200; e <= 2200; ++e) {
       const auto bits = std::bit_cast<std::uint64_t>(times_power_of_two(value, e));
@@ -36,7 +36,7 @@ TEST(PowerOfTwo, TimesItIsLdexp) {
   EXPECT_EQ(times_power_of_two(0, 5), 0);
 }
 
-TEST(PowerOfTwo, ExponentIsThatOfFrexp) {
+TEST(BinaryExponent, ExponentIsThatOfFrexp) {
   for (const double value : numbers()) {
     int exponent = 0;
     std::frexp(value, &exponent);

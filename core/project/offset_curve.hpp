@@ -7,7 +7,7 @@
 // the coordinates, also next to the curve, where C and P agree in all digits.
 #pragma once
 
-#include "core/arc_length/power_of_two.hpp"
+#include "core/basis/binary_exponent.hpp"
 #include "core/evaluate/compensated_triangle.hpp"
 #include "core/project/polygon.hpp"
 
