@@ -23,13 +23,11 @@
 namespace bezierbench::judge {
 namespace {
 
-using Infos = std::span<const MethodInfo* const> (*)();
-
 /// One entry for each problem's roster, and one for the methods of other libraries.
-constexpr std::array<Infos, 10> rosters{derivative_infos,    arc_length_infos,    inverse_arc_length_infos,
-                                        projection_infos,    interpolation_infos, fitting_infos,
-                                        split_infos,         grid_infos,          bspline_infos,
-                                        companion_peer_infos};
+constexpr std::array rosters{derivative_infos,    arc_length_infos,    inverse_arc_length_infos,
+                             projection_infos,    interpolation_infos, fitting_infos,
+                             split_infos,         grid_infos,          bspline_infos,
+                             companion_peer_infos};
 
 }  // namespace
 

@@ -65,24 +65,23 @@ class BsplineProblem {
   };
 
   static constexpr std::array case_columns{judge::case_column::knots};
-  static constexpr std::array columns{
-      TrialColumn<Row>{"mean_error", column::statistic<tables::mean, &Errors::error>},
-      TrialColumn<Row>{"p50_error", column::statistic<tables::median, &Errors::error>},
-      TrialColumn<Row>{"p99_error", column::statistic<tables::p99, &Errors::error>},
-      TrialColumn<Row>{"max_error", column::statistic<tables::largest, &Errors::error>},
-      TrialColumn<Row>{"mean_error_u", column::statistic<tables::mean, &Errors::error_u>},
-      TrialColumn<Row>{"max_error_u", column::statistic<tables::largest, &Errors::error_u>},
-      TrialColumn<Row>{"bound_u", column::where_bounded<&Errors::bound_u>},
-      TrialColumn<Row>{"mean_control_error_u", column::statistic<tables::mean, &Errors::control_error_u>},
-      TrialColumn<Row>{"max_control_error_u", column::statistic<tables::largest, &Errors::control_error_u>},
-      TrialColumn<Row>{"control_bound_u",
-                       [](const Row& row) {
-                         const bool proved = row.errors.bounded > 0 && row.method.makes_bernstein;
-                         return proved ? tables::field(row.errors.control_bound_u) : std::string();
-                       }},
-      TrialColumn<Row>{"bound_violations", column::where_bounded<&Errors::violations>},
-      TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
-  };
+  static constexpr auto
+      columns =
+          joined(
+              error_columns<Row>,
+              std::array{
+                  TrialColumn<Row>{"bound_u", column::where_bounded<&Errors::bound_u>},
+                  TrialColumn<Row>{"mean_control_error_u", column::statistic<tables::mean, &Errors::control_error_u>},
+                  TrialColumn<Row>{"max_control_error_u", column::statistic<tables::largest, &Errors::control_error_u>},
+                  TrialColumn<Row>{
+                      "control_bound_u",
+                      [](const Row& row) {
+                        const bool proved = row.errors.bounded > 0 && row.method.makes_bernstein;
+                        return proved ? tables::field(row.errors.control_bound_u) : std::string();
+                      }},
+                  TrialColumn<Row>{"bound_violations", column::where_bounded<&Errors::violations>},
+                  TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
+              });
   static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::violations>}};
 
   static std::span<const Kernel> kernels(int dimension) { return bspline_kernels(dimension); }
