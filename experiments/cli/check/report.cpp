@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 
+#include "experiments/cli/check/sections.hpp"
 #include "experiments/cli/commands/row_words.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
@@ -18,9 +19,7 @@ namespace {
 
 using metric::Verdict;
 
-constexpr std::size_t most_shown = 3;  // of changes of one sort, unless all are asked for
-
-std::size_t shown_of(std::size_t count, bool all) { return all ? count : std::min(count, most_shown); }
+constexpr std::size_t most_lines = 10;
 
 std::size_t count_of(const Comparison& against, Verdict verdict) {
   return static_cast<std::size_t>(std::ranges::count(against.times, verdict, &PairedTime::verdict));
@@ -30,65 +29,67 @@ std::size_t count_wrong(const Comparison& against) {
   return static_cast<std::size_t>(std::ranges::count(against.times, false, &PairedTime::right));
 }
 
-std::string line(std::string_view label, const std::string& text) {
-  constexpr std::size_t indent = 12;
-  return wrapped(padded(label, indent), text, indent);
-}
-
-std::string more(std::size_t left) { return left > 0 ? line("", fmt::format("and {} more; see --all", left)) : ""; }
-
-std::string more(std::size_t count, bool all) { return more(count - shown_of(count, all)); }
-
-std::string properties_text(const CheckedProperties& properties) {
-  if (properties.count == 0) return line("properties", "of evaluators only; the tests of this method have others");
-  std::string text =
-      line("properties", fmt::format("{} of {} hold, in {} cases", properties.count - properties.lost.size(),
-                                     properties.count, properties.cases));
+Section properties_section(const CheckedProperties& properties) {
+  if (properties.count == 0)
+    return {.label = "properties", .head = "of evaluators only; the tests of this method have others", .details = {}};
+  Section section{.label = "properties",
+                  .head = fmt::format("{} of {} hold, in {} cases", properties.count - properties.lost.size(),
+                                      properties.count, properties.cases),
+                  .details = {},
+                  .is_finding = !properties.lost.empty()};
   for (const auto& lost : properties.lost)
-    text += line("", fmt::format("{}: {}; broken in {} of {} cases, first at {}", lost.name, lost.statement,
-                                 lost.broken, lost.cases, lost.first));
-  return text;
+    section.details.push_back(fmt::format("{}: {}; broken in {} of {} cases, first at {}", lost.name, lost.statement,
+                                          lost.broken, lost.cases, lost.first));
+  return section;
 }
 
-std::string accuracy_text(const JudgedCells& cells, const std::string& judged_in) {
-  std::string text =
+Section accuracy_section(const JudgedCells& cells, const std::string& judged_in) {
+  std::string head =
       fmt::format("{} rows of {}, {} trials", cells.cells, printable(judged_in), number::decimal(cells.trials));
   if (cells.worst)
-    text += fmt::format("; largest error {:.4g} {}", *cells.worst, cells.in_u ? "u p~" : "coordinate units");
-  if (cells.non_finite > 0) text += fmt::format("; {} not finite", number::decimal(cells.non_finite));
-  text = line("accuracy", text);
-  return cells.worst ? text + line("", "at " + cells.where) : text;
+    head += fmt::format("; largest error {:.4g} {} at {}", *cells.worst, cells.in_u ? "u p~" : "coordinate units",
+                        cells.where);
+  if (cells.non_finite > 0) head += fmt::format("; {} not finite", number::decimal(cells.non_finite));
+  return {.label = "accuracy", .head = head, .details = {}};
 }
 
-std::string bound_text(const JudgedCells& cells, std::uint64_t violations) {
+std::string bound_words(const JudgedCells& cells, std::uint64_t violations) {
   constexpr double percent = 100;
-  if (cells.violations > 0)
-    return line("bound", fmt::format("violated in {} trials", number::decimal(cells.violations)));
-  if (violations > 0) return line("bound", fmt::format("violated {} times", violations));
-  if (!cells.bound_used) return line("bound", "none is stated in units of u p~");
-  return line("bound",
-              fmt::format("kept in every trial; the largest error is {:.2g} % of it", percent * *cells.bound_used));
+  if (cells.violations > 0) return fmt::format("violated in {} trials", number::decimal(cells.violations));
+  if (violations > 0) return fmt::format("violated {} times", violations);
+  if (!cells.bound_used) return "none is stated in units of u p~";
+  return fmt::format("kept in every trial; the largest error is {:.2g} % of it", percent * *cells.bound_used);
 }
 
-std::string same_accuracy_text(const Comparison& against, bool all) {
-  if (against.rows == 0 && against.other.empty()) return line("  accuracy", "no rows to compare");
-  std::string text = line(
-      "  accuracy", fmt::format("the same bits in {} of {} rows", against.rows - against.changed.size(), against.rows));
-  for (std::size_t k = 0; k < shown_of(against.changed.size(), all); ++k) {
-    const auto& row = against.changed[k];
-    text += line("", fmt::format("{} {} -> {}", row.column, printable(row.before), printable(row.after)));
-    text += line("", "  at " + row.where);
-  }
-  text += more(against.changed.size(), all);
-  for (std::size_t k = 0; k < shown_of(against.other.size(), all); ++k)
-    text += line("", fmt::format("other rows: {}", printable(against.other[k].words())));
-  return text + more(against.other.size(), all);
+/// What differs between the two sides and is no result.
+Section against_section(const Comparison& against) {
+  Section section{.label = "against", .head = printable(against.name), .details = {}};
+  for (const auto& build : against.builds)
+    section.details.push_back(
+        fmt::format("{} differs: {} before, {} now", build.name, printable(build.a), printable(build.b)));
+  return section;
 }
 
-std::string time_line(const PairedTime& time) {
-  return line("", fmt::format("{:.3f} [{:.3f}, {:.3f}] {:<10}  {:.4g} -> {:.4g} ns  {}{}", time.ratio.median,
-                              time.ratio.low, time.ratio.high, metric::name(time.verdict), time.before.median,
-                              time.after.median, row_words(time.inputs), time.right ? "" : ", wrong results"));
+Section same_accuracy_section(const Comparison& against) {
+  if (against.rows == 0 && against.other.empty())
+    return {.label = "  accuracy", .head = "no rows to compare", .details = {}};
+  Section section{
+      .label = "  accuracy",
+      .head = fmt::format("the same bits in {} of {} rows", against.rows - against.changed.size(), against.rows),
+      .details = {},
+      .is_finding = !against.changed.empty() || !against.other.empty()};
+  for (const auto& row : against.changed)
+    section.details.push_back(
+        fmt::format("{} {} -> {} at {}", row.column, printable(row.before), printable(row.after), row.where));
+  for (const auto& rows : against.other)
+    section.details.push_back(fmt::format("other rows: {}", printable(rows.words())));
+  return section;
+}
+
+std::string time_words(const PairedTime& time) {
+  return fmt::format("{:.3f} [{:.3f}, {:.3f}] {:<10}  {:.4g} -> {:.4g} ns  {}{}", time.ratio.median, time.ratio.low,
+                     time.ratio.high, metric::name(time.verdict), time.before.median, time.after.median,
+                     row_words(time.inputs), time.right ? "" : ", wrong results");
 }
 
 /// Whether a time is a finding by itself.
@@ -96,28 +97,31 @@ bool is_decided(const PairedTime& time) {
   return !time.right || time.verdict == Verdict::slower || time.verdict == Verdict::faster;
 }
 
-/// The times that are not certainly the same, or all, the slowest first; where none is decided, the first alone.
-std::string times_text(const Comparison& against, bool all) {
-  if (against.pairs == 0) return against.not_timed.empty() ? "" : line("  times", "none: " + against.not_timed);
-  std::string text = line(
-      "  times", fmt::format("{} slower, {} faster, {} same, {} unresolved of {}; now over before, {} pairs of runs",
-                             count_of(against, Verdict::slower), count_of(against, Verdict::faster),
-                             count_of(against, Verdict::same), count_of(against, Verdict::unresolved),
-                             against.times.size(), against.pairs));
+/// The times that are not certainly the same, or all, the slowest first; where none is decided, one is worth a line.
+Section times_section(const Comparison& against, bool all) {
+  Section section{
+      .label = "  times",
+      .head = fmt::format("{} slower, {} faster, {} same, {} unresolved of {}; now over before, {} pairs of runs",
+                          count_of(against, Verdict::slower), count_of(against, Verdict::faster),
+                          count_of(against, Verdict::same), count_of(against, Verdict::unresolved),
+                          against.times.size(), against.pairs),
+      .details = {},
+      .is_finding = count_of(against, Verdict::slower) > 0 || count_wrong(against) > 0};
   auto times = against.times;
   std::erase_if(times, [&](const PairedTime& time) { return !all && time.right && time.verdict == Verdict::same; });
   std::ranges::stable_sort(times, std::greater(), [](const PairedTime& time) { return time.ratio.median; });
-  const std::size_t most = std::ranges::any_of(times, is_decided) ? most_shown : 1;
-  const std::size_t shown = all ? times.size() : std::min(times.size(), most);
-  for (std::size_t k = 0; k < shown; ++k) text += time_line(times[k]);
-  return text + more(times.size() - shown);
+  if (std::ranges::none_of(times, is_decided)) section.most = 1;
+  for (const auto& time : times) section.details.push_back(time_words(time));
+  return section;
 }
 
-std::string against_text(const Comparison& against, bool all) {
-  std::string text = line("against", printable(against.name));
-  for (const auto& build : against.builds)
-    text += line("", fmt::format("{} differs: {} before, {} now", build.name, printable(build.a), printable(build.b)));
-  return text + same_accuracy_text(against, all) + times_text(against, all);
+void add_comparison(const Comparison& against, bool all, std::vector<Section>& sections) {
+  sections.push_back(against_section(against));
+  sections.push_back(same_accuracy_section(against));
+  if (against.pairs > 0)
+    sections.push_back(times_section(against, all));
+  else if (!against.not_timed.empty())
+    sections.push_back({.label = "  times", .head = "none: " + against.not_timed, .details = {}});
 }
 
 }  // namespace
@@ -141,11 +145,13 @@ std::vector<std::string> CheckReport::findings() const {
 
 std::string CheckReport::text(bool all) const {
   const auto found = findings();
-  return line("verdict",
-              fmt::format("{}: {}", method,
-                          found.empty() ? "nothing wrong was found" : fmt::format("{}", fmt::join(found, "; ")))) +
-         properties_text(properties) + accuracy_text(cells, judged_in) + bound_text(cells, judged.violations) +
-         (against ? against_text(*against, all) : "");
+  const auto verdict = found.empty() ? "nothing wrong was found" : fmt::format("{}", fmt::join(found, "; "));
+  std::vector<Section> sections{{.label = "verdict", .head = fmt::format("{}: {}", method, verdict), .details = {}},
+                                properties_section(properties),
+                                accuracy_section(cells, judged_in),
+                                {.label = "bound", .head = bound_words(cells, judged.violations), .details = {}}};
+  if (against) add_comparison(*against, all, sections);
+  return all ? whole_text_of(sections, output_width()) : text_of(sections, most_lines, output_width());
 }
 
 }  // namespace bezierbench::cli

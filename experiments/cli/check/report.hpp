@@ -58,7 +58,8 @@ struct CheckReport {
 
   /// What is wrong, in a few words each; empty where nothing is.
   [[nodiscard]] std::vector<std::string> findings() const;
-  /// The verdict, then what it rests on and the worst changes, or all of them.
+  /// The verdict, what it rests on, and the worst changes: ten lines, unless the terminal is narrow. With `all` every
+  /// change has its line.
   [[nodiscard]] std::string text(bool all) const;
 };
 
