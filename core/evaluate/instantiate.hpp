@@ -15,11 +15,7 @@ namespace bezierbench::instantiate {
 
 template <Conversion C, class Scalar, int Dimension>
 constexpr ConversionKernel<Scalar> conversion_kernel() {
-  return {&C::info, Dimension, [](const CurveView<Scalar>& view, Scalar* coefficients) {
-            const auto converted = convert<C, Dimension>(view);
-            for (int i = 0; i <= view.degree; ++i)
-              for (int axis = 0; axis < Dimension; ++axis) *coefficients++ = converted(axis, i);
-          }};
+  return {&C::info, Dimension, convert_into<C, Dimension, Scalar>};
 }
 
 /// What a path ends in; any other method is its own evaluator.

@@ -2,6 +2,7 @@
 // Turns one method into a kernel: the step from the compile-time concept to function pointers.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -52,6 +53,14 @@ concept Path = requires {
   typename E::First;
 };
 
+/// A path by way of a curve as it can be given.
+template <class E>
+concept PathOfGiven = Path<E> && is_given(E::First::target);
+
+/// One whose evaluator takes that curve as it is.
+template <class E>
+concept ConversionOnly = PathOfGiven<E> && PreparesNothing<typename E::Second>;
+
 /// True where what a method does once per curve can be done for all axes at once.
 template <class E>
 constexpr bool prepares_all_axes() {
@@ -62,24 +71,57 @@ constexpr bool prepares_all_axes() {
     return IsSameForEveryAxis<E>;
 }
 
-/// What the method prepares for a curve.
-template <class E, int Dimension, class Scalar>
-PreparedOf<E, Scalar, Dimension> prepare(const CurveView<Scalar>& view) {
-  if constexpr (Path<E> && prepares_all_axes<E>())
-    return as_points<Dimension>(E::prepare(axes_of<E::info.form, Dimension>(view)));
-  else if constexpr (prepares_all_axes<E>())
-    return E::prepare(Curve<E::info.form, Scalar, Dimension, viewed>(view.coefficients.data(), view.degree));
-  else
-    return E::prepare(load<E::info.form, Dimension>(view));
+/// Writes the coefficients in the other form, point by point. Degrees up to cubics have code of their own: loops over
+/// so few coefficients take longer than the arithmetic in them.
+template <class C, int Dimension, class Scalar>
+void convert_into(const CurveView<Scalar>& view, Scalar* coefficients) {
+  const auto write = [coefficients](const auto& converted) {
+    for (int i = 0; i <= converted.degree(); ++i) converted(0, i).store(coefficients + i * Dimension);
+  };
+  if constexpr (IsSameForEveryAxis<C>) {
+    switch (view.degree) {
+      case 1: return write(C::convert(axes_of_degree<C::info.form, Dimension, 1>(view)));
+      case 2: return write(C::convert(axes_of_degree<C::info.form, Dimension, 2>(view)));
+      case 3: return write(C::convert(axes_of_degree<C::info.form, Dimension, 3>(view)));
+      default: return write(C::convert(axes_of<C::info.form, Dimension>(view)));
+    }
+  } else {
+    const auto converted = C::convert(load<C::info.form, Dimension>(view));
+    std::copy_n(converted.data(), (view.degree + 1) * Dimension, coefficients);
+  }
 }
 
 /// The curve in the other form.
 template <class C, int Dimension, class Scalar>
 Curve<C::target, Scalar, Dimension> convert(const CurveView<Scalar>& view) {
-  if constexpr (IsSameForEveryAxis<C>)
+  if constexpr (is_given(C::target)) {
+    Curve<C::target, Scalar, Dimension> curve(view.degree);
+    convert_into<C, Dimension>(view, &curve(0, 0));
+    return curve;
+  } else if constexpr (IsSameForEveryAxis<C>) {
     return as_points<Dimension>(C::convert(axes_of<C::info.form, Dimension>(view)));
-  else
+  } else {
     return C::convert(load<C::info.form, Dimension>(view));
+  }
+}
+
+/// What the method prepares for a curve.
+template <class E, int Dimension, class Scalar>
+PreparedOf<E, Scalar, Dimension> prepare(const CurveView<Scalar>& view) {
+  if constexpr (ConversionOnly<E>) {
+    return convert<typename E::First, Dimension>(view);
+  } else if constexpr (PathOfGiven<E>) {
+    const auto converted = convert<typename E::First, Dimension>(view);
+    const CurveView<Scalar> there{E::First::target, Dimension, view.degree,
+                                  {converted.data(), static_cast<std::size_t>((view.degree + 1) * Dimension)}};
+    return prepare<typename E::Second, Dimension>(there);
+  } else if constexpr (Path<E> && prepares_all_axes<E>()) {
+    return as_points<Dimension>(E::prepare(axes_of<E::info.form, Dimension>(view)));
+  } else if constexpr (prepares_all_axes<E>()) {
+    return E::prepare(Curve<E::info.form, Scalar, Dimension, viewed>(view.coefficients.data(), view.degree));
+  } else {
+    return E::prepare(load<E::info.form, Dimension>(view));
+  }
 }
 
 template <class E>

@@ -38,6 +38,15 @@ Curve<F, Axes<Scalar, Dimension, Held::by_value>, 1, viewed> axes_of(const Curve
   return {view.coefficients.data(), view.degree};
 }
 
+/// A copy of a curve of this degree, whose coefficients a compiler can keep in registers.
+template <Form F, int Dimension, int Degree, class Scalar>
+Curve<F, Axes<Scalar, Dimension, Held::by_value>, 1, Degree> axes_of_degree(const CurveView<Scalar>& view) {
+  using Coefficient = Axes<Scalar, Dimension, Held::by_value>;
+  Curve<F, Coefficient, 1, Degree> curve(Degree);
+  for (int i = 0; i <= Degree; ++i) curve(0, i) = Coefficient::load(view.coefficients.data() + i * Dimension);
+  return curve;
+}
+
 /// The coefficients of a curve whose axes are one scalar, written point by point as they are read afterwards.
 template <int Dimension, Form F, class Scalar>
 Curve<F, Scalar, Dimension> as_points(const Curve<F, Axes<Scalar, Dimension, Held::by_value>, 1>& curve) {
