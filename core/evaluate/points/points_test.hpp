@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: MIT
 // The kernels with the axes of a point side by side, with the degree known at compile time and at run time, against the
-// methods for numbers.
+// methods for numbers. Each scalar is tested in a unit of its own, which takes long to compile.
+#pragma once
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/evaluate/points/point_families.hpp"
 #include "core/evaluate/points/point_kernel.hpp"
 #include "core/evaluate/roster.hpp"
 
-namespace bezierbench {
-namespace {
+namespace bezierbench::points_test {
 
-constexpr int largest_degree = 25;  // beyond every degree that has a kernel of its own
+inline constexpr int largest_degree = 25;  // beyond every degree that has a kernel of its own
 
 /// Control points in [-1, 1], with zeros among them.
 template <class Scalar>
@@ -72,9 +75,6 @@ void expect_every_way_to_agree() {
   }
 }
 
-template <class E>
-class Points : public testing::Test {};
-
 template <class List>
 struct TypesOf;
 template <class... Es>
@@ -89,15 +89,6 @@ struct ByMethod {
   }
 };
 
-TYPED_TEST_SUITE(Points, TypesOf<Evaluators>::Type, ByMethod);
+using EveryEvaluator = TypesOf<Evaluators>::Type;
 
-TYPED_TEST(Points, HaveTheBitsOfTheMethodForNumbers) {
-  expect_every_way_to_agree<TypeParam, double, 1>();
-  expect_every_way_to_agree<TypeParam, double, 2>();
-  expect_every_way_to_agree<TypeParam, double, 3>();
-  expect_every_way_to_agree<TypeParam, float, 2>();
-  expect_every_way_to_agree<TypeParam, float, 3>();
-}
-
-}  // namespace
-}  // namespace bezierbench
+}  // namespace bezierbench::points_test
