@@ -82,8 +82,8 @@ const RaceCellLap* call_of(const RaceCell& race_cell) {
 }
 
 RaceCellLaps run(const TimedProblem& problem, const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,
-                 std::size_t repetition, const RaceOptions& options) {
-  return race_of(race_cell, study, problem.rivals(race_cell, study, seed), repetition, options);
+                 std::size_t repetition, const RaceOptions& options, std::shared_ptr<const void>& trials) {
+  return race_of(race_cell, study, problem.rivals(race_cell, study, seed, trials), repetition, options);
 }
 
 void Pace::speed_up(const Pace& other) {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,9 +78,10 @@ inline double repetition_cost(const RaceCell& race_cell) {
 const RaceCellLap* call_of(const RaceCell& race_cell);
 
 /// One repetition, 0 <= repetition < repetitions_per_race: judges the methods, then races them. A method whose points
-/// are wrong is timed all the same, and not `checked`.
+/// are wrong is timed all the same, and not `checked`. `trials` is kept from one repetition to the next
+/// (timed_problem.hpp).
 RaceCellLaps run(const TimedProblem& problem, const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,
-                 std::size_t repetition, const RaceOptions& options);
+                 std::size_t repetition, const RaceOptions& options, std::shared_ptr<const void>& trials);
 
 /// The times of the two sentinels.
 struct Pace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the timing of all companion problems shares: a race cell for each cell and case, with trials that are drawn once.
+// What the timing of all companion problems shares: a race cell for each cell and case, with trials that are drawn once
+// for all its repetitions.
 // Methods solve them one after the other, from the control points on, preparation included (mode one_shot). Their
 // answers are first judged against the truth and later compared with the judged bits.
 #pragma once
@@ -103,8 +104,10 @@ std::vector<RaceCell> race_cells_of_companion(const suite::Study& study) {
 }
 
 template <judge::TrialProblem P>
-JudgedRivals rivals_of_companion(const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed) {
-  const auto trials = std::make_shared<const CompanionTrials<P>>(race_cell, study, seed);
+JudgedRivals rivals_of_companion(const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,
+                                 std::shared_ptr<const void>& kept) {
+  if (kept == nullptr) kept = std::make_shared<const CompanionTrials<P>>(race_cell, study, seed);
+  const auto trials = std::static_pointer_cast<const CompanionTrials<P>>(kept);
   JudgedRivals all{{}, {}, trials};
   for (const auto* info : race_cell.methods) {
     const auto& kernel = *std::ranges::find(P::kernels(race_cell.cell.dimension), info, &P::Kernel::info);

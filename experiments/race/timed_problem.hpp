@@ -37,8 +37,10 @@ struct TimedProblem {
   Size size;
   /// The race cells of a study, before any repetition. Throws Failure(usage) for studies that cannot be timed.
   std::vector<RaceCell> (*race_cells)(const suite::Study& study);
-  /// One rival for each method of the race cell.
-  JudgedRivals (*rivals)(const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed);
+  /// One rival for each method of the race cell. `trials` is what the last call for the race cell left there, null for
+  /// the first: the trials of a companion problem, whose truths take longer than their race. Others leave nothing.
+  JudgedRivals (*rivals)(const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,
+                         std::shared_ptr<const void>& trials);
 };
 
 }  // namespace bezierbench::race

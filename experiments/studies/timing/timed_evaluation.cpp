@@ -52,8 +52,8 @@ std::vector<race::RaceCell> race_cells_of_evaluation(const suite::Study& study) 
   return race_cells;
 }
 
-race::JudgedRivals rivals_of_evaluation(const race::RaceCell& race_cell, const suite::Study& study,
-                                        std::uint64_t seed) {
+race::JudgedRivals rivals_of_evaluation(const race::RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,
+                                        std::shared_ptr<const void>& /*trials*/) {
   return judge::with_scalar(race_cell.scalar,
                             [&]<class Scalar>(Scalar /*zero*/) { return rivals<Scalar>(race_cell, study, seed); });
 }

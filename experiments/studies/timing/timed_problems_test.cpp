@@ -71,7 +71,8 @@ suite::Study grids(std::vector<std::string> methods) {
 
 race::JudgedRivals rivals_of(const suite::Study& study) {
   const auto& problem = timed_problem(study);
-  return problem.rivals(problem.race_cells(study).front(), study, 1);
+  std::shared_ptr<const void> trials;
+  return problem.rivals(problem.race_cells(study).front(), study, 1, trials);
 }
 
 std::vector<bool> right_of(const race::JudgedRivals& rivals) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <vector>
 
 #include "experiments/race/race_cell.hpp"
 #include "experiments/race/timed_inputs.hpp"
@@ -23,7 +25,7 @@ constexpr int most_reruns_per_repetition = 2;
 class TimingJob final : public RacingJob<race::RaceCellLaps> {
  public:
   TimingJob(const suite::Study& study, std::uint64_t seed)
-      : RacingJob(study, seed, timed_problem(study).race_cells(study)), reruns_left_(blocks() / 2) {
+      : RacingJob(study, seed, timed_problem(study).race_cells(study)), reruns_left_(blocks() / 2), trials_(parts()) {
     require_racing_baseline();
   }
 
@@ -61,8 +63,9 @@ class TimingJob final : public RacingJob<race::RaceCellLaps> {
   void require_racing_baseline() const;
 
   // Repetitions run one at a time, so these need no lock.
-  mutable std::size_t reruns_left_;  ///< of the study, which reruns lengthen by half at most
-  mutable race::Pace fastest_;       ///< sentinels of the study so far
+  mutable std::size_t reruns_left_;                          ///< of the study, which reruns lengthen by half at most
+  mutable race::Pace fastest_;                               ///< sentinels of the study so far
+  mutable std::vector<std::shared_ptr<const void>> trials_;  ///< of each race cell, see race::run
   race::Counters counters_;
 };
 
@@ -88,7 +91,8 @@ race::RaceCellLaps TimingJob::work(std::size_t block) const {
     auto options = race::options_of_a_repetition();
     options.stop = run::interrupted;
     options.counters = &counters_;
-    return race::run(timed_problem(study()), race_cell, study(), seed(), block % race::repetitions_per_race, options);
+    return race::run(timed_problem(study()), race_cell, study(), seed(), block % race::repetitions_per_race, options,
+                     trials_[part_of(block)]);
   };
   race::RaceCellLaps laps = race();
   for (int rerun = 0; rerun < most_reruns_per_repetition && reruns_left_ > 0; ++rerun) {

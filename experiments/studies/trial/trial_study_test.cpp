@@ -229,8 +229,11 @@ TEST(TrialStudy, ItsProblemIsTimedAsItStands) {
   constexpr auto timed = race::timed_companion<CountedProblem>();
   const auto race_cells = timed.race_cells(study);
   ASSERT_EQ(race_cells.size(), 2U * 2);
-  const auto judged = timed.rivals(race_cells.front(), study, 1);
+  std::shared_ptr<const void> trials;
+  const auto judged = timed.rivals(race_cells.front(), study, 1, trials);
   EXPECT_EQ(calls.drawn, first_trials(3));
+  (void)timed.rivals(race_cells.front(), study, 1, trials);
+  EXPECT_EQ(calls.drawn, first_trials(3)) << "another repetition draws no trial anew";
   ASSERT_EQ(judged.rivals.size(), 2U);
   EXPECT_TRUE(judged.judged[0].right);
   EXPECT_FALSE(judged.rivals[0].check()) << "nothing ran yet";
