@@ -87,10 +87,13 @@ class Chains {
   }
 };
 
+template <Operation...>
+struct OperationList {};
+
 /// Of these, 12 chains hide the latency of the pipelined kinds: two of four cycles start in a cycle. Divisions and
 /// square roots are hardly pipelined.
 template <class S, std::size_t Lanes, Operation... Kinds>
-constexpr OperationWorks<S> works_of(std::integer_sequence<Operation, Kinds...> /*kinds*/) {
+constexpr OperationWorks<S> works_of(OperationList<Kinds...> /*kinds*/) {
   constexpr bool many_registers = HWY_TARGET != HWY_AVX2;
   constexpr int fused = many_registers ? 12 : 8;
   constexpr int added = many_registers ? 12 : 7;  // with the operand, sixteen registers
@@ -105,7 +108,7 @@ template <class S, std::size_t... Doublings>
 constexpr std::array<OperationWorks<S>, sizeof...(Doublings)> works_of_widths(
     std::index_sequence<Doublings...> /*widths*/) {
   using enum Operation;
-  constexpr std::integer_sequence<Operation, add, multiply, fused, divide, square_root> kinds;
+  constexpr OperationList<add, multiply, fused, divide, square_root> kinds;
   return {works_of<S, (std::size_t(16) << Doublings) / sizeof(S)>(kinds)...};
 }
 
