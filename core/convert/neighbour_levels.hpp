@@ -11,8 +11,8 @@ namespace bezierbench {
 
 namespace detail {
 
-/// Levels k to k + Levels - 1 in one pass over the coefficients, each of which is read and written once. before[l] holds
-/// the value of coefficient i - 1 before level k + l.
+/// Levels k to k + Levels - 1 in one pass over the coefficients, each of which is read and written once. before[l]
+/// holds the value of coefficient i - 1 before level k + l.
 template <std::size_t Levels, class At, class Combine>
 void levels_at_once(const At& at, int k, int n, const Combine& combine) {
   using Scalar = std::remove_cvref_t<decltype(at(0))>;

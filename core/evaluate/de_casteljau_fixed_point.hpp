@@ -54,8 +54,8 @@ class FixedPointFrame {
  public:
   static constexpr int stride = Dimension == 1 ? 1 : 4;
 
-  /// Sets the elements that belong to no axis to 0. An initialiser of `values_` would do that, too, but then GCC sets the
-  /// whole prepared state to 0: 8 KB for each axis.
+  /// Sets the elements that belong to no axis to 0. An initialiser of `values_` would do that, too, but then GCC sets
+  /// the whole prepared state to 0: 8 KB for each axis.
   FixedPointFrame() {
     for (int k = 0; k < fixed_point_values; ++k)
       for (int axis = Dimension; axis < stride; ++axis) (*this)(axis, static_cast<FixedPointValue>(k)) = Scalar(0);

@@ -112,7 +112,9 @@ PreparedOf<E, Scalar, Dimension> prepare(const CurveView<Scalar>& view) {
     return convert<typename E::First, Dimension>(view);
   } else if constexpr (PathOfGiven<E>) {
     const auto converted = convert<typename E::First, Dimension>(view);
-    const CurveView<Scalar> there{E::First::target, Dimension, view.degree,
+    const CurveView<Scalar> there{E::First::target,
+                                  Dimension,
+                                  view.degree,
                                   {converted.data(), static_cast<std::size_t>((view.degree + 1) * Dimension)}};
     return prepare<typename E::Second, Dimension>(there);
   } else if constexpr (Path<E> && prepares_all_axes<E>()) {

@@ -87,8 +87,8 @@ class Check(Case):
         self.assertEqual(lines[0], "verdict     de_casteljau: nothing wrong was found")
         self.assertLessEqual(len(lines), 10)
         self.assertRegex(lines[1], r"^properties  (\d+) of \1 hold, in \d+ cases$")
-        self.assertRegex(lines[2], r"^accuracy    \d+ rows of suite quick, \d+ trials; largest error \S+ u p~$")
-        self.assertRegex(lines[4], r"^bound       kept in every trial; the largest error is \S+ % of it$")
+        self.assertRegex(lines[2], r"^accuracy    \d+ rows of suite quick, \d+ trials; largest error \S+ u p~ at quick-bezier, ")
+        self.assertRegex(lines[3], r"^bound       kept in every trial; the largest error is \S+ % of it$")
 
     def test_fits_the_terminal(self):
         self.assert_fits("check", "c2_natural")
