@@ -169,8 +169,10 @@ class ByteReader {
   void get(std::optional<T>& value) {
     bool there = false;
     get(there);
-    value.reset();
-    if (there) get(value.emplace());
+    if (!there) return value.reset();
+    T read{};
+    get(read);
+    value = std::move(read);
   }
   template <class First, class Second>
   void get(std::pair<First, Second>& value) {
