@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inputs of races whose result is known beforehand: one curve of the plane at many t, the same in every run.
+// The inputs of races whose result is known beforehand: one curve at many t, the same in every run.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,27 @@
 namespace bezierbench::programs {
 
 /// `points` parameters in (0, 1), in no order; `points` is not a multiple of 5.
-inline race::Inputs<double> one_curve(Form form, int degree, std::size_t points) {
-  race::Inputs<double> inputs{form, 2, degree, {}, {}, {}};
-  std::vector<double> coefficients;
-  for (int k = 0; k < 2 * (degree + 1); ++k) coefficients.push_back(k * k % 17 / 17.0 - 0.5);
+template <class Scalar>
+race::Inputs<Scalar> one_curve(Form form, int dimension, int degree, std::size_t points) {
+  race::Inputs<Scalar> inputs{form, dimension, degree, {}, {}, {}};
+  std::vector<Scalar> coefficients;
+  for (int k = 0; k < dimension * (degree + 1); ++k) coefficients.push_back(Scalar(k * k % 17 / 17.0 - 0.5));
   inputs.curves.assign(points, coefficients);
+  if (form == Form::rational) {
+    std::vector<Scalar> weights;
+    for (int i = 0; i <= degree; ++i) weights.push_back(Scalar(1 + i % 3 / 4.0));
+    inputs.weights.assign(points, weights);
+  }
   for (std::size_t k = 0; k < points; ++k)
-    inputs.t.push_back((static_cast<double>(k * 5 % points) + 0.5) / static_cast<double>(points));
+    inputs.t.push_back((static_cast<Scalar>(k * 5 % points) + Scalar(0.5)) / static_cast<Scalar>(points));
   return inputs;
 }
 
 /// The points of the first curve at every t, one after the other.
-inline std::vector<double> points_of(const Kernel<double>& kernel, const race::Inputs<double>& inputs) {
-  std::vector<double> points(inputs.t.size() * 2);
-  PreparedState<double>(kernel, inputs.curve(0)).evaluate(inputs.t, points.data());
+template <class Scalar>
+std::vector<Scalar> points_of(const Kernel<Scalar>& kernel, const race::Inputs<Scalar>& inputs) {
+  std::vector<Scalar> points(inputs.t.size() * static_cast<std::size_t>(inputs.dimension));
+  PreparedState<Scalar>(kernel, inputs.curve(0)).evaluate(inputs.t, points.data());
   return points;
 }
 

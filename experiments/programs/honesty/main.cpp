@@ -58,7 +58,7 @@ metric::Verdict verdict_of(const Kernel<double>& kernel, suite::Mode mode, const
 /// Runs 100 races, prints the counts of verdicts, and returns how often `expected` occurred.
 int count_of(std::string_view contest, suite::Mode mode, std::size_t count, metric::Verdict expected) {
   const auto& kernel = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
-  const auto inputs = programs::one_curve(Form::bernstein, 10, points_of_batch);
+  const auto inputs = programs::one_curve<double>(Form::bernstein, 2, 10, points_of_batch);
   std::map<metric::Verdict, int> verdicts;
   for (int race = 0; race < races; ++race) ++verdicts[verdict_of(kernel, mode, inputs, count)];
   fmt::print("{:<16} {:<6}", contest, suite::name(mode));
