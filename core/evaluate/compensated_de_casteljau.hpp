@@ -25,7 +25,7 @@ struct CompensatedDeCasteljau : TakenAsGiven<Form::bernstein> {
       .cost_exponent = 2,
       .citation = "[Jiang et al. 2010], Theorem 5"};
 
-  static constexpr int largest_fixed_degree = -1;  ///< its steps take longer than the loops around them
+  static constexpr int largest_fixed_degree = 3;  ///< beyond, its steps take longer than the loops around them
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

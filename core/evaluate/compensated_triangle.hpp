@@ -102,7 +102,7 @@ Point<Scalar, Dimension> run_compensated_triangle(const Curve<Form::bernstein, S
   constexpr int parts = static_cast<int>(K);
   Curve<Form::bernstein, Scalar, parts * Dimension, Degree> b(n);  // the parts of an axis lie side by side
   const auto load = [&b](int axis, int i) {
-    std::array<Scalar, K> values{};
+    std::array<Scalar, K> values;
     for (int part = 0; part < parts; ++part) values[static_cast<std::size_t>(part)] = b(parts * axis + part, i);
     return values;
   };
@@ -110,7 +110,12 @@ Point<Scalar, Dimension> run_compensated_triangle(const Curve<Form::bernstein, S
     for (int part = 0; part < parts; ++part) b(parts * axis + part, i) = values[static_cast<std::size_t>(part)];
   };
   for (int i = 0; i <= n; ++i)
-    for (int axis = 0; axis < Dimension; ++axis) store(axis, i, {curve(axis, i)});
+    for (int axis = 0; axis < Dimension; ++axis) {
+      // Part by part: of an array with braces GCC 12 writes the zeros in smaller pieces than they are read in, which a
+      // processor cannot forward from a store to a load.
+      b(parts * axis, i) = curve(axis, i);
+      for (int part = 1; part < parts; ++part) b(parts * axis + part, i) = Scalar(0);
+    }
   for (int k = 1; k <= n; ++k)
     for (int i = 0; i <= n - k; ++i)
       for (int axis = 0; axis < Dimension; ++axis)

@@ -76,7 +76,7 @@ struct DeCasteljauFarin : TakenAsGiven<Form::rational> {
                                    .cost_exponent = 2,
                                    .citation = "[Farin 1983]"};
 
-  static constexpr int largest_fixed_degree = -1;  ///< its divisions take longer than the loops around them
+  static constexpr int largest_fixed_degree = 3;  ///< beyond, its divisions take longer than the loops around them
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::rational, Scalar, Dimension, Degree>& curve, Scalar t) {

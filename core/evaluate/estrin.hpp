@@ -24,7 +24,7 @@ Point<Scalar, Dimension> join_neighbours(const Curve<Form::power, Scalar, Dimens
       for (int axis = 0; axis < Dimension; ++axis) q(axis, k) = q(axis, 2 * k) + q(axis, 2 * k + 1) * power;
     if (count % 2 != 0)
       for (int axis = 0; axis < Dimension; ++axis) q(axis, pairs) = q(axis, count - 1);
-    count = pairs + count % 2;
+    count = (count + 1) / 2;  // of count alone, so that compilers unroll this loop for a fixed degree
   }
   Point<Scalar, Dimension> point;
   for (int axis = 0; axis < Dimension; ++axis) point[axis] = q(axis, 0);
@@ -50,6 +50,9 @@ struct Estrin : TakenAsGiven<Form::power> {
                           .underflow_scales_with_coefficients = true},
       .flops = "2dn + log2 n",
       .citation = "[Estrin 1960]"};
+
+  /// Written out for a degree, it has neither a copy of the coefficients in memory nor a count of those that are left.
+  static constexpr int largest_fixed_degree = 20;
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -65,6 +65,8 @@ struct Seiler : SameForEveryAxis {
                                          Guarantee{Property::finite, 1},        Guarantee{Property::scaling_by_two},
                                          Guarantee{Property::axes_independent}, Guarantee{Property::total}};
 
+  static constexpr int largest_fixed_degree = 20;  ///< a step is about as short as the loop around it
+
   /// Column j holds s_j.
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {

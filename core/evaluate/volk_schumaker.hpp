@@ -35,6 +35,8 @@ struct VolkSchumaker : SameForEveryAxis {
       .flops = "2dn + d + 2 log2 n + 2",
       .citation = "[Schumaker and Volk 1986]"};
 
+  static constexpr int largest_fixed_degree = 20;  ///< a step is about as short as the loop around it
+
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
     return HornerBernstein::prepare(curve);

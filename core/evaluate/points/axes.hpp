@@ -123,7 +123,9 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
   template <int Count = Dimension>
   void store(Scalar* values) const {
     static_assert(Count <= Dimension);
-    if constexpr (Count == lanes)
+    if constexpr (lanes == 1)
+      *values = vector_;  // of memcpy GCC 12 makes an integer, in whose registers the coordinate then is during a loop
+    else if constexpr (Count == lanes)
       std::memcpy(values, &vector_, sizeof vector_);
     else
       for (int axis = 0; axis < Count; ++axis) values[axis] = lane(axis);
