@@ -5,6 +5,7 @@
 #include "experiments/programs/hand_written/cells.hpp"
 #include "experiments/programs/hand_written/coded_kernel.hpp"
 #include "experiments/programs/hand_written/compensated.hpp"
+#include "experiments/programs/hand_written/in_parts.hpp"
 #include "experiments/programs/hand_written/power_form.hpp"
 #include "experiments/programs/hand_written/quotients.hpp"
 #include "experiments/programs/hand_written/rational.hpp"

@@ -56,7 +56,7 @@ Outcome race_of(const Cell<Scalar>& cell) {
   }
   const auto interval = metric::median_interval(ratios, metric::timing_confidence);
   const auto outcome = !same_bits ? Outcome::other_bits : interval.low <= most_ratio ? Outcome::met : Outcome::missed;
-  fmt::print("{:<26} {:<19} {:<6} {} {:>3} {:>8.2f} ns {:>6.2f} [{:.2f}, {:.2f}]  {}\n", cell.evaluator->id,
+  fmt::print("{:<27} {:<19} {:<6} {} {:>3} {:>8.2f} ns {:>6.2f} [{:.2f}, {:.2f}]  {}\n", cell.evaluator->id,
              name(cell.evaluator->form), std::is_same_v<Scalar, double> ? "double" : "float", cell.ours->dimension,
              cell.degree, metric::median(times), interval.median, interval.low, interval.high, name(outcome));
   return outcome;
@@ -107,7 +107,7 @@ void print_without_coding(std::span<const MethodInfo* const> evaluators, std::sp
 
 int main(int argc, char** argv) {
   const std::span<const char* const> patterns(argv + 1, static_cast<std::size_t>(argc) - 1);
-  fmt::print("{:<26} {:<19} {:<6} d {:>3} {:>11} {:>6} {}\n", "evaluator", "form", "scalar", "n", "ours", "ratio",
+  fmt::print("{:<27} {:<19} {:<6} d {:>3} {:>11} {:>6} {}\n", "evaluator", "form", "scalar", "n", "ours", "ratio",
              "to the hand-written coding");
   const auto doubles = all_cells<double>();
   const auto of_double = race_all(doubles, patterns);
