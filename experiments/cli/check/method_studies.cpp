@@ -76,9 +76,13 @@ std::vector<suite::Suite> studies_that_judge(const std::vector<suite::Suite>& su
 
 std::vector<suite::Suite> studies_that_time(const std::vector<suite::Suite>& suites, const std::string& id) {
   const auto methods = methods_named(id);
-  return only(suites, id, [&](const suite::Study& study) {
+  const auto times = [&](const suite::Study& study) {
     return suite::is_kind<suite::TimingKeys>(study) && applies(study, methods);
+  };
+  const bool named = std::ranges::any_of(suites, [&](const suite::Suite& one) {
+    return std::ranges::any_of(one.studies, [&](const auto& study) { return times(study) && names(study, id); });
   });
+  return only(suites, id, [&](const suite::Study& study) { return times(study) && (!named || names(study, id)); });
 }
 
 std::vector<suite::Suite> quick_suite() { return suite::read_suites(suite_file("quick"), vocabulary()); }

@@ -18,7 +18,8 @@ std::vector<const MethodInfo*> methods_named(const std::string& id);
 /// inputs do not depend on its methods, so these give the rows that the whole suite gives.
 std::vector<suite::Suite> studies_that_judge(const std::vector<suite::Suite>& suites, const std::string& id);
 
-/// The timing studies of the method's problem, with this method in the place of theirs.
+/// The timing studies that name the method or, where none does, all of its problem, with this method in the place of
+/// theirs.
 std::vector<suite::Suite> studies_that_time(const std::vector<suite::Suite>& suites, const std::string& id);
 
 /// The suite `quick`, which comes with the program.
