@@ -97,7 +97,8 @@ bool is_decided(const PairedTime& time) {
   return !time.right || time.verdict == Verdict::slower || time.verdict == Verdict::faster;
 }
 
-/// The times that are not certainly the same, or all, the slowest first; where none is decided, one is worth a line.
+/// Lists times by descending ratio. Without `all` the verdict `same` is left out, and if no verdict is slower or faster,
+/// one time at most is shown.
 Section times_section(const Comparison& against, bool all) {
   Section section{
       .label = "  times",

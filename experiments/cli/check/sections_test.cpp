@@ -50,7 +50,8 @@ TEST(Sections, TheWholeTextHasEveryDetail) {
   EXPECT_THAT(text, Not(HasSubstr("--all")));
 }
 
-/// A detail that takes more lines than are left is passed over, and a shorter one of another section shown.
+/// A detail needs as many lines as it is broken into. Where these are too many it is left out, and the next section has
+/// its turn.
 TEST(Sections, LinesAreCountedAsTheyAreBroken) {
   auto sections = some_sections();
   sections[1].details = {"b1 of many words that take more than one line"};

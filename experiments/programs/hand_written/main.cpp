@@ -3,7 +3,8 @@
 // race, both behind a function pointer, with the same bits in every round. Exit 1 where an evaluator takes more than
 // 1.15 times the time of the hand-written coding, by the whole interval of the ratio, or where their bits differ. A cell
 // that takes longer is raced once more at the end, since a disturbance may outlast a race; the second race counts.
-// bezierbench_hand_written [ID...]: evaluators of these ids, which may have * and ?; all where none is named.
+// bezierbench_hand_written [ID...]: races the evaluators with these ids, which may contain * and ?. Without an id it
+// races all evaluators.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -15,7 +15,8 @@
 
 namespace hand_written {
 
-/// Lanes of the narrowest vector of at least 16 bytes with room for so many axes; one axis is a number.
+/// The number of lanes of the narrowest vector that has at least 16 bytes and a lane for each axis. For one axis it is 1,
+/// and a point is a plain number.
 template <class Scalar, int Dimension>
 inline constexpr int lanes = Dimension == 1                                       ? 1
                              : Dimension == 2 && sizeof(Scalar) == sizeof(double) ? 2
