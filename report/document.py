@@ -4,7 +4,9 @@
 Texts know two marks, as in Markdown: `code` and **strong**.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 
 
 SENTENCE = 30  # characters from which a cell is a sentence
@@ -99,18 +101,29 @@ class Series:
 
 
 @dataclass(frozen=True)
+class Drawing:
+    """What a figure shows. `svg` is a file of its own; render.py adapts it to be put into the page. What belongs to the series
+    number i has an id that begins with `s<i>-`."""
+
+    svg: str
+    png: bytes
+    series: tuple  # of Series
+
+
+@dataclass(frozen=True)
 class Figure:
-    """A drawn figure. `svg` is a file of its own; render.py adapts it to be put into the page. What belongs to the series number i
-    has an id that begins with `s<i>-`."""
+    """A figure, which takes long to draw: `draw` is called where `drawing` is first read."""
 
     id: str
     caption: str
     caption_zh: str
     alt: str
-    svg: str
-    png: bytes
-    series: tuple = ()  # of Series
+    draw: Callable  # () -> Drawing
     kind: str = field(default="figure", init=False)
+
+    @cached_property
+    def drawing(self):
+        return self.draw()
 
 
 @dataclass(frozen=True)

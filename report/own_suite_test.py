@@ -93,7 +93,7 @@ class OwnSuite(unittest.TestCase):
         compared = 0
         for figure in self.figures():
             colours = {}
-            for series, colour in re.findall(r'<g id="(s\d+)-\d+">\s*<path d="[^"]*"[^>]*style="[^"]*stroke: (#\w+)', figure.svg):
+            for series, colour in re.findall(r'<g id="(s\d+)-\d+">\s*<path d="[^"]*"[^>]*style="[^"]*stroke: (#\w+)', figure.drawing.svg):
                 colours.setdefault(series, []).append(colour)
             for series, found in colours.items():
                 compared += len(found) > 1
@@ -109,7 +109,7 @@ class OwnSuite(unittest.TestCase):
 
     def test_a_hard_case_stands_at_its_distance(self):
         figure = next(one for one in self.figures() if one.id == "hard-few-figure")
-        points = {series.name: [point[2] for point in series.points] for series in figure.series}
+        points = {series.name: [point[2] for point in series.points] for series in figure.drawing.series}
         self.assertEqual(points, {name: [f"beside_a_tie, degree 1: {distance} ulp ({scalar})" for scalar in ("double", "float")
                                          for distance in distances]
                                   for name, distances in (("next to a boundary", ("1.50e-700", "2.00e-4")), ("cancelled most", ("2.50e-1",)))})

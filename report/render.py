@@ -66,8 +66,8 @@ def files(bundle, chapters, left_out):
         written[f"tables/{table.id}.csv"] = out.getvalue().encode()
         written[f"tables/{table.id}.tex"] = latex.table(table).encode()
     for figure in _of_kind(chapters, "figure"):
-        written[f"figures/{figure.id}.svg"] = figure.svg.encode()
-        written[f"figures/{figure.id}.png"] = figure.png
+        written[f"figures/{figure.id}.svg"] = figure.drawing.svg.encode()
+        written[f"figures/{figure.id}.png"] = figure.drawing.png
     return written
 
 
@@ -80,7 +80,7 @@ def inline_svg(figure):
     """The figure as part of the page: ids of its own, the page's ink and paper, no declaration, a name for readers aloud."""
     from .figures.canvas import INK, PAPER  # only where a figure was drawn
 
-    svg = re.sub(r"<metadata>.*?</metadata>", "", figure.svg[figure.svg.index("<svg"):], flags=re.S)
+    svg = re.sub(r"<metadata>.*?</metadata>", "", figure.drawing.svg[figure.drawing.svg.index("<svg"):], flags=re.S)
     box = re.search(r'viewBox="([^"]+)"', svg)[1]
     head = (f'<svg viewBox="{box}" role="img" aria-labelledby="{figure.id}-title" aria-describedby="{figure.id}-alt">'
             f'<title id="{figure.id}-title">{escape(to_plain(figure.caption))}</title>'

@@ -153,7 +153,7 @@ class Suites(unittest.TestCase):
             if at == "search.csv" and row["search_id"] == "s1":
                 row.update(sampled_error_u=2e5, searched_error_u=5e9)
         drawn = next(b for b in self.blocks("worst", self.bundle(ruin)) if b.kind == "figure")
-        self.assertIn(">sampled 200000, searched 5.00e9 →<", drawn.svg)
+        self.assertIn(">sampled 200000, searched 5.00e9 →<", drawn.drawing.svg)
 
     def test_columns_of_a_conditioning_table_rise_with_the_condition_number(self):
         table = next(b for b in self.blocks("conditioning", self.bundle()) if b.kind == "table")

@@ -20,7 +20,7 @@ from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.patches import Patch  # noqa: E402
 from matplotlib.ticker import FixedFormatter, FixedLocator, FuncFormatter, LogFormatter, LogLocator, NullLocator  # noqa: E402
 
-from ..document import Figure, Series  # noqa: E402
+from ..document import Drawing, Figure, Series  # noqa: E402
 from ..foreign import restored  # noqa: E402
 from ..wording import general, shortest  # noqa: E402
 
@@ -179,6 +179,12 @@ def _colour(artist):
 
 
 def finish(canvas, figure_id, caption, caption_zh, alt, bottom=0.75):
+    """The figure of this canvas, whose lowest `bottom` inches are for legends."""
+    return Figure(id=figure_id, caption=caption, caption_zh=caption_zh, alt=alt, draw=lambda: _draw(canvas, bottom))
+
+
+@styled
+def _draw(canvas, bottom):
     """Lays the figure out and renders it twice, without dates or versions; logarithmic axes are written as `log_axis` does."""
     for axis in (one for ax in canvas.axes for one in (ax.xaxis, ax.yaxis)):
         if isinstance(axis.get_major_formatter(), LogFormatter):
@@ -188,8 +194,7 @@ def finish(canvas, figure_id, caption, caption_zh, alt, bottom=0.75):
     svg, png = io.StringIO(), io.BytesIO()
     canvas.savefig(svg, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
     canvas.savefig(png, format="png", dpi=150, metadata={"Software": None})
-    return Figure(id=figure_id, caption=caption, caption_zh=caption_zh, alt=alt, svg=restored(_lean(svg.getvalue())),
-                  png=png.getvalue(), series=series)
+    return Drawing(svg=restored(_lean(svg.getvalue())), png=png.getvalue(), series=series)
 
 
 def _lean(svg):

@@ -23,7 +23,7 @@ def _figure(x, y, across=None):
 
 
 def _texts(figure):
-    return re.findall(r"<text [^>]*>([^<]*)</text>", figure.svg)
+    return re.findall(r"<text [^>]*>([^<]*)</text>", figure.drawing.svg)
 
 
 class Labels(unittest.TestCase):
@@ -45,7 +45,7 @@ class Labels(unittest.TestCase):
     def test_order_zero_is_on_the_axis(self):
         figure = _figure([0.0, 1.0, 2.0], [1.0, 2.0, 3.0], degree_axis)
         self.assertIn("0", _texts(figure))
-        self.assertEqual(len(figure.series[0].points), 3)
+        self.assertEqual(len(figure.drawing.series[0].points), 3)
 
 
 if __name__ == "__main__":

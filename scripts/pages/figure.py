@@ -61,7 +61,7 @@ def draw(bundle):
         errors.axvline(1, color=FAINT, linewidth=0.9)
         return finish(canvas, "time-and-error", "", "", "", bottom=0.1)
 
-    return for_both_screens(drawn().svg, words(bundle))
+    return for_both_screens(drawn().drawing.svg, words(bundle))
 
 
 def for_both_screens(svg, description):
