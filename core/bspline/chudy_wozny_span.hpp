@@ -8,8 +8,8 @@
 //   values N_n^n, N_i^n and N_0^0. Derived here from blossoms: let M be the basis function of degree n-1 over the knots
 //   u_i..u_(i+n). The blossom f of N_i, with one argument x = u_(i-1), is (u_(i+n) - x) / (u_(i+n) - u_i) M; that of
 //   N_(i+1), with one argument y, is (y - u_i) / (u_(i+n) - u_i) M. A blossom with one argument x has the Bernstein
-//   coefficients ((c - x) f^k + (x - a) f^(k+1)) / (c - a). The coefficients of M follow from
-//   those of N_i and from those of N_(i+1); set equal, they give the recurrence.
+//   coefficients ((c - x) f^k + (x - a) f^(k+1)) / (c - a). The coefficients of M follow from those of N_i and from
+//   those of N_(i+1); set equal, they give the recurrence.
 // Cost: about 11 n^2 + 2d n^2 flops for the control points, of which the first part does not depend on the curve, and
 //   3d n(n+1)/2 + 5 for a point.
 // Bound: none. (c - y) is negative: the coefficients are positive, but come as differences of larger numbers, and an

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A race is run in repetitions, which are spread over the time of the whole suite. A repetition
-// allocates its own memory for results and prepared states, and has its own stack offset. Statistics of a time or a ratio are over repetitions.
+// A race is run in repetitions, which are spread over the time of the whole suite. A repetition allocates its own memory
+// for results and prepared states, and has its own stack offset. Statistics of a time or a ratio are over repetitions.
 //
 // The rounds of one repetition share conditions (addresses of stack and data, speed of the processor) that differ
 // between repetitions. The spread of the rounds does not show that difference: an interval from all rounds, as if they

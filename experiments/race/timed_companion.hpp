@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the timing of all companion problems shares: a race cell for each cell and case, with trials that are drawn once
-// for all its repetitions.
-// Methods solve them one after the other, from the control points on, preparation included (mode one_shot). Their
-// answers are first judged against the truth and later compared with the judged bits.
+// What the timing of all companion problems shares: a race cell for each cell and case, whose trials are drawn once for
+// all repetitions. Methods solve them one after the other, from the control points on, preparation included (mode
+// one_shot). Their answers are first judged against the truth and later compared with the judged bits.
 #pragma once
 
 #include <algorithm>

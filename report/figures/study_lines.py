@@ -19,11 +19,12 @@ MOST_TICKS = 12  # places that are named
 WIDTH = 28  # characters that fit the height of a panel
 NARROW = ("interval", "generator", "placement", "data", "knots", "curve_id")  # axes whose values are places side by side
 LONG = 10  # characters from which the names of places are written aslant, each of them
-WORDS = {"placement": "placement of the point", "data": "data", "knots": "kind of knots", "generator": "inputs", "dimension": "axes of a point", "curve_id": "curve", **AXIS}
+WORDS = {"placement": "placement of the point", "data": "data", "knots": "kind of knots", "generator": "inputs",
+         "dimension": "axes of a point", "curve_id": "curve", **AXIS}
 
 
 def _axis(kind, rows):
-    """The first axis of the kind that the rows vary, or else any other that they vary; the last of the kind where they vary none."""
+    """The first axis that the rows vary, of the kind or else of all; the last of the kind where they vary none."""
     return next((a for a in (*kind.axes, *BESIDE) if len({axis_value(r, a) for r in rows}) > 1), kind.axes[-1])
 
 

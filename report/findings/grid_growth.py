@@ -17,14 +17,7 @@ def find(bundle):
     if study is None:
         raise Missing("`grid.csv` has no study of the suite `grid` that varies the number of points")
     points = sorted(table.distinct("points", study=study))
-    ends = {}  # by degree: the least accurate method on the largest grid, its ratio on the smallest grid and on the largest
-    for n in table.distinct("degree", study=study):
-        grids = [{r["method"]: r for r in table.select(study=study, degree=n, points=p) if r["mean_error_u"]} for p in (points[0], points[-1])]
-        if len(grids[1]) < 2 or not all(grids):
-            continue
-        worst = max(grids[1].values(), key=lambda r: r["mean_error_u"])["method"]
-        if worst in grids[0]:
-            ends[n] = worst, *(_over_best(grid, worst) for grid in grids)
+    ends = _ends(table, study, points)
     if not ends:
         raise Missing("`grid.csv` has no two methods with errors on the same grids")
     losers = names(dict.fromkeys(worst for worst, _, _ in ends.values()))
@@ -38,6 +31,20 @@ def find(bundle):
                 + "; ".join(f"{factor(few)} times at degree {shortest(n)} with {large(points[0])} points and {factor(many)} times with "
                             f"{large(points[-1])}" for n, (_, few, many) in ends.items()) + f" (study `{study}`).",),
         rows=rows)
+
+
+def _ends(table, study, points):
+    """{degree: (the least accurate method on the largest grid, its ratio on the smallest grid, on the largest)}"""
+    ends = {}
+    for n in table.distinct("degree", study=study):
+        smallest, largest = ({r["method"]: r for r in table.select(study=study, degree=n, points=p) if r["mean_error_u"]}
+                             for p in (points[0], points[-1]))
+        if len(largest) < 2:
+            continue
+        worst = max(largest.values(), key=lambda r: r["mean_error_u"])["method"]
+        if worst in smallest:
+            ends[n] = worst, _over_best(smallest, worst), _over_best(largest, worst)
+    return ends
 
 
 def _over_best(grid, method):

@@ -11,7 +11,7 @@
 
 namespace hand_written {
 
-/// total <- total + term; returns the error.
+/// Adds `term` to `total`; returns the rounding error of the sum.
 template <class P>
 P add(P& total, const P& term) {
   const auto sum = exact_sum<P>(total, term);
