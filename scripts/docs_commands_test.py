@@ -47,6 +47,12 @@ class Commands(unittest.TestCase):
         page, _ = self.page(f"```console\n{command} 12.5 ns\nsaid check\ntook 3 ms\n```\n")
         self.assertEqual(len(page.faults), 1)
 
+    def test_another_compiler_may_be_named(self):
+        says = "            compiler differs: GNU 12.2.0 before,\n            GNU 14.2.0 now\n  accuracy  the same\n"
+        command = "bezierbench check horner --against results/baseline"
+        self.assertEqual(docs_commands.masked(command, f"against     a\n{says}"), ["against", "a", "accuracy", "the"])
+        self.assertEqual(docs_commands.masked("bezierbench list", says), says.splitlines())
+
     def test_a_script_must_succeed(self):
         self.assertEqual(self.page("```sh\nbuild/release/bezierbench list\n```\n")[0].faults, [])
         self.assertEqual(len(self.page("```sh\nbuild/release/bezierbench fail | cat\n```\n")[0].faults), 1)
