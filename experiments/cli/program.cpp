@@ -88,6 +88,7 @@ int main(int argc, char** argv, std::span<const outside::OwnMethod> own) {
   try {
     occupy_closed_streams();
     require_stack();
+    require_memory();
     report_exhausted_memory();
     bundle::ignore_file_size_signal();
     const auto faults = number::floating_point_faults();

@@ -43,6 +43,15 @@ class Limits(Case):
                     exhausted += 1
         self.assertGreater(exhausted, 0)
 
+    @unittest.skipIf(HAS_SANITIZER, "a sanitizer takes more memory than any limit of this test")
+    def test_memory_that_no_run_fits(self):
+        """Is refused before a library waits for it forever."""
+        for megabytes in (40, 63):
+            result = self.run_program("list", "suites", **limited(resource.RLIMIT_AS, megabytes * MEGABYTE))
+            if b"shared librar" not in result.stderr:
+                self.assertEqual(result.returncode, ENVIRONMENT, result)
+                self.assert_short_line(result, "memory", f"{megabytes << 10} KiB", "ulimit -v")
+
     def test_stack(self):
         """Too small a one is refused before anything overflows it; a soft limit is raised."""
         self.refused(ENVIRONMENT, ["list", "suites"], "stack", "256 KiB", "ulimit -s",

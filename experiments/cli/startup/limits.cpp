@@ -26,6 +26,7 @@ namespace {
 
 constexpr rlim_t least_stack = 4U << 20U;  // oneTBB's size for threads that do the same work
 constexpr rlim_t usual_stack = 8U << 20U;
+constexpr rlim_t least_memory = 64U << 20U;  // the program with its libraries, and room in which these begin
 
 std::terminate_handler terminate_before = nullptr;
 std::uintptr_t top_of_stack = 0;
@@ -88,6 +89,13 @@ void require_stack() {
   if (stack.rlim_cur >= least_stack && setrlimit(RLIMIT_STACK, &stack) == 0) return;
   throw Failure(Exit::environment, fmt::format("the stack is limited to {} KiB; allow {} KiB or more (ulimit -s)",
                                                allowed / 1024, least_stack / 1024));
+}
+
+void require_memory() {
+  rlimit memory{};
+  if (getrlimit(RLIMIT_AS, &memory) != 0 || memory.rlim_cur >= least_memory) return;
+  throw Failure(Exit::environment, fmt::format("memory is limited to {} KiB; allow {} KiB or more (ulimit -v)",
+                                               memory.rlim_cur / 1024, least_memory / 1024));
 }
 
 void report_exhausted_memory() {

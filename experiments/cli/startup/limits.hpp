@@ -10,6 +10,10 @@ namespace bezierbench::cli {
 /// this first: a stack overflow ends the program without a message.
 void require_stack();
 
+/// Throws Failure(Exit::environment) where the limit of virtual memory is too low. Call this before oneTBB is used: where
+/// its first allocation fails it waits forever (2022.1, Debian 13).
+void require_memory();
+
 /// Makes the program end with Exit::environment and one line also where no exception can be caught: in GMP, where an
 /// exception leaves a function that must not throw, and where the stack cannot grow. Call this from the main thread.
 void report_exhausted_memory();
