@@ -10,8 +10,11 @@
 // Fails: (1-t)^n underflows for n > 1022 at t = 1/2.
 #pragma once
 
+#include <type_traits>
+
 #include "core/basis/amplification.hpp"
 #include "core/basis/binomial.hpp"
+#include "core/basis/parameter.hpp"
 #include "core/basis/same_for_every_axis.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
 #include "core/evaluate/nearer_end.hpp"
@@ -47,15 +50,17 @@ struct VolkSchumaker : SameForEveryAxis {
                                            Scalar t) {
     const auto& c = prepared.scaled;
     const int n = c.degree();
-    const Scalar s = Scalar(1) - t;
-    const auto near_start = t + t <= Scalar(1);
-    const Scalar larger = select(near_start, s, t);
-    const Scalar r = select(near_start, t, s) / larger;
+    const auto x = parameter_of(t);
+    using Parameter = std::remove_const_t<decltype(x)>;
+    const Parameter s = Parameter(1) - x;
+    const auto near_start = x + x <= Parameter(1);
+    const Parameter larger = select(near_start, s, x);
+    const Scalar r(select(near_start, x, s) / larger);
     Point<Scalar, Dimension> p;
     for (int axis = 0; axis < Dimension; ++axis) p[axis] = counted(near_start, c, axis, n);
     for (int i = 1; i <= n; ++i)
       for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + counted(near_start, c, axis, n - i);
-    const Scalar scale = integer_power(larger, n);
+    const Scalar scale(integer_power(larger, n));
     for (int axis = 0; axis < Dimension; ++axis) p[axis] *= scale;
     return p;
   }
