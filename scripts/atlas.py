@@ -49,6 +49,11 @@ def shipped(program):
     return {row["id"]: float(row["seconds"] or 0) for row in csv.DictReader(io.StringIO(text)) if row["id"] not in ELSEWHERE}
 
 
+def listed(program):
+    """The methods that the program lists, as one text."""
+    return subprocess.run([program, "list", "methods"], check=True, capture_output=True, text=True).stdout
+
+
 def recorded():
     """The suites whose bundles are kept."""
     return sorted(path.name for path in BUNDLES.iterdir() if (path / "SHA256SUMS").exists()) if BUNDLES.exists() else []
@@ -169,6 +174,11 @@ def takes_long(suite, seconds):
     return seconds > MOST_SECONDS and all(study["kind"] != "timing" for study in toml_of(suite)["study"])
 
 
+def needs_other_libraries(suite, study):
+    """Whether a study names methods of other libraries, which only builds of the preset `peers` have."""
+    return any(name.startswith("peer_") for one in toml_of(suite)["study"] if one["id"] == study for name in one.get("methods", []))
+
+
 def sample(program, place):
     """Whether one study of every suite comes out as recorded."""
     holds = True
@@ -176,6 +186,9 @@ def sample(program, place):
     for suite in sorted([*recorded(), *digested()]):
         study = sampled_study(BUNDLES / suite)
         if study is None:
+            continue
+        if needs_other_libraries(suite, study) and "peer_" not in listed(program):
+            print(f"{suite}: left out, it needs a build of the preset peers")
             continue
         if takes_long(suite, seconds.get(suite, 0)):
             print(f"{suite}: left out, it takes {seconds[suite]:g} seconds")

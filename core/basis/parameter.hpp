@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values that depend on t and the degree only. Where a scalar stands for all axes of a point, they are one number for all
-// of these: one division instead of one for each axis, and comparisons whose results are plain truth values.
+// Values that depend on t and the degree only. Where a scalar stands for all axes of a point, they are one number for
+// all axes: one division instead of one for each, and comparisons whose results are plain truth values.
 #pragma once
 
 namespace bezierbench {
