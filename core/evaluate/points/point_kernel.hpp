@@ -3,6 +3,7 @@
 // at compile time where that is faster. Every way has the bits of the method for numbers.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -21,14 +22,17 @@ concept SideBySide = requires(const PreparedOf<E, S, Dimension>& state) {
   as_axes<dynamic>(state);
 };
 
+#ifndef BEZIERBENCH_LARGEST_FIXED_DEGREE  // less with sanitizers, under which a unit takes minutes to compile
+#define BEZIERBENCH_LARGEST_FIXED_DEGREE max_degree
+#endif
+
 /// The largest degree with a kernel of its own: what the method says (-1: none), else 20 for a triangle, whose values
 /// then stay in registers, and 12 for other methods, beyond which the loop over the degree costs little.
 template <class E>
 constexpr int largest_fixed_degree() {
-  if constexpr (requires { E::largest_fixed_degree; })
-    return E::largest_fixed_degree;
-  else
-    return E::info.cost_exponent > 1 ? 20 : 12;
+  int largest = E::info.cost_exponent > 1 ? 20 : 12;
+  if constexpr (requires { E::largest_fixed_degree; }) largest = E::largest_fixed_degree;
+  return std::min(largest, BEZIERBENCH_LARGEST_FIXED_DEGREE);
 }
 
 /// All axes side by side, the degree fixed or dynamic.
