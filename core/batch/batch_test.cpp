@@ -116,7 +116,7 @@ std::vector<Scalar> nodes_and_neighbours(int degree) {
 }
 
 TEST_P(BatchTarget, HasThemAtNodes) {
-  const auto expect_at_nodes = [this]<class Scalar>(Scalar /*type*/, int dimension, int degree) {
+  const auto expect_at_nodes = []<class Scalar>(Scalar /*type*/, int dimension, int degree) {
     Inputs inputs(static_cast<std::uint64_t>(degree));
     const auto t = nodes_and_neighbours<Scalar>(degree);
     for (const auto& kernel : kernels<Scalar>(dimension)) {
@@ -135,7 +135,7 @@ TEST_P(BatchTarget, HasThemAtNodes) {
 
 /// Curves that overflow, underflow or have coefficients that are not finite; with weights of both signs, and zero.
 TEST_P(BatchTarget, HasThemForCurvesOfAllSizes) {
-  const auto expect_on_curve = [this]<class Scalar>(Scalar /*type*/, std::size_t place, int dimension, int degree) {
+  const auto expect_on_curve = []<class Scalar>(Scalar /*type*/, std::size_t place, int dimension, int degree) {
     Inputs inputs(place);
     for (const auto& kernel : kernels<Scalar>(dimension)) {
       const auto batch = find(target(), kernel);
