@@ -32,8 +32,8 @@ LongReal speed_at(const LongHodograph& h, const LongReal& t) {
 
 TEST(SpeedSeries, IsTheHodographAndSoAreItsHalves) {
   std::mt19937_64 words(1);
-  for (const std::size_t degree : {0, 1, 2, 5, 20, 63})
-    for (const std::size_t dimension : {1, 2, 3}) {
+  for (const std::size_t degree : {0U, 1U, 2U, 5U, 20U, 63U})
+    for (const std::size_t dimension : {1U, 2U, 3U}) {
       const auto h = random_hodograph(words, degree, dimension, 2);
       SpeedSeries<LongReal> series(h);
       SpeedSeries<LongReal> left = series;
