@@ -43,7 +43,8 @@ def data(bundle, chapters):
     replays = _replays(bundle)
     return {"bundle": _shell_word(restored(bundle.name)), "roots": roots(bundle), "colours": _colours(blocks),
             "answer": _answer(answer) if answer else None,
-            "figures": {one.id: [_series(series, replays) for series in one.drawing.series] for one in blocks if one.kind == "figure" and one.drawing.series}}
+            "figures": {one.id: [_series(series, replays) for series in one.drawing.series]
+                        for one in blocks if one.kind == "figure" and one.drawing.series}}
 
 
 def _shell_word(name):

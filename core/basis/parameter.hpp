@@ -5,8 +5,8 @@
 
 namespace bezierbench {
 
-/// t, as the type in which what depends on t alone is computed: `Scalar` itself, unless there is an overload for it, as
-/// for Axes (core/evaluate/points/axes.hpp). A Scalar can be constructed from it.
+/// Returns t in the type for values that depend on t alone. That type is `Scalar`; for Axes, which have a function of
+/// their own in core/evaluate/points/axes.hpp, it is the type of a coordinate. A Scalar can be constructed from either.
 template <class Scalar>
 constexpr Scalar parameter_of(const Scalar& t) {
   return t;

@@ -158,7 +158,7 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
   friend Axes select(const Mask& condition, const Axes& first, const Axes& second) {
     return of(condition.value ? first.vector_ : second.vector_);
   }
-  /// Of what is the same in every lane, as a parameter is.
+  /// These two take a value that is the same in every lane, as a parameter is.
   friend Scalar parameter_of(const Axes& t) { return t.lane(0); }
   friend bool inside_unit_interval(const Axes& t) { return bezierbench::inside_unit_interval<Scalar>(t.lane(0)); }
 

@@ -22,7 +22,8 @@ concept SideBySide = requires(const PreparedOf<E, S, Dimension>& state) {
   as_axes<dynamic>(state);
 };
 
-#ifndef BEZIERBENCH_LARGEST_FIXED_DEGREE  // less with sanitizers, under which a unit takes minutes to compile
+// CMakePresets.json lowers it for sanitizers, under which a unit would compile for minutes.
+#ifndef BEZIERBENCH_LARGEST_FIXED_DEGREE
 #define BEZIERBENCH_LARGEST_FIXED_DEGREE max_degree
 #endif
 

@@ -10,8 +10,8 @@ namespace bezierbench::cli {
 /// this first: a stack overflow ends the program without a message.
 void require_stack();
 
-/// Throws Failure(Exit::environment) where the limit of virtual memory is too low. Call this before oneTBB is used: where
-/// its first allocation fails it waits forever (2022.1, Debian 13).
+/// Throws Failure(Exit::environment) where the limit of virtual memory is too low. Call this before oneTBB is used:
+/// oneTBB 2022.1 waits forever where its first allocation fails.
 void require_memory();
 
 /// Makes the program end with Exit::environment and one line also where no exception can be caught: in GMP, where an
