@@ -16,9 +16,10 @@ namespace bezierbench::batch::HWY_NAMESPACE {
 template <class S>
 using GroupLanes = Lanes<S, (2 * Lanes<S, 1>::size <= curves_at_once ? 2 : 1), Curves::each>;
 
-/// The lanes of some curves of a group, from the first of them on.
+/// The lanes of some curves of a group, from the first of them on. `others` are axes between two coefficients that are
+/// left out.
 template <Form F, class S, int Dimension>
-HWY_INLINE Curve<F, GroupLanes<S>, Dimension> load_group(int degree, const S* coefficients) {
+HWY_INLINE Curve<F, GroupLanes<S>, Dimension> load_group(int degree, const S* coefficients, std::size_t others = 0) {
   using L = GroupLanes<S>;
   Curve<F, L, Dimension> curve(degree);
   if constexpr (F == Form::power_double_double) {
@@ -26,7 +27,7 @@ HWY_INLINE Curve<F, GroupLanes<S>, Dimension> load_group(int degree, const S* co
     curve.high = load_group<Form::power, S, Dimension>(degree, coefficients);
     curve.low = load_group<Form::power, S, Dimension>(degree, coefficients + lows);
   } else {
-    for (int i = 0; i <= degree; ++i)
+    for (int i = 0; i <= degree; ++i, coefficients += others * curves_at_once)
       for (int axis = 0; axis < Dimension; ++axis, coefficients += curves_at_once)
         curve(axis, i) = L::load(coefficients);
   }
@@ -34,18 +35,24 @@ HWY_INLINE Curve<F, GroupLanes<S>, Dimension> load_group(int degree, const S* co
 }
 
 template <class E, class S, int Dimension>
-[[gnu::flatten]] void evaluate_lanes(int degree, const S* coefficients, const S* t, S* points) {
+[[gnu::flatten, gnu::noinline]] void evaluate_lanes(int degree, const S* coefficients, std::size_t others, const S* t,
+                                                    S* points) {
   using L = GroupLanes<S>;
   const Point<L, Dimension> point =
-      E::evaluate(E::prepare(load_group<E::info.form, S, Dimension>(degree, coefficients)), L::load(t));
+      E::evaluate(E::prepare(load_group<E::info.form, S, Dimension>(degree, coefficients, others)), L::load(t));
   for (int axis = 0; axis < Dimension; ++axis)
     point[axis].store(points + static_cast<std::size_t>(axis) * curves_at_once);
 }
 
 template <class E, class S, int Dimension>
 void evaluate_group(int degree, const S* coefficients, const S* t, S* points) {
-  for (std::size_t k = 0; k < curves_at_once; k += GroupLanes<S>::size)
-    evaluate_lanes<E, S, Dimension>(degree, coefficients + k, t + k, points + k);
+  constexpr int at_once = axis_by_axis<E> ? 1 : Dimension;
+  for (int axis = 0; axis < Dimension; axis += at_once) {
+    for (std::size_t k = 0; k < curves_at_once; k += GroupLanes<S>::size)
+      evaluate_lanes<E, S, at_once>(degree, coefficients + k, Dimension - at_once, t + k, points + k);
+    coefficients += curves_at_once;
+    points += curves_at_once;
+  }
 }
 
 template <class C, class S, int Dimension>

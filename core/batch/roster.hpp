@@ -47,7 +47,12 @@ struct OneCurve : EntryT {
   static constexpr bool one_curve_only = true;
 };
 
-/// A triangle goes axis by axis, with a vector for each level of a sweep.
+/// True of triangles: the axes of a point share nothing but t, and the kernels for one axis take one after the other.
+template <class Evaluator>
+inline constexpr bool axis_by_axis =
+    PreparesNothing<Evaluator>&& Evaluator::info.form == Form::bernstein&& Evaluator::info.cost_exponent > 1;
+
+/// A triangle has a vector for each level of a sweep.
 template <class EvaluatorT>
 using Triangle = Entry<EvaluatorT, TheCurve<Form::bernstein>, 0, 6>;
 

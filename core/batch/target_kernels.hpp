@@ -113,18 +113,35 @@ void evaluate_all(const Parts<S>& parts, const S* t, std::size_t count, S* point
     for (std::size_t lane = 0; k + lane < count; ++lane) points[axis * count + k + lane] = last[axis * block + lane];
 }
 
+/// One axis after the other, whose coefficients are put side by side first.
+template <class S, int Dimension, Evaluate<S> of_one_axis>
+void evaluate_each_axis(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
+  S coefficients[max_degree + 1];
+  for (int axis = 0; axis < Dimension; ++axis, points += count) {
+    for (int i = 0; i <= parts.degree; ++i) coefficients[i] = parts.first[i * Dimension + axis];
+    of_one_axis({parts.degree, coefficients}, t, count, points);
+  }
+}
+
+template <class Entry, class S, int Dimension>
+constexpr Evaluate<S> kernel() {
+  if constexpr (axis_by_axis<typename Entry::Evaluator> && Dimension > 1)
+    return evaluate_each_axis<S, Dimension, evaluate_all<Entry, S, 1>>;
+  else
+    return evaluate_all<Entry, S, Dimension>;
+}
+
 template <class Entry, class S>
 constexpr Evaluate<S> homogeneous_kernel() {
   if constexpr (takes_rational<typename Entry::Evaluator>)
-    return evaluate_all<Entry, S, max_dimension + 1>;
+    return kernel<Entry, S, max_dimension + 1>();
   else
     return nullptr;
 }
 
 template <class S, class... Entries>
 inline constexpr TargetKernels<S> kernels_of[sizeof...(Entries)] = {
-    {{evaluate_all<Entries, S, 1>, evaluate_all<Entries, S, 2>, evaluate_all<Entries, S, 3>,
-      homogeneous_kernel<Entries, S>()}}...};
+    {{kernel<Entries, S, 1>(), kernel<Entries, S, 2>(), kernel<Entries, S, 3>(), homogeneous_kernel<Entries, S>()}}...};
 
 template <class S, class... Entries>
 constexpr FamilyTable<S> table_of(TypeList<Entries...> /*entries*/) {
