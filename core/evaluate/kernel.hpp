@@ -14,6 +14,16 @@
 
 namespace bezierbench {
 
+/// Evaluates what a kernel prepared at every t; points[k * dimension + axis] is the point at t[k].
+template <class Scalar>
+using EvaluatePoints = void (*)(const void* prepared, std::span<const Scalar> t, Scalar* points);
+
+/// `Kernel::evaluate_for` of a method with one function for all degrees.
+template <class Scalar, EvaluatePoints<Scalar> evaluate>
+EvaluatePoints<Scalar> for_every_degree(int /*degree*/) {
+  return evaluate;
+}
+
 /// An evaluator or a converted path, instantiated for one scalar type and dimension, degree known at run time.
 template <class Scalar>
 struct Kernel {
@@ -21,13 +31,13 @@ struct Kernel {
   int dimension;
   std::size_t prepared_size;       ///< bytes that `prepare` fills
   std::size_t prepared_alignment;  ///< of those bytes
-  /// All per-curve work; constructs what `evaluate` reads in `prepared`.
+  /// All per-curve work; constructs what `evaluate_for(degree)` reads in `prepared`.
   void (*prepare)(const CurveView<Scalar>& curve, void* prepared);
-  /// Evaluates at every t; points[k * dimension + axis] is the point at t[k].
-  void (*evaluate)(const void* prepared, std::span<const Scalar> t, Scalar* points);
+  /// The function that evaluates prepared curves of this degree; chosen once for a curve, not in every call.
+  EvaluatePoints<Scalar> (*evaluate_for)(int degree);
   const MethodInfo* evaluator;   ///< the evaluator of a path; for other methods `info`
   const MethodInfo* conversion;  ///< the conversion of a path; nullptr for a method that takes curves as they are given
-  Form evaluated_form;           ///< form of the coefficients that `evaluate` reads
+  Form evaluated_form;           ///< form of the coefficients that are evaluated
   /// The coefficients that a path evaluates, point by point (double-double: all high parts, then all low parts);
   /// nullptr for a method that takes curves as they are given.
   void (*converted)(const CurveView<Scalar>& curve, std::vector<Scalar>& coefficients);

@@ -169,9 +169,6 @@ constexpr auto destroy() -> void (*)(void*) {
     return [](void* prepared) { std::destroy_at(static_cast<Prepared*>(prepared)); };
 }
 
-template <class Scalar>
-using EvaluatePoints = decltype(Kernel<Scalar>::evaluate);
-
 /// One point after the other, one axis after the other.
 template <class E, class Scalar, int Dimension>
 void evaluate_one_by_one(const void* prepared, std::span<const Scalar> t, Scalar* points) {
@@ -182,9 +179,9 @@ void evaluate_one_by_one(const void* prepared, std::span<const Scalar> t, Scalar
   }
 }
 
-/// The kernel of one method whose points `evaluate` computes.
+/// The kernel of one method whose points the functions of `evaluate_for` compute.
 template <Evaluator E, class Scalar, int Dimension>
-constexpr Kernel<Scalar> kernel(EvaluatePoints<Scalar> evaluate) {
+constexpr Kernel<Scalar> kernel(EvaluatePoints<Scalar> (*evaluate_for)(int degree)) {
   using Prepared = PreparedOf<E, Scalar, Dimension>;
   return {&E::info,
           Dimension,
@@ -196,7 +193,7 @@ constexpr Kernel<Scalar> kernel(EvaluatePoints<Scalar> evaluate) {
             else
               ::new (prepared) Prepared(prepare<E, Dimension>(view));
           },
-          evaluate,
+          evaluate_for,
           evaluator<E>(),
           conversion<E>(),
           evaluated_form<E>(),
@@ -207,7 +204,7 @@ constexpr Kernel<Scalar> kernel(EvaluatePoints<Scalar> evaluate) {
 /// The same, one axis after the other.
 template <Evaluator E, class Scalar, int Dimension>
 constexpr Kernel<Scalar> kernel() {
-  return kernel<E, Scalar, Dimension>(evaluate_one_by_one<E, Scalar, Dimension>);
+  return kernel<E, Scalar, Dimension>(for_every_degree<Scalar, evaluate_one_by_one<E, Scalar, Dimension>>);
 }
 
 }  // namespace bezierbench::instantiate

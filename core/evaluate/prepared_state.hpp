@@ -16,6 +16,7 @@ class PreparedState {
  public:
   PreparedState(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve)
       : kernel_(&kernel),
+        evaluate_(kernel.evaluate_for(curve.degree)),
         memory_(::operator new (kernel.prepared_size, std::align_val_t{kernel.prepared_alignment}),
                 Free{std::align_val_t{kernel.prepared_alignment}}) {
     kernel.prepare(curve, memory_.get());
@@ -29,10 +30,10 @@ class PreparedState {
   }
 
   [[nodiscard]] const Kernel<Scalar>& kernel() const { return *kernel_; }
-  /// What Kernel::evaluate takes.
+  /// What the functions of Kernel::evaluate_for take.
   [[nodiscard]] const void* get() const { return memory_.get(); }
   /// points[k * dimension + axis] becomes the point at t[k].
-  void evaluate(std::span<const Scalar> t, Scalar* points) const { kernel_->evaluate(get(), t, points); }
+  void evaluate(std::span<const Scalar> t, Scalar* points) const { evaluate_(get(), t, points); }
 
  private:
   struct Free {
@@ -41,6 +42,7 @@ class PreparedState {
   };
 
   const Kernel<Scalar>* kernel_;
+  EvaluatePoints<Scalar> evaluate_;
   std::unique_ptr<void, Free> memory_;
 };
 

@@ -26,8 +26,10 @@ Kernel<double> counting_kernel() {
     is_aligned = reinterpret_cast<std::uintptr_t>(state) % alignment == 0;
     *static_cast<double*>(state) = curve.coefficients[0];
   };
-  kernel.evaluate = [](const void* state, std::span<const double> t, double* points) {
-    for (std::size_t k = 0; k < t.size(); ++k) points[k] = *static_cast<const double*>(state) + t[k];
+  kernel.evaluate_for = [](int) -> EvaluatePoints<double> {
+    return [](const void* state, std::span<const double> t, double* points) {
+      for (std::size_t k = 0; k < t.size(); ++k) points[k] = *static_cast<const double*>(state) + t[k];
+    };
   };
   kernel.destroy = [](void*) { ++destroyed; };
   return kernel;

@@ -30,7 +30,7 @@ class Evaluation {
     void* prepared = storage_.reserve(kernel_.prepared_size);
     kernel_.prepare({Form::bernstein, kernel_.dimension, degree, coefficients}, prepared);
     std::array<Scalar, Count * most_axes> flat;
-    kernel_.evaluate(prepared, t, flat.data());
+    kernel_.evaluate_for(degree)(prepared, t, flat.data());
     if (kernel_.destroy != nullptr) kernel_.destroy(prepared);
     std::array<Values<Scalar>, Count> points{};
     const auto d = static_cast<std::size_t>(kernel_.dimension);

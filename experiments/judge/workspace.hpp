@@ -39,7 +39,7 @@ void evaluate_once(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve,
                    std::span<Scalar> point) {
   void* prepared = storage.reserve(kernel.prepared_size);
   kernel.prepare(curve, prepared);
-  kernel.evaluate(prepared, std::span<const Scalar>(&t, 1), point.data());
+  kernel.evaluate_for(curve.degree)(prepared, std::span<const Scalar>(&t, 1), point.data());
   if (kernel.destroy != nullptr) kernel.destroy(prepared);
 }
 

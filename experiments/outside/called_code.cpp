@@ -71,9 +71,10 @@ class Growth {
 void evaluate_each(const Kernel<double>& kernel, const Batch& batch, double* points, Growth& growth) {
   const auto alignment = std::align_val_t{std::max(kernel.prepared_alignment, alignof(std::max_align_t))};
   void* const prepared = ::operator new(kernel.prepared_size, alignment);
+  const auto evaluate = kernel.evaluate_for(batch.degree);
   for (std::size_t k = 0; k < batch.count(); ++k) {
     kernel.prepare(batch.curve(k), prepared);
-    kernel.evaluate(prepared, std::span(&batch.t[k], 1), points + k * static_cast<std::size_t>(batch.dimension));
+    evaluate(prepared, std::span(&batch.t[k], 1), points + k * static_cast<std::size_t>(batch.dimension));
     if (kernel.destroy != nullptr) kernel.destroy(prepared);
     growth.after(k + 1);
   }

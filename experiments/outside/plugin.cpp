@@ -116,7 +116,7 @@ class Plugin final : public Method {
     info.min_degree = record_.min_degree;
     info.max_degree = record_.max_degree;
     static Kernel<double> kernel{};
-    kernel = {&info, dimension, sizeof(void*), alignof(void*), prepare, evaluate,
+    kernel = {&info, dimension, sizeof(void*), alignof(void*), prepare, for_every_degree<double, evaluate>,
               &info, nullptr,   info.form,     nullptr,        destroy};
     return &kernel;
   }

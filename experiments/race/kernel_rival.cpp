@@ -29,6 +29,7 @@ struct State {
 
   const Kernel<Scalar>& kernel;
   const Inputs<Scalar>& inputs;
+  const EvaluatePoints<Scalar> evaluate;  ///< for the degree of the inputs
   PageVector<std::byte, 0> prepared;
   PageVector<Scalar, third_of_page> t;
   PageVector<Scalar, 2 * third_of_page> points;
@@ -37,6 +38,7 @@ struct State {
   State(const Kernel<Scalar>& k, const Inputs<Scalar>& in, std::vector<Scalar> right)
       : kernel(k),
         inputs(in),
+        evaluate(k.evaluate_for(in.degree)),
         prepared(k.prepared_size),
         t(in.t.begin(), in.t.end()),
         points(right.size(), spoilt),
@@ -83,29 +85,34 @@ struct State {
 template <class Scalar>
 struct PointByPoint {
   explicit PointByPoint(State<Scalar>& s)
-      : kernel(s.kernel.evaluate),
+      : function(s.evaluate),
         prepared(s.prepared.data()),
         t(s.t),
         points(s.points.data()),
         dimension(static_cast<std::size_t>(s.inputs.dimension)) {}
 
-  decltype(Kernel<Scalar>::evaluate) kernel;
+  EvaluatePoints<Scalar> function;
   const void* prepared;
   std::span<const Scalar> t;
   Scalar* points;
   std::size_t dimension;
 
   [[nodiscard]] Scalar* point(std::size_t k) const { return points + k * dimension; }
-  void evaluate(std::size_t k, Scalar at) const { kernel(prepared, std::span<const Scalar>(&at, 1), point(k)); }
+  void evaluate(std::size_t k, Scalar at) const { function(prepared, std::span<const Scalar>(&at, 1), point(k)); }
 };
 
+/// Prepares a curve, chooses the function for its degree, and evaluates one point.
 template <class Scalar>
-void one_shot(State<Scalar>& s) {
-  const PointByPoint<Scalar> points(s);
-  for (std::size_t k = 0; k < points.t.size(); ++k) {
-    s.prepare(k);
-    points.evaluate(k, points.t[k]);
-  }
+void one_shot(State<Scalar>& s, PointByPoint<Scalar>& points, std::size_t k) {
+  s.prepare(k);
+  points.function = s.kernel.evaluate_for(s.inputs.degree);
+  points.evaluate(k, points.t[k]);
+}
+
+template <class Scalar>
+void one_shots(State<Scalar>& s) {
+  PointByPoint<Scalar> points(s);
+  for (std::size_t k = 0; k < points.t.size(); ++k) one_shot(s, points, k);
 }
 
 constexpr std::size_t fewest_one_shots = 8;
@@ -114,14 +121,11 @@ constexpr double longest_one_shots_seconds = 4 * shortest_turn_seconds;
 /// The time of one of the first inputs in mode one_shot. The least of three counts, so that a preemption does not.
 template <class Scalar>
 double one_shot_seconds(State<Scalar>& s) {
-  const PointByPoint<Scalar> points(s);
+  PointByPoint<Scalar> points(s);
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   for (int attempt = 0; attempt < 3; ++attempt) {
     const std::int64_t start = steady_ns();
-    for (std::size_t k = 0; k < fewest_one_shots; ++k) {
-      s.prepare(k);
-      points.evaluate(k, points.t[k]);
-    }
+    for (std::size_t k = 0; k < fewest_one_shots; ++k) one_shot(s, points, k);
     least = std::min(least, steady_ns() - start);
   }
   s.spoil();
@@ -161,13 +165,13 @@ void dependent_chain(State<Scalar>& s) {
 
 template <class Scalar>
 void all_at_once(State<Scalar>& s) {
-  s.kernel.evaluate(s.prepared.data(), s.t, s.points.data());
+  s.evaluate(s.prepared.data(), s.t, s.points.data());
 }
 
 template <class Scalar>
 void (*run_of(suite::Mode mode))(State<Scalar>&) {
   switch (mode) {
-    case suite::Mode::one_shot: return one_shot<Scalar>;
+    case suite::Mode::one_shot: return one_shots<Scalar>;
     case suite::Mode::point: return point_by_point<Scalar>;
     case suite::Mode::latency: return dependent_chain<Scalar>;
     case suite::Mode::batch: return all_at_once<Scalar>;
@@ -205,17 +209,20 @@ Rival vector_rival(const batch::BatchKernel<Scalar>& vectors, const Kernel<Scala
 
 constexpr MethodInfo empty_method{.id = "call", .label = "empty kernel", .flops = "0", .citation = ""};
 
-/// Prepares nothing, and evaluates no point but the first.
+/// Evaluates no point but the first.
+template <class Scalar, int Dimension>
+void evaluate_first(const void* /*prepared*/, std::span<const Scalar> t, Scalar* points) {
+  for (int axis = 0; axis < Dimension; ++axis) points[axis] = t[0];
+}
+
+/// Prepares nothing.
 template <class Scalar, int Dimension>
 constexpr Kernel<Scalar> empty_kernel{.info = &empty_method,
                                       .dimension = Dimension,
                                       .prepared_size = 1,
                                       .prepared_alignment = 1,
                                       .prepare = [](const CurveView<Scalar>& /*curve*/, void* /*prepared*/) {},
-                                      .evaluate =
-                                          [](const void* /*prepared*/, std::span<const Scalar> t, Scalar* points) {
-                                            for (int axis = 0; axis < Dimension; ++axis) points[axis] = t[0];
-                                          },
+                                      .evaluate_for = for_every_degree<Scalar, evaluate_first<Scalar, Dimension>>,
                                       .evaluator = &empty_method,
                                       .conversion = nullptr,
                                       .evaluated_form = Form::bernstein,

@@ -95,10 +95,12 @@ TYPED_TEST(KernelRival, IsHeldToTheLastBit) {
 TYPED_TEST(KernelRival, LatencyHandsOnWhatIsNoNumber) {
   Kernel<TypeParam> echo = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
   echo.evaluator = nullptr;  // that no batch kernel may take its place
-  echo.evaluate = [](const void*, std::span<const TypeParam> t, TypeParam* points) {
-    points[0] = t[0];
-    points[1] = t[0] > TypeParam(0.5) ? std::numeric_limits<TypeParam>::quiet_NaN()
-                                      : -std::numeric_limits<TypeParam>::infinity();
+  echo.evaluate_for = [](int) -> EvaluatePoints<TypeParam> {
+    return [](const void*, std::span<const TypeParam> t, TypeParam* points) {
+      points[0] = t[0];
+      points[1] = t[0] > TypeParam(0.5) ? std::numeric_limits<TypeParam>::quiet_NaN()
+                                        : -std::numeric_limits<TypeParam>::infinity();
+    };
   };
   auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
   inputs.t[3] = -TypeParam(0);
@@ -139,7 +141,9 @@ TYPED_TEST(KernelRival, EndsWhatItPrepared) {
   Kernel<TypeParam> owner = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
   owner.evaluator = nullptr;
   owner.prepare = [](const CurveView<TypeParam>&, void*) { ++alive; };
-  owner.evaluate = [](const void*, std::span<const TypeParam>, TypeParam*) { EXPECT_EQ(alive, 1); };
+  owner.evaluate_for = [](int) -> EvaluatePoints<TypeParam> {
+    return [](const void*, std::span<const TypeParam>, TypeParam*) { EXPECT_EQ(alive, 1); };
+  };
   owner.destroy = [](void*) { --alive; };
   const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
   for (const auto mode : modes) {
@@ -160,9 +164,11 @@ std::vector<std::array<std::uintptr_t, 3>> touched;
 TYPED_TEST(KernelRival, LiesInItsPagesAsEveryOtherDoes) {
   Kernel<TypeParam> watched = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
   watched.evaluator = nullptr;
-  watched.evaluate = [](const void* prepared, std::span<const TypeParam> t, TypeParam* points) {
-    const auto place = [](const void* address) { return reinterpret_cast<std::uintptr_t>(address) % page; };
-    touched.push_back({place(prepared), place(t.data()), place(points)});
+  watched.evaluate_for = [](int) -> EvaluatePoints<TypeParam> {
+    return [](const void* prepared, std::span<const TypeParam> t, TypeParam* points) {
+      const auto place = [](const void* address) { return reinterpret_cast<std::uintptr_t>(address) % page; };
+      touched.push_back({place(prepared), place(t.data()), place(points)});
+    };
   };
   const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
   const std::vector<TypeParam> judged(2 * inputs.t.size());

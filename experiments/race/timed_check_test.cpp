@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 
@@ -32,10 +33,11 @@ bool is_right(const JudgedPoints<Scalar>& judged) {
 template <class Scalar>
 class TimedCheck : public testing::Test {
  protected:
-  /// de Casteljau with another `evaluate`.
-  static Kernel<Scalar> with(void (*evaluate)(const void*, std::span<const Scalar>, Scalar*)) {
+  /// de Casteljau with another function in place of its own.
+  template <EvaluatePoints<Scalar> evaluate>
+  static Kernel<Scalar> with() {
     Kernel<Scalar> kernel = *find_kernel<Scalar>("de_casteljau", Form::bernstein, 2);
-    kernel.evaluate = evaluate;
+    kernel.evaluate_for = for_every_degree<Scalar, evaluate>;
     return kernel;
   }
 };
@@ -84,9 +86,12 @@ TYPED_TEST(TimedCheck, CatchesAWrongMethodWithoutABoundAtAHighDegree) {
     Kernel<TypeParam> kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 1);
     kernel.info = &unproved;
     EXPECT_TRUE(is_right(judge(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(degree))));
-    kernel.evaluate = [](const void* prepared, std::span<const TypeParam> t, TypeParam* points) {
-      find_kernel<TypeParam>("de_casteljau", Form::bernstein, 1)->evaluate(prepared, t, points);
-      points[0] += TypeParam(0.01);
+    kernel.evaluate_for = [](int) -> EvaluatePoints<TypeParam> {
+      return [](const void* prepared, std::span<const TypeParam> t, TypeParam* points) {
+        // The function for the largest degree takes curves of any: it reads the degree of what is prepared.
+        find_kernel<TypeParam>("de_casteljau", Form::bernstein, 1)->evaluate_for(max_degree)(prepared, t, points);
+        points[0] += TypeParam(0.01);
+      };
     };
     EXPECT_FALSE(is_right(judge(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(degree)))) << degree;
   }
@@ -110,17 +115,23 @@ TYPED_TEST(TimedCheck, HandsOverThePointsThatItJudged) {
   EXPECT_EQ(of_each[6], TypeParam(3.125));    // (0 + 3 * 4 + 9 + 4) / 8
 }
 
+template <class Scalar>
+void write_ones(const void* /*prepared*/, std::span<const Scalar> t, Scalar* points) {
+  std::fill_n(points, 2 * t.size(), Scalar(1));
+}
+
+template <class Scalar>
+void write_infinities(const void* /*prepared*/, std::span<const Scalar> t, Scalar* points) {
+  std::fill_n(points, 2 * t.size(), std::numeric_limits<Scalar>::infinity());
+}
+
 TYPED_TEST(TimedCheck, CatchesAWrongMethod) {
-  const auto ones = this->with([](const void*, std::span<const TypeParam> t, TypeParam* points) {
-    for (std::size_t k = 0; k < 2 * t.size(); ++k) points[k] = 1;
-  });
+  const auto ones = this->template with<write_ones<TypeParam>>();
   EXPECT_FALSE(judge(ones, suite::Mode::point, cubic_inputs<TypeParam>(Form::bernstein)).right);
 }
 
 TYPED_TEST(TimedCheck, CatchesNotANumber) {
-  const auto infinite = this->with([](const void*, std::span<const TypeParam> t, TypeParam* points) {
-    for (std::size_t k = 0; k < 2 * t.size(); ++k) points[k] = std::numeric_limits<TypeParam>::infinity();
-  });
+  const auto infinite = this->template with<write_infinities<TypeParam>>();
   EXPECT_FALSE(judge(infinite, suite::Mode::point, cubic_inputs<TypeParam>(Form::bernstein)).right);
 }
 

@@ -16,7 +16,8 @@ Fault fault;
 
 template <int Dimension>
 void evaluate_wrongly(const void* prepared, std::span<const double> t, double* points) {
-  static const auto right = find_kernel<double>("de_casteljau", Form::bernstein, Dimension)->evaluate;
+  // The function for the largest degree takes curves of any: it reads the degree of what is prepared.
+  static const auto right = find_kernel<double>("de_casteljau", Form::bernstein, Dimension)->evaluate_for(max_degree);
   right(prepared, t, points);
   for (std::size_t k = 0; k < t.size(); ++k) points[k * Dimension] = fault(points[k * Dimension], k, t);
 }
@@ -27,9 +28,9 @@ std::vector<std::string_view> lost_by(Fault one) {
   std::array<Kernel<double>, 3> wrong{*find_kernel<double>("de_casteljau", Form::bernstein, 1),
                                       *find_kernel<double>("de_casteljau", Form::bernstein, 2),
                                       *find_kernel<double>("de_casteljau", Form::bernstein, 3)};
-  wrong[0].evaluate = evaluate_wrongly<1>;
-  wrong[1].evaluate = evaluate_wrongly<2>;
-  wrong[2].evaluate = evaluate_wrongly<3>;
+  wrong[0].evaluate_for = for_every_degree<double, evaluate_wrongly<1>>;
+  wrong[1].evaluate_for = for_every_degree<double, evaluate_wrongly<2>>;
+  wrong[2].evaluate_for = for_every_degree<double, evaluate_wrongly<3>>;
   const Evaluator method{{&wrong[0], &wrong[1], &wrong[2]}, find_kernel<float>("de_casteljau", Form::bernstein, 2)};
   std::vector<std::string_view> lost;
   for (const auto& property : properties()) {

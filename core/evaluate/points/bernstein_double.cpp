@@ -3,8 +3,8 @@
 
 namespace bezierbench::instantiate {
 
-template std::span<const EvaluatePoints<double>> points_of_family<double, 1, Family::bernstein>();
-template std::span<const EvaluatePoints<double>> points_of_family<double, 2, Family::bernstein>();
-template std::span<const EvaluatePoints<double>> points_of_family<double, 3, Family::bernstein>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 1, Family::bernstein>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 2, Family::bernstein>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 3, Family::bernstein>();
 
 }  // namespace bezierbench::instantiate

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The functions behind `Kernel::evaluate`, instantiated once for each evaluator, scalar and dimension; every path that
-// ends in an evaluator shares them. Families of evaluators are compiled in units of their own.
+// The functions behind `Kernel::evaluate_for`, instantiated once for each evaluator, scalar and dimension; every path
+// that ends in an evaluator shares them. Families of evaluators are compiled in units of their own.
 #pragma once
 
 #include <cstddef>
@@ -28,9 +28,12 @@ struct Members<F, TypeList<Es...>> {
   using Type = typename Concatenated<detail::OneIf<family_of(Es::info) == F, Es>...>::Type;
 };
 
+template <class Scalar>
+using EvaluateFor = decltype(Kernel<Scalar>::evaluate_for);
+
 /// One for each evaluator of the family, in roster order. Defined in the units of the families.
 template <class Scalar, int Dimension, Family F>
-std::span<const EvaluatePoints<Scalar>> points_of_family();
+std::span<const EvaluateFor<Scalar>> points_of_family();
 
 /// The place of an evaluator in a list.
 template <class E, class... Es>
@@ -40,9 +43,9 @@ constexpr std::size_t place_in(TypeList<Es...> /*list*/) {
   return place;
 }
 
-/// The function of one evaluator.
+/// That of one evaluator.
 template <class E, class Scalar, int Dimension>
-EvaluatePoints<Scalar> points_of() {
+EvaluateFor<Scalar> points_of() {
   constexpr Family family = family_of(E::info);
   return points_of_family<Scalar, Dimension, family>()[place_in<E>(typename Members<family>::Type())];
 }

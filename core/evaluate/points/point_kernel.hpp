@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The function behind `Kernel::evaluate`: one point after the other, the axes of a point side by side, the degree known
-// at compile time where that is faster. Every way has the bits of the method for numbers.
+// The functions behind `Kernel::evaluate_for`: one point after the other, the axes of a point side by side, the degree
+// known at compile time where that is faster. Every way has the bits of the method for numbers.
 #pragma once
 
 #include <algorithm>
@@ -52,19 +52,18 @@ constexpr auto fixed_degrees(std::integer_sequence<int, Degree...> /*degrees*/) 
   return std::array{EvaluatePoints<S>(evaluate_side_by_side<E, S, Dimension, Degree>)...};
 }
 
-/// Chooses among the above, once per call.
+/// The function for prepared curves of this degree.
 template <class E, class S, int Dimension>
-void evaluate_points(const void* prepared, std::span<const S> t, S* points) {
+EvaluatePoints<S> evaluate_for([[maybe_unused]] int degree) {
   if constexpr (SideBySide<E, S, Dimension>) {
     constexpr int largest = largest_fixed_degree<E>();
     if constexpr (largest >= 0) {
       static constexpr auto fixed = fixed_degrees<E, S, Dimension>(std::make_integer_sequence<int, largest + 1>());
-      const int degree = degree_of(*static_cast<const PreparedOf<E, S, Dimension>*>(prepared));
-      if (degree <= largest) return fixed[static_cast<std::size_t>(degree)](prepared, t, points);
+      if (degree <= largest) return fixed[static_cast<std::size_t>(degree)];
     }
-    evaluate_side_by_side<E, S, Dimension, dynamic>(prepared, t, points);
+    return evaluate_side_by_side<E, S, Dimension, dynamic>;
   } else {
-    evaluate_one_by_one<E, S, Dimension>(prepared, t, points);
+    return evaluate_one_by_one<E, S, Dimension>;
   }
 }
 

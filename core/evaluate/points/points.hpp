@@ -10,13 +10,13 @@
 namespace bezierbench::instantiate {
 
 template <class Scalar, int Dimension, class... Es>
-std::span<const EvaluatePoints<Scalar>> points_of_all(TypeList<Es...> /*evaluators*/) {
-  static constexpr std::array<EvaluatePoints<Scalar>, sizeof...(Es)> table{evaluate_points<Es, Scalar, Dimension>...};
+std::span<const EvaluateFor<Scalar>> points_of_all(TypeList<Es...> /*evaluators*/) {
+  static constexpr std::array<EvaluateFor<Scalar>, sizeof...(Es)> table{evaluate_for<Es, Scalar, Dimension>...};
   return table;
 }
 
 template <class Scalar, int Dimension, Family F>
-std::span<const EvaluatePoints<Scalar>> points_of_family() {
+std::span<const EvaluateFor<Scalar>> points_of_family() {
   return points_of_all<Scalar, Dimension>(typename Members<F>::Type());
 }
 

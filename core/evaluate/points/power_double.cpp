@@ -3,8 +3,8 @@
 
 namespace bezierbench::instantiate {
 
-template std::span<const EvaluatePoints<double>> points_of_family<double, 1, Family::power>();
-template std::span<const EvaluatePoints<double>> points_of_family<double, 2, Family::power>();
-template std::span<const EvaluatePoints<double>> points_of_family<double, 3, Family::power>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 1, Family::power>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 2, Family::power>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 3, Family::power>();
 
 }  // namespace bezierbench::instantiate

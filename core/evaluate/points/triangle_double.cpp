@@ -3,7 +3,7 @@
 
 namespace bezierbench::instantiate {
 
-template std::span<const EvaluatePoints<double>> points_of_family<double, 1, Family::triangle>();
-template std::span<const EvaluatePoints<double>> points_of_family<double, 2, Family::triangle>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 1, Family::triangle>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 2, Family::triangle>();
 
 }  // namespace bezierbench::instantiate

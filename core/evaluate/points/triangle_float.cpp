@@ -3,7 +3,7 @@
 
 namespace bezierbench::instantiate {
 
-template std::span<const EvaluatePoints<float>> points_of_family<float, 1, Family::triangle>();
-template std::span<const EvaluatePoints<float>> points_of_family<float, 2, Family::triangle>();
+template std::span<const EvaluateFor<float>> points_of_family<float, 1, Family::triangle>();
+template std::span<const EvaluateFor<float>> points_of_family<float, 2, Family::triangle>();
 
 }  // namespace bezierbench::instantiate

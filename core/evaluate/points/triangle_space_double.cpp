@@ -3,6 +3,6 @@
 
 namespace bezierbench::instantiate {
 
-template std::span<const EvaluatePoints<double>> points_of_family<double, 3, Family::triangle>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 3, Family::triangle>();
 
 }  // namespace bezierbench::instantiate

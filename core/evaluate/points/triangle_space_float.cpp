@@ -3,6 +3,6 @@
 
 namespace bezierbench::instantiate {
 
-template std::span<const EvaluatePoints<float>> points_of_family<float, 3, Family::triangle>();
+template std::span<const EvaluateFor<float>> points_of_family<float, 3, Family::triangle>();
 
 }  // namespace bezierbench::instantiate

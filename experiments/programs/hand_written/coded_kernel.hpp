@@ -77,14 +77,16 @@ Kernel<Scalar> coded_kernel() {
     const PreparedState<Scalar> state(own_kernel<Evaluator, Scalar>(Dimension), curve);
     new (prepared) Parts(detail::plain_parts<Degree>(*static_cast<const Prepared*>(state.get())));
   };
-  kernel.evaluate = [](const void* prepared, std::span<const Scalar> t, Scalar* points) {
-    const auto& parts = *static_cast<const Parts*>(prepared);
-    for (const Scalar at : t) {
-      const auto point = std::apply(
-          [at](const auto&... part) { return hand_written::ByHand<Evaluator>::evaluate(at, part...); }, parts);
-      hand_written::store<Dimension>(point, points);
-      points += Dimension;
-    }
+  kernel.evaluate_for = [](int /*degree*/) -> EvaluatePoints<Scalar> {
+    return [](const void* prepared, std::span<const Scalar> t, Scalar* points) {
+      const auto& parts = *static_cast<const Parts*>(prepared);
+      for (const Scalar at : t) {
+        const auto point = std::apply(
+            [at](const auto&... part) { return hand_written::ByHand<Evaluator>::evaluate(at, part...); }, parts);
+        hand_written::store<Dimension>(point, points);
+        points += Dimension;
+      }
+    };
   };
   return kernel;
 }

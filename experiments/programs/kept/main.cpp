@@ -63,12 +63,13 @@ class Values {
   }
   const std::vector<Scalar>& at(const std::vector<Scalar>& coefficients, const std::vector<Scalar>& t) {
     void* prepared = storage_.reserve(kernel_.prepared_size);
-    kernel_.prepare({Form::bernstein, 1, static_cast<int>(coefficients.size()) - 1, coefficients}, prepared);
+    const int degree = static_cast<int>(coefficients.size()) - 1;
+    kernel_.prepare({Form::bernstein, 1, degree, coefficients}, prepared);
     values_.resize(t.size());
     if (batch_)
       batch_(prepared, t, values_.data());
     else
-      kernel_.evaluate(prepared, t, values_.data());
+      kernel_.evaluate_for(degree)(prepared, t, values_.data());
     if (kernel_.destroy != nullptr) kernel_.destroy(prepared);
     return values_;
   }

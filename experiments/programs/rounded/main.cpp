@@ -95,7 +95,7 @@ class RandomCurve {
     alignas(64) thread_local std::byte memory[sizeof(State)];
     if (kernel.prepared_size > sizeof memory) throw std::logic_error("the kernel prepares another state");
     kernel.prepare(view(), memory);
-    kernel.evaluate(memory, t_, ours_.data());
+    kernel.evaluate_for(degree_)(memory, t_, ours_.data());
     std::vector<double> by_axis(ours_.size());
     for (const auto* target : batch::usable_targets()) {
       batch::find(*target, kernel)(memory, t_, by_axis.data());
