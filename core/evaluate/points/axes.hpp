@@ -62,6 +62,10 @@ inline auto fused_vectors(const VectorType<float, 4>::Type& a, const VectorType<
                           const VectorType<float, 4>::Type& c) {
   return __builtin_ia32_vfmaddps(a, b, c);
 }
+inline auto fused_vectors(const VectorType<float, 8>::Type& a, const VectorType<float, 8>::Type& b,
+                          const VectorType<float, 8>::Type& c) {
+  return __builtin_ia32_vfmaddps256(a, b, c);
+}
 #endif
 
 }  // namespace detail
@@ -158,6 +162,8 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
   friend Axes select(const Mask& condition, const Axes& first, const Axes& second) {
     return of(condition.value ? first.vector_ : second.vector_);
   }
+  /// All lanes of a but the first, then the first of b.
+  friend Axes shifted(const Axes& a, const Axes& b) { return shifted(a, b, std::make_integer_sequence<int, lanes>()); }
   /// These two take a value that is the same in every lane, as a parameter is.
   friend Scalar parameter_of(const Axes& t) { return t.lane(0); }
   friend bool inside_unit_interval(const Axes& t) { return bezierbench::inside_unit_interval<Scalar>(t.lane(0)); }
@@ -167,6 +173,10 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
     Axes result;
     result.vector_ = vector;
     return result;
+  }
+  template <int... Lane>
+  friend Axes shifted(const Axes& a, const Axes& b, std::integer_sequence<int, Lane...> /*all*/) {
+    return of(__builtin_shufflevector(a.vector_, b.vector_, (Lane + 1)...));
   }
   template <int... Lane>
   static Axes load(const Scalar* values, std::integer_sequence<int, Lane...> /*all*/) {

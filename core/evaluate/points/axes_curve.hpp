@@ -39,6 +39,7 @@ class AxesRow {
  public:
   explicit AxesRow(const S* first) : first_(first) {}
   [[nodiscard]] Axes<S, DimensionT> operator[](int i) const { return Axes<S, DimensionT>(first_[i]); }
+  [[nodiscard]] const S* data() const { return first_; }
 
  private:
   const S* first_;

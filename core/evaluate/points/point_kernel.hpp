@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/points/along_curve.hpp"
 #include "core/evaluate/points/axes_curve.hpp"
 #include "core/evaluate/points/axes_triangle.hpp"
 
