@@ -39,8 +39,6 @@ struct BarycentricChebyshev {
                                        "[Berrut and Trefethen 2004], eq. (4.2); [Fuda et al. 2024], "
                                        "CHE"};
 
-  static constexpr int largest_fixed_degree = -1;  ///< its divisions take longer than the loop around them
-
   template <class Scalar, int Dimension, int Degree>
   static Barycentric<Scalar, Dimension, Degree> prepare(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {

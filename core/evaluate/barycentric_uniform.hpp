@@ -26,8 +26,6 @@ struct BarycentricUniform {
                                        "[Berrut and Trefethen 2004], eq. (4.2); [Fuda et al. 2024], "
                                        "UNI"};
 
-  static constexpr int largest_fixed_degree = -1;  ///< its divisions take longer than the loop around them
-
   template <class Scalar, int Dimension, int Degree>
   static Barycentric<Scalar, Dimension, Degree> prepare(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {

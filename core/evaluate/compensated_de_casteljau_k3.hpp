@@ -24,7 +24,7 @@ struct CompensatedDeCasteljauK3 : TakenAsGiven<Form::bernstein> {
       .cost_exponent = 2,
       .citation = "[Hermes 2019], Algorithm 4.2 and section 4.2"};
 
-  static constexpr int largest_fixed_degree = -1;  ///< its steps take longer than the loops around them
+  static constexpr int largest_fixed_degree = 1;  ///< beyond, its steps take longer than the loops around them
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

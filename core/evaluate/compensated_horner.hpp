@@ -30,7 +30,7 @@ struct CompensatedHorner : TakenAsGiven<Form::power> {
                                    .flops = "11dn + d",
                                    .citation = "[Graillat et al. 2009]"};
 
-  static constexpr int largest_fixed_degree = -1;  ///< its steps take longer than the loop around them
+  static constexpr int largest_fixed_degree = 2;  ///< beyond, its steps take longer than the loop around them
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -85,6 +85,8 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
       .flops = "14dn + 7d + 12 log2 n + 12",
       .citation = "[Delgado and Pena 2016]; [Schumaker and Volk 1986]"};
 
+  static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
+
   /// Columns i hold C(n,i) b_i, rounded, and the error of this rounding.
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {

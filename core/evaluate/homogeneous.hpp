@@ -27,9 +27,18 @@ Point<Scalar, Lifted - 1> over_last(const Point<Scalar, Lifted>& lifted) {
   return point;
 }
 
+/// What a method says of its largest fixed degree, if it says so.
+template <class Method>
+struct FixedDegreesOf {};
+template <class Method>
+requires requires { Method::largest_fixed_degree; }
+struct FixedDegreesOf<Method> {
+  static constexpr int largest_fixed_degree = Method::largest_fixed_degree;
+};
+
 /// `Method` on homogeneous coordinates; keeps its id, in the rational form.
 template <Evaluator Method>
-requires(Method::info.form == Form::bernstein) struct Homogeneous {
+requires(Method::info.form == Form::bernstein) struct Homogeneous : FixedDegreesOf<Method> {
   static constexpr double bound_factor(int n, double u) {
     const double factor = Method::info.bound->factor(n, u);
     const double phi = factor * u;

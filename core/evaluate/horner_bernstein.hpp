@@ -41,6 +41,8 @@ struct HornerBernstein : SameForEveryAxis {
       .flops = "n(1+3d) + 1",
       .citation = "[Farin 2002], nested multiplication"};
 
+  static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
+
   static constexpr std::array guarantees{Guarantee{Property::ends_exact},       Guarantee{Property::reversal, 1},
                                          Guarantee{Property::finite, 1},        Guarantee{Property::scaling_by_two},
                                          Guarantee{Property::axes_independent}, Guarantee{Property::total}};

@@ -34,7 +34,7 @@ struct HornerDoubleDouble : TakenAsGiven<Form::power_double_double> {
                                    .flops = "12dn + d",
                                    .citation = "[Graillat et al. 2009], on double-double coefficients"};
 
-  static constexpr int largest_fixed_degree = -1;  ///< its steps take longer than the loop around them
+  static constexpr int largest_fixed_degree = 2;  ///< beyond, its steps take longer than the loop around them
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power_double_double, Scalar, Dimension, Degree>& curve,

@@ -24,6 +24,8 @@ struct HornerFma : TakenAsGiven<Form::power> {
                                    .flops = "dn fma",
                                    .citation = "[Higham 2002], section 5.1, with fused steps"};
 
+  static constexpr int largest_fixed_degree = 20;  ///< a step is about as short as the loop around it
+
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();

@@ -21,6 +21,8 @@ struct WoznyChudy : TakenAsGiven<Form::bernstein> {
                                    .flops = "n(5+3d) + 2, n + 1 of them divisions",
                                    .citation = "[Wozny and Chudy 2020], Algorithm 1.1"};
 
+  static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
+
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();

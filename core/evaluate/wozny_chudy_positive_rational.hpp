@@ -36,6 +36,8 @@ struct WoznyChudyPositiveRational {
       .flops = "n(5+3d) + 2, 2n + 1 of them divisions",
       .citation = "[Wozny and Chudy 2020], remark on the weights"};
 
+  static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
+
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<Form::rational, Scalar, Dimension, Degree>& curve) {
     return WoznyChudyRational::prepare(curve);

@@ -24,6 +24,8 @@ struct WoznyChudyRational {
                                    .flops = "n(5+3d) + 2, n + 1 of them divisions",
                                    .citation = "[Wozny and Chudy 2020], rational curves"};
 
+  static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
+
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> points;

@@ -144,18 +144,16 @@ template <class S, int DimensionT, int DegreeT>
 class AxesFromEitherEnd {
  public:
   AxesFromEitherEnd(bool from_start, const Curve<Form::bernstein, Axes<S, DimensionT>, 1, DegreeT>& curve)
-      : first_(curve.data() + (from_start ? 0 : curve.degree() * DimensionT)),
-        stride_(from_start ? DimensionT : -DimensionT),
-        degree_(curve.degree()) {}
+      : from_start_(from_start), first_(curve.data()), degree_(curve.degree()) {}
 
   [[nodiscard]] int degree() const { return DegreeT == dynamic ? degree_ : DegreeT; }
   [[nodiscard]] Axes<S, DimensionT> operator()(int /*axis*/, int i) const {
-    return Axes<S, DimensionT>::load(first_ + i * stride_);
+    return Axes<S, DimensionT>::load(first_ + static_cast<std::ptrdiff_t>(from_start_ ? i : degree() - i) * DimensionT);
   }
 
  private:
+  bool from_start_;
   const S* first_;
-  std::ptrdiff_t stride_;
   int degree_;
 };
 
