@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: MIT
-# bezierbench_folder(NAME [SUBFOLDERS] [WITH folder...] [POSITION_INDEPENDENT] [JOINED n] [JOINED_TESTS n] DEPENDS target...):
-# the sources of this folder, with SUBFOLDERS those of the folders in it, and those of the folders WITH, become the library
-# NAME, their *_test.cpp the test program NAME_test. Files are globbed so that adding a method or a study needs no second list.
+# bezierbench_folder(NAME [SUBFOLDERS] [WITH folder...] [LIGHT] [JOINED n] [JOINED_TESTS n] [PRECOMPILED target]
+# DEPENDS target...): the sources of this folder, with SUBFOLDERS those of the folders in it, and those of the folders WITH,
+# become the library NAME, their *_test.cpp the test program NAME_test. Files are globbed so that adding a method or a study
+# needs no second list. PRECOMPILED names the target whose precompiled header and options the folder has.
+#
+# LIGHT is for folders that neither are timed nor judge trials: a third of the time to compile them is saved by less
+# optimisation. The linker keeps the first copy of a template that several objects instantiate, so the program links the
+# objects of all other folders first, which are in the global property BEZIERBENCH_FULLY_OPTIMISED.
 #
 # With JOINED GCC compiles up to n sources as one translation unit, with JOINED_TESTS up to n tests, since most of a short
 # one's time goes into what it includes. Names in the unnamed namespaces of such a folder are different from each other.
@@ -16,7 +21,7 @@ function(bezierbench_join target number)
 endfunction()
 
 function(bezierbench_folder name)
-  cmake_parse_arguments(FOLDER "SUBFOLDERS;POSITION_INDEPENDENT" "JOINED;JOINED_TESTS" "WITH;DEPENDS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(FOLDER "SUBFOLDERS;LIGHT" "JOINED;JOINED_TESTS;PRECOMPILED" "WITH;DEPENDS;TEST_DEPENDS" ${ARGN})
   set(patterns *.cpp)
   if(FOLDER_SUBFOLDERS)
     list(APPEND patterns */*.cpp)
@@ -31,11 +36,18 @@ function(bezierbench_folder name)
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC numerics ${FOLDER_DEPENDS})
-    target_precompile_headers(${name} REUSE_FROM precompiled)
-    bezierbench_join(${name} "${FOLDER_JOINED}")
-    if(FOLDER_POSITION_INDEPENDENT AND NOT CMAKE_POSITION_INDEPENDENT_CODE)
-      set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON DISABLE_PRECOMPILE_HEADERS ON)
+    if(FOLDER_LIGHT)
+      set(FOLDER_PRECOMPILED precompiled_light)
+    else()
+      set_property(GLOBAL APPEND PROPERTY BEZIERBENCH_FULLY_OPTIMISED $<TARGET_OBJECTS:${name}>)
     endif()
+    if(FOLDER_PRECOMPILED)
+      target_compile_options(${name} PRIVATE $<TARGET_PROPERTY:${FOLDER_PRECOMPILED},COMPILE_OPTIONS>)
+    else()
+      set(FOLDER_PRECOMPILED precompiled)
+    endif()
+    target_precompile_headers(${name} REUSE_FROM ${FOLDER_PRECOMPILED})
+    bezierbench_join(${name} "${FOLDER_JOINED}")
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE numerics ${FOLDER_DEPENDS})
@@ -44,7 +56,7 @@ function(bezierbench_folder name)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE ${name} ${FOLDER_TEST_DEPENDS} GTest::gmock GTest::gtest_main)
     set_target_properties(${name}_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
-    target_compile_options(${name}_test PRIVATE ${BEZIERBENCH_TEST_OPTIONS})
+    target_compile_options(${name}_test PRIVATE ${BEZIERBENCH_LIGHT_OPTIONS})
     target_precompile_headers(${name}_test REUSE_FROM precompiled_tests)
     bezierbench_join(${name}_test "${FOLDER_JOINED_TESTS}")
     target_compile_definitions(${name}_test PRIVATE BEZIERBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

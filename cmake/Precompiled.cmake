@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# What most files include and what takes long to parse is parsed once, for libraries and for tests. A file includes what it
-# uses all the same: Clang compiles without this, and finds what is missing.
+# What most files include and what takes long to parse is parsed once for each set of options of the optimiser, which GCC
+# takes from a precompiled header and not from the command line. A file includes what it uses all the same: Clang compiles
+# without this, and finds what is missing.
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
@@ -20,22 +21,26 @@ foreach(package random123 fmt::fmt gmp)
     target_compile_definitions(numerics INTERFACE $<TARGET_PROPERTY:${package},INTERFACE_COMPILE_DEFINITIONS>)
   endif()
 endforeach()
-# Of tests, which run for seconds and compile for minutes. Never of a library: the linker keeps one copy of a template that
-# several objects instantiate, and the one that is timed would be the less optimised.
-set(BEZIERBENCH_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+# Of tests, which run for seconds and compile for minutes, and of folders that neither are timed nor judge trials.
+set(BEZIERBENCH_LIGHT_OPTIONS $<$<CONFIG:Release>:-O1>)
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
 
-add_library(precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-target_link_libraries(precompiled PUBLIC numerics PRIVATE ${precompiled_packages})
-target_precompile_headers(precompiled PRIVATE ${BEZIERBENCH_PRECOMPILED})
+# bezierbench_precompiled(NAME [OPTIONS option...] HEADERS header...): a target whose precompiled header others reuse.
+function(bezierbench_precompiled name)
+  cmake_parse_arguments(PRECOMPILED "" "" "OPTIONS;HEADERS" ${ARGN})
+  add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(${name} PUBLIC numerics PRIVATE ${precompiled_packages})
+  target_compile_options(${name} PRIVATE ${PRECOMPILED_OPTIONS})
+  target_precompile_headers(${name} PRIVATE ${PRECOMPILED_HEADERS})
+endfunction()
 
+bezierbench_precompiled(precompiled HEADERS ${BEZIERBENCH_PRECOMPILED})
+bezierbench_precompiled(precompiled_light OPTIONS ${BEZIERBENCH_LIGHT_OPTIONS} HEADERS ${BEZIERBENCH_PRECOMPILED})
 if(BEZIERBENCH_TESTS)
-  add_library(precompiled_tests OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-  target_link_libraries(precompiled_tests PUBLIC numerics GTest::gmock PRIVATE ${precompiled_packages})
-  target_compile_options(precompiled_tests PRIVATE ${BEZIERBENCH_TEST_OPTIONS})
-  if(CMAKE_POSITION_INDEPENDENT_CODE) # as the test programs are compiled
-    set_target_properties(precompiled_tests PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-    target_compile_options(precompiled_tests PRIVATE -fPIE)
-  endif()
-  target_precompile_headers(precompiled_tests PRIVATE ${BEZIERBENCH_PRECOMPILED} <gmock/gmock.h> <gtest/gtest.h>)
+  bezierbench_precompiled(precompiled_tests OPTIONS ${BEZIERBENCH_LIGHT_OPTIONS}
+                          HEADERS ${BEZIERBENCH_PRECOMPILED} <gmock/gmock.h> <gtest/gtest.h>)
+  target_link_libraries(precompiled_tests PUBLIC GTest::gmock)
+  # As programs are compiled.
+  set_target_properties(precompiled_tests PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  target_compile_options(precompiled_tests PRIVATE -fPIE)
 endif()

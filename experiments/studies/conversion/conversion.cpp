@@ -78,18 +78,18 @@ std::vector<Chain> chains_of(const suite::Study& study, int dimension) {
 double largest_distance(std::span<const double> computed, const std::vector<reference::ExactPoint>& truth,
                         std::size_t d) {
   if (!metric::all_finite(computed)) return std::numeric_limits<double>::infinity();
-  double largest = 0;
+  double distance = 0;
   for (std::size_t i = 0; i < truth.size(); ++i)
-    largest = std::max(largest, reference::Distance(truth[i]).to(computed.subspan(i * d, d)));
-  return largest;
+    distance = std::max(distance, reference::Distance(truth[i]).to(computed.subspan(i * d, d)));
+  return distance;
 }
 
 double largest_distance(std::span<const double> computed, std::span<const double> truth, std::size_t d) {
   if (!metric::all_finite(computed)) return std::numeric_limits<double>::infinity();
-  double largest = 0;
+  double distance = 0;
   for (std::size_t i = 0; i < truth.size(); i += d)
-    largest = std::max(largest, reference::Distance(truth.subspan(i, d)).to(computed.subspan(i, d)));
-  return largest;
+    distance = std::max(distance, reference::Distance(truth.subspan(i, d)).to(computed.subspan(i, d)));
+  return distance;
 }
 
 /// The errors of one chain in one cell.
