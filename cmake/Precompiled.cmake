@@ -2,7 +2,10 @@
 # What most files include and what takes long to parse is parsed once for each set of options of the optimiser, which GCC
 # takes from a precompiled header and not from the command line. A file includes what it uses all the same: Clang compiles
 # without this, and finds what is missing.
-if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC looks for memory to free from 512 MB on, not from 128 MB on: a tenth less time for a hundred megabytes more.
+  add_compile_options(--param=ggc-min-heapsize=524288)
+else()
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 set(BEZIERBENCH_PRECOMPILED <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory>
