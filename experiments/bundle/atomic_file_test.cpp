@@ -227,7 +227,7 @@ TEST(BundleFile, OnlyRegularFilesAreRead) {
   EXPECT_EQ(read_bundle_file(folder.path() / "file"), "x");
   for (const auto& [name, kind] :
        {std::pair("link", "symbolic link"), {"endless", "symbolic link"}, {"pipe", "pipe"}, {"folder", "folder"}})
-    EXPECT_THAT(line_of([&, name = name] { (void)read_bundle_file(folder.path() / name); }),
+    EXPECT_THAT(line_of([path = folder.path() / name] { (void)read_bundle_file(path); }),
                 testing::AllOf(HasSubstr(name), HasSubstr(kind)));
   EXPECT_THAT(line_of([] { (void)read_bundle_file("/dev/zero"); }), HasSubstr("is a device"));
 }

@@ -18,10 +18,10 @@ double cost_of(const Job& job, BlockSet::Run run) {
 
 TEST(Dealt, EveryBlockToOneShardAndAboutTheSameCostToEach) {
   const std::vector<double> costs{1, 100, 3, 3, 50, 0.1, 7};
-  for (const std::size_t each : {1, 2, 7, 100})
+  for (const std::size_t each : {1U, 2U, 7U, 100U})
     for (const bool timing : {false, true})
       for (std::size_t number = 0; number < 3; ++number)
-        for (const std::uint64_t count : {1, 2, 3, 8, 50}) {
+        for (const std::uint64_t count : {1U, 2U, 3U, 8U, 50U}) {
           const Costs job(costs, each, timing);
           BlockSet seen;
           std::uint64_t sum = 0;
