@@ -8,7 +8,7 @@ set(BEZIERBENCH_FP_FLAGS -fno-fast-math -ffp-contract=off)
 target_compile_options(numerics INTERFACE ${BEZIERBENCH_FP_FLAGS} -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(numerics INTERFACE -Wno-stringop-overflow -Wno-array-bounds -Wno-restrict) # GCC 12 imagines negative degrees
-  # Position-independent code is that of a program: nobody puts another function in the place of one of ours.
+  # No other library replaces a function of ours, so position-independent code may be inlined as in a program.
   target_compile_options(numerics INTERFACE -fno-semantic-interposition)
 endif()
 target_link_options(numerics INTERFACE -fno-fast-math) # -ffast-math at link time would flush subnormals to zero

@@ -24,7 +24,7 @@ foreach(package random123 fmt::fmt gmp)
     target_compile_definitions(numerics INTERFACE $<TARGET_PROPERTY:${package},INTERFACE_COMPILE_DEFINITIONS>)
   endif()
 endforeach()
-# Of tests, which run for seconds and compile for minutes, and of folders that neither are timed nor judge trials.
+# Options of tests, which run for seconds and compile for minutes, and of folders that say LIGHT (Folder.cmake).
 set(BEZIERBENCH_LIGHT_OPTIONS $<$<CONFIG:Release>:-O1>)
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
 
@@ -43,7 +43,7 @@ if(BEZIERBENCH_TESTS)
   bezierbench_precompiled(precompiled_tests OPTIONS ${BEZIERBENCH_LIGHT_OPTIONS}
                           HEADERS ${BEZIERBENCH_PRECOMPILED} <gmock/gmock.h> <gtest/gtest.h>)
   target_link_libraries(precompiled_tests PUBLIC GTest::gmock)
-  # As programs are compiled.
+  # Test programs are compiled with -fPIE, and their precompiled header must be, too.
   set_target_properties(precompiled_tests PROPERTIES POSITION_INDEPENDENT_CODE OFF)
   target_compile_options(precompiled_tests PRIVATE -fPIE)
 endif()

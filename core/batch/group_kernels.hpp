@@ -16,8 +16,8 @@ namespace bezierbench::batch::HWY_NAMESPACE {
 template <class S>
 using GroupLanes = Lanes<S, (2 * Lanes<S, 1>::size <= curves_at_once ? 2 : 1), Curves::each>;
 
-/// The lanes of some curves of a group, from the first of them on. `others` are axes between two coefficients that are
-/// left out.
+/// As many curves of a group as a vector has lanes. `others` is the number of axes that are skipped after each control
+/// point.
 template <Form F, class S, int Dimension>
 HWY_INLINE Curve<F, GroupLanes<S>, Dimension> load_group(int degree, const S* coefficients, std::size_t others = 0) {
   using L = GroupLanes<S>;

@@ -11,6 +11,7 @@
 #include "core/convert/forward_substitution.hpp"
 #include "core/convert/positive_sum.hpp"
 #include "core/convert/triangle.hpp"
+#include "core/evaluate/family.hpp"
 #include "core/evaluate/roster.hpp"
 
 namespace bezierbench::batch {
@@ -47,10 +48,10 @@ struct OneCurve : EntryT {
   static constexpr bool one_curve_only = true;
 };
 
-/// True of triangles: the axes of a point share nothing but t, and the kernels for one axis take one after the other.
+/// Whether a kernel for one axis evaluates all axes in turn. It does for triangles, whose axes share nothing but t.
 template <class Evaluator>
 inline constexpr bool axis_by_axis =
-    PreparesNothing<Evaluator>&& Evaluator::info.form == Form::bernstein&& Evaluator::info.cost_exponent > 1;
+    PreparesNothing<Evaluator>&& instantiate::family_of(Evaluator::info) == instantiate::Family::triangle;
 
 /// A triangle has a vector for each level of a sweep.
 template <class EvaluatorT>

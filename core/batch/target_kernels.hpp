@@ -113,7 +113,7 @@ void evaluate_all(const Parts<S>& parts, const S* t, std::size_t count, S* point
     for (std::size_t lane = 0; k + lane < count; ++lane) points[axis * count + k + lane] = last[axis * block + lane];
 }
 
-/// One axis after the other, whose coefficients are put side by side first.
+/// Evaluates one axis after the other; the coefficients of each are copied into a row first.
 template <class S, int Dimension, Evaluate<S> of_one_axis>
 void evaluate_each_axis(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
   S coefficients[max_degree + 1];

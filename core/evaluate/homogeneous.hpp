@@ -27,7 +27,7 @@ Point<Scalar, Lifted - 1> over_last(const Point<Scalar, Lifted>& lifted) {
   return point;
 }
 
-/// What a method says of its largest fixed degree, if it says so.
+/// The `largest_fixed_degree` of a method that declares one; empty for others.
 template <class Method>
 struct FixedDegreesOf {};
 template <class Method>

@@ -14,7 +14,7 @@
 
 namespace bezierbench {
 
-/// Evaluates what a kernel prepared at every t; points[k * dimension + axis] is the point at t[k].
+/// Evaluates a prepared curve at every t; points[k * dimension + axis] is the point at t[k].
 template <class Scalar>
 using EvaluatePoints = void (*)(const void* prepared, std::span<const Scalar> t, Scalar* points);
 
@@ -31,9 +31,10 @@ struct Kernel {
   int dimension;
   std::size_t prepared_size;       ///< bytes that `prepare` fills
   std::size_t prepared_alignment;  ///< of those bytes
-  /// All per-curve work; constructs what `evaluate_for(degree)` reads in `prepared`.
+  /// Does all work per curve: constructs the state in `prepared` that the function of `evaluate_for` reads.
   void (*prepare)(const CurveView<Scalar>& curve, void* prepared);
-  /// The function that evaluates prepared curves of this degree; chosen once for a curve, not in every call.
+  /// The function that evaluates prepared curves of this degree; callers look it up once for each curve. The function
+  /// for `max_degree` evaluates curves of every degree.
   EvaluatePoints<Scalar> (*evaluate_for)(int degree);
   const MethodInfo* evaluator;   ///< the evaluator of a path; for other methods `info`
   const MethodInfo* conversion;  ///< the conversion of a path; nullptr for a method that takes curves as they are given

@@ -88,7 +88,7 @@ TYPED_TEST(TimedCheck, CatchesAWrongMethodWithoutABoundAtAHighDegree) {
     EXPECT_TRUE(is_right(judge(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(degree))));
     kernel.evaluate_for = [](int) -> EvaluatePoints<TypeParam> {
       return [](const void* prepared, std::span<const TypeParam> t, TypeParam* points) {
-        // The function for the largest degree takes curves of any: it reads the degree of what is prepared.
+        // The function for max_degree evaluates curves of every degree.
         find_kernel<TypeParam>("de_casteljau", Form::bernstein, 1)->evaluate_for(max_degree)(prepared, t, points);
         points[0] += TypeParam(0.01);
       };

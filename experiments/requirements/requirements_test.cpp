@@ -16,7 +16,7 @@ Fault fault;
 
 template <int Dimension>
 void evaluate_wrongly(const void* prepared, std::span<const double> t, double* points) {
-  // The function for the largest degree takes curves of any: it reads the degree of what is prepared.
+  // The function for max_degree evaluates curves of every degree.
   static const auto right = find_kernel<double>("de_casteljau", Form::bernstein, Dimension)->evaluate_for(max_degree);
   right(prepared, t, points);
   for (std::size_t k = 0; k < t.size(); ++k) points[k * Dimension] = fault(points[k * Dimension], k, t);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Triangles on one axis whose steps take longer than to shift a vector by a lane: control points that follow each other
-// lie side by side, and the steps of a level go several at a time. Every step is one of the triangle's, with the same
-// operands: the order of steps that do not depend on each other changes no bit. Lanes behind the last value of a level
-// hold numbers that nothing reads afterwards.
+// Triangles on one axis with several consecutive control points in each vector, so that one vector operation does
+// several steps of a level. This pays for steps that take longer than to shift a vector by a lane. Each step has the
+// operands of the scalar triangle, so the bits are the same. Lanes after the last value of a level hold numbers that
+// nothing reads.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +17,16 @@ namespace bezierbench {
 
 namespace detail {
 
-/// Values that follow each other along a curve: the four of a cubic, else as many as fill 32 bytes.
+/// Consecutive values of a curve: all four of a cubic, for other degrees as many as fill 32 bytes.
 template <class S, int Degree>
 using AlongCurve = Axes<S, Degree == 3 ? 4 : 32 / static_cast<int>(sizeof(S))>;
 
-/// To fill a vector value by value takes longer than the few steps of a curve that does not fill one.
+/// Whether the values of a curve are loaded as whole vectors. A curve of fewer values is filled lane by lane, which
+/// takes longer than its few steps.
 template <int Degree>
 inline constexpr bool fills_vectors = Degree == dynamic || Degree == 3;
 
-/// `count` values, and 0 in all lanes behind them.
+/// The first `count` values, and 0 in the other lanes.
 template <class V, class S>
 V load_first(const S* values, int count) {
   if (count >= V::lanes) return V::load_all(values);

@@ -162,7 +162,7 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
   friend Axes select(const Mask& condition, const Axes& first, const Axes& second) {
     return of(condition.value ? first.vector_ : second.vector_);
   }
-  /// All lanes of a but the first, then the first of b.
+  /// Lanes 1, 2, ... of a, then lane 0 of b.
   friend Axes shifted(const Axes& a, const Axes& b) { return shifted(a, b, std::make_integer_sequence<int, lanes>()); }
   /// These two take a value that is the same in every lane, as a parameter is.
   friend Scalar parameter_of(const Axes& t) { return t.lane(0); }

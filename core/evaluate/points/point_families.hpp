@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The functions behind `Kernel::evaluate_for`, instantiated once for each evaluator, scalar and dimension; every path
-// that ends in an evaluator shares them. Families of evaluators are compiled in units of their own.
+// `Kernel::evaluate_for` of every evaluator, instantiated once for each scalar and dimension; every path that ends in
+// an evaluator shares it. Each family of evaluators is compiled in units of its own.
 #pragma once
 
 #include <cstddef>
 #include <span>
 
+#include "core/evaluate/family.hpp"
 #include "core/evaluate/kernel_of.hpp"
 #include "core/evaluate/roster.hpp"
 #include "core/evaluate/via.hpp"
 
 namespace bezierbench::instantiate {
-
-enum class Family { triangle, bernstein, power, rational };
-
-constexpr Family family_of(const MethodInfo& info) {
-  if (info.form == Form::rational) return Family::rational;
-  if (info.form != Form::bernstein) return Family::power;
-  return info.cost_exponent > 1 ? Family::triangle : Family::bernstein;
-}
 
 /// The evaluators of a family, in roster order.
 template <Family F, class EvaluatorList = Evaluators>
@@ -43,7 +36,7 @@ constexpr std::size_t place_in(TypeList<Es...> /*list*/) {
   return place;
 }
 
-/// That of one evaluator.
+/// `Kernel::evaluate_for` of one evaluator.
 template <class E, class Scalar, int Dimension>
 EvaluateFor<Scalar> points_of() {
   constexpr Family family = family_of(E::info);

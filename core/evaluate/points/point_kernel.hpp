@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The functions behind `Kernel::evaluate_for`: one point after the other, the axes of a point side by side, the degree
-// known at compile time where that is faster. Every way has the bits of the method for numbers.
+// `Kernel::evaluate_for` of an evaluator. Its functions evaluate one point after the other, with the axes of a point in
+// one vector, and with the degree known at compile time where that is faster. Each gives the bits of the method for
+// numbers.
 #pragma once
 
 #include <algorithm>

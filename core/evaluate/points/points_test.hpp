@@ -69,7 +69,7 @@ void expect_every_way_to_agree() {
     for (int n = E::info.min_degree; n <= largest_degree; ++n) {
       if (!E::info.template supports<Scalar>(n)) continue;
       expect_same_bits<E, Scalar, Dimension>(n, "as it is timed", instantiate::points_of<E, Scalar, Dimension>()(n));
-      // The function for the largest degree takes curves of any: it reads the degree of what is prepared.
+      // The function for max_degree evaluates curves of every degree.
       expect_same_bits<E, Scalar, Dimension>(n, "degree at run time",
                                              instantiate::points_of<E, Scalar, Dimension>()(max_degree));
     }

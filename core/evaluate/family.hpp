@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Families of evaluators whose kernels are coded alike.
+#pragma once
+
+#include "core/method.hpp"
+
+namespace bezierbench::instantiate {
+
+/// `triangle` are the methods for Bernstein form whose cost grows faster than the degree.
+enum class Family { triangle, bernstein, power, rational };
+
+constexpr Family family_of(const MethodInfo& info) {
+  if (info.form == Form::rational) return Family::rational;
+  if (info.form != Form::bernstein) return Family::power;
+  return info.cost_exponent > 1 ? Family::triangle : Family::bernstein;
+}
+
+}  // namespace bezierbench::instantiate
