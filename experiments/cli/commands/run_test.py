@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import (CONVERSION, FINDING, FINE, INPUT_OUTPUT, INTERRUPTED, PATIENCE,  # noqa: E402
+from program_case import (CONVERSION, FINDING, FINE, HAS_SANITIZER, INPUT_OUTPUT, INTERRUPTED, PATIENCE,  # noqa: E402
                           PROGRAM, REPORT_SUITE, ROOT, STUDY, TIMING, USAGE, Case, rows)
 
 sys.path.append(str(ROOT))
@@ -83,12 +83,16 @@ class Bundles(Case):
         bundle = sum(path.stat().st_size for path in (self.folder / "b").iterdir()) / 1e6
         self.assertGreater(estimated[1], bundle / 2)  # files of blocks come on top
 
-    def test_estimates_grow_with_trials(self):
+    def test_estimates_of_time_grow_with_trials(self):
         """Also where nothing could wait for the run that they speak of."""
         suite = self.suite({**STUDY, "degree": "[20]"})
         few, many = (self.estimated(suite, "--trials", str(trials))[0] for trials in (10**8, 10**12))
         self.assertGreater(many / few, 10**4 / 4)
         self.assertLess(many / few, 10**4 * 4)
+
+    @unittest.skipIf(HAS_SANITIZER, "a sanitizer does not say how much memory is allocated")
+    def test_estimates_of_memory_grow_with_replicates(self):
+        suite = self.suite({**STUDY, "degree": "[20]"})
         alone, repeated = (self.estimated(suite, "--trials", "1", "--set", f"replicates={n}")[2] for n in (1, 10**6))
         self.assertGreater(repeated - alone, 30)  # two methods, two statistics of 8 bytes each, a million times
         self.assertLess(repeated - alone, 500)

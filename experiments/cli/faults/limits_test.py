@@ -7,12 +7,11 @@ import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from program_case import FINE, INPUT_OUTPUT, PROGRAM, STUDY, USAGE, Case  # noqa: E402
+from program_case import FINE, HAS_SANITIZER, INPUT_OUTPUT, PROGRAM, STUDY, USAGE, Case  # noqa: E402
 
 ENVIRONMENT = 3
 MEGABYTE = 1 << 20
 LONGEST_LINE = 500  # characters of a message about what is in these tests
-HAS_SANITIZER = any(name in pathlib.Path(PROGRAM).read_bytes() for name in (b"libasan", b"libtsan", b"__asan_init"))
 
 
 def limited(which, size):
@@ -24,7 +23,7 @@ class Limits(Case):
         self.assert_one_line(result, *needles)
         self.assertLess(len(result.stderr), LONGEST_LINE)
 
-    @unittest.skipIf(HAS_SANITIZER, "a sanitizer takes more memory than any limit of this test")
+    @unittest.skipIf(HAS_SANITIZER, "a sanitizer takes more memory than the limit")
     def test_memory(self):
         """Whatever the limit, the run does its work or says that memory is exhausted; so does one that starts threads."""
         run = ["run", self.suite({**STUDY, "degree": "[3, 40]", "methods": None, "trials": "300"}), "--quiet"]
@@ -43,7 +42,7 @@ class Limits(Case):
                     exhausted += 1
         self.assertGreater(exhausted, 0)
 
-    @unittest.skipIf(HAS_SANITIZER, "a sanitizer takes more memory than any limit of this test")
+    @unittest.skipIf(HAS_SANITIZER, "a sanitizer takes more memory than the limit")
     def test_memory_that_no_run_fits(self):
         """Is refused before a library waits for it forever."""
         for megabytes in (40, 63):

@@ -9,7 +9,7 @@ import sys
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-from program_case import FINDING, FINE, PROGRAM, ROOT, STUDY, TIMING, USAGE, Case, rows  # noqa: E402
+from program_case import FINDING, FINE, HAS_SANITIZER, PROGRAM, ROOT, STUDY, TIMING, USAGE, Case, rows  # noqa: E402
 
 EXAMPLES = ROOT / "experiments/examples"
 INCLUDE = next((str(base / "include") for base in pathlib.Path(PROGRAM).parents
@@ -189,6 +189,8 @@ class Faults(Outside):
         self.assert_others_unchanged("b", "without")
         status = {row["method"]: row["status"] for row in self.outside_rows("b")}
         expected = {f"plugin_faulty_{k}": word for k, word in enumerate(self.FAULTS)}
+        if HAS_SANITIZER:  # it allocates in its own way, and what is allocated is not seen
+            expected["plugin_faulty_5"] = "ok"
         self.assertEqual(status, {**expected, "plugin_throws": "threw"})
         for row in self.outside_rows("b"):
             self.assertEqual(bool(row["max_error"]), row["status"] == "ok", row)
