@@ -51,6 +51,8 @@ class Commands(unittest.TestCase):
         says = "            compiler differs: GNU 12.2.0 before,\n            GNU 14.2.0 now\n  accuracy  the same\n"
         command = "bezierbench check horner --against results/baseline"
         self.assertEqual(docs_commands.masked(command, f"against     a\n{says}"), ["against", "a", "accuracy", "the"])
+        self.assertEqual(docs_commands.masked(command, "against     a; 2 more with --all\n  accuracy  the same\n"),
+                         ["against", "a", "accuracy", "the"])
         self.assertEqual(docs_commands.masked("bezierbench list", says), says.splitlines())
 
     def test_a_script_must_succeed(self):
