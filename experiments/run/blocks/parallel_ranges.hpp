@@ -21,8 +21,8 @@ class ParallelRanges {
 
   void over(std::uint64_t size) {
     begun_.store(true, std::memory_order_release);
+    const AfterRanges after{ended_};
     tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, size), Body{this});
-    (void)ended_.load(std::memory_order_acquire);
   }
 
  private:
@@ -33,11 +33,21 @@ class ParallelRanges {
   };
 
   // The library synchronises all this itself, but was not compiled with the sanitizer, which therefore does not see it.
-  // The ranges are not ordered among each other: `ended_` is released to, never acquired, by them.
+  // The ranges are not ordered among each other: `ended_` is released to, never acquired, by them. A range may end, and
+  // the loop with it, by an exception; so both are done by destructors.
+  struct RangeEnd {
+    std::atomic<std::uint64_t>& ended;
+    ~RangeEnd() { ended.fetch_add(1, std::memory_order_release); }
+  };
+  struct AfterRanges {
+    const std::atomic<std::uint64_t>& ended;
+    ~AfterRanges() { (void)ended.load(std::memory_order_acquire); }
+  };
+
   void run_one(std::uint64_t begin, std::uint64_t end) {
     (void)begun_.load(std::memory_order_acquire);
+    const RangeEnd at_end{ended_};
     run_(begin, end);
-    ended_.fetch_add(1, std::memory_order_release);
   }
 
   const Run& run_;
