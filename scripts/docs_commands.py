@@ -101,7 +101,8 @@ class Copy:
         write_stub(self.root / "build/peers/bezierbench", ELSEWHERE_STUB.format(name="build/peers/bezierbench", skipped=SKIPPED))
         self.skipped = Path(place) / "skipped"
         self.environment = {"PATH": f"{stubs}:{os.environ['PATH']}", "DOCS_SKIPPED": str(self.skipped), "NO_COLOR": "1",
-                            "COLUMNS": "100", "LC_ALL": "C.UTF-8", "HOME": place, "TMPDIR": place}
+                            "COLUMNS": "100", "LC_ALL": "C.UTF-8", "HOME": place, "TMPDIR": place,
+                            **{name: value for name, value in os.environ.items() if name.endswith("SAN_OPTIONS")}}  # of sanitizers
 
     def run(self, script):
         """(exit code, output, what was skipped)"""
