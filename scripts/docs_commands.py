@@ -7,7 +7,8 @@ docs_commands.py --update PROGRAM   writes what is printed into the pages
 
 A fenced block `sh` is a script, which must succeed. In a fenced block `console` every line that begins with `$ ` is a command, and
 what follows is its output; of a command that measures, numbers and verdicts may differ, and where it compares with a
-committed bundle it may name what else differs of this build, or count it where its ten lines are full. A page is run in a copy of the repository's folders, in which
+committed bundle it may name the differences between the two builds, or say how many there are. A page is run in a copy of
+the repository's folders, in which
 
 - setup, build, test and check of scripts only check that they are there and can be executed,
 - a run of a whole suite is planned (--dry-run), and a committed bundle is put where two of them would have written,
@@ -32,7 +33,7 @@ ELSEWHERE = ("mpirun", "parallel", "sbatch")
 STAND_INS = {"results/local/report": "baseline", "results/local/mine": "clang"}  # where a page lets a run write: committed bundle
 MEASURING = re.compile(r"bezierbench (check|doctor|run)\b")
 VARIES = re.compile(r"[-+~]?\d[\d.]*(e[-+]?\d+)?|\b(faster|slower|same|unresolved|noisy|ok)\b|-{3,}|\s+")
-OTHER_BUILD = re.compile(r"^ +\w[^\n]* differs:\s.*?\sbefore,\s.*?\snow$|(?<=\w); \d+ more with --all$", re.MULTILINE | re.DOTALL)
+OTHER_BUILD = re.compile(r"^ +\w[^\n]* differs:\s.*?\sbefore,\s.*?\snow$|(^against +\S+); \d+ more with --all$", re.MULTILINE | re.DOTALL)
 BLOCK = re.compile(r"^```(sh|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 SKIPPED = "skipped: "
@@ -125,7 +126,7 @@ def transcript(text):
 
 def masked(command, text):
     if MEASURING.search(command):
-        return VARIES.sub(" ", OTHER_BUILD.sub("", text)).split()
+        return VARIES.sub(" ", OTHER_BUILD.sub(r"\1", text)).split()
     return [line.rstrip() for line in text.strip("\n").splitlines()]
 
 

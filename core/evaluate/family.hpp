@@ -6,7 +6,8 @@
 
 namespace bezierbench::instantiate {
 
-/// `triangle` are the methods for Bernstein form whose cost grows faster than the degree.
+/// `triangle`: methods for Bernstein form whose cost grows faster than the degree, as de Casteljau's does. `bernstein`:
+/// all others for Bernstein form. `rational`: all methods for rational form. `power`: the rest.
 enum class Family { triangle, bernstein, power, rational };
 
 constexpr Family family_of(const MethodInfo& info) {

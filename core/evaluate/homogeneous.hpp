@@ -27,7 +27,7 @@ Point<Scalar, Lifted - 1> over_last(const Point<Scalar, Lifted>& lifted) {
   return point;
 }
 
-/// The `largest_fixed_degree` of a method that declares one; empty for others.
+/// Has the member `largest_fixed_degree` if the method declares one, and no member if it does not.
 template <class Method>
 struct FixedDegreesOf {};
 template <class Method>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `Kernel::evaluate_for` of an evaluator. Its functions evaluate one point after the other, with the axes of a point in
-// one vector, and with the degree known at compile time where that is faster. Each gives the bits of the method for
-// numbers.
+// one vector, and with the degree known at compile time where that is faster. Each gives the same bits as the
+// method evaluated with plain numbers.
 #pragma once
 
 #include <algorithm>

@@ -18,7 +18,7 @@ from program_case import CONVERSION, FINE, PATIENCE, PROGRAM  # noqa: E402
 from resume_case import ACCURACY, SEARCH, ResumeCase
 
 SHARDS = 3
-NO_LEAK_CHECK = {"ASAN_OPTIONS": "detect_leaks=0"}  # its own process writes an error when the one that it looks at is killed
+NO_LEAK_CHECK = {"ASAN_OPTIONS": "detect_leaks=0"}  # it writes an error if the process is killed meanwhile
 
 
 def options():

@@ -33,8 +33,8 @@ class ParallelRanges {
   };
 
   // The library synchronises all this itself, but was not compiled with the sanitizer, which therefore does not see it.
-  // The ranges are not ordered among each other: `ended_` is released to, never acquired, by them. A range may end, and
-  // the loop with it, by an exception; so both are done by destructors.
+  // The ranges are not ordered among each other: `ended_` is released to, never acquired, by them. Destructors
+  // release and acquire, since an exception may end a range and the loop.
   struct RangeEnd {
     std::atomic<std::uint64_t>& ended;
     ~RangeEnd() { ended.fetch_add(1, std::memory_order_release); }
