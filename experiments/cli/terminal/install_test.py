@@ -21,6 +21,13 @@ class Installed(Case):
                        check=True, stdout=subprocess.DEVNULL, timeout=60)
         self.program = self.prefix / "bin/bezierbench"
 
+    def test_builds_first_what_is_not_built(self):
+        """After a build of the program alone, by scripts/reproduce for instance, this stamp is not there."""
+        stamp = Path(PROGRAM).parent / "installed.stamp"
+        stamp.unlink()
+        self.setUp()
+        self.assertTrue(stamp.exists())
+
     def run_installed(self, *arguments, program=None):
         return subprocess.run([program or self.program, *arguments], cwd=self.folder, check=False, capture_output=True,
                               timeout=60)
