@@ -10,26 +10,38 @@ class CommandLine(Case):
     def test_parser_says_one_line(self):
         suite = self.suite()
         for arguments, needle in [
-                (["rnu"], "rnu: unknown; did you mean \"run\"?"), (["list"], "subcommand"),
+                (["rnu"], "rnu: unknown command; did you mean \"run\"?"), (["list"], "subcommand"),
                 (["list", "method"], "did you mean \"methods\"?"), (["curve"], "subcommand"),
-                (["curve", "evl"], "did you mean \"eval\"?"), (["--nonsense"], "--help"),
+                (["curve", "evl"], "did you mean \"eval\"?"), (["curve", "lenght", "--curve", "c"], "lenght: unknown command; did you mean \"length\"?"), (["rnu", "--out", "b"], "rnu: unknown command; did you mean \"run\"?"), (["--nonsense"], "--help"),
                 (["run"], "run needs SUITE..., --out FOLDER"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
                 (["run", "--out", "b"], "run needs SUITE...;"), (["run", suite, "--out", "b", "--nonsense"], "--nonsense"),
                 (["run", suite, "--oot", "b"], "--oot: unknown option; did you mean \"--out\"?"),
                 (["run", suite, "--oot=b"], "--oot: unknown option; did you mean \"--out\"?"),
                 (["list", "methods", "--fromat", "csv"], "did you mean \"--format\"?"),
                 (["curve", "at-length", "--curve", "c", "--fractoin", "1"], "did you mean \"--fraction\"?"),
-                (["rnu", "--help"], "rnu: unknown; did you mean \"run\"?"), (["--help", "rnu"], "rnu: unknown"),
+                (["rnu", "--help"], "rnu: unknown command; did you mean \"run\"?"), (["--help", "rnu"], "rnu: unknown command"),
                 (["curve", "evl", "--help"], "did you mean \"eval\"?"), (["run", "--oot", "b", "--help"], "--oot"),
                 (["run", suite, "--out", ""], "--out"), (["run", suite, "--out", "b", "--out", "c"], "--out"),
                 (["verify"], "verify needs BUNDLE;"), (["verify", "b", "c"], "c: is one argument too many"), (["curve", "eval", "--t", "0"], "--curve"),
                 (["curve", "eval", "--curve", "c"], "--t"), (["curve", "convert", "--curve", "c"], "--method"),
                 (["curve", "eval", "--curve", "c", "--t", "0", "--form", "beta"], "beta"),
                 (["list", "methods", "--format", "xml"], "xml must be one of text, csv"),
-                (["list", "methods", "--format", "cvs"], "did you mean \"csv\"?"), (["list", "complte"], "unknown; known are"),
-                (["complte"], "unknown; did you mean \"compare\"?"), (["run", "--progres", "json"], "did you mean \"--progress\"?")]:
+                (["list", "methods", "--format", "cvs"], "did you mean \"csv\"?"), (["list", "complte"], "unknown command; known are"),
+                (["complte"], "unknown command; did you mean \"compare\"?"), (["run", "--progres", "json"], "did you mean \"--progress\"?")]:
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, arguments, needle)
+
+    def test_messages_stay_short(self):
+        """A value of two thousand characters does not fill the screen, and what to do still stands at the end."""
+        self.write("c.csv", "x\n1\n2\n")
+        for arguments, needle in [
+                (["curve", "eval", "--curve", "c.csv", "--t", "0", "--method", "m" * 2000], "see `list methods`"),
+                (["curve", "eval", "--curve", "c.csv", "--t", "7" * 2000], "--t"), (["verify", "b" * 2000], "bbb"),
+                (["r" * 2000], "known are"), (["run", self.suite(), "--out", "o" * 2000], "ooo")]:
+            with self.subTest(arguments=[argument[:20] for argument in arguments]):
+                message = self.run_program(*arguments).stderr.decode()
+                self.assertIn(needle, message)
+                self.assertLess(len(message), 500)
 
     def test_values_of_options(self):
         run = ["run", self.suite(), "--out", "b"]

@@ -58,17 +58,20 @@ std::vector<std::string> options_of(const CLI::App& command) {
 std::string misplaced_word(const CLI::App& app) {
   const auto words = app.remaining(true);
   const auto& command = chosen_command(app);
+  const bool lacks_command = command.get_require_subcommand_min() > 0;
+  if (lacks_command && !words.empty() &&
+      !words.front().starts_with('-'))  // what follows belongs to the mistyped command
+    return fmt::format("{}: unknown command{}", words.front(),
+                       suite::suggestion(words.front(), shown_commands(command)));
   const auto option = std::ranges::find_if(words, [](const auto& word) { return word.starts_with('-'); });
   if (option != words.end()) {
     const auto name = option->substr(0, option->find('='));
     return fmt::format("{}: unknown option{}", name, suite::suggestion(name, options_of(command)));
   }
-  if (command.get_require_subcommand_min() == 0)
-    return words.empty() ? "" : fmt::format("{}: is one argument too many", words.front());
-  const auto known = shown_commands(command);
-  if (words.empty())
-    return fmt::format("{}: must be followed by a subcommand: {}", command.get_name(), fmt::join(known, ", "));
-  return fmt::format("{}: unknown{}", words.front(), suite::suggestion(words.front(), known));
+  if (lacks_command)
+    return fmt::format("{}: must be followed by a subcommand: {}", command.get_name(),
+                       fmt::join(shown_commands(command), ", "));
+  return words.empty() ? "" : fmt::format("{}: is one argument too many", words.front());
 }
 
 OptionNode node_of(const CLI::Option& option, const ValueNotes& notes, int alternative) {
