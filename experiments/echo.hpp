@@ -66,6 +66,17 @@ inline std::string printable(std::string_view text) {
   return shown;
 }
 
+/// The place of the first character that printable() changes, but for tabs and line ends; npos where there is none.
+inline std::size_t first_unprintable(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [length, code] = echo_detail::first_character(text.substr(at));
+    const bool ends_line = code == '\t' || code == '\n' || code == '\r';
+    if (length == 0 || (echo_detail::acts_on_terminal(code) && !ends_line)) return at;
+    at += length;
+  }
+  return std::string_view::npos;
+}
+
 /// printable(text); where `text` has more than `most` bytes, its beginning and end with the number of bytes left out.
 inline std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return printable(text);

@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -164,9 +165,12 @@ CsvDocument parse_csv(std::string_view text, std::string_view file_name) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   Reader reader(text, file_name);
   if (text.empty()) reader.fail(1, "file is empty; it needs a header that names the columns");
-  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-    const auto line = 1 + std::ranges::count(text.substr(0, nul), '\n');
-    reader.fail(static_cast<std::size_t>(line), "NUL byte; the file is damaged or not CSV: restore it");
+  // A field goes to a terminal as it is where a command prints a table, so it must not be able to act on one.
+  if (const std::size_t at = first_unprintable(text); at != std::string_view::npos) {
+    const auto line = 1 + std::ranges::count(text.substr(0, at), '\n');
+    reader.fail(static_cast<std::size_t>(line),
+                fmt::format("character {}, which is not text; the file is damaged or not CSV: restore it",
+                            printable(text.substr(at, 1))));
   }
 
   CsvDocument document;

@@ -64,7 +64,8 @@ class CsvDocument {
 
 /// Parses a whole file. A byte order mark and CRLF are accepted; blanks belong to their field. Throws
 /// Failure(Exit::input_output) with "FILE_NAME:LINE: ..." for an empty file, an empty or repeated column name, a row
-/// with more or fewer fields than the header, a blank line, a misplaced or unterminated quote, a bare CR, a NUL byte.
+/// with more or fewer fields than the header, a blank line, a misplaced or unterminated quote, a bare CR, a
+/// character that is not text, such as NUL or those that act on a terminal.
 [[nodiscard]] CsvDocument parse_csv(std::string_view text, std::string_view file_name);
 
 }  // namespace bezierbench::bundle
