@@ -284,8 +284,11 @@ std::string id_problem(std::string_view id) {
   constexpr std::size_t longest = 100;  // reports name files after studies, and file names end at 255 bytes
   if (id.empty()) return "id is missing or empty; give it a name";
   if (id.size() > longest) return fmt::format("id has {} characters; shorten it to {} at most", id.size(), longest);
-  if (id.find_first_not_of(allowed) == std::string_view::npos) return {};
-  return "id may have letters, digits, \".\", \"_\" and \"-\" only; rename it";
+  if (id.find_first_not_of(allowed) != std::string_view::npos)
+    return "id may have letters, digits, \".\", \"_\" and \"-\" only; rename it";
+  // Files are named after ids: "." and ".." are folders, and a file that begins with "-" looks like an option.
+  if (id.front() == '.' || id.front() == '-') return "id must begin with a letter, a digit or \"_\"; rename it";
+  return {};
 }
 
 void check_unique_ids(std::span<const Suite> suites, std::string_view last_file) {

@@ -119,7 +119,7 @@ std::string shared_text(const Kind& kind) {
 Json text_schema() { return {{"type", "string"}}; }
 /// Numbers may also be strings, in decimal or hexadecimal.
 Json number_schema() { return {{"type", Json::array({"number", "string"})}}; }
-Json whole_schema() { return {{"type", Json::array({"integer", "string"})}}; }
+Json whole_schema() { return {{"type", "integer"}}; }
 
 template <class Enum>
 Json word_schema() {

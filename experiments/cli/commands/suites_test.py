@@ -39,7 +39,7 @@ class Suites(Case):
                 ("dimension", "[4]", "1, 2 or 3"), ("dimension", "[]", "a value in it"), ("scalar", '["half"]', "scalar"),
                 ("scalar", "[]", "a value in it"), ("trials", "0", "at least 1"), ("trials", "[5]", "whole number"),
                 ("trials", "nan", "whole number"), ("replicates", "0", "at least 1"), ("modes", '["point"]', "timing"),
-                ("id", '"a b"', "id"), ("id", '""', "id"), ("id", "7", "string"), ("title", "7", "string")]:
+                ("id", '"a b"', "id"), ("id", '"."', "begin with"), ("id", '".."', "begin with"), ("id", '"-x"', "begin with"), ("id", '""', "id"), ("id", "7", "string"), ("title", "7", "string")]:
             with self.subTest(key=key, value=value):
                 self.at(f"{key} =" if key not in ("id", "title") else key, lines_of(**{key: value}), needle,
                         key_line=7 if key == "id" else 14 if key == "title" else None)

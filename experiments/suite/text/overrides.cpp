@@ -37,7 +37,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// The values as strings. A file may hold numbers as strings, too, so that the same reader reads both.
+/// The values as strings, which the reader of files takes for numbers.
 toml::array values_of(std::string_view key, std::string_view text) {
   toml::array values;
   for (const std::string_view value : split(text, ',')) {

@@ -133,7 +133,7 @@ TEST(Reader, TakesWhatAGeneratorDrawsExactly) {
 TEST(Reader, ReadsNumbersInEveryNotation) {
   const Study study = parsed(minimal +
                              "degree = [\"3\", 0x4, 5.0]\ncoordinate_range = [\"0x1p-1022\", 2, \"1e-3\", -0.0e1]\n"
-                             "t_interval = [[0, \"0x1p-1\"]]\ntrials = 1e4\n")
+                             "t_interval = [[0, \"0x1p-1\"]]\ntrials = 10000\n")
                           .studies.front();
   EXPECT_THAT(study.degree, ElementsAre(3, 4, 5));
   EXPECT_THAT(study.coordinate_range, ElementsAre(0x1p-1022, 2.0, 1e-3, 0.0));
@@ -180,8 +180,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"degree = 3", "7:10", "degree must be an array"},
         Refusal{"degree = [3, 1024]", "7:14", "0 to 1023"},  //
         Refusal{"degree = [-1]", "7:11", "0 to 1023"}, Refusal{"degree = [99999999999]", "7:11", "0 to 1023"},
-        Refusal{"degree = [3.5]", "7:11", "a whole number"},  //
-        Refusal{"degree = [3, 4, 3]", "7:17", "twice"}, Refusal{"degree = [3]\ndimension = [4]", "8:14", "1, 2 or 3"},
+        Refusal{"degree = [3.5]", "7:11", "a whole number"}, Refusal{"degree = [3.0]", "7:11", "a whole number"},
+        Refusal{"degree = [\"3\"]", "7:11", "a whole number"}, Refusal{"degree = [3, 4, 3]", "7:17", "twice"},
+        Refusal{"degree = [3]\ndimension = [4]", "8:14", "1, 2 or 3"},
         Refusal{"degree = [3]\ndimension = [0]", "8:14", "1, 2 or 3"},
         Refusal{"degree = [3]\ncoordinate_range = [1, -1]", "8:24", "not negative"},
         Refusal{"degree = [3]\ncoordinate_range = [inf]", "8:21", "finite"},

@@ -13,8 +13,14 @@
 
 namespace bezierbench::suite {
 
+namespace {
+
+/// Values of options are strings, which have no place in a file.
+bool is_from_option(const toml::node& node) { return node.source().begin.line == 0; }
+
+}  // namespace
+
 void fail(std::string_view name, const toml::source_position& at, std::string_view what) {
-  // Line 0 means that the value comes from an option.
   if (at.line == 0) throw Failure(Exit::usage, fmt::format("{}: {}", name, what));
   throw Failure(Exit::usage, fmt::format("{}:{}:{}: {}", name, at.line, at.column, what));
 }
@@ -31,9 +37,10 @@ void read(const Source& source, const toml::node& node, std::string& out) {
 
 void read(const Source& source, const toml::node& node, std::int64_t& out) {
   std::optional<std::int64_t> value = node.value_exact<std::int64_t>();
-  if (const auto number = node.value_exact<double>()) value = number::whole(*number);
-  if (const auto text = node.value_exact<std::string>()) value = number::parse_integer(*text);
-  if (!value) fail_type(source, node, "a whole number");
+  const auto text = node.value_exact<std::string>();
+  if (is_from_option(node) && text) value = number::parse_integer(*text);
+  if (!value)
+    fail_type(source, node, is_from_option(node) ? "a whole number" : "a whole number such as 3, not 3.0 or \"3\"");
   out = *value;
 }
 

@@ -31,7 +31,8 @@ struct Source {
 /// Throws as fail() does, at `node`, with a message that it is not `expected`.
 [[noreturn]] void fail_type(const Source& source, const toml::node& node, std::string_view expected);
 
-/// Reads the value of `node`, or throws a Failure that says what was expected. Numbers may be strings; see number.hpp.
+/// Reads the value of `node`, or throws a Failure that says what was expected. Numbers that may have a fraction may be
+/// strings, in hexadecimal for instance (number.hpp); whole numbers may be strings in an option only.
 /// A value beyond the range of int becomes the nearest int, so that the check of the key's range reports it.
 void read(const Source& source, const toml::node& node, std::string& out);
 void read(const Source& source, const toml::node& node, std::int64_t& out);
