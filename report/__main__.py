@@ -4,6 +4,7 @@ alone."""
 
 import argparse
 import importlib.util
+import os
 import signal
 import sys
 from pathlib import Path
@@ -82,6 +83,15 @@ def _run(chosen):
     sys.stdout.flush()
 
 
+def _output_failed(why):
+    """The exit code where standard output takes nothing. What is left in its buffer is dropped, so that Python does not try to
+    write it again at the end."""
+    _complain(f"standard output: {why}; free space or choose another place")
+    if sys.stdout is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return INPUT
+
+
 def main(arguments=None):
     """Returns the exit code of the contract."""
     chosen = _parse(arguments)
@@ -90,6 +100,8 @@ def main(arguments=None):
         _complain(f"missing for {sys.executable}: install the Debian packages {' '.join(PACKAGES.values())}")
         return ENVIRONMENT
     signal.signal(signal.SIGTERM, signal.default_int_handler)
+    if sys.stdout is None:
+        return _output_failed("it is closed")
     try:
         _run(chosen)
     except BundleError as error:
@@ -101,6 +113,8 @@ def main(arguments=None):
     except BrokenPipeError:
         sys.stderr.close()
         return FINE
+    except OSError as error:  # files that cannot be read or written are BundleErrors
+        return _output_failed(error.strerror)
     except KeyboardInterrupt:
         _complain("interrupted; nothing half-written, run it again")
         return INTERRUPTED
