@@ -3,6 +3,8 @@
 
 #include <cassert>
 
+#include "reference/stop.hpp"
+
 namespace bezierbench::reference {
 
 ExactBsplineWeights::ExactBsplineWeights(std::span<const double> knots, std::span<const double> arguments)
@@ -16,6 +18,7 @@ ExactBsplineWeights::ExactBsplineWeights(std::span<const double> knots, std::spa
     const mpq_class x = arguments[r - 1];
     mpq_class carried = 0;
     for (std::size_t i = 0; i < r; ++i) {
+      StopWhen::poll();
       const mpq_class& left = u[m - r + i];
       const mpq_class& right = u[m + i];
       const mpq_class share = weights_[i] / (right - left);

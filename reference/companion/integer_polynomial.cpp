@@ -2,6 +2,10 @@
 #include "reference/companion/integer_polynomial.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "reference/stop.hpp"
 
 namespace bezierbench::reference {
 namespace {
@@ -10,18 +14,28 @@ void trim(IntegerPolynomial& p) {
   while (!p.empty() && p.back() == 0) p.pop_back();
 }
 
-/// Divides by the greatest common divisor of the coefficients.
-void make_primitive(IntegerPolynomial& p) {
+/// Divides polynomials by the greatest common divisor of all their coefficients.
+template <class... Polynomials>
+void make_primitive(Polynomials&... polynomials) {
   mpz_class content = 0;
-  for (const auto& c : p) content = gcd(content, c);
-  if (content > 1)
+  const auto add = [&](const IntegerPolynomial& p) {
+    for (auto c = p.begin(); c != p.end() && content != 1; ++c) {
+      StopWhen::poll();
+      content = gcd(content, *c);
+    }
+  };
+  const auto divide_by_content = [&](IntegerPolynomial& p) {
     for (auto& c : p) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), content.get_mpz_t());
+  };
+  (add(polynomials), ...);
+  if (content > 1) (divide_by_content(polynomials), ...);
 }
 
 /// Replaces a by its remainder over b, up to a factor, and returns the quotient up to a factor; deg a >= deg b.
 IntegerPolynomial divide(IntegerPolynomial& a, const IntegerPolynomial& b) {
   IntegerPolynomial quotient(a.size() - b.size() + 1, 0);
   for (std::size_t top = a.size(); top >= b.size(); --top) {
+    StopWhen::poll();
     const mpz_class factor = a[top - 1];
     const std::size_t shift = top - b.size();
     for (auto& c : quotient) c *= b.back();
@@ -33,10 +47,50 @@ IntegerPolynomial divide(IntegerPolynomial& a, const IntegerPolynomial& b) {
   return quotient;
 }
 
-/// p(t + 1).
-void shift_by_one(IntegerPolynomial& p) {
-  for (std::size_t last = 0; last + 1 < p.size(); ++last)
-    for (std::size_t i = p.size() - 1; i > last; --i) p[i - 1] += p[i];
+/// Whether a and b, which are not zero, have no common divisor modulo a prime that does not divide the last coefficient
+/// of a. Then they have none: a common divisor would keep its degree. Remainders of integers take much longer.
+bool are_coprime_modulo_a_prime(const IntegerPolynomial& a, const IntegerPolynomial& b) {
+  constexpr std::uint64_t prime = 0x7fffffff;
+  using Residues = std::vector<std::uint64_t>;
+  const auto trimmed = [](Residues& p) {
+    while (!p.empty() && p.back() == 0) p.pop_back();
+  };
+  const auto residues = [&](const IntegerPolynomial& p) {
+    Residues result;
+    for (const auto& c : p) result.push_back(mpz_fdiv_ui(c.get_mpz_t(), prime));
+    trimmed(result);
+    return result;
+  };
+  const auto inverse = [](std::uint64_t x) {  // x^(prime - 2)
+    std::uint64_t power = 1;
+    for (std::uint64_t e = prime - 2; e > 0; e /= 2, x = x * x % prime)
+      if (e % 2 == 1) power = power * x % prime;
+    return power;
+  };
+  auto dividend = residues(a);
+  auto divisor = residues(b);
+  if (dividend.size() < a.size()) return false;
+  while (!divisor.empty()) {
+    const std::uint64_t factor = prime - inverse(divisor.back());
+    while (dividend.size() >= divisor.size()) {
+      const std::uint64_t by = dividend.back() * factor % prime;
+      const std::size_t shift = dividend.size() - divisor.size();
+      for (std::size_t i = 0; i < divisor.size(); ++i)
+        dividend[shift + i] = (dividend[shift + i] + by * divisor[i]) % prime;
+      trimmed(dividend);
+    }
+    std::swap(dividend, divisor);
+  }
+  return dividend.size() == 1;
+}
+
+/// p(t + by).
+void shift(IntegerPolynomial& p, const mpz_class& by) {
+  for (std::size_t last = 0; last + 1 < p.size(); ++last) {
+    StopWhen::poll();
+    for (std::size_t i = p.size() - 1; i > last; --i)
+      mpz_addmul(p[i - 1].get_mpz_t(), p[i].get_mpz_t(), by.get_mpz_t());
+  }
 }
 
 /// 2^m p(t / 2).
@@ -47,7 +101,7 @@ void stretch(IntegerPolynomial& p) {
 /// Sign variations of (1 + x)^m p(1 / (1 + x)): at least as many as p has roots in (0, 1), and of the same parity.
 int variations(IntegerPolynomial p) {
   std::reverse(p.begin(), p.end());
-  shift_by_one(p);
+  shift(p, 1);
   int count = 0;
   int last = 0;
   for (const auto& c : p) {
@@ -79,16 +133,9 @@ void isolate(IntegerPolynomial p, const Dyadic& place, std::vector<RootInterval>
   stretch(p);
   Dyadic half{place.k * 2, place.shift + 1};
   isolate(p, half, roots);
-  shift_by_one(p);
+  shift(p, 1);
   ++half.k;
   isolate(std::move(p), half, roots);
-}
-
-/// p(k / 2^shift) 2^(m shift).
-mpz_class value_at(const IntegerPolynomial& p, const Dyadic& t) {
-  mpz_class value = 0;
-  for (std::size_t i = p.size(); i-- > 0;) value = value * t.k + (p[i] << (t.shift * (p.size() - 1 - i)));
-  return value;
 }
 
 /// One step of the refinement: cuts the interval into 2^cut parts and takes the one in which the secant meets zero, if
@@ -133,6 +180,7 @@ void halve(const IntegerPolynomial& p, RootInterval& root) {
 IntegerPolynomial from_scaled_bernstein(const std::vector<mpz_class>& c) {
   IntegerPolynomial p;  // Horner in s = 1-t over t: p <- p (1-t) + c_k t^k
   for (std::size_t k = 0; k < c.size(); ++k) {
+    StopWhen::poll();
     p.emplace_back(0);
     for (std::size_t i = p.size() - 1; i > 0; --i) p[i] -= p[i - 1];
     p[k] += c[k];
@@ -147,8 +195,24 @@ IntegerPolynomial derivative(const IntegerPolynomial& p) {
   return result;
 }
 
+IntegerPolynomial product(const IntegerPolynomial& a, const IntegerPolynomial& b) {
+  IntegerPolynomial result(a.empty() || b.empty() ? 0 : a.size() + b.size() - 1, 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    StopWhen::poll();
+    for (std::size_t j = 0; j < b.size(); ++j) result[i + j] += a[i] * b[j];
+  }
+  return result;
+}
+
+IntegerPolynomial mirrored(IntegerPolynomial p) {
+  shift(p, 1);
+  for (std::size_t i = 1; i < p.size(); i += 2) p[i] = -p[i];
+  return p;
+}
+
 IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial b) {
   if (a.size() < b.size()) std::swap(a, b);
+  if (!b.empty() && are_coprime_modulo_a_prime(a, b)) return {1};
   make_primitive(a);
   make_primitive(b);
   while (!b.empty()) {
@@ -165,6 +229,60 @@ IntegerPolynomial square_free(const IntegerPolynomial& p) {
   auto quotient = common.size() < 2 ? p : divide(rest, common);
   make_primitive(quotient);
   return quotient;
+}
+
+IntegerPolynomial minimal_polynomial(const IntegerPolynomial& value, const IntegerPolynomial& modulus) {
+  struct Row {
+    IntegerPolynomial remainder;
+    IntegerPolynomial p;  ///< p(value) = remainder, up to a factor
+  };
+  std::vector<Row> rows(modulus.size());  // at the size of their remainders
+  const auto eliminate = [&rows](Row& row) {
+    const Row& other = rows[row.remainder.size()];
+    const mpz_class of_row = other.remainder.back();
+    const mpz_class of_other = row.remainder.back();
+    for (auto [mine, others] : {std::pair(&row.remainder, &other.remainder), std::pair(&row.p, &other.p)}) {
+      for (auto& c : *mine) c *= of_row;
+      for (std::size_t i = 0; i < others->size(); ++i) {
+        StopWhen::poll();
+        (*mine)[i] -= of_other * (*others)[i];
+      }
+    }
+    trim(row.remainder);
+  };
+  for (Row row{{1}, {1}};;) {
+    while (!row.remainder.empty() && !rows[row.remainder.size()].remainder.empty()) eliminate(row);
+    make_primitive(row.remainder, row.p);
+    if (row.remainder.empty()) return row.p;
+    rows[row.remainder.size()] = row;
+    row.remainder = product(row.remainder, value);
+    row.p.insert(row.p.begin(), 0);
+    if (row.remainder.size() < modulus.size()) continue;
+    mpz_class factor;
+    mpz_pow_ui(factor.get_mpz_t(), modulus.back().get_mpz_t(), row.remainder.size() - modulus.size() + 1);
+    divide(row.remainder, modulus);
+    for (auto& c : row.p) c *= factor;
+  }
+}
+
+bool has_one_root(IntegerPolynomial p, const Dyadic& low, const mpz_class& width) {
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] <<= low.shift * (p.size() - 1 - i);
+  shift(p, low.k);
+  mpz_class power = 1;
+  for (auto& c : p) {
+    c *= power;
+    power *= width;
+  }
+  return variations(std::move(p)) == 1;
+}
+
+mpz_class value_at(const IntegerPolynomial& p, const Dyadic& t) {
+  mpz_class value = 0;
+  for (std::size_t i = p.size(); i-- > 0;) {
+    StopWhen::poll();
+    value = value * t.k + (p[i] << (t.shift * (p.size() - 1 - i)));
+  }
+  return value;
 }
 
 int sign_at(const IntegerPolynomial& p, const Dyadic& t) { return sgn(value_at(p, t)); }

@@ -16,11 +16,21 @@ IntegerPolynomial from_scaled_bernstein(const std::vector<mpz_class>& c);
 
 IntegerPolynomial derivative(const IntegerPolynomial& p);
 
+IntegerPolynomial product(const IntegerPolynomial& a, const IntegerPolynomial& b);
+
+/// p(1 - t).
+IntegerPolynomial mirrored(IntegerPolynomial p);
+
 /// The greatest common divisor, up to a factor; primitive. For two zero polynomials it is zero.
 IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial b);
 
 /// The polynomial with each complex root of p once, up to a factor; p is not zero.
 IntegerPolynomial square_free(const IntegerPolynomial& p);
+
+/// The polynomial p of least degree with p(value) = 0 modulo `modulus`, up to a factor; the degree of `modulus` is at
+/// least 1. Where `modulus` is square-free, p is, too, and its roots are the values of `value` at the roots of
+/// `modulus`: p is the least common multiple of their minimal polynomials.
+IntegerPolynomial minimal_polynomial(const IntegerPolynomial& value, const IntegerPolynomial& modulus);
 
 /// k / 2^shift.
 struct Dyadic {
@@ -28,8 +38,15 @@ struct Dyadic {
   unsigned long shift = 0;
 };
 
+/// p(k / 2^shift) 2^(m shift), m the degree of p.
+mpz_class value_at(const IntegerPolynomial& p, const Dyadic& t);
+
 /// The sign of p at t.
 int sign_at(const IntegerPolynomial& p, const Dyadic& t);
+
+/// True only if p has exactly one root in the open interval from `low` to low + width / 2^low.shift, by Descartes' rule;
+/// it is simple. True for a narrow enough interval about a simple root.
+bool has_one_root(IntegerPolynomial p, const Dyadic& low, const mpz_class& width);
 
 /// An interval [k, k + 1] / 2^shift with one root inside; or the root k / 2^shift itself, if `exact`.
 struct RootInterval {

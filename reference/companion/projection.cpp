@@ -18,13 +18,6 @@ struct Problem {
   long exponent = 0;
 };
 
-IntegerPolynomial product(const IntegerPolynomial& a, const IntegerPolynomial& b) {
-  IntegerPolynomial result(a.empty() || b.empty() ? 0 : a.size() + b.size() - 1, 0);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) result[i + j] += a[i] * b[j];
-  return result;
-}
-
 void add(IntegerPolynomial& sum, const IntegerPolynomial& term) {
   if (sum.size() < term.size()) sum.resize(term.size(), 0);
   for (std::size_t i = 0; i < term.size(); ++i) sum[i] += term[i];
@@ -60,12 +53,8 @@ Problem problem_of(const CurveView<double>& curve, std::span<const double> point
 
 /// |C - P|^2 at a dyadic t.
 Rational squared_at(const IntegerPolynomial& squared, long exponent, const Dyadic& t) {
-  Rational value;
-  for (std::size_t i = squared.size(); i-- > 0;)
-    value.numerator = value.numerator * t.k + (squared[i] << (t.shift * (squared.size() - 1 - i)));
   const auto degree = squared.empty() ? 0 : static_cast<long>(squared.size()) - 1;
-  value.exponent = 2 * exponent - degree * static_cast<long>(t.shift);
-  return value;
+  return {value_at(squared, t), 1, 2 * exponent - degree * static_cast<long>(t.shift)};
 }
 
 Rational rational(const Dyadic& t) { return {t.k, 1, -static_cast<long>(t.shift)}; }
@@ -97,6 +86,75 @@ CriticalPoint critical_point(const Problem& problem, const RootInterval& root, c
   return point;
 }
 
+/// Compares the distances at critical points, exactly. Where intervals do not tell them apart, however narrow they get,
+/// both are one root of the polynomial whose roots are all critical values.
+class Nearest {
+ public:
+  Nearest(const Problem& problem, const IntegerPolynomial& slope) : squared_(problem.squared), slope_(slope) {
+    for (std::size_t i = 2; i < squared_.size(); ++i)
+      bend_ += abs(squared_[i]) * static_cast<unsigned long>(i * (i - 1));
+  }
+
+  /// Whether the curve is nearer at `a` than at `b`. Narrows both where that is required.
+  bool is_nearer(RootInterval& a, RootInterval& b) {
+    for (;;) {
+      const Range of_a = range(a);
+      const Range of_b = range(b);
+      const auto shift = std::max(of_a.value.shift, of_b.value.shift);
+      const auto at_shift = [shift](const Range& range, const mpz_class& k) {
+        return mpz_class(k << (shift - range.value.shift));
+      };
+      const mpz_class low_of_a = at_shift(of_a, of_a.value.k - of_a.off);
+      const mpz_class low_of_b = at_shift(of_b, of_b.value.k - of_b.off);
+      const mpz_class high_of_a = at_shift(of_a, of_a.value.k + of_a.off);
+      const mpz_class high_of_b = at_shift(of_b, of_b.value.k + of_b.off);
+      if (high_of_a < low_of_b) return true;
+      if (high_of_b < low_of_a || (a.exact && b.exact)) return false;
+      if (!is_narrow(a) || !is_narrow(b)) {
+        for (auto* root : {&a, &b}) refine(slope_, *root, narrow_bits());
+        continue;
+      }
+      const mpz_class low = std::min(low_of_a, low_of_b) - 1;
+      const mpz_class high = std::max(high_of_a, high_of_b) + 1;
+      if (is_critical(a, of_a.value) && is_critical(b, of_b.value) &&
+          has_one_root(critical_values(), {low, shift}, high - low))
+        return false;
+      for (auto* root : {&a, &b}) refine(slope_, *root, 2 * root->t.shift);
+    }
+  }
+
+ private:
+  /// |C - P|^2, as `squared` has it, at the beginning of an interval of t; at the root it is at most `off` / 2^shift off.
+  struct Range {
+    Dyadic value;
+    mpz_class off;
+  };
+  /// D' is 0 at the root, so that the values there and elsewhere in an interval of width w differ by at most w^2/2 max
+  /// |D''|.
+  [[nodiscard]] Range range(const RootInterval& root) const {
+    const auto degree = squared_.size() - 1;  // at least 2: the curve is not one point
+    return {{value_at(squared_, root.t), degree * root.t.shift},
+            root.exact ? mpz_class(0) : mpz_class(bend_ << ((degree - 2) * root.t.shift))};
+  }
+  /// The critical values take long to compute, so they are left alone before intervals are narrow: values then are off
+  /// by 2^-256 units of `squared` at most.
+  [[nodiscard]] unsigned long narrow_bits() const { return 128 + mpz_sizeinbase(bend_.get_mpz_t(), 2) / 2; }
+  [[nodiscard]] bool is_narrow(const RootInterval& root) const { return root.exact || root.t.shift >= narrow_bits(); }
+  /// Whether the value at the root is a root of critical_values(). The value at an end need not be one.
+  bool is_critical(const RootInterval& root, const Dyadic& value) {
+    return !root.exact || sign_at(critical_values(), value) == 0;
+  }
+  const IntegerPolynomial& critical_values() {
+    if (critical_values_.empty()) critical_values_ = minimal_polynomial(squared_, slope_);
+    return critical_values_;
+  }
+
+  const IntegerPolynomial& squared_;  ///< D = |C - P|^2
+  const IntegerPolynomial& slope_;    ///< square-free, with the roots of D'
+  IntegerPolynomial critical_values_;
+  mpz_class bend_ = 0;  ///< a bound of |D''| on [0, 1]
+};
+
 /// The square root of b >= 0, cut to 256 bits.
 Rational root_of(const Rational& b) {
   if (b.numerator == 0) return b;
@@ -112,25 +170,24 @@ Rational root_of(const Rational& b) {
 
 ExactProjection projection(const CurveView<double>& curve, std::span<const double> point) {
   const auto problem = problem_of(curve, point);
+  const bool is_point = problem.slope.empty();  // the curve
+  const auto slope = is_point ? IntegerPolynomial{} : square_free(problem.slope);
+  const auto zeros = common_zeros(problem);
+  std::vector<RootInterval> roots{{{0, 0}, true}};
+  for (const auto& root : is_point ? std::vector<RootInterval>{} : isolate_roots(slope))
+    if (!root.exact || root.t.shift > 0) roots.push_back(root);  // else an end
+  roots.push_back({{1, 0}, true});
   ExactProjection result{{}, 0, problem.squared, problem.exponent};
-  const auto add_end = [&](unsigned long k) {
-    const Dyadic t{k, 0};
-    result.critical.push_back({rational(t), squared_at(problem.squared, problem.exponent, t)});
-  };
-  add_end(0);
-  if (!problem.slope.empty()) {  // else the curve is one point
-    const auto slope = square_free(problem.slope);
-    const auto zeros = common_zeros(problem);
-    for (auto& root : isolate_roots(slope)) {
-      if (root.exact && root.t.k == 0) continue;
-      if (root.exact && root.t.shift == 0) continue;
-      refine_root(slope, root);
-      result.critical.push_back(critical_point(problem, root, zeros));
-    }
+  for (auto& root : roots) {
+    refine_root(slope, root);
+    result.critical.push_back(critical_point(problem, root, zeros));
   }
-  add_end(1);
-  for (std::size_t i = 1; i < result.critical.size(); ++i)
-    if (less(result.critical[i].distance_squared, result.foot().distance_squared)) result.nearest = i;
+  if (is_point) return result;
+  Nearest nearest(problem, slope);
+  // Where |C(t) - P| = |C(1 - t) - P| for all t, the first half has the first of all nearest points.
+  const auto count = mirrored(problem.squared) == problem.squared ? (roots.size() + 1) / 2 : roots.size();
+  for (std::size_t i = 1; i < count; ++i)
+    if (nearest.is_nearer(roots[i], roots[result.nearest])) result.nearest = i;
   return result;
 }
 

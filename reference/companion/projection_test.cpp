@@ -84,6 +84,22 @@ TEST(ExactProjection, OfTwoEquallyNearPointsItTakesTheFirst) {
   EXPECT_EQ(distance_of(exact.critical.front()), distance_of(exact.critical.back()));
 }
 
+/// Feet that are equally near at irrational parameters, for which no number of digits shows that they are.
+TEST(ExactProjection, OfEquallyNearPointsAtIrrationalParametersItTakesTheFirst) {
+  // B(t) = -6 t (1 - t) (1, 1): the foot is (-1/2, -1/2), 6 t (1 - t) = 1/2
+  EXPECT_DOUBLE_EQ(t_of(project({0, 0, -2, -2, -2, -2, 0, 0}, {-1, 0}).foot()), (1 - std::sqrt(2.0 / 3)) / 2);
+  // x = 5 (3 t^2 - 2 t), symmetric about t = 1/3: x = -1 twice
+  EXPECT_DOUBLE_EQ(t_of(project({0, 0, -5, 0, 5, 0}, {-1, 5}).foot()), (1 - std::sqrt(2.0 / 5)) / 3);
+  // x = 40 + 40 t (t^2 - 2 t + 1/2)^2 is 40 at t = 0 and at 1 - sqrt(1/2), and larger elsewhere
+  EXPECT_EQ(project({40, 42, 36, 42, 48, 50}, {0}).nearest, 0U);
+  EXPECT_DOUBLE_EQ(t_of(project({50, 48, 42, 36, 42, 40}, {0}).foot()), std::sqrt(0.5));
+}
+
+TEST(ExactProjection, TellsFeetApartWhoseDistancesDifferInTheThirtiethDigit) {
+  // the second curve above with y = 2^-100 t^2: the later of both feet is nearer by less than 2^-101
+  EXPECT_GT(t_of(project({0, 0, -5, 0, 5, 0x1p-100}, {-1, 5}).foot()), 0.5);
+}
+
 TEST(ExactProjection, OntoACurveThatIsAPoint) {
   const auto exact = project({1, 2, 3, 1, 2, 3}, {3, 4, 4});
   EXPECT_EQ(distance_of(exact.foot()), 3);

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "reference/stop.hpp"
+
 namespace bezierbench::reference {
 namespace {
 
@@ -75,6 +77,7 @@ LengthPanels<Real>::LengthPanels(const Hodograph<Real>& hodograph) : halving_(ho
 template <class Real>
 void LengthPanels<Real>::add(SpeedSeries<Real> series, const Real& begin, const Real& width, const Real& off_before,
                              int depth) {
+  StopWhen::poll();
   const Real allowed = negligible_ / width;
   const Real off = off_before + series.shorten(allowed / 8);
   const Real chord = series.chord_to(1);

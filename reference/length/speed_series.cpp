@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "reference/stop.hpp"
+
 namespace bezierbench::reference {
 namespace {
 
@@ -102,6 +104,7 @@ std::vector<Real> values_at(const Hodograph<Real>& h, const std::vector<Real>& z
   }
   std::vector<Real> values;
   for (const Real& place : z) {
+    StopWhen::poll();
     const Real t = (1 + place) / 2;
     const Real s = (1 - place) / 2;
     std::vector<Real> sum(scaled.begin(), scaled.begin() + static_cast<std::ptrdiff_t>(h.dimension));
@@ -124,6 +127,7 @@ Hodograph<Real> Hodograph<Real>::split(const Real& t) {
   const std::size_t m = degree();
   std::vector<Real> row = vectors;
   for (std::size_t level = 0; level <= m; ++level) {
+    StopWhen::poll();
     for (std::size_t axis = 0; axis < dimension; ++axis) {
       vectors[level * dimension + axis] = row[axis];
       right.vectors[(m - level) * dimension + axis] = row[(m - level) * dimension + axis];
@@ -159,13 +163,15 @@ SpeedSeries<Real>::SpeedSeries(const Hodograph<Real>& h) : dimension_(h.dimensio
   std::vector<Real> z;
   for (std::size_t j = 0; j < count; ++j) z.push_back(cosine[2 * j + 1]);
   const auto values = values_at(h, z);
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; k < count; ++k) {
+    StopWhen::poll();
     for (std::size_t axis = 0; axis < dimension_; ++axis) {
       Real& sum = coefficients_[k * dimension_ + axis];
       for (std::size_t j = 0; j < count; ++j)
         sum += values[j * dimension_ + axis] * cosine[k * (2 * j + 1) % (4 * count)];
       sum *= Real(k == 0 ? 1 : 2) / count;
     }
+  }
 }
 
 template <class Real>
@@ -312,7 +318,8 @@ template <class Real>
 SpeedSeries<Real> SpeedSeries<Real>::halve(const Halving& halving) {
   SpeedSeries<Real> right(dimension_);
   right.coefficients_.resize(coefficients_.size());
-  for (std::size_t j = 0; j <= degree(); ++j)
+  for (std::size_t j = 0; j <= degree(); ++j) {
+    StopWhen::poll();
     for (std::size_t axis = 0; axis < dimension_; ++axis) {
       Real even = 0;
       Real odd = 0;
@@ -321,6 +328,7 @@ SpeedSeries<Real> SpeedSeries<Real>::halve(const Halving& halving) {
       right.coefficients_[j * dimension_ + axis] = even + odd;
       coefficients_[j * dimension_ + axis] = even - odd;  // a_j is read by no later j
     }
+  }
   return right;
 }
 
