@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The accuracy goals of quintic_isolate against the exact foot points, on curves for which projectors have failed.
+// The accuracy goals of quintic_isolate and of polished parameters against the exact foot points, on curves for which projectors have failed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,6 +129,36 @@ TEST(QuinticIsolate, NeverMissesTheFootPointOnNastyCurves) {
     if (HasFailure() && units > 4) break;
   }
   RecordProperty("worst_units", std::to_string(worst));
+}
+
+/// 300 problems of each kind for every method that states a bound of the residual: t has the digits that f has.
+TEST(Projection, KeepsTheBoundOfTheResidualOnNastyCurves) {
+  Inputs inputs(13);
+  for (int trial = 0; trial < 300 * kinds; ++trial) {
+    const int d = 1 + trial % 3;
+    const int n = trial % 5 < 3 ? 3 : 1 + trial % 7;
+    Problem problem{d, n, inputs.coefficients(n, d), inputs.coefficients(0, d)};
+    const int kind = trial / 3 % kinds;
+    spoil(kind, problem, inputs);
+    const auto exact = reference::projection(problem.curve(), problem.point);
+    for (const auto& kernel : projection_kernels(d)) {
+      if (kernel.residual_bound == nullptr) continue;
+      const auto foot = kernel.project(problem.curve(), problem.point);
+      EXPECT_LE(reference::foot_residual(foot.t, exact), kernel.residual_bound(n, d))
+          << kernel.info->id << " trial " << trial << " kind " << kind << " degree " << n << " d " << d;
+    }
+  }
+}
+
+/// The default of the Python package once returned t = 0.56549963311.
+TEST(Projection, EveryMethodFindsTheFootOfAPublicReport) {
+  const std::vector<double> points{259, 322, 272, 329, 297, 341, 350, 397};
+  const std::vector<double> point{300, 340};
+  for (const auto& kernel : projection_kernels(2))
+    if (kernel.residual_bound != nullptr) {
+      EXPECT_NEAR(kernel.project({Form::bernstein, 2, 3, points}, point).t, 0.565499632684385754, 2e-16)
+          << kernel.info->id;
+    }
 }
 
 /// C - P cancels to the last digits of both, or beyond. The distance at t is still right up to its own rounding.

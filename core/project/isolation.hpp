@@ -31,7 +31,11 @@ class Isolation {
   FootPoint foot() {
     isolate({HalvedPolygon(offset_.offsets()), HalvedPolygon(offset_.differences_of_points())});
     const auto best = nearest_neighbour(offset_, nearest_candidate(offset_, std::move(candidates_)));
-    return {best.t, offset_.unscaled(best.scaled_distance), best.candidates + maxima_, judged_ < most_pieces};
+    const FootPoint foot{best.t, offset_.unscaled(best.scaled_distance), best.candidates + maxima_,
+                         judged_ < most_pieces};
+    if (best.t > 0 && best.t < 1) return foot;
+    const double t = polished(offset_, best.t);  // a root so near to the end that it is not farther away
+    return t == best.t ? foot : FootPoint{t, offset_.distance(t), foot.candidates, foot.converged};
   }
 
  private:
@@ -51,7 +55,7 @@ class Isolation {
   /// Adds a candidate for each root in the piece.
   void isolate(const Piece& piece) {
     if (judged_ == most_pieces) {
-      candidates_.push_back(descend(offset_, piece.middle()));
+      candidates_.push_back(polished(offset_, piece.middle()));
       return;
     }
     ++judged_;
@@ -61,7 +65,7 @@ class Isolation {
     if (most == 1 && f.sign(0) > 0 && f.sign(f.degree()) < 0)
       ++maxima_;
     else if (f.is_unknown() || piece.width < smallest_width)
-      candidates_.push_back(descend(offset_, piece.middle()));
+      candidates_.push_back(polished(offset_, piece.middle()));
     else if (most == 1)
       candidates_.push_back(root_of(piece, f));
     else
@@ -94,7 +98,7 @@ class Isolation {
     if (at_a == 0) return a;
     if (at_b == 0) return b;
     if ((at_a < 0) != (at_b < 0)) return root_in_bracket(offset_, a, b, at_a < 0, {piece.middle(), piece.width});
-    return descend(offset_, std::abs(at_a) < std::abs(at_b) ? a : b);
+    return polished(offset_, std::abs(at_a) < std::abs(at_b) ? a : b);
   }
 
   OffsetCurve<Dimension, Degree> offset_;

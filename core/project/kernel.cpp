@@ -11,11 +11,15 @@ namespace {
 struct Entry {
   template <ProjectionMethod M, int Dimension>
   static constexpr ProjectionKernel of() {
-    return {&M::info, Dimension, [](const CurveView<double>& view, std::span<const double> coordinates) {
-              Point<double, Dimension> point;
-              for (int axis = 0; axis < Dimension; ++axis) point[axis] = coordinates[static_cast<std::size_t>(axis)];
-              return M::project(instantiate::load<M::info.form, Dimension>(view), point);
-            }};
+    ProjectionKernel kernel{&M::info, Dimension,
+                            [](const CurveView<double>& view, std::span<const double> coordinates) {
+                              Point<double, Dimension> point;
+                              for (int axis = 0; axis < Dimension; ++axis)
+                                point[axis] = coordinates[static_cast<std::size_t>(axis)];
+                              return M::project(instantiate::load<M::info.form, Dimension>(view), point);
+                            }};
+    if constexpr (requires { M::residual_bound; }) kernel.residual_bound = M::residual_bound;
+    return kernel;
   }
 };
 

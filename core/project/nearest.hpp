@@ -3,7 +3,6 @@
 #pragma once
 
 #include <limits>
-#include <vector>
 
 #include "core/project/offset_curve.hpp"
 #include "core/project/projection.hpp"
@@ -63,13 +62,6 @@ NearestCandidate<Dimension> nearest_neighbour(const OffsetCurve<Dimension, Degre
   for (const double other : {std::nextafter(candidate.t, 0.0), std::nextafter(candidate.t, 1.0)})
     best.take(curve, other, 1 - 8 * u);
   return best;
-}
-
-/// The nearest of the candidates and both ends, as the result of a method.
-template <int Dimension>
-FootPoint nearest(const OffsetCurve<Dimension>& curve, std::vector<double> candidates) {
-  const auto best = nearest_candidate(curve, std::move(candidates));
-  return {best.t, curve.unscaled(best.scaled_distance), best.candidates, true};
 }
 
 }  // namespace bezierbench

@@ -6,9 +6,9 @@
 // Source: [Document 002] with its coefficients k2, k3 and k4 corrected; [Edelman and Murakami 1995], roots from
 //   companion eigenvalues.
 // Cost: about 10 (2n-1)^3 flops.
-// Bound: none.
-// Fails: f is rounded in power form, so the error of a k-fold root is (3^n u)^(1/k): 1e-5 where a cusp is the foot
-//   point.
+// Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
+// Fails: f is rounded in power form, so the error of a k-fold root is (3^n u)^(1/k), 1e-5 where a cusp is the foot
+//   point; where several points are about equally near, the polished one may then be another.
 #pragma once
 
 #include "core/basis/binomial.hpp"
@@ -27,6 +27,7 @@ struct QuinticCompanion : CompanionProjection<QuinticCompanion> {
                                    .flops = "about 10 (2n-1)^3",
                                    .cost_exponent = 3,
                                    .citation = "[Document 002], corrected; [Edelman and Murakami 1995]"};
+  static constexpr auto residual_bound = polished_residual_bound;
 
   /// f_0 .. f_(2n-1), divided by the square of m (OffsetCurve).
   template <int Dimension>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/project/offset_curve.hpp"
+#include "core/project/projection.hpp"
 
 namespace bezierbench {
 
@@ -30,7 +31,8 @@ double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, do
     double step = next - t;
     const bool inside = next >= a && next <= b;
     if (inside && 2 * step * step * curve.largest_bend() <= 0x1p-53 * next * std::abs(f.derivative)) return next;
-    if (!inside || 2 * std::abs(step) > std::abs(last_step)) {
+    const double other_end = t == a ? b : a;
+    if (!inside || next == other_end || 2 * std::abs(step) > std::abs(last_step)) {
       next = a + (b - a) / 2;
       step = next - t;
     }
@@ -41,30 +43,40 @@ double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, do
   return t;
 }
 
-/// A parameter in [0, 1] at which the curve is at least as near as at t. Takes Newton steps where the distance is
-/// convex, else Gauss-Newton steps. A step is halved until the curve comes nearer; the search ends when it does not.
+/// The parameter in [0, 1] of the local minimum of the distance that lies downhill from t; t where the curve is farther
+/// there. Distances next to a minimum differ in their last digits only, so a search by distances ends at half of the
+/// digits of t; a root of (C - P).C' has them all. Signs bracket it: steps downhill double, from twice Newton's step on.
 template <int Dimension, int Degree>
-double descend(const OffsetCurve<Dimension, Degree>& curve, double t) {
-  constexpr int most_steps = 100;
-  constexpr int most_halvings = 8;
-  double distance = curve.scaled_distance(t);
-  for (int k = 0; k < most_steps; ++k) {
-    const auto f = curve.slope(t);
-    const double steepness = f.derivative > 0 ? f.derivative : f.speed_squared;
-    if (f.value == 0 || steepness == 0) return t;
-    double step = -f.value / steepness;
-    const double before = t;
-    for (int halving = 0; halving <= most_halvings && t == before; ++halving, step /= 2) {
-      const double next = std::clamp(before + step, 0.0, 1.0);
-      const double next_distance = curve.scaled_distance(next);
-      if (next_distance < distance) {
-        t = next;
-        distance = next_distance;
-      }
-    }
-    if (t == before) return t;
+double polished(const OffsetCurve<Dimension, Degree>& curve, double t) {
+  constexpr double least_step = 0x1p-52;
+  constexpr double rounding = 1 + 8 * 0x1p-53;  // of two distances
+  const auto f = curve.slope(t);
+  if (f.value == 0) return t;
+  const bool falls_to_the_right = f.value < 0;
+  const double end = falls_to_the_right ? 1 : 0;
+  if (t == end) return t;
+  const auto falls = [&](double value) { return falls_to_the_right ? value < 0 : value > 0; };
+  const double newton = f.derivative > 0 ? std::abs(f.value) / f.derivative : 0;
+  double near = t;
+  double far = t;
+  double at_far = f.value;
+  for (double step = std::max(2 * newton, least_step); far != end && falls(at_far); step *= 2) {
+    near = far;
+    far = std::clamp(falls_to_the_right ? t + step : t - step, 0.0, 1.0);
+    at_far = curve.slope(far).value;
   }
-  return t;
+  double minimum = far;
+  if (falls(-at_far)) {
+    const auto [a, b] = std::minmax(near, far);
+    minimum = root_in_bracket(curve, a, b, true, {a + (b - a) / 2, b - a});
+  }
+  return curve.scaled_distance(minimum) <= curve.scaled_distance(t) * rounding ? minimum : t;
 }
+
+/// The bound of the residual |(C - P).C'| at a polished t inside (0, 1), over u D (|C - P| + D t + 2 n u M), with
+/// D = n max |b_(i+1) - b_i| and M the largest coordinate. The computed (C - P).C' is off by d (3n + 6) of these units
+/// (OffsetCurve). It changes its sign between t and a double at most two from it, over which the true one changes by
+/// 4 u t (D^2 + |C - P| max |C''|), with |C''| <= 2 (n - 1) D.
+constexpr double polished_residual_bound(int n, int dimension) { return dimension * (3 * n + 6) + 8 * n; }
 
 }  // namespace bezierbench

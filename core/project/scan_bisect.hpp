@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Formula: the nearest of 26 samples, then bisection between its neighbours: the middle k moves towards the nearer of
 //   k - e and k + e until the interval is no longer than e.
-// Source: [Document 004], first snippet (closestPoint and localMinimum). Two things differ: k +- e stay in [0, 1], and
-//   e is 2^-26. The snippet's e of 1e-4 leaves an error of this size in t; with an e below about 1e-8 the two distances
-//   agree in all digits, so that their comparison is decided by rounding.
+// Source: [Document 004], first snippet (closestPoint and localMinimum). Three things differ: k +- e stay in
+//   [0, 1], e is 2^-26, and k is polished. The snippet's e of 1e-4 leaves an error of this size in t; with an e below
+//   about 1e-8 the two distances agree in all digits, so that their comparison is decided by rounding.
 // Cost: 26 + 2 22 points by de Casteljau.
-// Bound: none. t is never better than e.
+// Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
 // Fails: it finds one local minimum, that of the nearest sample. (8,5) (-4,0) (6,3) (9,7) and P = (6,4) give t = 0.7459
 //   at the distance 0.3085, and the nearest point is at t = 0.064530, distance 0.141664.
 #pragma once
 
-#include "core/project/projection.hpp"
+#include "core/project/refine.hpp"
 #include "core/project/scan.hpp"
 
 namespace bezierbench {
@@ -24,6 +24,7 @@ struct ScanBisect {
                                    .flops = "70 points by de Casteljau",
                                    .cost_exponent = 2,
                                    .citation = "[Document 004]"};
+  static constexpr auto residual_bound = polished_residual_bound;
 
   template <int Dimension>
   static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,
@@ -43,7 +44,8 @@ struct ScanBisect {
       (before < after ? to : from) = k;
       candidates += 2;
     }
-    return {k, offset.distance(k), candidates, true};
+    const double t = polished(offset, k);
+    return {t, offset.distance(t), candidates, true};
   }
 };
 

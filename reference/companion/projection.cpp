@@ -166,6 +166,33 @@ Rational root_of(const Rational& b) {
   return {sqrt(integer), 1, drop};
 }
 
+Rational largest_speed(const CurveView<double>& curve) {
+  Rational largest;
+  for (int i = 0; i < curve.degree; ++i) {
+    Rational square;
+    for (int axis = 0; axis < curve.dimension; ++axis) {
+      const auto difference = exactly(curve(axis, i + 1)) - exactly(curve(axis, i));
+      square = square + difference * difference;
+    }
+    if (less(largest, square)) largest = square;
+  }
+  return exactly(curve.degree) * root_of(largest);
+}
+
+Rational largest_coordinate(const CurveView<double>& curve, std::span<const double> point) {
+  double largest = 0;
+  for (const auto values : {curve.coefficients, point})
+    for (const double x : values) largest = std::max(largest, std::abs(x));
+  return exactly(largest);
+}
+
+Dyadic dyadic(double t) {
+  const Rational place = exactly(t);
+  const bool whole = place.exponent >= 0;
+  return {whole ? mpz_class(place.numerator << static_cast<mp_bitcnt_t>(place.exponent)) : place.numerator,
+          whole ? 0 : static_cast<unsigned long>(-place.exponent)};
+}
+
 }  // namespace
 
 ExactProjection projection(const CurveView<double>& curve, std::span<const double> point) {
@@ -177,7 +204,8 @@ ExactProjection projection(const CurveView<double>& curve, std::span<const doubl
   for (const auto& root : is_point ? std::vector<RootInterval>{} : isolate_roots(slope))
     if (!root.exact || root.t.shift > 0) roots.push_back(root);  // else an end
   roots.push_back({{1, 0}, true});
-  ExactProjection result{{}, 0, problem.squared, problem.exponent};
+  ExactProjection result{
+      {}, 0, problem.squared, problem.exponent, largest_speed(curve), largest_coordinate(curve, point), curve.degree};
   for (auto& root : roots) {
     refine_root(slope, root);
     result.critical.push_back(critical_point(problem, root, zeros));
@@ -191,12 +219,19 @@ ExactProjection projection(const CurveView<double>& curve, std::span<const doubl
   return result;
 }
 
-Rational ExactProjection::distance_squared_at(double t) const {
-  const Rational place = exactly(t);
-  const bool whole = place.exponent >= 0;
-  return squared_at(squared, exponent,
-                    {whole ? mpz_class(place.numerator << static_cast<mp_bitcnt_t>(place.exponent)) : place.numerator,
-                     whole ? 0 : static_cast<unsigned long>(-place.exponent)});
+Rational ExactProjection::distance_squared_at(double t) const { return squared_at(squared, exponent, dyadic(t)); }
+
+double foot_residual(double t, const ExactProjection& exact) {
+  if (!(t >= 0 && t <= 1)) return std::numeric_limits<double>::infinity();
+  Rational slope = squared_at(derivative(exact.squared), exact.exponent, dyadic(t));
+  slope.exponent -= 1;  // (|C - P|^2)' / 2
+  if ((t == 0 && slope.numerator >= 0) || (t == 1 && slope.numerator <= 0)) return 0;
+  const Rational u{1, 1, -53};
+  const Rational& speed = exact.largest_speed;
+  const Rational unit = u * speed *
+                        (root_of(exact.distance_squared_at(t)) + speed * exactly(t) +
+                         exactly(2 * exact.degree) * u * exact.largest_coordinate);
+  return slope.numerator == 0 ? 0 : quotient(error_format, abs(slope), unit);
 }
 
 double distance_error(const Format& format, double a, const Rational& b) {

@@ -29,6 +29,10 @@ struct ExactProjection {
   IntegerPolynomial squared;
   long exponent = 0;
 
+  Rational largest_speed;       ///< n max |b_(i+1) - b_i|, a bound of |C'|, cut to 256 bits
+  Rational largest_coordinate;  ///< of the control points and of P
+  int degree = 0;
+
   /// At a finite t.
   [[nodiscard]] Rational distance_squared_at(double t) const;
 };
@@ -40,6 +44,11 @@ ExactProjection projection(const CurveView<double>& curve, std::span<const doubl
 /// distance; or |C(t) - P| - d where that is more than twice as much. The rounding of a distance cannot explain such a
 /// difference: the claimed distance may be right, but t is not. Infinite where t or distance is not finite.
 double foot_error(const Format& format, double t, double distance, const ExactProjection& exact);
+
+/// The residual |(C - P).C'| at t, over u D (|C - P| + D t + 2 n u M), with D `largest_speed`, M `largest_coordinate` and
+/// u = 2^-53, rounded to `error_format`: these are a rounding of C', one of t and, next to the curve, those of C - P
+/// that remain where u^2 counts. At an end from which the distance rises it is 0, outside [0, 1] infinite.
+double foot_residual(double t, const ExactProjection& exact);
 
 /// |a - sqrt(b)| for a double a >= 0 and b >= 0, rounded once to `format`, with the root cut to 256 bits.
 double distance_error(const Format& format, double a, const Rational& b);

@@ -133,6 +133,16 @@ TEST(DistanceError, IsRoundedOnce) {
   EXPECT_NEAR(distance_error(binary64, std::sqrt(2.0), {2, 1, 0}), 9.667293313452913e-17, 1e-31);
 }
 
+/// On the line (4 t, 0) from (1, 2), (C - P).C' = 16 (t - 1/4), with D = M = 4 and |C - P| = 2 at the foot.
+TEST(Projection, ResidualsAreCountedInRoundings) {
+  const auto exact = project({0, 0, 4, 0}, {1, 2});
+  EXPECT_EQ(foot_residual(0.25, exact), 0);
+  EXPECT_NEAR(foot_residual(0.25 + 0x1p-52, exact), 32 / (4 * (2 + 4 * 0.25)), 1e-6);
+  EXPECT_NEAR(foot_residual(0, exact), 4 / (4 * 0x1p-53 * std::sqrt(5)), 1e10);
+  EXPECT_EQ(foot_residual(1, project({0, 0, 4, 0}, {7, 2})), 0);  // the distance falls to the end
+  EXPECT_EQ(foot_residual(-0x1p-60, exact), std::numeric_limits<double>::infinity());
+}
+
 /// A foot point is off by where it lies, too: 3e-30 next to 1e300 is no distance to a method that scales both alike.
 TEST(Projection, AFootPointIsJudgedByItsPlace) {
   const std::vector<double> points{1e300, 0, 1e300, 1e-30, 1e300, 3e-30};
