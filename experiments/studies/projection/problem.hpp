@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A point, placed in one of several ways, projected onto a random curve: the foot point against the exact one. An
-// answer is right if it does not miss the nearest point.
+// answer is right if it does not miss the nearest point. Methods that state a bound of the residual |(C - P).C'| promise
+// a t that keeps it.
 #pragma once
 
 #include <array>
@@ -18,9 +19,11 @@
 namespace bezierbench::studies {
 
 struct ProjectionErrors {
-  metric::Tally error;       ///< error of the distance, in coordinate units
-  metric::Tally error_unit;  ///< error of the distance, in 2^-52 times the largest coordinate
-  metric::Tally t_error;     ///< distance from t to the nearest parameter of a nearest point
+  metric::Tally error;                 ///< error of the distance, in coordinate units
+  metric::Tally error_unit;            ///< error of the distance, in 2^-52 times the largest coordinate
+  metric::Tally t_error;               ///< distance from t to the nearest parameter of a nearest point
+  metric::Largest<double> residual;    ///< of t, in units of reference::foot_residual
+  metric::TrialCount broken_promises;  ///< trials with a residual above its bound, in which the method did not give up
   std::uint64_t missed = 0;
   metric::Total candidates;
   std::uint64_t non_converged = 0;
@@ -28,8 +31,8 @@ struct ProjectionErrors {
 
   template <class Bytes, class Self>
   static auto each_field(Bytes& bytes, Self& self) {
-    return bytes(self.error, self.error_unit, self.t_error, self.missed, self.candidates, self.non_converged,
-                 self.non_finite);
+    return bytes(self.error, self.error_unit, self.t_error, self.residual, self.broken_promises, self.missed,
+                 self.candidates, self.non_converged, self.non_finite);
   }
 };
 
@@ -61,18 +64,27 @@ class ProjectionProblem {
       TrialColumn<Row>{"mean_t_error", column::statistic<tables::mean, &Errors::t_error>},
       TrialColumn<Row>{"p50_t_error", column::statistic<tables::median, &Errors::t_error>},
       TrialColumn<Row>{"max_t_error", column::statistic<tables::largest, &Errors::t_error>},
+      TrialColumn<Row>{"max_residual", column::count<&Errors::residual>},
+      TrialColumn<Row>{"residual_bound",
+                       [](const Row& row) {
+                         const auto bound = row.method.residual_bound;
+                         return bound == nullptr ? std::string()
+                                                 : number::decimal(bound(row.cell.degree, row.cell.dimension));
+                       }},
+      TrialColumn<Row>{"broken_promises", column::count<&Errors::broken_promises>},
       TrialColumn<Row>{"candidates", column::count<&Errors::candidates, &metric::Total::sum>},
       TrialColumn<Row>{"max_candidates", column::count<&Errors::candidates, &metric::Total::largest>},
       TrialColumn<Row>{"non_converged", column::count<&Errors::non_converged>},
       TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
   };
-  static constexpr std::array<TrialFailure<Row>, 0> failures{};  // a projection method promises nothing
+  static constexpr std::array failures{
+      TrialFailure<Row>{"residual of t", column::trials<&Errors::broken_promises>, run::Broken::promise}};
 
   static std::span<const Kernel> kernels(int dimension) { return judge::projection_methods(dimension); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 64; }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t /*methods*/) {
     const double n = part.cell.degree;
-    return 20'000 * n * n;
+    return n * n * (20'000 + 4 * n * n);  // integers grow with n
   }
 
   ProjectionProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part);

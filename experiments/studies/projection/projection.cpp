@@ -48,8 +48,8 @@ void ProjectionProblem::ask(const Kernel& method, const Drawn& drawn, double /*t
   foot = method.project(curve_of(drawn.placed), drawn.placed.point);
 }
 
-void ProjectionProblem::judge(const Kernel& /*method*/, const Drawn& drawn, double /*tolerance*/, const Answer& foot,
-                              std::uint64_t /*number*/, Errors& errors) {
+void ProjectionProblem::judge(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& foot,
+                              std::uint64_t number, Errors& errors) {
   errors.candidates.add(static_cast<std::uint64_t>(foot.candidates));
   errors.non_converged += foot.converged ? 0 : 1;
   if (!std::isfinite(foot.distance) || !std::isfinite(foot.t)) {
@@ -61,6 +61,11 @@ void ProjectionProblem::judge(const Kernel& /*method*/, const Drawn& drawn, doub
   errors.error.add(error);
   errors.error_unit.add(error == 0 ? 0 : metric::to_24_bits(error / largest * 0x1p+52));
   errors.t_error.add(t_error(foot.t, drawn.exact));
+  const double residual = reference::foot_residual(foot.t, drawn.exact);
+  errors.residual.add(residual);
+  if (method.residual_bound != nullptr && foot.converged &&
+      residual > method.residual_bound(drawn.placed.degree, drawn.placed.dimension))
+    errors.broken_promises.add(number);
   errors.missed += error > missed_tolerance * largest ? 1 : 0;
 }
 

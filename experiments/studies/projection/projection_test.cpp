@@ -8,6 +8,7 @@
 #include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/sample/placement.hpp"
+#include "experiments/studies/projection/problem.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -41,6 +42,30 @@ TEST(ProjectionStudy, IsolationMissesNothingAndKeepsItsGoal) {
     EXPECT_LE(run::number_at(csv, row, "max_error_eps"), 4) << row;
     EXPECT_GE(run::number_at(csv, row, "candidates"), 240) << row;  // the two ends of each curve
   }
+}
+
+/// Among them the centre of curvature and cusps, where t has a third of its digits.
+TEST(ProjectionStudy, EveryOwnMethodKeepsItsBoundOfTheResidual) {
+  const auto csv = projection_rows_of(projection_study_of({}), "projection.csv");
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    EXPECT_EQ(csv.at(row, "broken_promises"), "0") << row;
+    EXPECT_LE(run::number_at(csv, row, "max_residual"), run::number_at(csv, row, "residual_bound")) << row;
+  }
+}
+
+TEST(ProjectionStudy, AResidualAboveItsBoundBreaksAPromise) {
+  const std::vector<double> point{1, 2};
+  ProjectionProblem::Drawn line{{2, 1, {0, 0, 4, 0}, point}, {}};
+  line.exact = reference::projection({Form::bernstein, 2, 1, line.placed.points}, point);
+  const auto& kernel = ProjectionProblem::kernels(2).front();
+  const auto broken = [&](const FootPoint& foot) {
+    ProjectionErrors errors;
+    ProjectionProblem::judge(kernel, line, 0, foot, 7, errors);
+    return errors.broken_promises.count;
+  };
+  EXPECT_EQ(broken({0.25, 2, 2, true}), 0U);
+  EXPECT_EQ(broken({0.25 + 0x1p-45, 2, 2, true}), 1U);  // the distance is right to all digits
+  EXPECT_EQ(broken({0.25 + 0x1p-45, 2, 2, false}), 0U);
 }
 
 TEST(ProjectionStudy, SeesWhatScanningMisses) {
