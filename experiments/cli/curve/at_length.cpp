@@ -2,6 +2,7 @@
 // `curve at-length`: the parameter at a length from the beginning of a curve by any method, against the true one.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -9,9 +10,11 @@
 #include <optional>
 
 #include "core/arc_length/inverse/kernel.hpp"
+#include "core/arc_length/kernel.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/truth_option.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/length/length_along.hpp"
@@ -27,6 +30,7 @@ struct AtLengthOptions {
   std::string fraction;
   std::string tolerance = "1e-9";
   std::vector<std::string> methods;
+  TruthOption truth;
 };
 
 double tolerance_of(const AtLengthOptions& options) {
@@ -53,14 +57,25 @@ LongReal target_of(const AtLengthOptions& options, const LongReal& whole) {
   return length;
 }
 
-/// The true lengths along a curve; empty where they are not certain to 30 digits.
+/// The length of a curve by the method that is best at it.
+double computed_length(const CurveView<double>& curve) {
+  constexpr double tolerance = 1e-15;
+  const auto methods = arc_length_kernels(curve.dimension);
+  return std::ranges::find(methods, "gauss_legendre_adaptive", [](const auto& method) { return method.info->id; })
+      ->measure(curve, 0, 1, tolerance)
+      .length;
+}
+
+/// The true lengths along a curve; empty where they are not certain to 30 digits, or take too long.
 class Truth {
  public:
-  /// Prints a line on standard error where they are not certain. The results of the methods are printed in any case.
+  /// Prints a line on standard error where there are none. The results of the methods are printed in any case.
   Truth(const AtLengthOptions& options, const CurveView<double>& curve) {
     try {
-      lengths_.emplace(curve);
-      whole_ = lengths_->whole();
+      if (options.truth.finishes(options.curve.file, curve.degree, [&] { lengths_.emplace(curve); }))
+        whole_ = lengths_->whole();
+      else
+        whole_ = computed_length(curve);
     } catch (const reference::NotCertain& error) {
       whole_ = error.length();
       fmt::print(stderr, "bezierbench: {}: {}; exact_t, error and length_error are left empty\n", options.curve.file,
@@ -127,6 +142,7 @@ void add_curve_at_length(Command curve) {
   command.option("--tolerance", options->tolerance, "relative to the length of the curve; default: 1e-9");
   command.option("--method", options->methods, "method id; may be repeated; default: all")
       .takes("METHOD", methods_of(Problem::inverse_arc_length));
+  options->truth.add_to(command);
   command.action([options] { find(*options); });
 }
 

@@ -10,6 +10,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/truth_option.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
@@ -26,6 +27,7 @@ struct LengthOptions {
   std::string to = "1";
   std::string tolerance = "1e-9";
   std::vector<std::string> methods;
+  TruthOption truth;
 };
 
 /// The part of the curve to measure, and the tolerance.
@@ -47,16 +49,17 @@ Task task_of(const LengthOptions& options) {
   return task;
 }
 
-/// The true length. Where it is not certain: empty, with a line on standard error. The methods' results are printed in
-/// any case.
+/// The true length. Where it is not certain or takes too long: empty, with a line on standard error. The methods' results
+/// are printed in any case.
 std::optional<reference::TrueLength> true_length(const LengthOptions& options, const CurveView<double>& curve,
                                                  const Task& task) {
+  std::optional<reference::TrueLength> length;
   try {
-    return reference::TrueLength(curve, task.from, task.to);
+    (void)options.truth.finishes(options.curve.file, curve.degree, [&] { length.emplace(curve, task.from, task.to); });
   } catch (const reference::NotCertain& error) {
     fmt::print(stderr, "bezierbench: {}: {}; exact and error are left empty\n", options.curve.file, error.what());
-    return std::nullopt;
   }
+  return length;
 }
 
 void measure(const LengthOptions& options) {
@@ -92,6 +95,7 @@ void add_curve_length(Command curve) {
   command.option("--tolerance", options->tolerance, "relative to the length; default: 1e-9");
   command.option("--method", options->methods, "method id; may be repeated; default: all")
       .takes("METHOD", methods_of(Problem::arc_length));
+  options->truth.add_to(command);
   command.action([options] { measure(*options); });
 }
 

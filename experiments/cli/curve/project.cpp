@@ -4,10 +4,12 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/truth_option.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
@@ -20,6 +22,7 @@ struct ProjectOptions {
   CurveOptions curve;
   std::string point;
   std::vector<std::string> methods;
+  TruthOption truth;
 };
 
 /// Parses `X,Y[,Z]`. Throws Failure(usage) unless there are as many coordinates as the curve has axes.
@@ -39,15 +42,21 @@ void project(const ProjectOptions& options) {
   if (methods.empty())
     throw Failure(Exit::usage, fmt::format("{}: no method projects onto it: {} {}", options.curve.file,
                                            kernels.front().info->id, why_not(*kernels.front().info, curve)));
-  const auto exact = reference::projection(curve.view(), point);
-  const auto t = number::decimal(reference::round_to(reference::binary64, exact.foot().t));
-  const auto distance = number::decimal(reference::square_root(reference::binary64, exact.foot().distance_squared));
+  std::optional<reference::ExactProjection> exact;
+  std::string t;
+  std::string distance;
+  if (options.truth.finishes(options.curve.file, curve.degree(),
+                             [&] { exact = reference::projection(curve.view(), point); })) {
+    t = number::decimal(reference::round_to(reference::binary64, exact->foot().t));
+    distance = number::decimal(reference::square_root(reference::binary64, exact->foot().distance_squared));
+  }
   bundle::CsvTable table({"method", "t", "distance", "candidates", "exact_t", "exact_distance", "error"});
   for (const auto* kernel : methods) {
     const auto foot = kernel->project(curve.view(), point);
-    const double error = reference::foot_error(reference::binary64, foot.t, foot.distance, exact);
+    const auto error =
+        exact ? number::decimal(reference::foot_error(reference::binary64, foot.t, foot.distance, *exact)) : "";
     table.add_row({std::string(kernel->info->id), number::decimal(foot.t), number::decimal(foot.distance),
-                   std::to_string(foot.candidates), t, distance, number::decimal(error)});
+                   std::to_string(foot.candidates), t, distance, error});
     if (!foot.converged)
       fmt::print(stderr, "bezierbench: {} gave up before it converged; its row is the best it found\n",
                  kernel->info->id);
@@ -64,6 +73,7 @@ void add_curve_project(Command curve) {
   command.option("--point", options->point, "coordinates, separated by commas").required().takes("X,Y[,Z]");
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
       .takes("METHOD", methods_of(Problem::projection));
+  options->truth.add_to(command);
   command.action([options] { project(*options); });
 }
 
