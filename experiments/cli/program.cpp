@@ -22,6 +22,7 @@
 #include "experiments/cli/terminal/completion.hpp"
 #include "experiments/cli/terminal/manual.hpp"
 #include "experiments/number/floating_point.hpp"
+#include "experiments/run/interruption.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -91,6 +92,7 @@ int main(int argc, char** argv, std::span<const outside::OwnMethod> own) {
     require_memory();
     report_exhausted_memory();
     bundle::ignore_file_size_signal();
+    run::watch_for_interruption();
     const auto faults = number::floating_point_faults();
     if (!faults.empty())
       return fail(Exit::environment,

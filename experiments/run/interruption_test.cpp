@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <functional>
 
@@ -40,7 +41,7 @@ TEST(Interruption, EndsWhatIsOnlyReading) {
 TEST(Interruption, IsRememberedByWhatIsAtWork) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const int status = status_of([&] {
-      work_begins();
+      work_begins("b: interrupted");
       const bool before = interrupted();
       raise(signal);
       return !before && interrupted() ? 0 : 1;
@@ -50,9 +51,22 @@ TEST(Interruption, IsRememberedByWhatIsAtWork) {
   }
 }
 
+TEST(Interruption, EndsWorkThatDoesNotEndWithinASecond) {
+  const auto begin = std::chrono::steady_clock::now();
+  const int status = status_of([] {
+    work_begins("b: interrupted");
+    raise(SIGINT);
+    for (;;) pause();
+    return 0;
+  });
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), static_cast<int>(Exit::interrupted));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+}
+
 TEST(Interruption, TheSecondEndsWork) {
   const int status = status_of([] {
-    work_begins();
+    work_begins("b: interrupted");
     raise(SIGTERM);
     raise(SIGTERM);
     return 0;

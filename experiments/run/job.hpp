@@ -96,8 +96,8 @@ class Job {
     return part < totals_.size() ? totals_[part].get() : nullptr;
   }
 
-  /// Nanoseconds of one thread for a block of this part, to an order of magnitude and equal on every machine. Shards
-  /// and the progress line use it. --dry-run measures instead; see estimate.hpp.
+  /// Nanoseconds of one thread for a block of this part, to an order of magnitude and equal on every machine. Shards,
+  /// the progress line and --dry-run use it.
   [[nodiscard]] virtual double cost(std::size_t part) const = 0;
   [[nodiscard]] double total_cost() const;
   /// True for timings, beside which nothing else may run.

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
-#include <sys/resource.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <system_error>
 #include <vector>
@@ -19,7 +17,6 @@
 #include "experiments/failure.hpp"
 #include "experiments/run/blocks/block_order.hpp"
 #include "experiments/run/blocks/parallel_ranges.hpp"
-#include "experiments/run/estimate.hpp"
 #include "experiments/run/expected.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/run/notes.hpp"
@@ -58,12 +55,6 @@ class Share {
   [[nodiscard]] std::uint64_t count_done(std::size_t job) const {
     return checkpoints_.done(job).within(blocks(job)).size();
   }
-  [[nodiscard]] double cost_left() const {
-    double sum = 0;
-    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += cost_left(job);
-    return sum;
-  }
-
   [[nodiscard]] double cost_left(std::size_t number) const {
     const Job& job = *jobs_[number];
     const auto each = job.blocks_per_part();
@@ -85,68 +76,34 @@ class Share {
   std::vector<BlockSet::Run> blocks_;  ///< per job
 };
 
-/// Estimates for the rest of a run.
+/// What the rest of a run takes, to an order of magnitude.
 struct Needs {
   double seconds = 0;  ///< of processor time
-  double disk = 0;     ///< bytes at most: files of blocks, and beside them the bundle
-  double memory = 0;   ///< bytes at most
+  double disk = 0;     ///< bytes
+  double memory = 0;   ///< bytes
 };
 
-rusage used_so_far() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  return used;
-}
-
-double seconds_of(const timeval& time) {
-  constexpr double microsecond = 1e-6;
-  return static_cast<double>(time.tv_sec) + microsecond * static_cast<double>(time.tv_usec);
-}
-
-/// What is kept of a study while a run is under way.
-struct ResultsOfStudy {
-  StudyEstimate estimated;
-  double seconds;  ///< in which its blocks are done
-  const Job& job;
-};
-
-/// Bytes of the files of `blocks` blocks at most, in a run of so many seconds. The time between two files depends on
-/// what a file costs on the disk at hand, which only a run finds out; so this is the geometric mean of what the shortest
-/// and the longest interval give, which is off by the square root of their ratio at most.
-double blocks_on_disk(const std::vector<ResultsOfStudy>& studies, double seconds, double blocks) {
-  const auto at = [&](std::chrono::duration<double> interval) {
-    const double written = std::min(blocks, seconds / interval.count());
-    double sum = 0;
-    for (const auto& one : studies) {
-      const double of_a_part = one.seconds / std::max(1.0, static_cast<double>(one.job.parts()));
-      const double pieces = std::min(static_cast<double>(one.job.blocks_per_part()), 1 + of_a_part / interval.count());
-      sum += one.estimated.result_bytes *
-             Checkpoints::most_on_disk(written, std::pow(pieces, 1 - one.estimated.result_exponent));
-    }
-    return sum;
-  };
-  return std::sqrt(at(Checkpoints::shortest_interval) * at(Checkpoints::longest_interval));
-}
-
+/// A row of CSV has some 300 bytes. A result has the histograms of a row, and a number or two of each replicate; it is
+/// held in memory, and in files of blocks.
 Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, const Extent& extent) {
-  constexpr double bytes_per_row = 300;
   constexpr double nanosecond = 1e-9;
-  constexpr double kilobyte = 1024;
-  const auto used = used_so_far();  // by the plan, which a run makes as well
-  Needs needs{.seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
-              .disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
-                      bytes_per_row * static_cast<double>(extent.rows)};
-  std::vector<ResultsOfStudy> results;
+  constexpr double bytes_per_row = 300;
+  constexpr double bytes_per_result = 20e3;
+  constexpr double bytes_per_replicate = 16;
+  constexpr double bytes_of_program = 30e6;
+  Needs needs{.disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
+                      bytes_per_row * static_cast<double>(extent.rows),
+              .memory = bytes_of_program};
   for (std::size_t job = 0; job < plan.studies.size(); ++job) {  // what methods from outside take is not known
-    if (!plan.jobs[job]->is_estimable()) continue;
-    const auto estimated = estimate(plan.studies[job].study, request.kinds, plan.studies[job].context);
-    const double seconds = nanosecond * estimated.per_cost * share.cost_left(job);
-    needs.seconds += seconds;
-    needs.memory += estimated.result_memory;
-    results.push_back({estimated, seconds, *plan.jobs[job]});
+    const Job& planned = *plan.jobs[job];
+    if (!planned.is_estimable()) continue;
+    needs.seconds += nanosecond * share.cost_left(job);
+    const double result =
+        static_cast<double>(planned.extent().rows) *
+        (bytes_per_result + bytes_per_replicate * static_cast<double>(plan.studies[job].study.replicates));
+    needs.disk += result;
+    needs.memory += result;
   }
-  needs.disk += blocks_on_disk(results, needs.seconds, static_cast<double>(share.count()));
-  needs.memory += kilobyte * static_cast<double>(used_so_far().ru_maxrss);  // of pilots: what a trial takes meanwhile
   return needs;
 }
 
@@ -280,13 +237,13 @@ Outcome run(const RunRequest& request) {
   for (const auto& line :
        checkpoints.load(place.found(), request.shard ? Checkpoints::Whose::own : Checkpoints::Whose::all))
     note(line);
-  work_begins();
+  const auto ending =
+      fmt::format("{}: interrupted before the results were complete; run the same command again", request.out.string());
+  work_begins(ending);
   const double seconds = work(request, plan, checkpoints);
   if (interrupted()) {
     checkpoints.checkpoint();
-    throw Failure(Exit::interrupted,
-                  fmt::format("{}: interrupted before the results were complete; run the same command again",
-                              request.out.string()));
+    throw Failure(Exit::interrupted, ending);
   }
   if (request.shard)
     checkpoints.checkpoint();

@@ -24,7 +24,6 @@
 #include "experiments/compare/changes.hpp"
 #include "experiments/race/repetition.hpp"
 #include "experiments/requirements/requirements.hpp"
-#include "experiments/run/interruption.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/text/writer.hpp"
 
@@ -152,7 +151,6 @@ std::vector<suite::Suite> judged_in_bundle(const fs::path& path, const std::stri
 
 Exit check(const CheckOptions& options) {
   methods_named(options.method);  // before anything is built
-  run::watch_for_interruption();
   std::optional<Against> against;
   if (options.against) against = find_against(*options.against, options.quiet);
   const bool has_bundle = against && against->kind == Against::Kind::bundle;

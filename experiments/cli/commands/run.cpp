@@ -19,7 +19,6 @@
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/run/interruption.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -70,7 +69,6 @@ Exit run(const RunOptions& options, const OutsideOptions& outside) {
   if (options.checkpoint) request.checkpoint = pause(*options.checkpoint);
   request.dry_run = options.dry_run;
   if (options.host_name) request.host_name = bundle::HostName::told;
-  run::watch_for_interruption();
   const auto outcome = run::run(request);
   const auto exit = say_findings(outcome.findings);
   if (!options.dry_run) tell_ending(outcome, options.out, request.telling);

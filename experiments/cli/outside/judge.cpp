@@ -11,7 +11,6 @@
 #include "experiments/cli/outside/outside_options.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/this_build.hpp"
-#include "experiments/run/interruption.hpp"
 #include "experiments/studies/outside/outside.hpp"
 
 namespace bezierbench::cli {
@@ -46,7 +45,6 @@ Exit judge(const JudgeOptions& options) {
   auto request = request_of_this_build(methods);
   request.suites =
       suites_of(bundle::parse_csv(bundle::read_file(options.file), options.file), methods.front()->record().id);
-  run::watch_for_interruption();
   if (!options.out) return print_rows(request, *methods.front());
   if (options.out->empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   request.out = *options.out;

@@ -20,6 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view extension = ".blocks";
+/// Without an `interval` of the owner, a file follows the one before after a time between these.
+constexpr auto shortest_interval = std::chrono::milliseconds(50);
+constexpr auto longest_interval = std::chrono::milliseconds(2000);
 constexpr std::size_t most_files = 64;  ///< of one writer, before they are merged into one
 constexpr int times_the_cost = 19;      ///< the time between two checkpoints over the time that the last one took
 
@@ -134,16 +137,6 @@ void Checkpoints::add(std::size_t job, std::uint64_t block, std::unique_ptr<Resu
   }
   const std::unique_lock lock(mutex_, std::try_to_lock);  // one thread writes, the others continue
   if (lock && Clock::now() >= next_checkpoint_) write_checkpoint();
-}
-
-double Checkpoints::most_on_disk(double written, double in_pieces) {
-  constexpr auto between = static_cast<double>(most_files);
-  if (written <= between) return in_pieces;
-  const double gatherings = std::floor(written / between);
-  const double merged = gatherings * between / written;  // by the last of them
-  const double replaced = (gatherings - 1 + in_pieces) * between / written;
-  const double at_the_end = merged + (1 - merged) * in_pieces;
-  return std::max(merged + replaced, at_the_end);
 }
 
 void Checkpoints::checkpoint() {

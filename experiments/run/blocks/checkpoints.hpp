@@ -69,15 +69,6 @@ class Checkpoints {
   /// than two seconds. Throws as write_file.
   void add(std::size_t job, std::uint64_t block, std::unique_ptr<Result> result);
 
-  /// Without an `interval` of the owner, a file follows the one before after a time between these.
-  static constexpr auto shortest_interval = std::chrono::milliseconds(50);
-  static constexpr auto longest_interval = std::chrono::milliseconds(2000);
-
-  /// The largest size on disk of the files of blocks at any time, divided by the size of the merged results of all
-  /// blocks. The run writes `written` files, and unmerged results are `in_pieces` times as large as merged ones. A
-  /// merged file is written before those that it replaces are removed.
-  [[nodiscard]] static double most_on_disk(double written, double in_pieces);
-
   /// Writes the results that are in no file yet. Throws as write_file.
   void checkpoint();
   /// Adds the remaining results to the jobs, and writes nothing.

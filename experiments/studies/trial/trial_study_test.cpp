@@ -209,7 +209,7 @@ TEST(TrialStudy, EndsABlockAtTheTrialInWhichItIsInterrupted) {
   if (child == 0) {
     alarm(10);
     run::watch_for_interruption();
-    run::work_begins();
+    run::work_begins("b: interrupted");
     (void)job->run_block(0);
     _exit(calls.drawn == first_trials(2) ? 0 : 1);
   }
