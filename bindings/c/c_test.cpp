@@ -240,6 +240,19 @@ TEST(C, CurvesAreChecked) {
   EXPECT_EQ(bb_arc_length("chord_sum", &parabola, 0, 1, 0, &found), BB_ERROR_TOLERANCE);
 }
 
+TEST(C, TruthsThatTakeLongAreStopped) {
+  const volatile int flag = 1;
+  std::array<double, 2> out{};
+  bb_stop_when(&flag);
+  const std::vector<int> stopped{bb_exact_project(&parabola, points.data(), &out[0], &out[1]),
+                                 bb_project_error(&parabola, points.data(), 0, 0, out.data()),
+                                 bb_exact_arc_length(&parabola, 0, 1, out.data()),
+                                 bb_arc_length_error(&parabola, 0, 1, 0, out.data())};
+  bb_stop_when(nullptr);
+  EXPECT_EQ(stopped, std::vector<int>(4, BB_ERROR_STOPPED));
+  EXPECT_EQ(bb_exact_project(&parabola, points.data(), &out[0], &out[1]), BB_OK);
+}
+
 /// Everything that computes, for its status.
 std::vector<int> statuses() {
   std::array<double, 2> out{};

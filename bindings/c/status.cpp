@@ -8,6 +8,14 @@
 
 namespace bezierbench::c {
 
+namespace {
+
+thread_local const volatile int* stop_flag = nullptr;
+
+}  // namespace
+
+bool is_stopped() { return stop_flag != nullptr && __atomic_load_n(stop_flag, __ATOMIC_RELAXED) != 0; }
+
 bb_status status_of_exception() noexcept {
   try {
     throw;
@@ -15,6 +23,8 @@ bb_status status_of_exception() noexcept {
     return refused.status;
   } catch (const std::bad_alloc&) {
     return BB_ERROR_MEMORY;
+  } catch (const reference::Stopped&) {
+    return BB_ERROR_STOPPED;
   } catch (const reference::NotCertain&) {
     return BB_ERROR_NOT_CERTAIN;
   } catch (...) {
@@ -25,6 +35,8 @@ bb_status status_of_exception() noexcept {
 bool computes_in_ieee_754() { return number::floating_point_faults().empty(); }
 
 }  // namespace bezierbench::c
+
+void bb_stop_when(const volatile int* flag) { bezierbench::c::stop_flag = flag; }
 
 unsigned bb_version() { return BEZIERBENCH_VERSION_NUMBER; }
 
@@ -46,6 +58,7 @@ const char* bb_strerror(int status) {
     case BB_ERROR_ENVIRONMENT: return "this thread does not round to nearest, or flushes subnormal numbers to zero";
     case BB_ERROR_MEMORY: return "memory is exhausted";
     case BB_ERROR_COUNT: return "too few points, an index beyond the end, or a buffer that is too small";
+    case BB_ERROR_STOPPED: return "the computation was stopped";
     case BB_ERROR_INTERNAL: return "a defect of libbezierbench; please report it";
     default: return "not a status of this version of libbezierbench";
   }

@@ -7,6 +7,7 @@
 #include <concepts>
 
 #include "bindings/c/include/bezierbench/bezierbench.h"
+#include "reference/stop.hpp"
 
 namespace bezierbench::c {
 
@@ -44,11 +45,15 @@ bb_status status_of_exception() noexcept;
 /// Whether this thread computes in IEEE 754 arithmetic to nearest.
 bool computes_in_ieee_754();
 
+/// Whether the flag of bb_stop_when() is set.
+bool is_stopped();
+
 /// Does `work` and returns BB_OK, or what kept it from being done.
 template <std::invocable Work>
 int guarded(const Work& work) noexcept {
   const QuietExceptions quiet;
   try {
+    const reference::StopWhen stop(is_stopped);
     require(computes_in_ieee_754(), BB_ERROR_ENVIRONMENT);
     work();
     return BB_OK;

@@ -3,8 +3,10 @@
 import csv
 import math
 import shutil
+import signal
 import sys
 import tempfile
+import time
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
@@ -130,6 +132,30 @@ class Problems(unittest.TestCase):
         self.assertEqual(bezierbench.project_error(line, [1, 3], 0.25, 3.5), 0.5)
         found = bezierbench.project(CURVE, [1, 1])
         self.assertLess(bezierbench.project_error(CURVE, [1, 1], found.t, found.distance), 1e-9)
+
+    def test_of_equally_near_points_the_first(self):
+        foot = bezierbench.exact_project([[0, 0], [-2, -2], [-2, -2], [0, 0]], [-1, 0])
+        self.assertAlmostEqual(foot.t, (1 - math.sqrt(2 / 3)) / 2, delta=1e-16)  # 6 t (1 - t) = 1/2
+
+    def test_the_default_projection_knows_t(self):
+        """A public report; the root of (C - P).C' in 18 digits is known from mpmath."""
+        foot = bezierbench.project([[259, 322], [272, 329], [297, 341], [350, 397]], [300, 340])
+        self.assertAlmostEqual(foot.t, 0.565499632684385754, delta=2e-16)
+
+    def test_a_signal_ends_a_truth_that_takes_minutes(self):
+        def interrupt(_number, _frame):
+            raise KeyboardInterrupt
+
+        points = [[math.cos(i), math.sin(2 * i)] for i in range(401)]
+        before = signal.signal(signal.SIGALRM, interrupt)
+        try:
+            begin = time.monotonic()
+            signal.setitimer(signal.ITIMER_REAL, 0.5)
+            with self.assertRaises(KeyboardInterrupt):
+                bezierbench.exact_project(points, [1, 2])
+            self.assertLess(time.monotonic() - begin, 2)
+        finally:
+            signal.signal(signal.SIGALRM, before)
 
     def test_fit(self):
         angles = np.linspace(0, 4, 41)

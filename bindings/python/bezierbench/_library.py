@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import ctypes
 import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from ctypes import POINTER, c_char_p, c_double, c_int, c_int64, c_size_t, c_uint, c_void_p
 from pathlib import Path
 
@@ -43,6 +45,7 @@ _DOUBLE = POINTER(c_double)
 _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
     "bb_version": (c_uint, []),
     "bb_strerror": (c_char_p, [c_int]),
+    "bb_stop_when": (None, [c_void_p]),
     "bb_method_count": (c_size_t, []),
     "bb_method_at": (c_int, [c_size_t, POINTER(MethodEntry)]),
     "bb_evaluate_float": (c_int, [c_char_p, c_int, c_int, _ARRAY, _ARRAY, c_size_t, _ARRAY]),
@@ -101,6 +104,19 @@ def _load() -> ctypes.CDLL:
 
 
 library = _load()
+
+
+def interruptible(call: Callable[[], int]) -> int:
+    """The status of a call that may take minutes. Python runs the handlers of signals, for instance of Ctrl-C, on the
+    main thread only, so another thread computes; an exception of a handler stops it."""
+    stop = c_int(0)
+    with ThreadPoolExecutor(1, initializer=library.bb_stop_when, initargs=(ctypes.byref(stop),)) as threads:
+        status = threads.submit(call)
+        try:
+            return status.result()
+        except BaseException:
+            stop.value = 1
+            raise
 
 
 def check(status: int) -> None:

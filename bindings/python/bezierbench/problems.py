@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Array, GivenCurve, address, point_rows
-from ._library import FootEntry, LengthEntry, check, library
+from ._library import FootEntry, LengthEntry, check, interruptible, library
 
 
 class Length(NamedTuple):
@@ -38,6 +39,11 @@ class Fit(NamedTuple):
     exact_error: float  # the true one, rounded once
 
 
+def _check_truth(curve: GivenCurve, call: Callable[[], int]) -> None:
+    """Above degree 20 a truth may take so long that somebody wants to interrupt it; below, a thread would take longer."""
+    check(interruptible(call) if len(curve.points) > 21 else call())
+
+
 def arc_length(points: ArrayLike, method: str = "gauss_legendre_adaptive", *, start: float = 0, stop: float = 1,
                tolerance: float = 1e-9) -> Length:
     """The length of a Bezier curve between two parameters in [0,1], up to `tolerance` times that length."""
@@ -51,7 +57,7 @@ def exact_arc_length(points: ArrayLike, *, start: float = 0, stop: float = 1) ->
     """The true length, rounded once."""
     curve = GivenCurve(points)
     length = ctypes.c_double()
-    check(library.bb_exact_arc_length(curve.pointer, start, stop, ctypes.byref(length)))
+    _check_truth(curve, lambda: library.bb_exact_arc_length(curve.pointer, start, stop, ctypes.byref(length)))
     return length.value
 
 
@@ -59,7 +65,7 @@ def arc_length_error(points: ArrayLike, length: float, *, start: float = 0, stop
     """|length - true length|, rounded once; 0 where it is within 1e-30 of the length."""
     curve = GivenCurve(points)
     error = ctypes.c_double()
-    check(library.bb_arc_length_error(curve.pointer, start, stop, length, ctypes.byref(error)))
+    _check_truth(curve, lambda: library.bb_arc_length_error(curve.pointer, start, stop, length, ctypes.byref(error)))
     return error.value
 
 
@@ -84,7 +90,7 @@ def exact_project(points: ArrayLike, point: ArrayLike) -> ExactFoot:
     curve = GivenCurve(points)
     at = _point(point, curve)
     t, distance = ctypes.c_double(), ctypes.c_double()
-    check(library.bb_exact_project(curve.pointer, address(at), ctypes.byref(t), ctypes.byref(distance)))
+    _check_truth(curve, lambda: library.bb_exact_project(curve.pointer, address(at), ctypes.byref(t), ctypes.byref(distance)))
     return ExactFoot(t.value, distance.value)
 
 
@@ -94,7 +100,7 @@ def project_error(points: ArrayLike, point: ArrayLike, t: float, distance: float
     curve = GivenCurve(points)
     at = _point(point, curve)
     error = ctypes.c_double()
-    check(library.bb_project_error(curve.pointer, address(at), t, distance, ctypes.byref(error)))
+    _check_truth(curve, lambda: library.bb_project_error(curve.pointer, address(at), t, distance, ctypes.byref(error)))
     return error.value
 
 

@@ -46,7 +46,8 @@ typedef enum bb_status {
   BB_ERROR_ENVIRONMENT = 13, /* the thread does not round to nearest, or flushes subnormal numbers */
   BB_ERROR_MEMORY = 14,      /* memory is exhausted */
   BB_ERROR_COUNT = 15,       /* too few points, an index beyond the end, or a buffer that is too small */
-  BB_ERROR_INTERNAL = 16     /* a defect of this library */
+  BB_ERROR_INTERNAL = 16,    /* a defect of this library */
+  BB_ERROR_STOPPED = 17      /* the computation was stopped: see bb_stop_when() */
 } bb_status;
 
 /* The forms in which a curve can be given. */
@@ -72,6 +73,11 @@ BB_API unsigned bb_version(void);
 
 /* A sentence for a bb_status; static, never null. */
 BB_API const char* bb_strerror(int status);
+
+/* True lengths and feet take minutes at degrees of some hundred. While *flag is not 0, those that this thread computes
+ * end with BB_ERROR_STOPPED, within a tenth of a second or so; another thread or a handler of a signal sets it. The flag
+ * is looked at until this thread names another one, or null for none. */
+BB_API void bb_stop_when(const volatile int* flag);
 
 /* ---- Methods ---- */
 
