@@ -14,8 +14,8 @@
 namespace bezierbench::reference {
 namespace {
 
-const std::vector<double> points{0, 0, 1, 2, 3, 2, 4, 1};
-const CurveView<double> cubic{Form::bernstein, 2, 3, points};
+const std::vector<double> points_of_cubic{0, 0, 1, 2, 3, 2, 4, 1};
+const CurveView<double> cubic{Form::bernstein, 2, 3, points_of_cubic};
 
 /// The computations that take minutes at high degrees.
 const std::vector<std::function<void()>> truths{

@@ -411,6 +411,26 @@ class Curves(Case):
         self.refused(USAGE, project + ["--point", "1,2"], "weights")
         self.refused(INPUT_OUTPUT, ["curve", "project", "--curve", "absent.csv", "--point", "1,2"], "absent.csv")
 
+    def test_answers_do_not_wait_for_truths_of_high_degrees(self):
+        """Minutes at degree 400."""
+        def write(degree):
+            self.write("c.csv", "x,y\n" + "\n".join(f"{10 * math.cos(i)!r},{10 * math.sin(2 * i)!r}" for i in range(degree + 1)))
+
+        write(400)
+        for command, exact in (("project --point 1,2 --method scan_refine", ["exact_t", "exact_distance", "error"]),
+                               ("length --method gauss_legendre_24", ["exact", "error"]),
+                               ("at-length --fraction 0.5 --method bracketed_newton", ["exact_t", "error", "length_error"])):
+            with self.subTest(command=command):
+                words = command.split()
+                result = self.run_program("curve", words[0], "--curve", "c.csv", *words[1:])
+                self.assertEqual(result.returncode, 0, result)
+                self.assert_one_line(result, "c.csv: ", "degree 400", "--truth")
+                row, = rows(result.stdout.decode())
+                self.assertEqual({row[column] for column in exact}, {""})
+        write(40)
+        row, = rows(self.fine("curve", "project", "--curve", "c.csv", "--point", "1,2", "--method", "quintic_isolate", "--truth"))
+        self.assertAlmostEqual(float(row["t"]), float(row["exact_t"]), 14)
+
     def test_interpolation(self):
         """0, 1, 0, 1 worked by hand: the corrected system of [Document 003]."""
         self.write("p.csv", "y,x\n-1,0\n-1,1\n-1,0\n-1,1\n")  # columns are found by name
