@@ -21,8 +21,7 @@ constexpr std::chrono::seconds without_a_word{3};
 }  // namespace
 
 void TruthOption::add_to(Command command) {
-  command.flag("--truth", wanted_,
-               "compute the exact result however long it takes; default: up to degree 20, or a second");
+  command.flag("--truth", wanted_, "wait for the exact result; default: above degree 20, for a second only");
 }
 
 bool TruthOption::finishes(const std::string& file, int degree, const std::function<void()>& compute) const {
