@@ -16,7 +16,7 @@ struct Split {
 };
 Split split(double value) {
   int exponent = 0;
-  const double fraction = std::frexp(value, &exponent);
+  const double fraction = std::frexp(require_finite(value), &exponent);
   return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
 }
 

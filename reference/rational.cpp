@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace bezierbench::reference {
 namespace {
@@ -46,9 +47,14 @@ double round_integer(const Format& format, mpz_class integer, long exponent, boo
 
 }  // namespace
 
+double require_finite(double value) {
+  if (!std::isfinite(value)) throw std::domain_error("bezierbench: an infinity or NaN has no exact value");
+  return value;
+}
+
 Rational exactly(double value) {
   int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
+  const double mantissa = std::frexp(require_finite(value), &exponent);
   Rational result;
   result.numerator = std::ldexp(mantissa, 53);
   result.exponent = value == 0 ? 0 : exponent - 53;

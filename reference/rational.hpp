@@ -16,7 +16,10 @@ struct Rational {
   long exponent = 0;
 };
 
-/// A finite double, exactly.
+/// The value. Throws std::domain_error for an infinity or NaN, on which GMP would end the program.
+double require_finite(double value);
+
+/// A double, exactly. Throws as `require_finite`.
 Rational exactly(double value);
 
 /// The exact sum, difference, product and absolute value.

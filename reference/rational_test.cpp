@@ -21,6 +21,12 @@ TEST(Rational, HoldsEveryKindOfDouble) {
     EXPECT_EQ(round_to(binary64, exactly(value)), value);
 }
 
+TEST(Rational, RefusesWhatHasNoExactValue) {
+  for (const double value : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW((void)exactly(value), std::domain_error);
+}
+
 TEST(Rational, RoundsTiesToEven) {
   const Rational one = rational(1);
   EXPECT_EQ(round_to(binary64, one + exactly(0x1p-53)), 1);                             // tie, 1 is even

@@ -12,10 +12,10 @@ ExactBsplineWeights::ExactBsplineWeights(std::span<const double> knots, std::spa
   const std::size_t m = arguments.size();
   assert(knots.size() == 2 * m);
   std::vector<mpq_class> u;
-  for (const double knot : knots) u.emplace_back(knot);
+  for (const double knot : knots) u.emplace_back(require_finite(knot));
   weights_[0] = 1;
   for (std::size_t r = 1; r <= m; ++r) {
-    const mpq_class x = arguments[r - 1];
+    const mpq_class x = require_finite(arguments[r - 1]);
     mpq_class carried = 0;
     for (std::size_t i = 0; i < r; ++i) {
       StopWhen::poll();
@@ -45,7 +45,8 @@ ExactPoint ExactBsplineWeights::sum(int dimension, std::span<const double> contr
   assert(dimension <= max_dimension && control_points.size() == weights_.size() * d);
   std::vector<mpq_class> sums(d);
   for (std::size_t i = 0; i < weights_.size(); ++i)
-    for (std::size_t axis = 0; axis < d; ++axis) sums[axis] += weights_[i] * mpq_class(control_points[i * d + axis]);
+    for (std::size_t axis = 0; axis < d; ++axis)
+      sums[axis] += weights_[i] * mpq_class(require_finite(control_points[i * d + axis]));
   ExactPoint point;
   point.dimension = dimension;
   for (const auto& sum : sums)
