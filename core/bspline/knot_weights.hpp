@@ -8,6 +8,9 @@
 // relative to 1 instead.
 #pragma once
 
+#include <cmath>
+#include <concepts>
+
 #include "core/curve.hpp"
 
 namespace bezierbench {
@@ -18,10 +21,12 @@ struct KnotWeights {
   Scalar right;  ///< of the value at the right knot
 };
 
-/// For left < right.
+/// For left < right. Where the width overflows all three are halved: what that rounds is below 2^-1074 of it.
 template <class Scalar>
 KnotWeights<Scalar> knot_weights(const Scalar& left, const Scalar& right, const Scalar& x) {
   const Scalar width = right - left;
+  if constexpr (std::floating_point<Scalar>)
+    if (std::isinf(width)) return knot_weights<Scalar>(left / 2, right / 2, x / 2);
   return {Scalar(right - x) / width, Scalar(x - left) / width};
 }
 

@@ -45,6 +45,19 @@ TEST(Bspline, PointsOfAUniformQuadraticAreExactWhereNothingRounds) {
   }
 }
 
+/// The first and the last knot are 2e308 apart. The point is that of the knots over 1e308, by de Boor's algorithm in
+/// fractions.
+TEST(Bspline, DifferencesOfKnotsMayLeaveTheRange) {
+  const std::vector<double> knots{-1e308, -1e308, 0, 1e308, 1e308, 1e308};  // of the span from 0 to 1e308
+  const std::vector<double> control_points{1, 2, 3, 1, 4, 4, 6, 0.5};
+  for (const auto& kernel : bspline_kernels(2)) {
+    if (kernel.bound == nullptr) continue;
+    const auto point = solve(kernel, {2, 3, knots, control_points}, 5e307);
+    EXPECT_NEAR(point[0], 3.90625, 4e-15) << kernel.info->id;
+    EXPECT_NEAR(point[1], 2.75, 4e-15) << kernel.info->id;
+  }
+}
+
 TEST(Bspline, TheFirstSpanOfAClampedCurveBeginsInItsFirstPoint) {
   Inputs inputs(7);
   for (int n = 1; n <= 9; ++n) {
