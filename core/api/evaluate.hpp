@@ -179,12 +179,15 @@ double bound_on_axis(const ErrorBound& bound, Form form, std::span<const double>
   constexpr double eta = single ? 0x1p-149 : 0x1p-1074;
   if (bound.unit_interval_only && !(t >= 0 && t <= 1)) return infinite;
   const int n = static_cast<int>(magnitudes.size()) - 1;
+  const double largest = std::ranges::max(magnitudes);
+  const bool powers_apart = bound.underflow_scales_with_coefficients;
+  const double reach = integer_power(std::abs(t) + std::abs(1 - t), n);
+  if (!stays_in_range(bound.growth(n) * (powers_apart ? std::max(largest, 1.0) : largest) * reach, n, u))
+    return infinite;
   const double size = bound.result_roundings > 0 ? amplification(p_tilde_of(form), magnitudes, t) : 0;
   const double rounding =
       (bound.result_roundings * size + bound.factor(n, u) * amplification(bound.amplification, magnitudes, t)) * u;
-  const double largest = bound.underflow_scales_with_coefficients ? 1 + std::ranges::max(magnitudes) : 1;
-  const double growth = integer_power(std::abs(t) + std::abs(1 - t), n);
-  const double underflow = eta * largest * std::ceil(bound.underflow(n)) * growth;
+  const double underflow = eta * (powers_apart ? 1 + largest : 1) * std::ceil(bound.underflow(n)) * reach;
   const double total = (rounding + underflow) * (1 + 0x1p-20);
   return total >= 0 ? total : infinite;
 }
@@ -209,8 +212,8 @@ auto bounds_of(const MethodInfo& info, Form form, const Points& points, double t
 }  // namespace detail
 
 /// How far each coordinate of `evaluate<Method>(points, t)` may be from the true one: the method's proved bound at
-/// this curve and t, as a distance on each axis. Infinite where nothing is proved. It holds while nothing overflows,
-/// in arithmetic that rounds each operation once (core/api/floating_point.hpp).
+/// this curve and t, as a distance on each axis. Infinite where nothing is proved, so also where a result on the way may
+/// overflow. It holds in arithmetic that rounds each operation once (core/api/floating_point.hpp).
 template <Evaluator Method, ControlPoints Points>
 requires(Method::info.form != Form::rational &&
          MeasuredPoints<Points>) auto error_bound(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {

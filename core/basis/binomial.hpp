@@ -27,6 +27,13 @@ PerCoefficient<SharedBy<Scalar>, Degree> binomials(int n) {
   return row;
 }
 
+/// C(n, n/2), the largest C(n,i), to within n roundings.
+constexpr double central_binomial(int n) {
+  double value = 1;
+  for (int i = 1; 2 * i <= n; ++i) value *= static_cast<double>(n - i + 1) / i;
+  return value;
+}
+
 /// Largest n for which `binomials<double>` is exact.
 inline constexpr int exact_binomial_degree = 54;
 

@@ -15,7 +15,8 @@ namespace bezierbench {
 ///   |computed - true| <= factor(n, u) u p~ + underflow(n) eta (1 + max|d|)
 /// of `point`, where eta is the smallest subnormal. A control point of the span in Bernstein form is the blossom of the
 /// curve at ends of the span, sum d_i c_i with c_i >= 0, and has the same bound by `control`, with p~ = sum |d_i| c_i.
-/// Holds while nothing overflows.
+/// Every result is a convex combination of control points, so that nothing overflows while max|d| stays in range
+/// (`stays_in_range`).
 struct BsplineBound {
   struct Part {
     double (*factor)(int degree, double u);

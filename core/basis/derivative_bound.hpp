@@ -19,13 +19,16 @@ namespace bezierbench {
 ///   |computed - true| <= u (differences(n, k, u) A + evaluation(n, k, u) p~)
 ///                        + underflow(n, k) eta S (|t| + |1 - t|)^(n-k),
 /// where eta is the smallest subnormal and S = 1 or, where powers of t are rounded apart from the coefficients,
-/// S = 1 + (n)_k max_i sum_j C(k,j) |b_(i+j)|. Holds while nothing overflows; infinite where no bound is proved.
+/// S = 1 + (n)_k max_i sum_j C(k,j) |b_(i+j)|. Infinite where no bound is proved, so also where growth(n, k) S_0
+/// (|t| + |1 - t|)^(n-k) leaves the range, with S_0 this maximum, or the largest coefficient of the derivative in power
+/// form; where S is 1 + this maximum, S_0 is at least 1 (core/basis/error_bound.hpp).
 struct DerivativeBound {
   std::string_view text;  ///< for people
   double (*differences)(int degree, int order, double u);
   double (*evaluation)(int degree, int order, double u);
   double (*underflow)(int degree, int order);
   bool underflow_scales_with_coefficients;
+  double (*growth)(int degree, int order) = [](int, int) { return 1.0; };
 };
 
 }  // namespace bezierbench

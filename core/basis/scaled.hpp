@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A positive number with the precision of double and an exponent that neither overflows nor underflows.
+// A number >= 0 with the precision of double and an exponent that neither overflows nor underflows.
 #pragma once
 
 #include <cmath>
@@ -8,10 +8,13 @@ namespace bezierbench {
 
 class Scaled {
  public:
-  /// Takes a finite value >= 0.
+  /// Takes a value >= 0, which may be infinite.
   explicit Scaled(double value) { set(value, 0); }
 
-  friend Scaled operator*(Scaled a, Scaled b) { return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_}; }
+  friend Scaled operator*(Scaled a, Scaled b) {
+    if (a.mantissa_ == 0 || b.mantissa_ == 0) return Scaled(0);
+    return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_};
+  }
   friend Scaled operator+(Scaled a, Scaled b) {
     if (a.mantissa_ == 0) return b;
     if (b.mantissa_ == 0) return a;
@@ -33,10 +36,13 @@ class Scaled {
   void set(double value, long exponent) {
     int shift = 0;
     mantissa_ = std::frexp(value, &shift);
+    if (std::isinf(value)) shift = beyond_all;
     exponent_ = value == 0 ? 0 : exponent + shift;
   }
 
-  double mantissa_ = 0;  ///< in [1/2, 1), or 0
+  static constexpr int beyond_all = 1 << 30;  ///< the exponent of infinity, so that no sum drops it
+
+  double mantissa_ = 0;  ///< in [1/2, 1), or 0, or infinite
   long exponent_ = 0;
 };
 

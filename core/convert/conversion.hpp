@@ -24,6 +24,11 @@ concept Conversion = requires(const Curve<C::info.form, double, 2>& curve) {
 /// Growth of coefficients into power form: max_j C(n,j) 2^j, below 3^n.
 constexpr double growth_to_power(int n) { return integer_power(3.0, n); }
 
+/// The largest degrees at which the power coefficients of a curve with coordinates in [-1, 1], and the n + 1 terms of a
+/// sum over them, stay in range by this growth: (n + 1) 3^n.
+inline constexpr int max_degree_to_power = 640;
+inline constexpr int max_degree_to_power_float = 76;
+
 /// Growth of coefficients into Bernstein form: the norm n + 1 of the inverse matrix.
 constexpr double growth_to_bernstein(int n) { return n + 1; }
 

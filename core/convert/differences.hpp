@@ -4,7 +4,7 @@
 // Cost: d n(n+1)/2 + d (n+1) + 3n/2 flops.
 // Bound: one rounding a level, n in all, one product and the roundings of C(n,j). Differences and integer multiples of
 //   subnormals are exact, so nothing underflows.
-// Fails: the power coefficients themselves grow like 3^n.
+// Fails: the power coefficients themselves grow like 3^n, past the range from degree 641 on (77 in float).
 #pragma once
 
 #include "core/basis/binomial_table.hpp"
@@ -20,12 +20,14 @@ struct Differences : SameForEveryAxis {
       .label = "Forward differences",
       .problem = Problem::conversion,
       .form = Form::bernstein,
-      .max_degree_float = 131,
+      .max_degree = max_degree_to_power,
+      .max_degree_float = max_degree_to_power_float,
       .bound = ErrorBound{.text = "gamma_(n+1) sum |b_i| C(n,i) t^i (1+t)^(n-i), and n more roundings past n = 54",
                           .amplification = Amplification::bernstein_to_power,
                           .factor = [](int n, double u) { return gamma_over_u(n + 1 + binomial_roundings(n, u), u); },
                           .underflow = [](int) { return 0.0; },
-                          .underflow_scales_with_coefficients = true},
+                          .underflow_scales_with_coefficients = true,
+                          .growth = growth_to_power},
       .flops = "d n(n+1)/2 + d(n+1) + 3n/2 per curve",
       .cost_exponent = 2,
       .citation = "[Farin 2002], monomial form"};

@@ -9,8 +9,8 @@
 //   bits sums make that O(n^3) to power form, products O(n^4) about t = 1/2; n! has O(n log n) bits, so O(n^4 log n) to
 //   Bernstein form.
 // Bound: u |coefficient|, one rounding each; u^2 |coefficient| in double-double.
-// Fails: only where the rounded coefficient overflows. But a correctly rounded power coefficient already carries the
-//   error that ruins power form at high degree.
+// Fails: only where the rounded coefficient overflows, so power form ends at degree 640 (76 in float). But a correctly
+//   rounded power coefficient already carries the error that ruins power form at high degree.
 #pragma once
 
 #include <span>
@@ -58,11 +58,14 @@ struct ExactToPower {
                                    .label = "Exact, then rounded",
                                    .problem = Problem::conversion,
                                    .form = Form::bernstein,
+                                   .max_degree = max_degree_to_power,
+                                   .max_degree_float = max_degree_to_power_float,
                                    .bound = ErrorBound{.text = "u sum |b_i| C(n,i) t^i (1+t)^(n-i)",
                                                        .amplification = Amplification::bernstein_to_power,
                                                        .factor = [](int, double) { return 1.0; },
                                                        .underflow = [](int n) { return n + 1.0; },
-                                                       .underflow_scales_with_coefficients = true},
+                                                       .underflow_scales_with_coefficients = true,
+                                                       .growth = growth_to_power},
                                    .flops = "big integers, per curve",
                                    .cost_exponent = 3,
                                    .citation = "[Farouki 2012], the definition, in exact arithmetic"};
@@ -82,11 +85,14 @@ struct ExactToPowerDoubleDouble {
                                    .label = "Exact, then rounded to double-double",
                                    .problem = Problem::conversion,
                                    .form = Form::bernstein,
+                                   .max_degree = max_degree_to_power,
+                                   .max_degree_float = max_degree_to_power_float,
                                    .bound = ErrorBound{.text = "u^2 sum |b_i| C(n,i) t^i (1+t)^(n-i)",
                                                        .amplification = Amplification::bernstein_to_power,
                                                        .factor = [](int, double u) { return u; },
                                                        .underflow = [](int n) { return n + 1.0; },
-                                                       .underflow_scales_with_coefficients = true},
+                                                       .underflow_scales_with_coefficients = true,
+                                                       .growth = growth_to_power},
                                    .flops = "big integers, per curve",
                                    .cost_exponent = 3,
                                    .citation = "[Farouki 2012], the definition, in exact arithmetic"};
@@ -121,11 +127,14 @@ struct ExactToPowerCentered {
                                    .label = "Exact about t = 1/2, then rounded",
                                    .problem = Problem::conversion,
                                    .form = Form::bernstein,
+                                   .max_degree = max_degree_to_power,
+                                   .max_degree_float = max_degree_to_power_float,
                                    .bound = ErrorBound{.text = "u sum |b_i| C(n,i) (1/2 + |t - 1/2|)^n",
                                                        .amplification = Amplification::bernstein_to_centered,
                                                        .factor = [](int, double) { return 1.0; },
                                                        .underflow = [](int n) { return n + 1.0; },
-                                                       .underflow_scales_with_coefficients = true},
+                                                       .underflow_scales_with_coefficients = true,
+                                                       .growth = growth_to_power},
                                    .flops = "big integers, per curve",
                                    .cost_exponent = 4,
                                    .citation = "[Farouki 2012], the definition, in exact arithmetic"};
@@ -149,7 +158,8 @@ struct ExactToBernstein {
                                                        .amplification = Amplification::power_to_bernstein,
                                                        .factor = [](int, double) { return 1.0; },
                                                        .underflow = [](int) { return 1.0; },
-                                                       .underflow_scales_with_coefficients = true},
+                                                       .underflow_scales_with_coefficients = true,
+                                                       .growth = growth_to_bernstein},
                                    .flops = "big integers, per curve",
                                    .cost_exponent = 5,
                                    .citation = "[Farouki and Rajan 1987], in exact arithmetic"};

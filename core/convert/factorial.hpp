@@ -27,7 +27,8 @@ struct Factorial : SameForEveryAxis {
                      .amplification = Amplification::bernstein_to_power,
                      .factor = [](int n, double u) { return gamma_over_u(n + 4 + 4 * factorial_roundings(n, u), u); },
                      .underflow = [](int n) { return 1.0 * (n + 1) * (n + 1); },
-                     .underflow_scales_with_coefficients = true},
+                     .underflow_scales_with_coefficients = true,
+                     .growth = growth_to_power},
       .flops = "(n+1)(n+2)(3/2+d) per curve",
       .cost_exponent = 2,
       .citation = "[Report 001], section 1.1"};

@@ -8,7 +8,8 @@
 //   roundings of M), so |b - true| <= gamma |M^-1||M||b|; the amplification grows like 3^n at t = 1. Doubling the
 //   factor covers higher orders while gamma_(n+5) (5/3)^n <= 1/10; beyond, no bound holds. (Applying M^-1|M| k times
 //   turns the sum into sum |q_j| x^j ((2k+1)x + y)^(n-j); (5x+y)/(3x+y) <= 5/3 for any x, y >= 0, and later ratios are
-//   less.) A residual of r underflow units comes back as at most (n+1) r, the diagonal quotients as 2^n.
+//   less.) A residual of r underflow units comes back as at most (n+1) r, the diagonal quotients as 2^n. A row
+//   has magnitudes of at most 3^n in all, times the coefficients, at most (n+1) 3^n max|q|.
 // Fails: exponentially. This explains the whole of the error that [Report 001] attributes to converting from power form
 //   to Bernstein form; positive_sum does the same conversion without it.
 #pragma once
@@ -38,7 +39,8 @@ struct ForwardSubstitution : SameForEveryAxis {
                           .amplification = Amplification::forward_substitution,
                           .factor = bound_factor,
                           .underflow = [](int n) { return 1.0 * (n + 2) * (n + 2) + integer_power(2.0, n); },
-                          .underflow_scales_with_coefficients = true},
+                          .underflow_scales_with_coefficients = true,
+                          .growth = [](int n) { return (n + 1) * integer_power(9.0, n); }},
       .flops = "(n+1)(n+2)(3/2+d) per curve",
       .cost_exponent = 2,
       .citation = "[Report 001], section 1.2; [Higham 2002], Theorem 8.5"};

@@ -27,7 +27,8 @@ struct PositiveSum : SameForEveryAxis {
                      .amplification = Amplification::power_to_bernstein,
                      .factor = [](int n, double u) { return gamma_over_u(n + 2 + 4 * binomial_roundings(n, u), u); },
                      .underflow = [](int n) { return 2.0 * (n + 1); },
-                     .underflow_scales_with_coefficients = true},
+                     .underflow_scales_with_coefficients = true,
+                     .growth = growth_to_bernstein},
       .flops = "(n+1)(n+2)(3/2+d) per curve",
       .cost_exponent = 2,
       .citation = "[Farouki and Rajan 1987]"};

@@ -59,6 +59,15 @@ TYPED_TEST(ConversionTest, GivesTheWorkedConversionsOfTheReportExactly) {
   }
 }
 
+/// b_i = q_0 for every i: C(i,j) (i-j+1) leaves the range from degree 1021 on, C(n,i) does not.
+TEST(PositiveSum, KeepsAConstantUpToTheLargestDegree) {
+  for (const int n : {1000, 1001, 1021, PositiveSum::info.max_degree}) {
+    std::vector<double> constant(static_cast<std::size_t>(n) + 1, 0.0);
+    constant[0] = 1;
+    EXPECT_THAT(convert_axis<PositiveSum>(constant), testing::Each(1.0)) << n;
+  }
+}
+
 TYPED_TEST(ConversionTest, KeepsDegreeZeroAndTheFirstCoefficient) {
   EXPECT_THAT(convert_axis<TypeParam>({0.7}), testing::ElementsAre(0.7));
   std::vector<double> ramp(171);

@@ -26,7 +26,8 @@ struct Triangle : SameForEveryAxis {
                           .amplification = Amplification::power_to_bernstein,
                           .factor = [](int n, double u) { return gamma_over_u(n + 1 + binomial_roundings(n, u), u); },
                           .underflow = [](int n) { return integer_power(2.0, n); },
-                          .underflow_scales_with_coefficients = true},
+                          .underflow_scales_with_coefficients = true,
+                          .growth = growth_to_bernstein},
       .flops = "d n(n+1)/2 + d(n+1) + 3n/2 per curve",
       .cost_exponent = 2,
       .citation = "[Farin 2002], monomial form"};

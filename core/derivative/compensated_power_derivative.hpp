@@ -27,7 +27,8 @@ struct CompensatedPowerDerivative {
             return of_result + HornerDoubleDouble::info.bound->factor(std::max(n - k, 0), u);
           },
       .underflow = [](int n, int) { return 3 * n + 1.0; },
-      .underflow_scales_with_coefficients = false};
+      .underflow_scales_with_coefficients = false,
+      .growth = [](int n, int k) { return std::max(n - k, 0) + 1.0; }};
   static constexpr MethodInfo info{.id = "compensated_power_derivative",
                                    .label = "Power form, Horner, compensated",
                                    .problem = Problem::derivative,

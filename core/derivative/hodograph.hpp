@@ -92,7 +92,8 @@ struct HodographBy {
                   return gamma_k + gamma_e + u * gamma_k * gamma_e;
                 },
             .underflow = [](int n, int k) { return E::info.bound->underflow(std::max(n - k, 0)) + 1; },
-            .underflow_scales_with_coefficients = E::info.bound->underflow_scales_with_coefficients};
+            .underflow_scales_with_coefficients = E::info.bound->underflow_scales_with_coefficients,
+            .growth = [](int n, int k) { return E::info.bound->growth(std::max(n - k, 0)); }};
   }
 
  private:

@@ -26,6 +26,7 @@ struct CompensatedHorner : TakenAsGiven<Form::power> {
                                                            },
                                                        .underflow = [](int n) { return 2.0 * n; },
                                                        .underflow_scales_with_coefficients = false,
+                                                       .growth = [](int n) { return n + 1.0; },
                                                        .result_roundings = 1},
                                    .flops = "11dn + d",
                                    .citation = "[Graillat et al. 2009]"};

@@ -34,7 +34,8 @@ struct HornerRoundings {
 
 template <int K>
 constexpr ErrorBound compensated_horner_bound(std::string_view text) {
-  return bound_of_parts<K, HornerRoundings>(text, Amplification::p_tilde_power, [](int n) { return 1.0 * K * n; });
+  return bound_of_parts<K, HornerRoundings>(
+      text, Amplification::p_tilde_power, [](int n) { return 1.0 * K * n; }, [](int n) { return n + 1.0; });
 }
 
 /// The parts from `Part` on of a step, into which these errors go. Every index is a constant and nothing is called, so

@@ -64,7 +64,8 @@ constexpr double remainder_of_parts(int n, double u) {
 }
 
 template <int K, class Roundings>
-constexpr ErrorBound bound_of_parts(std::string_view text, Amplification amplification, double (*underflow)(int)) {
+constexpr ErrorBound bound_of_parts(std::string_view text, Amplification amplification, double (*underflow)(int),
+                                    double (*growth)(int)) {
   return {.text = text,
           .amplification = amplification,
           .factor =
@@ -74,6 +75,7 @@ constexpr ErrorBound bound_of_parts(std::string_view text, Amplification amplifi
               },
           .underflow = underflow,
           .underflow_scales_with_coefficients = false,
+          .growth = growth,
           .result_roundings = 1};
 }
 

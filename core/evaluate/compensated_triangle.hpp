@@ -45,8 +45,8 @@ constexpr double compensated_remainder(int n, double u) {
 
 template <int K>
 constexpr ErrorBound compensated_bound(std::string_view text) {
-  return bound_of_parts<K, TriangleRoundings>(text, Amplification::p_tilde_bernstein,
-                                              [](int n) { return (3.0 * K - 1) * n; });
+  return bound_of_parts<K, TriangleRoundings>(
+      text, Amplification::p_tilde_bernstein, [](int n) { return (3.0 * K - 1) * n; }, [](int) { return 1.0; });
 }
 
 /// The parts from `Part` on of a step, whose first parts had these errors. Every index is a constant and nothing is

@@ -9,7 +9,7 @@
 //   k = k_a + k_b + 1. It misses the product of the two errors, k_a k_b, and rounds its correction: three times each k
 //   and once its own error. Higher orders: no path of value or correction passes more than 4k roundings. (1-t)^n may
 //   underflow, by up to 2^n max|b| eta, and so may each of its corrections.
-// Fails: (1-t)^n underflows for n > 1022 at t = 1/2. Its error part underflows for n > 969, and the correction is lost
+// Fails: as volk_schumaker, the sum at r = 1 is up to 2^n max|b|. (1-t)^n underflows for n > 1022 at t = 1/2. Its error part underflows for n > 969, and the correction is lost
 //   there.
 #pragma once
 
@@ -24,6 +24,7 @@
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/horner_bernstein.hpp"
 #include "core/evaluate/nearer_end.hpp"
+#include "core/evaluate/volk_schumaker.hpp"
 
 namespace bezierbench {
 
@@ -75,12 +76,13 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
       .label = "Volk-Schumaker, compensated",
       .problem = Problem::evaluation,
       .form = Form::bernstein,
-      .max_degree_float = HornerBernstein::info.max_degree_float,
+      .max_degree_float = VolkSchumaker::info.max_degree_float,
       .bound = ErrorBound{.text = "u p~ + 2 gamma_(3n+9)^2 p~, and 4n u^2 p~ more past n = 54",
                           .amplification = Amplification::p_tilde_bernstein,
                           .factor = bound_factor,
                           .underflow = [](int n) { return 16.0 * (n + 1) * (n + 1) * integer_power(2.0, n); },
                           .underflow_scales_with_coefficients = true,
+                          .growth = [](int n) { return integer_power(2.0, n); },
                           .result_roundings = 1},
       .flops = "14dn + 7d + 12 log2 n + 12",
       .citation = "[Delgado and Pena 2016]; [Schumaker and Volk 1986]"};

@@ -35,6 +35,7 @@ struct CorrectlyRoundedPower {
                                                        .factor = CorrectlyRounded::info.bound->factor,
                                                        .underflow = CorrectlyRounded::info.bound->underflow,
                                                        .underflow_scales_with_coefficients = false,
+                                                       .growth = [](int n) { return n + 1.0; },
                                                        .unit_interval_only = true,
                                                        .result_roundings = 1},
                                    .flops = "9dn + 10d",

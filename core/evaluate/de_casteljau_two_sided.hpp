@@ -17,7 +17,7 @@
 //   b_1 - fl(r d) >= b_0 + (d - g/2) - (d/2 - g/2). Else d = k eta = b_1 - b_0. For even k both products are at most
 //   d/2, for odd k fl(d/2) is at most (k+1)/2 eta and fl(r d), of less than k/2 eta, at most (k-1)/2 eta. The rest in
 //   triangle_scheme.hpp.
-// Fails: b - a can overflow although the result does not.
+// Fails: b - a, up to 2 max|b|, can overflow although the result does not.
 #pragma once
 
 #include "core/evaluate/guarantee.hpp"
@@ -35,7 +35,8 @@ struct DeCasteljauTwoSided : TakenAsGiven<Form::bernstein> {
                                                        .amplification = Amplification::p_tilde_bernstein,
                                                        .factor = [](int n, double u) { return gamma_over_u(4 * n, u); },
                                                        .underflow = [](int n) { return 1.0 * n; },
-                                                       .underflow_scales_with_coefficients = false},
+                                                       .underflow_scales_with_coefficients = false,
+                                                       .growth = [](int) { return 2.0; }},
                                    .flops = "3d n(n+1)/2 + 1",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 2002], with two-sided linear interpolation; bound derived here"};

@@ -4,7 +4,8 @@
 // Cost: about 4n + d (2n + 1) flops per point.
 // Bound: gamma_(3n+2) p~. Term i has i-1 and n-i-1 roundings in its powers, n-i in (1-t)^(n-i) through 1-t, 3 products
 //   and n additions; the most are 3n + 2, for i = 0. Factorials add 2 f(n) + 2 once they are no longer exact. Powers of
-//   t that underflow lose up to C(n,i) max|b| eta.
+//   t that underflow lose up to C(n,i) max|b| eta. C(n,i) |t|^i is at most (1 + |t|)^n, which stays in range up to
+//   |t| = 2 and is below (|t| + |1-t|)^n beyond; a term and the sum are at most (|t| + |1-t|)^n max|b|.
 // Fails: factorials overflow past n = 170 (34 in float). The rounding of 1-t, common to most methods, is magnified n
 //   times for small t.
 #pragma once

@@ -47,7 +47,8 @@ struct Estrin : TakenAsGiven<Form::power> {
                           .amplification = Amplification::p_tilde_power,
                           .factor = [](int n, double u) { return gamma_over_u(n + 2 * levels(n), u); },
                           .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1); },
-                          .underflow_scales_with_coefficients = true},
+                          .underflow_scales_with_coefficients = true,
+                          .growth = [](int n) { return n + 1.0; }},
       .flops = "2dn + log2 n",
       .citation = "[Estrin 1960]"};
 

@@ -59,6 +59,7 @@ requires(Method::info.form == Form::bernstein) struct Homogeneous : FixedDegrees
                         .factor = bound_factor,
                         .underflow = bound_underflow,
                         .underflow_scales_with_coefficients = Method::info.bound->underflow_scales_with_coefficients,
+                        .growth = Method::info.bound->growth,
                         .unit_interval_only = true};
     else
       return std::nullopt;

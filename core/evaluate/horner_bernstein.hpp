@@ -5,7 +5,8 @@
 // Cost: n (1 + 3d) + 1 flops per point.
 // Bound: gamma_(3n+1) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i, i-1 in t^i, 1
 //   product, 1 addition and 3 per later step (1-t, product, sum). The most are 3n + binomial roundings for i = 1; for i
-//   = 0 there are 3n. A t^i that underflows loses up to C(n,i) max|b| eta.
+//   = 0 there are 3n. A t^i that underflows loses up to C(n,i) max|b| eta. After step i, p is at most
+//   sum_(j<=i) C(n,j) |t|^j |1-t|^(i-j) max|b|, and C(n,j) <= C(n,i) C(i,j) makes it C(n,i) (|t| + |1-t|)^i max|b|.
 // Keeps: ends_exact: at t = 0 every step is p 1 + c_i 0 = p = b_0, at t = 1 the last one is p 0 + c_n 1 = b_n.
 //   axes_independent: a coordinate is computed from its own axis and t. scaling_by_two: t^i, c_i t^i and p of step i
 //   are multiples of tau^i and beta tau^i as in triangle_scheme.hpp, and at most 2^n max|b|. total: no number is larger
@@ -36,7 +37,8 @@ struct HornerBernstein : SameForEveryAxis {
                      .amplification = Amplification::p_tilde_bernstein,
                      .factor = [](int n, double u) { return gamma_over_u(3 * n + 1 + binomial_roundings(n, u), u); },
                      .underflow = [](int n) { return 2 * (n + 1) * integer_power(2.0, n); },
-                     .underflow_scales_with_coefficients = true},
+                     .underflow_scales_with_coefficients = true,
+                     .growth = central_binomial},
       .one_minus_t = OneMinusT::summed,
       .flops = "n(1+3d) + 1",
       .citation = "[Farin 2002], nested multiplication"};

@@ -29,7 +29,8 @@ struct HornerBernsteinFma : SameForEveryAxis {
                      .amplification = Amplification::p_tilde_bernstein,
                      .factor = [](int n, double u) { return gamma_over_u(2 * n + 2 + binomial_roundings(n, u), u); },
                      .underflow = HornerBernstein::info.bound->underflow,
-                     .underflow_scales_with_coefficients = true},
+                     .underflow_scales_with_coefficients = true,
+                     .growth = central_binomial},
       .one_minus_t = OneMinusT::summed,
       .flops = "n(1+d) + dn fma + 1",
       .citation = "[Farin 2002], nested multiplication, with fused steps"};

@@ -20,7 +20,8 @@ struct HornerCentered : TakenAsGiven<Form::power_centered> {
                                                        .amplification = Amplification::p_tilde_centered,
                                                        .factor = [](int n, double u) { return gamma_over_u(3 * n, u); },
                                                        .underflow = [](int n) { return 1.0 * n; },
-                                                       .underflow_scales_with_coefficients = false},
+                                                       .underflow_scales_with_coefficients = false,
+                                                       .growth = [](int n) { return n + 1.0; }},
                                    .flops = "2dn + 1",
                                    .citation = "[Higham 2002], section 5.1; bound derived here"};
 

@@ -30,6 +30,7 @@ struct HornerDoubleDouble : TakenAsGiven<Form::power_double_double> {
                                                            },
                                                        .underflow = [](int n) { return 2.0 * n; },
                                                        .underflow_scales_with_coefficients = false,
+                                                       .growth = [](int n) { return n + 1.0; },
                                                        .result_roundings = 1},
                                    .flops = "12dn + d",
                                    .citation = "[Graillat et al. 2009], on double-double coefficients"};

@@ -20,7 +20,8 @@ struct HornerFma : TakenAsGiven<Form::power> {
                                                        .amplification = Amplification::p_tilde_power,
                                                        .factor = [](int n, double u) { return gamma_over_u(n, u); },
                                                        .underflow = [](int n) { return 1.0 * n; },
-                                                       .underflow_scales_with_coefficients = false},
+                                                       .underflow_scales_with_coefficients = false,
+                                                       .growth = [](int n) { return n + 1.0; }},
                                    .flops = "dn fma",
                                    .citation = "[Higham 2002], section 5.1, with fused steps"};
 

@@ -20,7 +20,8 @@ struct PowerSum : TakenAsGiven<Form::power> {
                                                        .amplification = Amplification::p_tilde_power,
                                                        .factor = [](int n, double u) { return gamma_over_u(n + 1, u); },
                                                        .underflow = [](int n) { return 2.0 * (n + 1) * (n + 1); },
-                                                       .underflow_scales_with_coefficients = true},
+                                                       .underflow_scales_with_coefficients = true,
+                                                       .growth = [](int n) { return n + 1.0; }},
                                    .flops = "n + 2dn",
                                    .citation = "[Report 001], section 1.3"};
 

@@ -17,6 +17,8 @@
 //   they multiply is the sum of all magnitudes, where b_k counts by sum z^j ((1-t) |W_jk| + t |W_(n-j)k|), W_jk its
 //   weight in s_j. Over mu^n, mu = max(t, 1-t), this falls with mu, so 1/2 is the worst. There sum |[z^i] U_L| 4^-i =
 //   U_L(-1/4) leaves C(n,k) (2/3) 2^n 4^-k (a^(n-2k) + (1-a)^(n-2k)), a = (1+sqrt 2)/2, and C(n,k) more for even n.
+//   |S_i(L)| is at most the sum of all |[z^i] U_L|, the L-th Fibonacci number, so |s_j| at most that sum over k of
+//   C(n+1,k) F_(n+1-2k) max|b| <= 5^((n+1)/2) max|b| / 1.61, and c - L_j twice that, below 3 sqrt(5)^n max|b|.
 //   `prepare` may lose (n+1) eta, the steps 2 eta; this is doubled. z loses nothing: where it is subnormal it is t.
 // Keeps: ends_exact: at t = 0 and 1 z is 0, and L_0 is b_0 or b_n. axes_independent: a coordinate is computed from its
 //   own axis and t. scaling_by_two: the weights are whole numbers, so s_j, L_j and c of depth j are multiples of beta,
@@ -56,6 +58,7 @@ struct Seiler : SameForEveryAxis {
                               },
                           .underflow = [](int n) { return 2.0 * (n + 3); },
                           .underflow_scales_with_coefficients = false,
+                          .growth = [](int n) { return 3 * integer_power(2.2360679774997899, n); },
                           .unit_interval_only = true},
       .flops = "3dn + 2, d fewer for even n",
       .prepare_exponent = 2,

@@ -50,6 +50,9 @@ requires(Converter::target == Method::info.form) struct Via {
     const double size = Method::info.bound->underflow_scales_with_coefficients ? Converter::coefficient_growth(n) : 1;
     return Converter::info.bound->underflow(n) + Method::info.bound->underflow(n) * size;
   }
+  static constexpr double bound_growth(int n) {
+    return std::max(Converter::info.bound->growth(n), Method::info.bound->growth(n) * Converter::coefficient_growth(n));
+  }
   /// The method's own bound must multiply p~ of the converted curve: only that is at most what the conversion's does.
   static constexpr bool has_bound() {
     if constexpr (Converter::info.bound && Method::info.bound)
@@ -66,6 +69,7 @@ requires(Converter::target == Method::info.form) struct Via {
           .factor = bound_factor,
           .underflow = bound_underflow,
           .underflow_scales_with_coefficients = true,
+          .growth = bound_growth,
           .unit_interval_only = Converter::info.bound->unit_interval_only || Method::info.bound->unit_interval_only,
           .result_roundings = Method::info.bound->result_roundings};
     else

@@ -6,8 +6,9 @@
 // Bound: gamma_(4n+3) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i. Each power of r
 //   brings the rounding of a quotient; the rounding of 1-t in r^i and in (1-t)^n cancels to n-i. Horner's scheme has 2i
 //   + 1, the power, by squaring, n-1, the last product 1: at most 4n + 2 + binomial roundings. (1-t)^n may underflow,
-//   by up to 2^n max|b| eta.
-// Fails: (1-t)^n underflows for n > 1022 at t = 1/2.
+//   by up to 2^n max|b| eta. Horner's sum is at most 2^n max|b|, its product with the power (|t| + |1-t|)^n max|b|.
+// Fails: the sum at r = 1 is up to 2^n max|b|, so a constant overflows past degree 1023 (127 in float). (1-t)^n
+//   underflows for n > 1022 at t = 1/2.
 #pragma once
 
 #include <type_traits>
@@ -27,13 +28,14 @@ struct VolkSchumaker : SameForEveryAxis {
       .label = "Volk-Schumaker",
       .problem = Problem::evaluation,
       .form = Form::bernstein,
-      .max_degree_float = HornerBernstein::info.max_degree_float,
+      .max_degree_float = 127,
       .bound =
           ErrorBound{.text = "gamma_(4n+3) p~, and n more roundings past n = 54",
                      .amplification = Amplification::p_tilde_bernstein,
                      .factor = [](int n, double u) { return gamma_over_u(4 * n + 3 + binomial_roundings(n, u), u); },
                      .underflow = [](int n) { return 4.0 * (n + 1) * (n + 1) * integer_power(2.0, n); },
-                     .underflow_scales_with_coefficients = true},
+                     .underflow_scales_with_coefficients = true,
+                     .growth = [](int n) { return integer_power(2.0, n); }},
       .one_minus_t = OneMinusT::summed,
       .flops = "2dn + d + 2 log2 n + 2",
       .citation = "[Schumaker and Volk 1986]"};

@@ -31,7 +31,8 @@ struct Pointwise {
       .amplification = E::info.bound->amplification,
       .factor = [](int n, int /*k*/, double u) { return E::info.bound->factor(n, u); },
       .underflow = [](int n, int /*steps*/) { return E::info.bound->underflow(n); },
-      .underflow_scales_with_coefficients = E::info.bound->underflow_scales_with_coefficients};
+      .underflow_scales_with_coefficients = E::info.bound->underflow_scales_with_coefficients,
+      .growth = [](int n, int /*steps*/) { return E::info.bound->growth(n); }};
   static constexpr MethodInfo info{.id = detail::Joined<detail::Pointwise, detail::IdOf<E>>::text,
                                    .label = E::info.label,
                                    .problem = Problem::grid,

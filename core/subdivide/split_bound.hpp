@@ -24,14 +24,15 @@ enum class SplitAmplification {
 /// The bound of a control point of k levels with the amplification A. On each axis, for 0 <= t <= 1,
 ///   |computed - true| <= factor(k, u) u A + underflow(k) eta S,
 /// where eta is the smallest subnormal. S is 1 or, where powers of t are rounded apart from the coefficients,
-/// 1 + max |c_j|. The bound holds while nothing overflows and is infinite where none is proved. For a rational curve
-/// it applies to the homogeneous coordinates (w_i b_i, w_i).
+/// 1 + max |c_j|. The bound is infinite where none is proved, so also where growth max |c_j| leaves the range, no result
+/// on the way being larger. For a rational curve it applies to the homogeneous coordinates (w_i b_i, w_i).
 struct SplitBound {
   std::string_view text;  ///< for people
   SplitAmplification amplification;
   double (*factor)(int levels, double u);
   double (*underflow)(int levels);
   bool underflow_scales_with_coefficients;
+  double growth = 1;
 };
 
 /// The sizes in the bound of one control point of a half: on one axis or, with Euclidean norms as magnitudes, on all
@@ -55,6 +56,10 @@ inline double split_underflow(const SplitBound& bound, const SplitScale& scale, 
          (bound.underflow_scales_with_coefficients ? 1 + scale.largest : 1);
 }
 
+inline bool stays_in_range(const SplitBound& bound, const SplitScale& scale, double u) {
+  return bezierbench::stays_in_range(bound.growth * scale.largest, scale.levels, u);
+}
+
 inline double amplification(const SplitBound& bound, const SplitScale& scale) {
   return bound.amplification == SplitAmplification::p_tilde ? scale.p_tilde : scale.largest;
 }
@@ -63,6 +68,7 @@ inline double amplification(const SplitBound& bound, const SplitScale& scale) {
 
 /// The bound of the absolute error of a coordinate of a polynomial curve, or of a weight of a rational one.
 inline double split_bound(const SplitBound& bound, const SplitScale& scale, const SplitArithmetic& arithmetic) {
+  if (!detail::stays_in_range(bound, scale, arithmetic.u)) return std::numeric_limits<double>::infinity();
   return arithmetic.u * bound.factor(scale.levels, arithmetic.u) * detail::amplification(bound, scale) +
          detail::split_underflow(bound, scale, arithmetic);
 }
@@ -79,6 +85,9 @@ inline double split_bound(const SplitBound& bound, const SplitScale& scale, cons
 inline double split_quotient_bound(const SplitBound& bound, const SplitScale& point, const SplitScale& weight,
                                    const SplitArithmetic& arithmetic) {
   const auto [u, eta] = arithmetic;
+  if (!detail::stays_in_range(bound, point, u) || !detail::stays_in_range(bound, weight, u) ||
+      !stays_in_range(2 * point.p_tilde, point.levels, u))
+    return std::numeric_limits<double>::infinity();
   const double phi = u * bound.factor(point.levels, u);
   const double sum = weight.p_tilde;
   const bool by_p_tilde = bound.amplification == SplitAmplification::p_tilde;

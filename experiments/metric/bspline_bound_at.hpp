@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "core/basis/bspline_bound.hpp"
 #include "experiments/metric/trial_scale.hpp"
@@ -18,8 +19,10 @@ struct BsplineSizes {
   double largest;  ///< max |d_i|
 };
 
+/// Infinite where a result on the way may overflow.
 inline double bound_at(const BsplineBound::Part& bound, const BsplineSizes& sizes, const Arithmetic& arithmetic) {
   const double u = arithmetic.unit_roundoff;
+  if (!stays_in_range(sizes.largest, sizes.degree, u)) return std::numeric_limits<double>::infinity();
   const double lost = std::ceil(bound.underflow(sizes.degree)) * sizes.axes * (1 + sizes.largest);
   return bound.factor(sizes.degree, u) * u * sizes.p_tilde + lost * arithmetic.smallest_subnormal;
 }

@@ -50,30 +50,30 @@ double largest_quotient(Amplification kind, const CurveClass& of) {
   return largest;
 }
 
-/// True where no intermediate result of a method can overflow: with x = |t| and y = |1 - t| each is a sum of at most
-/// (n + 1)^2 products of a coefficient, binomials (together at most 4^n) and powers of t, 1 - t and their quotients by
-/// the larger of both (at most (1 + x + y)^n), so below (n + 1)^2 (4 (1 + x + y))^n (1 + max|c|).
-bool stays_in_range(const CurveClass& of, const Arithmetic& arithmetic) {
-  const double x = std::max(std::abs(of.t_min), std::abs(of.t_max));
-  const double y = std::max(std::abs(1 - of.t_min), std::abs(1 - of.t_max));
-  const double bits =
-      std::log2(1 + largest_norm(of)) + 2 * std::log2(of.degree + 1.0) + of.degree * std::log2(4 * (1 + x + y));
-  return bits <= std::log2(arithmetic.range);
+/// The largest (|t| + |1 - t|)^n.
+double largest_reach(const CurveClass& of) {
+  double largest = 1;
+  for (const double t : extreme_parameters(of))
+    largest = std::max(largest, integer_power(std::abs(t) + std::abs(1 - t), of.degree));
+  return largest;
 }
 
-bool is_covered(const ErrorBound& bound, const CurveClass& of, const Arithmetic& arithmetic) {
+bool in_range(const BoundAtDegree& at_degree, const CurveClass& of, const Arithmetic& arithmetic) {
+  const double size =
+      at_degree.bound.underflow_scales_with_coefficients ? std::max(largest_norm(of), 1.0) : largest_norm(of);
+  return stays_in_range(at_degree.growth * size * largest_reach(of), of.degree, arithmetic.unit_roundoff);
+}
+
+bool is_covered(const BoundAtDegree& at_degree, const CurveClass& of, const Arithmetic& arithmetic) {
   if (of.form != Form::bernstein && of.form != Form::power) return false;
-  if (bound.unit_interval_only && (of.t_min < 0 || of.t_max > 1)) return false;
-  return stays_in_range(of, arithmetic);
+  if (at_degree.bound.unit_interval_only && (of.t_min < 0 || of.t_max > 1)) return false;
+  return std::isfinite(at_degree.factor) && in_range(at_degree, of, arithmetic);
 }
 
 /// What underflow adds, in coordinate units.
 double underflow(const BoundAtDegree& at_degree, const CurveClass& of, const Arithmetic& arithmetic) {
   const double size = at_degree.bound.underflow_scales_with_coefficients ? 1 + largest_norm(of) : 1;
-  double growth = 1;
-  for (const double t : extreme_parameters(of))
-    growth = std::max(growth, integer_power(std::abs(t) + std::abs(1 - t), of.degree));
-  return of.dimension * (arithmetic.smallest_subnormal * size * at_degree.underflow * growth);
+  return of.dimension * (arithmetic.smallest_subnormal * size * at_degree.underflow * largest_reach(of));
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ double least_p_tilde(const CurveClass& of, const Arithmetic& arithmetic) {
 
 ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const Arithmetic& arithmetic) {
   const BoundAtDegree at_degree(bound, of.degree, arithmetic);
-  if (!is_covered(bound, of, arithmetic) || !std::isfinite(at_degree.factor)) return {infinite, infinite};
+  if (!is_covered(at_degree, of, arithmetic)) return {infinite, infinite};
   const double u = arithmetic.unit_roundoff;
   const double lost = underflow(at_degree, of, arithmetic);
   // |p| <= p~

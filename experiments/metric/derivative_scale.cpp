@@ -32,6 +32,7 @@ void DerivativeScale::set(const CurveView<double>& curve, int order, double t) {
   }
   differences_ = 0;
   largest_ = 0;
+  for (const double own : coefficients) largest_ = std::max(largest_, std::abs(own));
   if (curve.form != Form::bernstein || order > curve.degree) return;  // no differences are formed
   const auto sums = magnitudes(curve);
   differences_ = infinite;
@@ -61,9 +62,12 @@ double DerivativeScale::in_bound_units(double error, const Arithmetic& arithmeti
 double DerivativeScale::bound(const DerivativeBound& bound, const Arithmetic& arithmetic) const {
   const double u = arithmetic.unit_roundoff;
   if (!std::isfinite(p_tilde_) || !std::isfinite(differences_)) return infinite;
-  const double scale = bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
-  const double growth = integer_power(std::abs(t_) + std::abs(1 - t_), std::max(degree_ - order_, 0));
-  const double underflow = bound.underflow(degree_, order_) * arithmetic.smallest_subnormal * scale * growth;
+  const bool scales = bound.underflow_scales_with_coefficients;
+  const double reach = integer_power(std::abs(t_) + std::abs(1 - t_), std::max(degree_ - order_, 0));
+  const double largest = bound.growth(degree_, order_) * (scales ? std::max(largest_, 1.0) : largest_) * reach;
+  if (!stays_in_range(largest, degree_, u)) return infinite;
+  const double underflow =
+      bound.underflow(degree_, order_) * arithmetic.smallest_subnormal * (scales ? 1 + largest_ : 1) * reach;
   return u * (bound.differences(degree_, order_, u) * differences_ + bound.evaluation(degree_, order_, u) * p_tilde_) +
          dimension_ * underflow;
 }

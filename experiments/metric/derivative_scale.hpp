@@ -37,7 +37,7 @@ class DerivativeScale {
   double t_ = 0;
   double p_tilde_ = 0;
   double differences_ = 0;  ///< A
-  double largest_ = 0;      ///< of the coefficients of A
+  double largest_ = 0;      ///< of the coefficients of A, or of the derivative where no differences are formed
   reference::ExactCurve exact_;
   TrialScale scale_;
 };

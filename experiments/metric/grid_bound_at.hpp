@@ -19,6 +19,7 @@ inline BoundAtDegree bound_at(const GridBound& bound, int degree, int k, int ste
   BoundAtDegree at(of_no_point, degree, arithmetic);
   at.factor = bound.factor(degree, k, arithmetic.unit_roundoff);
   at.underflow = std::ceil(bound.underflow(degree, steps));
+  at.growth = bound.growth(degree, steps);
   return at;
 }
 

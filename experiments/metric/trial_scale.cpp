@@ -23,7 +23,7 @@ void TrialScale::begin(const CurveView<double>& curve, double t) {
   dimension_ = curve.dimension;
   norms_.clear();
   amplified_.fill(std::nullopt);
-  growth_.reset();
+  reach_.reset();
 }
 
 void TrialScale::set(const CurveView<double>& curve, double t) {
@@ -92,28 +92,40 @@ double TrialScale::in_bound_units(double error, const Arithmetic& arithmetic) {
   return in_units(error, p_tilde(), arithmetic.unit_roundoff);
 }
 
+double TrialScale::reach() {
+  if (!reach_) reach_ = integer_power(std::abs(t_) + std::abs(1 - t_), degree());
+  return *reach_;
+}
+
+bool TrialScale::stays_in_range(const BoundAtDegree& bound, const Arithmetic& arithmetic) {
+  double largest = largest_;
+  if (form_ == Form::rational)  // with an error of up to half of it, a quotient is at most twice as large as a point
+    largest = std::max({largest_, weights_.largest, 2 * weights_.largest_point});
+  if (bound.bound.underflow_scales_with_coefficients) largest = std::max(largest, 1.0);
+  return bezierbench::stays_in_range(bound.growth * largest * reach(), degree(), arithmetic.unit_roundoff);
+}
+
 double TrialScale::polynomial_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic, double rounding) {
-  if (!growth_) growth_ = integer_power(std::abs(t_) + std::abs(1 - t_), degree());
   const double size = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
   // Operations on subnormal numbers take a processor up to a hundred times as long. The term is left out where it
   // cannot change a bit.
-  const bool is_lost = rounding > 0x1p-800 && size * bound.underflow * *growth_ < 0x1p+100 &&
+  const bool is_lost = rounding > 0x1p-800 && size * bound.underflow * reach() < 0x1p+100 &&
                        arithmetic.smallest_subnormal == double_arithmetic.smallest_subnormal;
   if (is_lost) return 0;
   // Multiplied from the left, beginning with the smallest subnormal, so that large factors do not overflow.
-  return arithmetic.smallest_subnormal * size * bound.underflow * *growth_;
+  return arithmetic.smallest_subnormal * size * bound.underflow * reach();
 }
 
 double TrialScale::rational_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic) {
   const int n = degree();
   const double eta = arithmetic.smallest_subnormal;
-  const double in_range = arithmetic.range / integer_power(2.0, n);
   const auto& w = weights_;
   if (bound.bound.positive_weights_only) {
+    const double in_range = arithmetic.range / integer_power(2.0, n);
     if (!(w.smallest > 0 && (n + 1) * (1 + w.largest) * (1 + 1 / w.smallest) <= in_range)) return infinite;
     return eta + eta * bound.underflow * (1 + w.largest_point) * ((1 + w.largest) / w.smallest);
   }
-  if (!(w.smallest >= 0 && w.sum > 0 && 1 + w.largest <= in_range)) return infinite;
+  if (!(w.smallest >= 0 && w.sum > 0)) return infinite;
   const double of_numerator = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
   const double of_denominator = bound.bound.underflow_scales_with_coefficients ? 1 + w.largest : 1;
   const double lost = eta * bound.underflow;
@@ -124,7 +136,7 @@ double TrialScale::rational_underflow(const BoundAtDegree& bound, const Arithmet
 double TrialScale::bound(const BoundAtDegree& at_degree, const Arithmetic& arithmetic, std::optional<double> length) {
   const ErrorBound& bound = at_degree.bound;
   if (bound.unit_interval_only && (t_ < 0 || t_ > 1)) return infinite;
-  if (!std::isfinite(at_degree.factor)) return infinite;
+  if (!std::isfinite(at_degree.factor) || !stays_in_range(at_degree, arithmetic)) return infinite;
   // |p| <= p~
   const double result = bound.result_roundings == 0 ? 0 : bound.result_roundings * (length ? *length : p_tilde());
   const double rounding = (result + at_degree.factor * amplified(bound.amplification)) * arithmetic.unit_roundoff;

@@ -33,11 +33,13 @@ struct BoundAtDegree {
   BoundAtDegree(const ErrorBound& error_bound, int degree, const Arithmetic& arithmetic)
       : bound(error_bound),
         factor(error_bound.factor(degree, arithmetic.unit_roundoff)),
-        underflow(std::ceil(error_bound.underflow(degree))) {}
+        underflow(std::ceil(error_bound.underflow(degree))),
+        growth(error_bound.growth(degree)) {}
 
   ErrorBound bound;
   double factor;
   double underflow;  ///< whole, for no fraction of the smallest subnormal is a double
+  double growth;
 };
 
 /// What a proved bound says of one error.
@@ -92,6 +94,9 @@ class TrialScale {
   /// and w_i.
   void weigh_exactly(const CurveView<double>& norms);
   double amplified(Amplification kind);
+  double reach();
+  /// False where a result on the way to the point may overflow.
+  [[nodiscard]] bool stays_in_range(const BoundAtDegree& bound, const Arithmetic& arithmetic);
   /// The underflow term; `rounding` is the bound without it.
   [[nodiscard]] double polynomial_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic, double rounding);
   [[nodiscard]] double rational_underflow(const BoundAtDegree& bound, const Arithmetic& arithmetic);
@@ -105,7 +110,7 @@ class TrialScale {
   Weights weights_;
   reference::ExactCurve exact_;
   std::array<std::optional<double>, amplification_count> amplified_;
-  std::optional<double> growth_;  ///< (|t| + |1 - t|)^n
+  std::optional<double> reach_;  ///< (|t| + |1 - t|)^n
 };
 
 }  // namespace bezierbench::metric

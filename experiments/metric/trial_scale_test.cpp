@@ -7,6 +7,11 @@
 #include <limits>
 
 #include "core/basis/amplification.hpp"
+#include "core/evaluate/compensated_volk_schumaker.hpp"
+#include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/homogeneous.hpp"
+#include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/volk_schumaker.hpp"
 
 namespace bezierbench::metric {
 namespace {
@@ -67,6 +72,36 @@ TEST(TrialScale, BoundCountsTheResultsRoundingsInUnitsOfTheGivenFormsPTilde) {
   TrialScale scale;
   scale.set({Form::bernstein, 2, 1, line}, 0.5);  // p~ = 7.5, amplification 5 * 1.5 + 10 * 0.5
   EXPECT_DOUBLE_EQ(scale.bound(bound, double_arithmetic), (2 * 7.5 + 3 * 12.5) * 0x1p-53);
+}
+
+template <class Method>
+double bound_at_the_middle(int degree, const std::vector<double>& points, const std::vector<double>& weights = {}) {
+  TrialScale scale;
+  scale.set({Method::info.form, 1, degree, points, weights}, 0.5);
+  return scale.bound(*Method::info.bound, double_arithmetic);
+}
+
+/// C(20,10) 1e304 leaves the range, and so do 2^2 1.7e308, w_i b_i of 1e310 and C(20,10) w_i of 1e311.
+TEST(TrialScale, NothingIsProvedWhereAResultMayOverflow) {
+  const std::vector<double> huge(21, 1e304);
+  const std::vector<double> ones(21, 1.0);
+  EXPECT_EQ(bound_at_the_middle<HornerBernstein>(20, huge), infinite);
+  EXPECT_EQ(bound_at_the_middle<VolkSchumaker>(20, huge), infinite);
+  EXPECT_TRUE(std::isfinite(bound_at_the_middle<HornerBernstein>(20, ones)));
+  EXPECT_TRUE(std::isfinite(bound_at_the_middle<DeCasteljau>(20, huge)));
+  EXPECT_EQ(bound_at_the_middle<CompensatedVolkSchumaker>(2, {1.7e308, 1.7e308, 1.7e308}), infinite);
+  EXPECT_EQ(bound_at_the_middle<Homogeneous<DeCasteljau>>(1, {1e300, 1e300}, {1e10, 1e10}), infinite);
+  const std::vector<double> heavy(21, 1e306);
+  EXPECT_EQ(bound_at_the_middle<Homogeneous<HornerBernstein>>(20, ones, heavy), infinite);
+  EXPECT_TRUE(std::isfinite(bound_at_the_middle<Homogeneous<DeCasteljau>>(20, ones, heavy)));
+}
+
+/// |(1.68, 1.32)| 1e308 is beyond the largest double: a sum with it is not the sum of the others.
+TEST(TrialScale, ANormBeyondTheRangeIsNotDropped) {
+  const std::vector<double> line{1e308, 0, 1.68e308, 1.32e308};
+  TrialScale scale;
+  scale.set({Form::bernstein, 2, 1, line}, 0.5);
+  EXPECT_EQ(scale.p_tilde(), infinite);
 }
 
 /// By hand: weights 1, 1, 2 and points of norm 5, 10, 1 at t = 1/2; sum w B = 5/4, sum w |b| B = (5 + 20 + 2) / 4.

@@ -13,15 +13,47 @@
 namespace bezierbench::requirements {
 namespace {
 
+template <class Scalar>
+constexpr auto arithmetic_of = sizeof(Scalar) == sizeof(float) ? metric::float_arithmetic : metric::double_arithmetic;
+
+template <class To, class From>
+std::vector<To> converted(const std::vector<From>& values) {
+  return {values.begin(), values.end()};
+}
+
 /// Holds points of one method to its bound.
 class BoundedPoints {
  public:
-  BoundedPoints(const MethodInfo& info, const metric::Arithmetic& arithmetic) : info_(info), arithmetic_(arithmetic) {}
+  explicit BoundedPoints(const MethodInfo& info) : info_(info) {}
 
-  void judge(const CurveView<double>& curve, double t, std::span<const double> point) {
+  /// At every t, which are rounded to Scalar like the coefficients.
+  template <class Scalar>
+  void judge(const Kernel<Scalar>& kernel, int degree, const std::vector<double>& coefficients,
+             const std::vector<double>& ts) {
+    const auto rounded = converted<Scalar>(coefficients);
+    const auto at = converted<Scalar>(ts);
+    const auto given = converted<double>(rounded);
+    const auto curve = view(kernel.info->form, kernel.dimension, degree, given);
+    const auto points =
+        converted<double>(evaluate<Scalar>(kernel, view(kernel.info->form, kernel.dimension, degree, rounded), at));
+    const auto d = static_cast<std::size_t>(kernel.dimension);
+    for (std::size_t k = 0; k < at.size(); ++k)
+      judge(curve, at[k], std::span(points).subspan(k * d, d), arithmetic_of<Scalar>);
+  }
+
+  /// Where the bound is infinite nothing is tested, so at least one case of `of` must have a finite one.
+  [[nodiscard]] Outcome outcome(std::size_t of) {
+    outcome_.expect(of * bounded_ >= outcome_.cases(),
+                    [&] { return fmt::format("only {} of these cases have a finite bound", bounded_); });
+    return outcome_;
+  }
+
+ private:
+  void judge(const CurveView<double>& curve, double t, std::span<const double> point,
+             const metric::Arithmetic& arithmetic) {
     scale_.set(curve, t);
     const double error = reference::Distance(exact_.point(curve, t)).to(point);
-    const double bound = scale_.bound(*info_.bound, arithmetic_);
+    const double bound = scale_.bound(*info_.bound, arithmetic);
     bounded_ += std::isfinite(bound) ? 1 : 0;
     outcome_.expect(!metric::TrialScale::violates(error, bound), [&] {
       return fmt::format("degree {}, {} axes, t {}: error {}, bound {}", curve.degree, curve.dimension, t, error,
@@ -29,16 +61,7 @@ class BoundedPoints {
     });
   }
 
-  /// With an infinite bound nothing is tested, so at least half of the cases must have a finite one.
-  [[nodiscard]] Outcome outcome() {
-    outcome_.expect(2 * bounded_ >= outcome_.cases(),
-                    [&] { return fmt::format("only {} of these cases have a finite bound", bounded_); });
-    return outcome_;
-  }
-
- private:
   const MethodInfo& info_;
-  const metric::Arithmetic& arithmetic_;
   reference::ExactCurve exact_;
   metric::TrialScale scale_;
   std::size_t bounded_ = 0;
@@ -51,59 +74,94 @@ std::vector<double> with_random(std::vector<double> ts, Inputs& inputs, int coun
   return ts;
 }
 
-void judge_points(const Kernel<double>& kernel, int degree, const std::vector<double>& coefficients,
-                  const std::vector<double>& ts, BoundedPoints& judge) {
-  const auto curve = view(kernel.info->form, kernel.dimension, degree, coefficients);
-  const auto points = evaluate(kernel, curve, ts);
+/// Points of curves whose coordinates are all 1, 1 and -1 in turn, and 0 but for a 1 in the middle.
+template <class Scalar>
+void expect_numbers(const Kernel<Scalar>& kernel, int degree, Outcome& outcome) {
   const auto d = static_cast<std::size_t>(kernel.dimension);
-  for (std::size_t k = 0; k < ts.size(); ++k) judge.judge(curve, ts[k], std::span(points).subspan(k * d, d));
+  const std::size_t count = (static_cast<std::size_t>(degree) + 1) * d;
+  std::vector<Scalar> ones(count, Scalar(1));
+  auto signs = ones;
+  std::vector<Scalar> one(count, Scalar(0));
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i / d % 2 != 0) signs[i] = Scalar(-1);
+    if (i / d == count / d / 2) one[i] = Scalar(1);
+  }
+  const std::vector<Scalar> ts{Scalar(0), Scalar(0.5), Scalar(1)};
+  for (const auto& coefficients : {ones, signs, one}) {
+    const auto points = evaluate<Scalar>(kernel, view(kernel.info->form, kernel.dimension, degree, coefficients), ts);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      outcome.expect(std::isfinite(points[k]), [&] {
+        return fmt::format("degree {}, {} bytes, points {}, {}, ..., t {}: {}", degree, sizeof(Scalar),
+                           coefficients.front(), coefficients.back(), ts[k / d], points[k]);
+      });
+  }
 }
 
 }  // namespace
 
 Outcome keeps_its_bound(const Evaluator& method) {
   Inputs inputs(1);
-  BoundedPoints judge(method.info(), metric::double_arithmetic);
+  BoundedPoints judge(method.info());
   for (const int dimension : {1, 2, 3})
     for (const int degree : degrees_for(method.info(), {0, 1, 2, 3, 5, 8, 13, 20, 34, 60, 120})) {
       for (int repeat = 0; repeat < 20; ++repeat) {
         auto coefficients = inputs.coefficients(degree, dimension);
         if (repeat % 4 == 3)  // magnitudes from 2^-40 to 2^40 side by side
           for (double& value : coefficients) value = std::ldexp(value, static_cast<int>(80 * inputs.symmetric() / 2));
-        judge_points(method.kernel(dimension), degree, coefficients, with_random(parameters(), inputs, 8), judge);
+        judge.judge(method.kernel(dimension), degree, coefficients, with_random(parameters(), inputs, 8));
       }
     }
-  return judge.outcome();
+  return judge.outcome(2);
 }
 
 Outcome keeps_its_bound_in_float(const Evaluator& method) {
   Inputs inputs(2);
-  BoundedPoints judge(method.info(), metric::float_arithmetic);
+  BoundedPoints judge(method.info());
   for (const int degree : degrees_for<float>(*method.in_float->info, {0, 1, 2, 3, 8, 20, 34})) {
     for (int repeat = 0; repeat < 20; ++repeat) {
-      const auto drawn = inputs.coefficients(degree, 2);
-      const std::vector<float> coefficients(drawn.begin(), drawn.end());
-      const std::vector<double> widened(coefficients.begin(), coefficients.end());
-      const auto t = static_cast<float>(inputs.unit());
-      const auto point = evaluate<float>(*method.in_float, view(method.info().form, 2, degree, coefficients), {t});
-      judge.judge(view(method.info().form, 2, degree, widened), t, std::vector<double>(point.begin(), point.end()));
+      const auto coefficients = inputs.coefficients(degree, 2);
+      judge.judge(*method.in_float, degree, coefficients, {inputs.unit()});
     }
   }
-  return judge.outcome();
+  return judge.outcome(2);
 }
 
 Outcome keeps_its_bound_where_it_underflows(const Evaluator& method) {
   Inputs inputs(10);
-  BoundedPoints judge(method.info(), metric::double_arithmetic);
+  BoundedPoints judge(method.info());
   for (const int exponent : {-900, -960, -1020, -1060, -1070})
     for (const int degree : degrees_for(method.info(), {0, 1, 2, 5, 20, 34})) {
       for (int repeat = 0; repeat < 10; ++repeat) {
         auto coefficients = inputs.coefficients(degree, 1);
         for (double& value : coefficients) value = std::ldexp(value, exponent);
-        judge_points(method.kernel(1), degree, coefficients, with_random(parameters(), inputs, 4), judge);
+        judge.judge(method.kernel(1), degree, coefficients, with_random(parameters(), inputs, 4));
       }
     }
-  return judge.outcome();
+  return judge.outcome(2);
+}
+
+Outcome keeps_its_bound_up_to_overflow(const Evaluator& method) {
+  Inputs inputs(11);
+  BoundedPoints judge(method.info());
+  const auto huge = [&inputs](int degree, int dimension, int exponent) {
+    auto coefficients = inputs.coefficients(degree, dimension);
+    for (double& value : coefficients) value = std::ldexp(std::copysign(1 - 0x1p-20, value), exponent);
+    return coefficients;
+  };
+  for (const int below : {120, 60, 40, 20, 10, 5, 4, 3, 2, 1, 0}) {
+    for (const int degree : degrees_for(method.info(), {1, 2, 5, 20, 34, 60}))
+      judge.judge(method.kernel(1), degree, huge(degree, 1, 1024 - below), parameters());
+    for (const int degree : degrees_for<float>(*method.in_float->info, {1, 2, 5, 20, 34}))
+      judge.judge(*method.in_float, degree, huge(degree, 2, 128 - below), parameters());
+  }
+  return judge.outcome(4);
+}
+
+Outcome works_up_to_its_largest_degree(const Evaluator& method) {
+  Outcome outcome;
+  expect_numbers(method.kernel(2), method.info().max_degree, outcome);
+  expect_numbers(*method.in_float, method.info().max_degree_float, outcome);
+  return outcome;
 }
 
 Outcome is_right_on_mild_curves(const Evaluator& method) {

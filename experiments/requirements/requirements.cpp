@@ -15,11 +15,15 @@ bool is_native_and_bounded(const MethodInfo& info) {
   return is_bernstein(info) && is_bounded(info) && info.id.find(':') == std::string_view::npos;
 }
 
-constexpr std::array<Property, 11> all{{
+constexpr std::array<Property, 13> all{{
     {"bound", "no error is beyond the bound that the method states", is_bounded, keeps_its_bound},
     {"bound_in_float", "nor is any in float", is_bounded, keeps_its_bound_in_float},
     {"bound_underflow", "nor where whole curves or their errors are subnormal", is_bounded,
      keeps_its_bound_where_it_underflows},
+    {"bound_overflow", "nor, in double and float, where results come near overflow or beyond", is_bounded,
+     keeps_its_bound_up_to_overflow},
+    {"largest_degree", "at its largest degrees, in double and float, coordinates of at most 1 give numbers", any,
+     works_up_to_its_largest_degree},
     {"mild_curves", "errors are small on curves of low degree in [-1, 1], t in [0, 1]", any, is_right_on_mild_curves},
     {"constants", "a curve whose points are all the same is that point, to rounding", any, reproduces_constants},
     {"affine_maps", "an affine map of the curve maps its points, to rounding", any, is_affinely_invariant},
