@@ -46,14 +46,15 @@ struct PositiveSum : SameForEveryAxis {
     for (int i = 0; i <= n; ++i) {
       const bool tabulated = i <= exact_binomial_degree;
       const double* exact = detail::binomial_table<double>.data() + (tabulated ? detail::entries_before(i) : 0);
-      double of_i = 1;  // C(i, j)
+      const double scale = binomial_scale(i);
+      double of_i = 1 / scale;  // C(i, j) over the scale
       Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
       for (int j = 0; j <= i; ++j) {
         if (tabulated)
-          of_i = exact[j];
+          of_i = exact[j];  // here the scale is 1
         else if (j > 0)
           of_i = of_i * (i - j + 1) / j;
-        const SharedBy<Scalar> weight = static_cast<SharedBy<Scalar>>(of_i) / of_n[j];
+        const SharedBy<Scalar> weight = static_cast<SharedBy<Scalar>>(of_i * scale) / of_n[j];
         for (int axis = 0; axis < Dimension; ++axis) sum[axis] += weight * q(axis, j);
       }
       for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = sum[axis];
