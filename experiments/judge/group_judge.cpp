@@ -237,9 +237,10 @@ void GroupJudge<Scalar>::judge_method(std::size_t method, Group group, Scratch& 
   add(metric::in_units(errors, from.ulp), measured, judgement.error_ulp);
   add(metric::in_units(errors, from.length), measured & from.has_length, judgement.relative);
   for (std::size_t k = 0; k < group.size(); ++k) {
-    if (!has(measured, k)) continue;
-    metric::merge_fields(judgement.worst, std::optional(Worst{errors_u[k], errors[k], group[k].counted}));
-    compare_with_bound(method, errors[k], group[k], from.length[k], judgement);
+    if (has(measured, k))
+      metric::merge_fields(judgement.worst, std::optional(Worst{errors_u[k], errors[k], group[k].counted}));
+    const double error = has(measured, k) ? errors[k] : std::numeric_limits<double>::infinity();
+    if (has(from.exists, k)) compare_with_bound(method, error, group[k], from.length[k], judgement);
   }
 }
 

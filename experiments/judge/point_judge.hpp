@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -20,11 +21,11 @@ namespace bezierbench::judge {
 /// Computed with the same roundings as a row of accuracy.csv.
 struct PointVerdict {
   std::array<double, reference::max_dimension> point{};
-  bool finite = false;                 ///< the members below are set only if it is
+  bool finite = false;                 ///< the next two are set only if it is
   double error = 0;                    ///< to 24 bits
   double error_u = 0;                  ///< to 24 bits; infinite where p~ is 0
   std::optional<double> bound_u = {};  ///< at this input; empty where nothing is proved
-  bool violates = false;
+  bool violates = false;               ///< the error, infinite where the point is not finite, is beyond the bound
 };
 
 /// Keeps its scratch between calls, so every thread needs its own object.
@@ -50,13 +51,14 @@ class PointJudge {
       verdict.point[axis] = static_cast<double>(point[axis]);
       verdict.finite = verdict.finite && std::isfinite(point[axis]);
     }
-    if (!verdict.finite) return verdict;
     reference::TruePoint truth(exact_, inputs.true_curve(), inputs.true_t(), certified_point(inputs));
-    verdict.finite = truth.exists();
-    if (!verdict.finite) return verdict;
-    verdict.error = truth.distance({verdict.point.data(), d});
-    verdict.finite = std::isfinite(verdict.error);
-    if (verdict.finite) weigh(kernel, inputs, truth.length(), verdict);
+    if (!truth.exists()) {
+      verdict.finite = false;
+      return verdict;
+    }
+    const double error = verdict.finite ? truth.distance({verdict.point.data(), d}) : infinite;
+    verdict.finite = std::isfinite(error);
+    weigh(kernel, inputs, error, truth.length(), verdict);
     return verdict;
   }
 
@@ -66,6 +68,8 @@ class PointJudge {
   }
 
  private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
   std::optional<reference::CertifiedPoint> certified_point(const TrialInputs<Scalar>& inputs) {
     const auto curve = inputs.true_curve();
     if (tier_ != reference::Tier::certified || !reference::CertifiedPoints::applies(curve.form)) return std::nullopt;
@@ -76,13 +80,17 @@ class PointJudge {
     return certified_->point(0);
   }
 
-  void weigh(const Kernel<Scalar>& kernel, const TrialInputs<Scalar>& inputs, double length, PointVerdict& verdict) {
+  void weigh(const Kernel<Scalar>& kernel, const TrialInputs<Scalar>& inputs, double error, double length,
+             PointVerdict& verdict) {
     constexpr auto arithmetic = ScalarFacts<Scalar>::arithmetic;
     scale_.set(inputs.true_curve(), inputs.true_t());
-    verdict.error_u = metric::to_24_bits(scale_.in_bound_units(verdict.error, arithmetic));
+    if (verdict.finite) {
+      verdict.error = error;
+      verdict.error_u = metric::to_24_bits(scale_.in_bound_units(error, arithmetic));
+    }
     if (!kernel.info->bound) return;
     const metric::BoundAtDegree bound(*kernel.info->bound, inputs.true_curve().degree, arithmetic);
-    const auto checked = scale_.check(verdict.error, bound, arithmetic, length);
+    const auto checked = scale_.check(error, bound, arithmetic, length);
     if (!checked) return;
     verdict.bound_u = checked->bound_u;
     verdict.violates = checked->violated;

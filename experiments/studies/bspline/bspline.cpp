@@ -89,6 +89,7 @@ void BsplineProblem::judge(const Kernel& method, const Drawn& drawn, double /*to
                            std::uint64_t number, Errors& errors) {
   if (!metric::all_finite(answer)) {
     ++errors.non_finite;
+    if (std::isfinite(bound_of(method, drawn, 0))) errors.violations.add(number);
     return;
   }
   bool violated = false;
@@ -101,7 +102,7 @@ void BsplineProblem::judge(const Kernel& method, const Drawn& drawn, double /*to
     if (std::isfinite(bound_u)) (k == 0 ? errors.bound_u : errors.control_bound_u).add(bound_u);
     violated = violated || metric::TrialScale::violates(error, bound);
   }
-  if (method.bound != nullptr) ++errors.bounded;
+  if (std::isfinite(bound_of(method, drawn, 0))) ++errors.bounded;
   if (violated) errors.violations.add(number);
 }
 

@@ -31,13 +31,14 @@ void DerivativeProblem::draw(std::uint64_t number, Drawn& drawn) const {
 void DerivativeProblem::judge(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer,
                               std::uint64_t number, Errors& errors) {
   const double error = error_of(drawn, answer);
+  const double bound = bound_of(method, drawn);
   if (!std::isfinite(error)) {
     ++errors.non_finite;
+    if (std::isfinite(bound)) errors.violations.add(number);
     return;
   }
   errors.error.add(error);
   metric::add_rounded(drawn.scale.in_bound_units(error, metric::double_arithmetic), errors.error_u);
-  const double bound = bound_of(method, drawn);
   if (!std::isfinite(bound)) return;
   ++errors.bounded;
   const double bound_u = drawn.scale.in_bound_units(bound, metric::double_arithmetic);

@@ -58,6 +58,10 @@ void GridProblem::judge(const Kernel& method, const Drawn& drawn, double /*toler
                         std::uint64_t number, Errors& errors) {
   if (!std::ranges::all_of(answer, [](double value) { return std::isfinite(value); })) {
     ++errors.non_finite;
+    const auto unproved = [](int /*k*/, double error, double bound, metric::TrialScale& /*scale*/) {
+      return std::isfinite(error) || !std::isfinite(bound);
+    };
+    if (!each_point(method, drawn, answer, unproved)) errors.violations.add(number);
     return;
   }
   bool violated = false;

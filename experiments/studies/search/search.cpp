@@ -131,8 +131,8 @@ class Search {
     const judge::PointVerdict verdict = judge.judge(kernel_, inputs);
     Found found;
     found.input = inputs.values();
-    if (!verdict.finite || !std::isfinite(verdict.error_u)) return found;  // p~ = 0 measures nothing
     if (verdict.violates) ++outcome.violations;
+    if (!verdict.finite || !std::isfinite(verdict.error_u)) return found;  // p~ = 0 measures nothing
     found.error_u = verdict.error_u;
     found.error = verdict.error;
     found.bound_u = verdict.bound_u;

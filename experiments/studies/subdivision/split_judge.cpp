@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "experiments/metric/all_finite.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "experiments/studies/subdivision/problem.hpp"
 
@@ -43,6 +44,19 @@ bool judge_control(const SplitKernel& method, const CurveView<double>& curve, co
   return kept;
 }
 
+/// Whether a control point that is not finite has a proved bound.
+bool breaks_bound(const SplitKernel& method, const CurveView<double>& curve, const SplitTruth& truth,
+                  const ComputedHalves& computed) {
+  for (const Side side : sides)
+    for (int i = 0; i <= curve.degree; ++i) {
+      const auto control = computed.control(side, i);
+      const auto point = control.first(static_cast<std::size_t>(curve.dimension));
+      if (!metric::all_finite(control) && std::isfinite(truth.of_point(method.bound, side, i, point).bound))
+        return true;
+    }
+  return false;
+}
+
 /// Judges the junction and the ends, which needs no truth. Promises hold for t in [0,1].
 void judge_bits(const SplitKernel& method, const CurveView<double>& curve, double t, const ComputedHalves& computed,
                 std::uint64_t trial, SubdivisionErrors& errors) {
@@ -68,6 +82,7 @@ void SubdivisionProblem::judge(const Kernel& method, const Drawn& drawn, double 
   const ComputedHalves computed(curve, answer);
   if (!computed.all_finite()) {
     ++errors.non_finite;
+    if (breaks_bound(method, curve, *drawn.truth, computed)) errors.violations.add(number);
     return;
   }
   bool kept = true;
