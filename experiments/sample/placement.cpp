@@ -110,6 +110,11 @@ constexpr std::array all{Placement{"uniform", "as a control point", uniform},
                          Placement{"mirrored", "on the axis of a symmetric curve", mirrored},
                          Placement{"line", "as a control point; the curve is a line at constant speed", line}};
 
+bool is_finite(const ProjectionCase& problem) {
+  const auto finite = [](double x) { return std::isfinite(x); };
+  return std::ranges::all_of(problem.points, finite) && std::ranges::all_of(problem.point, finite);
+}
+
 }  // namespace
 
 double largest_coordinate(const ProjectionCase& problem) {
@@ -134,8 +139,9 @@ ProjectionCase place(const Placement& placement, const Sampler& sampler, const C
                          cell.degree,
                          {drawn.coefficients.begin(), drawn.coefficients.end() - d},
                          {drawn.coefficients.end() - d, drawn.coefficients.end()}};
-  placement.place(problem, drawn.t);
-  return problem;
+  auto placed = problem;
+  placement.place(placed, drawn.t);
+  return is_finite(placed) ? placed : problem;
 }
 
 }  // namespace bezierbench::sample

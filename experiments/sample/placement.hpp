@@ -32,7 +32,8 @@ struct Placement {
 /// All placements.
 std::span<const Placement> placements();
 
-/// Trial `trial` of the cell. The point is placed relative to the parameter that is drawn with the curve. `sampler`
+/// Trial `trial` of the cell. The point is placed relative to the parameter that is drawn with the curve. Both stay as
+/// they are drawn where the placement leaves the range of double: `cusp` moves a control point by up to 2^n R. `sampler`
 /// draws the cell that with_point() returns, of one degree more: its last control point is the drawn point.
 ProjectionCase place(const Placement& placement, const Sampler& sampler, const Cell& cell, std::uint64_t trial);
 

@@ -36,6 +36,19 @@ TEST(Placement, DrawsTheSameCurveWhereItMovesOnlyThePoint) {
   }
 }
 
+/// A cusp of degree 60 needs a control point at about 2^59 R, and an ulp of 5e-324 / 2^20 is no lattice.
+TEST(Placement, KeepsWhatIsDrawnWhereAPlacementLeavesTheRange) {
+  for (const double range : {0x1p+1020, 5e-324})
+    for (const auto& placement : placements()) {
+      Cell cell;
+      cell.degree = 60;
+      cell.coordinate_range = range;
+      const auto problem = place(placement, Sampler(1, "placement", with_point(cell)), cell, 1);
+      for (const auto* values : {&problem.points, &problem.point})
+        for (const double value : *values) EXPECT_TRUE(std::isfinite(value)) << placement.id << ", R " << range;
+    }
+}
+
 /// The first equation says that C'(1/2) = 0 for a cubic, exactly.
 TEST(Placement, ACuspStandsStill) {
   for (std::uint64_t trial = 0; trial < 50; ++trial) {

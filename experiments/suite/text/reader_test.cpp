@@ -224,6 +224,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"degree = [3]\ngenerator = [\"report\"]\nt_interval = [[-1e308, 1e308]]", "9:15", "narrow"},
         Refusal{"degree = [3]\ntitle = 3", "8:9", "a string"},
         Refusal{"degree = [3]\ngenerator = [\"integer\"]\ncoordinate_range = [1, 0.5]", "9:24", "from 1 to 2^53"},
+        Refusal{"degree = [3]\ncoordinate_range = [1.7e308]", "8:21", "needs a coordinate_range from 0 to 2^1020, not"},
         Refusal{"degree = [3]\ngenerator = [\"integer\"]\ncoordinate_range = [1e16]", "9:21", "from 1 to 2^53"},
         Refusal{"degree = [3]\ncurve = \"rational\"\ngenerator = [\"weights_wild\", \"dyadic\"]", "9:30",
                 "generator \"dyadic\" draws no weights, which rational curves need; use weights_mild, weights_wild"},

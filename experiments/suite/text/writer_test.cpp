@@ -76,7 +76,7 @@ class Random {
     made.curve = kind.inputs.forms[below(kind.inputs.forms.size())];
     made.degree = some<int>({1, 2, 20, 1023});
     if (kind.inputs.degree == DegreeUse::not_a_key) made.degree.clear();
-    made.coordinate_range = some<double>({real(), real(), real(), 0, 5e-324, 1.7976931348623157e308});
+    made.coordinate_range = some<double>({real(), real(), real(), 0, 5e-324, 0x1p+1020});
     const double edge = real();
     made.t_interval = {Interval{-edge, edge}, Interval{0, real()}};
     if (kind.inputs.parameters == Parameters::from_0_to_1) made.t_interval = {{0.25, 0.75}, {0, 1}};
