@@ -20,7 +20,7 @@ UNITS = {
     "subdivision": ("split", "分割", "degree", f"every control point keeps its bound {HALF}"),
     "grid": ("grid", "网格", "points", "every point keeps its bound"),
     "bspline": ("point", "样条点", "degree", f"the point, and every control point that is made on the way, keeps its bound {HALF}"),
-    "fitting": ("fit", "拟合", "tolerance", "no data point is farther from the curve than the tolerance"),
+    "fitting": ("fit", "拟合", "tolerance", "it keeps the tolerance and stays near the polyline of the data"),
 }
 # what may tell the lines of a method apart, and how a line says it
 APART = {"mode": str, "degree": lambda v: f"degree {shortest(v)}", "order": lambda v: f"order {shortest(v)}",

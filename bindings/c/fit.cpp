@@ -44,7 +44,7 @@ int bb_fit(const char* method, int dimension, const double* points, std::size_t 
     const auto data = c::finite_values(points, values_of(dimension, count));
     c::require(std::isfinite(tolerance) && tolerance >= 0, BB_ERROR_TOLERANCE);
     c::require_pointers(fitted);
-    auto fit = kernel.fit(data, tolerance);
+    auto fit = kernel.fit(data, tolerance, {});
     c::require(fit.converged, BB_ERROR_OVERFLOW);
     *fitted = new bb_fitted{dimension, {data.begin(), data.end()}, std::move(fit)};
   });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/fit/fit_data.hpp"
+#include "core/fit/polyline.hpp"
 
 namespace bezierbench {
 
@@ -29,8 +30,7 @@ class Shape {
  public:
   Shape(const FitData<Dimension>& data, double tolerance) : data_(data), arm_(2 * tolerance) {}
 
-  /// Whether the data have a corner, for each point. At a corner the arms turn by more than 75.5 degrees (cosine 1/4; a
-  /// pentagon's corners turn by 72, a square's by 90), and no point between their ends turns more. Arms end at data
+  /// Whether the data have a corner, for each point. At a corner the arms turn by more than 75.5 degrees, and no point between their ends turns more. Arms end at data
   /// points and are therefore not all of one length, so that several points qualify; the one with the largest sum of
   /// distances to the ends of the arms is chosen. False for the first and the last point of open data. In closed data
   /// these two are the same point.
@@ -41,7 +41,7 @@ class Shape {
     std::vector<bool> result(turns.size());
     for (int i = first; i < data_.last(); ++i) {
       const Turn& turn = turns[static_cast<std::size_t>(i)];
-      bool corner = turn.cosine < sharp;
+      bool corner = turn.cosine < sharp_turn;
       for (int k = 1 - turn.before; corner && k < turn.after; ++k)
         corner = turns[static_cast<std::size_t>(around(i + k))].cosine >= turn.cosine;
       if (corner) mark_tips(i, turn, result);
@@ -60,7 +60,6 @@ class Shape {
   }
 
  private:
-  static constexpr double sharp = 0.25;   ///< cosine of the angle at a corner
   static constexpr int most_steps = 256;  ///< limits the time for long data, which would be quadratic
 
   struct Turn {
@@ -110,7 +109,7 @@ class Shape {
     double longest = 0;
     for (int k = 1 - turn.before; k < turn.after; ++k) longest = std::max(longest, way_by(k));
     for (int k = 1 - turn.before; k < turn.after; ++k)
-      if (way_by(k) == longest && turn_at(around(i + k), arm_ / 4).cosine < sharp)
+      if (way_by(k) == longest && turn_at(around(i + k), arm_ / 4).cosine < sharp_turn)
         corner[static_cast<std::size_t>(around(i + k))] = true;
   }
 

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <concepts>
+#include <string_view>
 #include <vector>
 
 #include "core/fit/cubic.hpp"
+#include "core/fit/polyline.hpp"
 #include "core/fit/result.hpp"
 #include "core/method.hpp"
 
@@ -23,9 +25,10 @@ struct End {
 /// The data of one segment.
 template <int Dimension>
 struct Section {
-  Polygon<Dimension> points;  ///< three or more, coordinates up to 1 in magnitude, consecutive ones different
-  std::vector<double> t;      ///< parameter of each point, by the lengths of the chords, from 0 to 1
-  double length;              ///< length of the polyline
+  Polygon<Dimension> points;   ///< three or more, coordinates up to 1 in magnitude, consecutive ones different
+  std::vector<double> t;       ///< parameter of each point, by the lengths of the chords, from 0 to 1
+  double length;               ///< length of the polyline
+  std::vector<double> limits;  ///< for each step of the polyline, how far from it the segment may be
   End<Dimension> start;
   End<Dimension> end;
   double tolerance;
@@ -49,6 +52,23 @@ double largest_error(const Section<Dimension>& section, const Piece<Dimension>& 
   }
   return largest;
 }
+
+/// Whether a segment keeps what a fit promises: it is within the tolerance of every point, and its parts between the
+/// points are within their limits of the polyline, up to rounding.
+template <int Dimension>
+bool keeps_promise(const Section<Dimension>& section, const Piece<Dimension>& piece) {
+  return largest_error(section, piece) <= section.tolerance &&
+         !first_departure<Dimension>(section.points, section.limits, piece.cubic, piece.t);
+}
+
+/// No handle of a segment is longer than this many times the polyline of its points. No handle of any cubic is longer
+/// than three times the cubic: the integral of C' is of degree 3, so that by Markov's inequality |C'| is at most 2 * 3^2
+/// times half the length, and |C'(0)| is 3 |b_1 - b_0|.
+inline constexpr double longest_handle = 3;
+
+/// What both methods promise, by way of piecewise.hpp.
+inline constexpr std::string_view fit_promise =
+    "no data point is farther from the curve than the tolerance; the curve stays near the polyline of the data";
 
 template <class M>
 concept FittingMethod = requires(const Section<2>& section, const Point<double, 2>& chord) {

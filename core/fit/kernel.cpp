@@ -11,8 +11,8 @@ namespace {
 struct Entry {
   template <FittingMethod M, int Dimension>
   static constexpr FittingKernel of() {
-    return {&M::info, Dimension, [](std::span<const double> points, double tolerance) {
-              return Piecewise<M, Dimension>(points, tolerance).fit();
+    return {&M::info, Dimension, [](std::span<const double> points, double tolerance, const FitEnds& ends) {
+              return Piecewise<M, Dimension>(points, tolerance, ends).fit();
             }};
   }
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Makes a piecewise curve of single segments, in the same way for every method. The data are cut at corners. If the
-// segment of a section is farther than the tolerance from any of its points, the section is split at the farthest
-// point, where both parts get the same tangent. Splitting ends at sections of two points, which a segment passes
-// without error.
+// Makes a piecewise curve of single segments, in the same way for every method. The data are cut at corners. Between
+// corners straight data get a straight segment. If the segment of another section is farther than the tolerance from any
+// of its points, the section is split at the farthest point, where both parts get the same tangent; likewise if the
+// segment leaves the polyline of the data. Splitting ends at sections of two points, which a segment passes without
+// error.
 #pragma once
 
 #include <limits>
@@ -19,8 +20,13 @@ class Piecewise {
   using Vector = Point<double, Dimension>;
 
   /// Prepares the fit that `fit` in kernel.hpp describes.
-  Piecewise(std::span<const double> coordinates, double tolerance)
-      : data_(coordinates), tolerance_(std::ldexp(tolerance, -data_.exponent)), shape_(data_, tolerance_) {}
+  Piecewise(std::span<const double> coordinates, double tolerance, const FitEnds& ends)
+      : data_(coordinates),
+        tolerance_(std::ldexp(tolerance, -data_.exponent)),
+        shape_(data_, tolerance_),
+        start_(given(ends.start)),
+        end_(given(ends.end)),
+        limits_(step_limits<Dimension>(data_, tolerance_, start_, end_)) {}
 
   [[nodiscard]] Fit fit() {
     places_.resize(static_cast<std::size_t>(data_.count()));
@@ -55,6 +61,13 @@ class Piecewise {
     std::optional<Vector> end;
   };
 
+  /// A given direction as a unit vector; empty where none is given.
+  static std::optional<Vector> given(std::span<const double> direction) {
+    if (direction.empty()) return std::nullopt;
+    const Vector v = Eigen::Map<const Vector>(direction.data());
+    return direction_of<Dimension>(v / largest_coordinate<Dimension>(v));
+  }
+
   /// The ranges between corners, the last one first.
   [[nodiscard]] std::vector<Range> sections() const {
     std::vector<Range> all;
@@ -62,10 +75,12 @@ class Piecewise {
     std::optional<Vector> joint;
     if (data_.closed && !corners.front())
       joint = tangent_between(shape_.chord(data_.last(), 0), shape_.chord(0, data_.last()));
+    const auto start = start_ ? start_ : joint;
+    const auto end = opposite(end_ ? end_ : joint);
     int last = data_.last();
     for (int i = data_.last() - 1; i >= 0; --i)
       if (i == 0 || corners[static_cast<std::size_t>(i)]) {
-        all.push_back({i, last, i == 0 ? joint : std::nullopt, last == data_.last() ? opposite(joint) : std::nullopt});
+        all.push_back({i, last, i == 0 ? start : std::nullopt, last == data_.last() ? end : std::nullopt});
         last = i;
       }
     return all;
@@ -90,11 +105,23 @@ class Piecewise {
       places_[static_cast<std::size_t>(range.last)] = {fit_.segments(Dimension) - 1, 1};
       return std::nullopt;
     }
-    auto section = section_of(range);
+    const auto section = section_of(range);
+    if (!range.start && !range.end && !append_or_fail(range, section, {straight(range), section.t}))
+      return std::nullopt;
     auto piece = M::piece(section);
     fit_.iterations += piece.iterations;
+    const auto failure = append_or_fail(range, section, std::move(piece));
+    if (!failure) return std::nullopt;
+    return split(range, range.first + *failure);
+  }
+
+  /// Appends the segment of a section if it keeps the promise. Else returns the number of an inner point where it does
+  /// not.
+  std::optional<int> append_or_fail(const Range& range, const Section<Dimension>& section, Piece<Dimension> piece) {
     const auto [error, worst] = farthest(section, piece);
-    if (!(error <= tolerance_) || !stays_finite(piece.cubic)) return split(range, range.first + worst);
+    if (!(error <= tolerance_) || !stays_finite(piece.cubic)) return worst;
+    if (const auto step = first_departure<Dimension>(section.points, section.limits, piece.cubic, piece.t))
+      return *step > 0 ? *step : 1;
     append(piece.cubic, range, error);
     for (std::size_t i = 1; i < piece.t.size(); ++i)
       places_[static_cast<std::size_t>(range.first) + i] = {fit_.segments(Dimension) - 1, piece.t[i]};
@@ -110,6 +137,7 @@ class Piecewise {
     Section<Dimension> section{data_.points.middleCols(range.first, range.last - range.first + 1),
                                {0},
                                0,
+                               {limits_.begin() + range.first, limits_.begin() + range.last},
                                end_of(range.start, range.first, range.last),
                                end_of(range.end, range.last, range.first),
                                tolerance_};
@@ -142,15 +170,29 @@ class Piecewise {
     return result;
   }
 
-  /// The segment between two points. Its handles are a third of the chord, so that it is straight unless a joint is
-  /// smooth.
-  [[nodiscard]] Cubic<Dimension> between_two(const Range& range) const {
+  /// The straight segment between the ends of a range.
+  [[nodiscard]] Cubic<Dimension> straight(const Range& range) const {
     const Vector first = data_.points.col(range.first);
     const Vector last = data_.points.col(range.last);
-    const double third = length<Dimension>(last - first) / 3;
-    const Vector start = range.start ? Vector(third * *range.start) : Vector((last - first) / 3);
-    const Vector end = range.end ? Vector(third * *range.end) : Vector((first - last) / 3);
-    return {first, first + start, last + end, last};
+    return {first, first + (last - first) / 3, last + (first - last) / 3, last};
+  }
+
+  /// The segment between two points: straight unless a joint is smooth. Handles of smooth joints are a third of the
+  /// chord, or shorter where the segment would leave it.
+  [[nodiscard]] Cubic<Dimension> between_two(const Range& range) const {
+    constexpr int most_halvings = 30;
+    const auto line = straight(range);
+    if (!range.start && !range.end) return line;
+    const auto points = data_.points.middleCols(range.first, 2);
+    double handle = length<Dimension>(line[3] - line[0]) / 3;
+    for (int k = 0; k < most_halvings; ++k, handle /= 2) {
+      auto curve = line;
+      if (range.start) curve[1] = line[0] + handle * *range.start;
+      if (range.end) curve[2] = line[3] + handle * *range.end;
+      if (!first_departure<Dimension>(points, {limits_[static_cast<std::size_t>(range.first)]}, curve, {0, 1}))
+        return curve;
+    }
+    return line;
   }
 
   [[nodiscard]] bool stays_finite(const Cubic<Dimension>& cubic) const {
@@ -174,7 +216,10 @@ class Piecewise {
   FitData<Dimension> data_;
   double tolerance_;
   Shape<Dimension> shape_;
-  std::vector<Place> places_;  ///< for each point of data_, its place on the curve
+  std::optional<Vector> start_;  ///< given directions of the curve, unit vectors
+  std::optional<Vector> end_;
+  std::vector<double> limits_;  ///< for each step of the polyline, how far from it the curve may be
+  std::vector<Place> places_;   ///< for each point of data_, its place on the curve
   Fit fit_;
 };
 

@@ -2,9 +2,17 @@
 // The result of a method for piecewise fitting.
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace bezierbench {
+
+/// Directions in which a fit begins and ends, along the curve: vectors of any length but 0, with as many coordinates as
+/// the data; empty where the data decide.
+struct FitEnds {
+  std::span<const double> start{};
+  std::span<const double> end{};
+};
 
 /// A piecewise cubic near the data.
 struct Fit {

@@ -9,6 +9,7 @@
 
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/fit/kernel.hpp"
+#include "reference/companion/polyline_departure.hpp"
 
 namespace bezierbench {
 namespace {
@@ -91,7 +92,7 @@ TEST(Fitting, KeepsTheToleranceAndPassesTheEnds) {
       const int d = 1 + trial % 3;
       const auto data = any_data(inputs, trial, d);
       for (const auto& kernel : fitting_kernels(d)) {
-        const auto fit = kernel.fit(data, tolerance);
+        const auto fit = kernel.fit(data, tolerance, {});
         const auto where = testing::Message() << kernel.info->id << " trial " << trial << " tolerance " << tolerance;
         ASSERT_TRUE(fit.converged) << where;
         ASSERT_LE(fit.max_error, tolerance) << where;
@@ -118,8 +119,8 @@ TEST(Fitting, ScalesWithTheData) {
       auto scaled = data;
       for (double& x : scaled) x *= factor;
       for (const auto& kernel : fitting_kernels(d)) {
-        const auto one = kernel.fit(data, 0.01);
-        const auto other = kernel.fit(scaled, 0.01 * factor);
+        const auto one = kernel.fit(data, 0.01, {});
+        const auto other = kernel.fit(scaled, 0.01 * factor, {});
         EXPECT_EQ(one.t, other.t) << kernel.info->id << " trial " << trial;
         EXPECT_EQ(one.max_error * factor, other.max_error) << kernel.info->id << " trial " << trial;
         auto expected = one.control_points;
@@ -141,8 +142,8 @@ TEST(Fitting, MovesWithTheData) {
     constexpr double shift = 0x1p+10;
     for (double& x : moved) x += shift;
     for (const auto& kernel : fitting_kernels(d)) {
-      const auto one = kernel.fit(data, 0.01);
-      const auto other = kernel.fit(moved, 0.01);
+      const auto one = kernel.fit(data, 0.01, {});
+      const auto other = kernel.fit(moved, 0.01, {});
       ASSERT_EQ(one.segments(d), other.segments(d)) << kernel.info->id << " trial " << trial;
       for (std::size_t k = 0; k < one.control_points.size(); ++k)
         EXPECT_NEAR(one.control_points[k] + shift, other.control_points[k], 1e-6)
@@ -161,8 +162,8 @@ TEST(Fitting, RunsBackwards) {
       reversed.insert(reversed.end(), data.begin() + static_cast<std::ptrdiff_t>(i) - d,
                       data.begin() + static_cast<std::ptrdiff_t>(i));
     for (const auto& kernel : fitting_kernels(d)) {
-      const auto one = kernel.fit(data, 0.01);
-      const auto other = kernel.fit(reversed, 0.01);
+      const auto one = kernel.fit(data, 0.01, {});
+      const auto other = kernel.fit(reversed, 0.01, {});
       ASSERT_EQ(one.segments(d), other.segments(d)) << kernel.info->id << " trial " << trial;
       const int last = 4 * one.segments(d) - 1;
       for (int j = 0; j <= last; ++j)
@@ -184,7 +185,7 @@ TEST(Fitting, KeepsCorners) {
     }
   for (const auto& kernel : fitting_kernels(2))
     for (const double tolerance : {1e-6, 0.25, 1.0}) {
-      const auto fit = kernel.fit(square, tolerance);
+      const auto fit = kernel.fit(square, tolerance, {});
       ASSERT_EQ(fit.segments(2), 4) << kernel.info->id << " " << tolerance;
       for (int s = 0; s < 4; ++s) EXPECT_NEAR(cosine_at_joint(fit, 2, s, (s + 1) % 4), 0, 1e-9) << kernel.info->id;
     }
@@ -199,7 +200,7 @@ TEST(Fitting, SeesNoCornersInNoise) {
     line.push_back(0x1p-7 * inputs.symmetric());
   }
   for (const auto& kernel : fitting_kernels(2)) {
-    const auto fit = kernel.fit(line, 0x1p-5);
+    const auto fit = kernel.fit(line, 0x1p-5, {});
     for (int s = 1; s < fit.segments(2); ++s) EXPECT_GT(cosine_at_joint(fit, 2, s - 1, s), 1 - 1e-9) << kernel.info->id;
   }
 }
@@ -215,7 +216,7 @@ TEST(Fitting, JoinsSmoothly) {
   }
   for (const auto& kernel : fitting_kernels(2))
     for (const double tolerance : {1e-2, 1e-4, 1e-7}) {
-      const auto fit = kernel.fit(circle, tolerance);
+      const auto fit = kernel.fit(circle, tolerance, {});
       const int segments = fit.segments(2);
       EXPECT_GT(segments, 1);
       for (int s = 0; s < segments; ++s)
@@ -226,11 +227,11 @@ TEST(Fitting, JoinsSmoothly) {
 
 TEST(Fitting, TwoPointsMakeAStraightSegmentAndOnePointASegmentOfOnePoint) {
   for (const auto& kernel : fitting_kernels(2)) {
-    EXPECT_THAT(kernel.fit(Data{1, 2, 4, 8}, 0).control_points, testing::ElementsAre(1, 2, 2, 4, 3, 6, 4, 8));
-    EXPECT_THAT(kernel.fit(Data{1, 2, 1, 2, 4, 8, 4, 8}, 0).control_points,
+    EXPECT_THAT(kernel.fit(Data{1, 2, 4, 8}, 0, {}).control_points, testing::ElementsAre(1, 2, 2, 4, 3, 6, 4, 8));
+    EXPECT_THAT(kernel.fit(Data{1, 2, 1, 2, 4, 8, 4, 8}, 0, {}).control_points,
                 testing::ElementsAre(1, 2, 2, 4, 3, 6, 4, 8));
-    EXPECT_THAT(kernel.fit(Data{1, 2, 1, 2}, 0).control_points, testing::ElementsAre(1, 2, 1, 2, 1, 2, 1, 2));
-    EXPECT_THAT(kernel.fit(Data{1, 2}, 0).t, testing::ElementsAre(0));
+    EXPECT_THAT(kernel.fit(Data{1, 2, 1, 2}, 0, {}).control_points, testing::ElementsAre(1, 2, 1, 2, 1, 2, 1, 2));
+    EXPECT_THAT(kernel.fit(Data{1, 2}, 0, {}).t, testing::ElementsAre(0));
   }
 }
 
@@ -240,7 +241,7 @@ TEST(Fitting, ALineIsOneStraightSegment) {
   double x = 0;
   for (int k = 0; k < 50; ++k, x += std::floor(1 + 30 * inputs.unit())) line.insert(line.end(), {3 * x, -x, 2 * x});
   for (const auto& kernel : fitting_kernels(3)) {
-    const auto fit = kernel.fit(line, 1e-9);
+    const auto fit = kernel.fit(line, 1e-9, {});
     EXPECT_EQ(fit.segments(3), 1) << kernel.info->id;
     EXPECT_GT(cosine_at_joint(fit, 3, 0, 0), 1 - 1e-12) << kernel.info->id;
   }
@@ -251,7 +252,7 @@ TEST(Fitting, TurnsBackInACorner) {
   Data data;
   for (const double x : {0, 1, 2, 3, 4, 3, 2, 1}) data.insert(data.end(), {x, 2 * x});
   for (const auto& kernel : fitting_kernels(2)) {
-    const auto fit = kernel.fit(data, 1e-9);
+    const auto fit = kernel.fit(data, 1e-9, {});
     EXPECT_EQ(fit.segments(2), 2) << kernel.info->id;
     EXPECT_EQ(coordinate(fit, 2, 0, 3, 0), 4) << kernel.info->id;
   }
@@ -262,7 +263,7 @@ TEST(Fitting, PointsThatScalingMakesOne) {
   const Data data{1e308, 0, 1e308, 5e-324, 1e308, 1e-323, 1e308, 0};
   for (const auto& kernel : fitting_kernels(2))
     for (const double tolerance : {0.0, 1.0, 1e300}) {
-      const auto fit = kernel.fit(data, tolerance);
+      const auto fit = kernel.fit(data, tolerance, {});
       EXPECT_TRUE(fit.converged);
       EXPECT_LE(fit.max_error, tolerance);
       for (const double t : fit.t) EXPECT_TRUE(t >= 0 && t <= 1) << kernel.info->id;
@@ -275,7 +276,7 @@ TEST(Fitting, TurnsBackAtTheTips) {
   auto data = samples({0, 0, 1, 2, -1, -2, 0, 0}, 2, 40);
   for (const auto& kernel : fitting_kernels(2))
     for (const double tolerance : {0.1, 0.03, 0.01, 1e-6})
-      EXPECT_EQ(kernel.fit(data, tolerance).segments(2), 3) << kernel.info->id << " " << tolerance;
+      EXPECT_EQ(kernel.fit(data, tolerance, {}).segments(2), 3) << kernel.info->id << " " << tolerance;
 }
 
 /// A fit whose handles overflow does not report convergence.
@@ -283,9 +284,93 @@ TEST(Fitting, OverflowIsNotConvergence) {
   const double most = std::numeric_limits<double>::max();
   const Data data{-most, 0, most, 0.5 * most, -most, most, most, -most};
   for (const auto& kernel : fitting_kernels(2)) {
-    const auto fit = kernel.fit(data, 0);
+    const auto fit = kernel.fit(data, 0, {});
     EXPECT_EQ(fit.converged, std::ranges::all_of(fit.control_points, [](double x) { return std::isfinite(x); }));
   }
+}
+
+reference::Departure departure_of(const Fit& fit, int d, const Data& data, double tolerance) {
+  std::vector<reference::NearPlace> places;
+  for (std::size_t i = 0; i < fit.t.size(); ++i) places.push_back({fit.segment[i], fit.t[i]});
+  return reference::departure_from_polyline(d, data, fit.control_points, places, tolerance);
+}
+
+TEST(Fitting, StaysNearThePolylineOfTheData) {
+  const auto expect_near = [](const Data& data, int d, double tolerance, const auto& where) {
+    for (const auto& kernel : fitting_kernels(d)) {
+      const auto found = departure_of(kernel.fit(data, tolerance, {}), d, data, tolerance);
+      EXPECT_LE(found.over_limit, 1) << kernel.info->id << " " << where << " tolerance " << tolerance;
+      EXPECT_LE(found.handle, 3 * (1 + 1e-12)) << kernel.info->id << " " << where << " tolerance " << tolerance;
+    }
+  };
+  Inputs inputs(7);
+  for (int trial = 0; trial < 240; ++trial)
+    for (const double tolerance : {0.0, 1e-9, 1e-3, 0.03, 0.1, 10.0}) {
+      const int d = 1 + trial % 3;
+      expect_near(any_data(inputs, trial, d), d, tolerance, trial);
+    }
+  for (int trial = 0; trial < 100; ++trial) {  // polygons with sides of very different lengths
+    Data polygon;
+    for (int k = 0; k < 8; ++k) {
+      const double size = k % 2 == 0 ? 1 : 0x1p-6;
+      polygon.push_back((k < 2 ? 0 : polygon[static_cast<std::size_t>(2 * k - 2)]) + size * inputs.symmetric());
+      polygon.push_back((k < 2 ? 0 : polygon[static_cast<std::size_t>(2 * k - 1)]) + size * inputs.symmetric());
+    }
+    for (const double tolerance : {1e-6, 1e-2, 0.1}) expect_near(polygon, 2, tolerance, trial);
+  }
+}
+
+/// A line of pixels is within half a pixel of a straight line, so within one of the straight line between its ends.
+TEST(Fitting, KeepsStraightDataStraight) {
+  Inputs inputs(8);
+  for (int trial = 0; trial < 100; ++trial) {
+    const double x = 100 * inputs.symmetric();
+    const double y = 100 * inputs.symmetric();
+    const int count = 3 + trial;
+    Data line;
+    for (int k = 0; k < count; ++k)
+      for (const double end : {x, y}) line.push_back(std::floor(end * k / (count - 1) + 0.5));
+    for (const auto& kernel : fitting_kernels(2)) {
+      const auto fit = kernel.fit(line, 1.5, {});
+      ASSERT_EQ(fit.segments(2), 1) << kernel.info->id << " " << trial;
+      for (int axis = 0; axis < 2; ++axis) {
+        const double first = coordinate(fit, 2, 0, 0, axis);
+        const double third = (coordinate(fit, 2, 0, 3, axis) - first) / 3;
+        EXPECT_NEAR(coordinate(fit, 2, 0, 1, axis), first + third, 1e-12);
+        EXPECT_NEAR(coordinate(fit, 2, 0, 2, axis), first + 2 * third, 1e-12);
+      }
+    }
+  }
+}
+
+/// The cosine of the angle between the first or the last side of the control polygon and a direction.
+double cosine_at_end(const Fit& fit, bool start, const Data& direction) {
+  const int segment = start ? 0 : fit.segments(2) - 1;
+  double product = 0, square = 0, other = 0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double side =
+        coordinate(fit, 2, segment, start ? 1 : 3, axis) - coordinate(fit, 2, segment, start ? 0 : 2, axis);
+    product += side * direction[static_cast<std::size_t>(axis)];
+    square += side * side;
+    other += direction[static_cast<std::size_t>(axis)] * direction[static_cast<std::size_t>(axis)];
+  }
+  return product / std::sqrt(square * other);
+}
+
+TEST(Fitting, BeginsAndEndsInGivenDirections) {
+  const auto arch = samples({0, 0, 1, 2, 3, 2, 4, 0}, 2, 20);
+  Data closed = arch;
+  closed.insert(closed.end(), arch.begin(), arch.begin() + 2);
+  const Data start{0, 3};
+  const Data end{1e-200, -1e-200};
+  for (const auto& kernel : fitting_kernels(2))
+    for (const auto& data : {arch, closed, Data{0, 0, 4, 0}})
+      for (const double tolerance : {1e-6, 0.1, 10.0}) {
+        const auto fit = kernel.fit(data, tolerance, {start, end});
+        EXPECT_LE(fit.max_error, tolerance);
+        EXPECT_NEAR(cosine_at_end(fit, true, {0, 1}), 1, 1e-12) << kernel.info->id << " " << tolerance;
+        EXPECT_NEAR(cosine_at_end(fit, false, {1, -1}), 1, 1e-12) << kernel.info->id << " " << tolerance;
+      }
 }
 
 const Data gentle{0, 0, 1, 2, 3, 3, 4, 0};
@@ -296,7 +381,7 @@ TEST(GaussNewton, ReproducesItsOwnSource) {
     Data control = gentle;
     for (double& x : control) x *= factor;
     for (const int count : {8, 33, 500, 514, 5000}) {
-      const auto fit = fitting_kernels(2)[1].fit(samples(control, 2, count), 1e-9 * factor);
+      const auto fit = fitting_kernels(2)[1].fit(samples(control, 2, count), 1e-9 * factor, {});
       ASSERT_EQ(fitting_kernels(2)[1].info->id, "gauss_newton");
       ASSERT_EQ(fit.segments(2), 1) << count;
       for (std::size_t k = 0; k < control.size(); ++k)
@@ -311,7 +396,7 @@ TEST(GaussNewton, SeesEveryOneOfManyPoints) {
   for (const std::size_t count : {513U, 514U, 5000U}) {
     auto data = samples(gentle, 2, static_cast<int>(count));
     data[2 * (count / 3) + 1] += 1e-3;
-    const auto fit = fitting_kernels(2)[1].fit(data, 1e-4);
+    const auto fit = fitting_kernels(2)[1].fit(data, 1e-4, {});
     ASSERT_EQ(fitting_kernels(2)[1].info->id, "gauss_newton");
     EXPECT_GT(fit.segments(2), 1) << count;
     EXPECT_EQ(fit.t.size(), count);
@@ -320,7 +405,7 @@ TEST(GaussNewton, SeesEveryOneOfManyPoints) {
 }
 
 TEST(Schneider, DoesNotReproduceItsOwnSource) {
-  const auto fit = fitting_kernels(2)[0].fit(samples(gentle, 2, 33), 1e-9);
+  const auto fit = fitting_kernels(2)[0].fit(samples(gentle, 2, 33), 1e-9, {});
   ASSERT_EQ(fitting_kernels(2)[0].info->id, "schneider");
   EXPECT_GT(fit.segments(2), 16);
 }

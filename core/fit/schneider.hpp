@@ -5,8 +5,8 @@
 // Source: [Schneider 1990]: parameters by chord length, the system of its section "Fitting the curve", t_i - f/f' of
 //   "Reparameterization", centre tangent at a split. As published, steps are only taken where the largest error is
 //   below twice the tolerance (four times for squared errors). Errors are in coordinate units here, so that the scale
-//   of the data does not matter. Alphas that are not positive are replaced by a third of the length, after Wu and
-//   Barsky.
+//   of the data does not matter. Alphas that are not above 2^-20 times the length, or above three times it, are replaced
+//   by a third of it; the former, with the chord for the length and 1e-6, is the published heuristic of Wu and Barsky.
 // Cost: O(m) flops for m points and each of at most 20 steps.
 // Bound: none of the fit itself; piecewise.hpp bounds the distance of every data point from the result.
 // Fails: T1 and T2 are chords of the data. So samples of a cubic do not give it back, however small the tolerance: the
@@ -24,7 +24,7 @@ struct Schneider {
                                    .form = Form::bernstein,
                                    .min_degree = 3,
                                    .max_degree = 3,
-                                   .promise = "no data point is farther from the curve than the tolerance",
+                                   .promise = fit_promise,
                                    .flops = "O(d m) per step",
                                    .citation = "[Schneider 1990]"};
 
@@ -73,7 +73,7 @@ struct Schneider {
     double alpha1 = (x1 * c22 - x2 * c12) / determinant;
     double alpha2 = (c11 * x2 - c12 * x1) / determinant;
     const double least = 0x1p-20 * section.length;
-    const double most = 0x1p+10 * section.length;
+    const double most = longest_handle * section.length;
     if (!(alpha1 > least && alpha2 > least && alpha1 < most && alpha2 < most)) alpha1 = alpha2 = section.length / 3;
     return {first, first + alpha1 * section.start.direction, last + alpha2 * section.end.direction, last};
   }

@@ -20,7 +20,8 @@ def blocks(bundle, findings):
     table = bundle["fitting.csv"].of_suite(SUITE)
     yield from of_studies(bundle, findings, SUITE, table.distinct("study"), study_tables, "fitting_example", "fitting_segments")
     yield Text("The tolerance is a distance in coordinate units. The error is the largest distance of a data point from the whole curve, "
-               "exact; a promise is broken where it exceeds the tolerance. Segments are the mean over trials in the cell that needs "
+               "exact; a promise is broken where it exceeds the tolerance, or where the curve leaves the polyline of the data by more than "
+               "the tolerance and the sampling allow. Segments are the mean over trials in the cell that needs "
                "most. Data: `samples` of a Bézier curve at equal steps of t, `uneven` at random ones, `noisy` with noise of 2^-10 R, "
                "along the control `polyline`, of a `closed` curve, and `drawn` as by a bad pen, with repetitions and steps backwards. "
                "Corners of the data are kept, and a tight bend is one to a loose tolerance, so that a curve can have more segments "

@@ -43,7 +43,7 @@ void fit(const FitOptions& options) {
                                            "coordinates",
                                            options.tolerance));
   const auto points = read_points(options.points, 2);
-  const auto fit = chosen_kernel(options.method, points.dimension).fit(points.coordinates, tolerance);
+  const auto fit = chosen_kernel(options.method, points.dimension).fit(points.coordinates, tolerance, {});
   if (!fit.converged)
     throw Failure(Exit::input_output, fmt::format("{}: a control point exceeds the largest double; scale the points "
                                                   "down",

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "experiments/judge/companions.hpp"
 #include "experiments/metric/all_finite.hpp"
@@ -28,10 +29,29 @@ reference::Rational true_distance(int dimension, const std::vector<double>& data
   return reference::largest_squared_distance(dimension, data, fit.control_points, near_places(fit));
 }
 
+reference::Departure departure_of(const FittingKernel& method, const std::vector<double>& data, const Fit& fit,
+                                  double tolerance) {
+  return reference::departure_from_polyline(method.dimension, data, fit.control_points, near_places(fit), tolerance);
+}
+
 /// Whether the distance whose square is `squared` is larger than `distance`; computed without rounding.
 bool exceeds(const reference::Rational& squared, double distance) {
   const auto other = reference::exactly(distance);
   return sgn((squared - other * other).numerator) > 0;
+}
+
+/// Whether a fit keeps what methods promise, given the square of its true distance.
+bool right(const reference::Rational& squared, double tolerance, const reference::Departure& departure) {
+  constexpr double longest_handle = 3 * (1 + 0x1p-40);  // up to the roundings of both
+  return !exceeds(squared, tolerance) && departure.over_limit <= 1 && departure.handle <= longest_handle;
+}
+
+/// The number of data points whose place on the curve is before that of the point before.
+std::uint64_t out_of_order(const Fit& fit) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 1; i < fit.t.size(); ++i)
+    count += std::pair(fit.segment[i], fit.t[i]) < std::pair(fit.segment[i - 1], fit.t[i - 1]) ? 1 : 0;
+  return count;
 }
 
 }  // namespace
@@ -56,11 +76,17 @@ void FittingProblem::judge(const Kernel& method, const Drawn& data, double toler
   errors.error.add(reference::square_root(reference::error_format, truth));
   errors.claimed.add(metric::to_24_bits(fit.max_error));
   errors.understated += exceeds(truth, fit.max_error) ? 1 : 0;
-  if (fit.converged && exceeds(truth, tolerance)) errors.broken.add(number);
+  const auto departure = departure_of(method, data, fit, tolerance);
+  errors.departure.add(departure.distance);
+  errors.departure_over_limit.add(departure.over_limit);
+  errors.handle_over_chords.add(departure.handle);
+  errors.out_of_order += out_of_order(fit);
+  if (fit.converged && !right(truth, tolerance, departure)) errors.broken.add(number);
 }
 
 bool FittingProblem::is_right(const Kernel& method, const Drawn& data, double tolerance, const Answer& fit) {
-  return metric::all_finite(fit.control_points) && !exceeds(true_distance(method.dimension, data, fit), tolerance);
+  return metric::all_finite(fit.control_points) &&
+         right(true_distance(method.dimension, data, fit), tolerance, departure_of(method, data, fit, tolerance));
 }
 
 /// Adds trial 0 of the first cell in the plane, with the first number of points, at the first tolerance: for each kind
@@ -89,7 +115,7 @@ void FittingProblem::write_example(tables::Tables& tables, const suite::Study& s
     };
     for (std::size_t i = 0; 2 * i < data.size(); ++i) add("", std::nullopt, i, &data[2 * i]);
     for (const auto* method : judge::chosen_trial_kernels<FittingProblem>(study, plane)) {
-      const auto b = method->fit(data, tolerance).control_points;
+      const auto b = method->fit(data, tolerance, {}).control_points;
       for (std::size_t i = 0; 2 * i < b.size(); ++i) add(method->info->id, i / 4, i % 4, &b[2 * i]);
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Data of one kind fitted to a tolerance: the largest exact distance of a data point from the fitted curve. An answer
-// is right if this distance is within the tolerance.
+// Data of one kind fitted to a tolerance, judged from both sides: the largest exact distance of a data point from the
+// fitted curve, and the departure of the curve from the polyline of the data. An answer is right if the former is within
+// the tolerance, the latter within what tolerance and sampling allow (reference/companion/polyline_departure.hpp), and no
+// handle longer than three times the polyline beside it.
 #pragma once
 
 #include <array>
@@ -15,6 +17,7 @@
 #include "experiments/studies/fitting/fitting.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "experiments/tables/tables.hpp"
+#include "reference/companion/polyline_departure.hpp"
 
 namespace bezierbench::studies {
 
@@ -24,16 +27,21 @@ struct FitErrors {
   metric::Tally claimed;  ///< distance that the method returns, in coordinate units
   std::uint64_t non_finite = 0;
   std::uint64_t non_converged = 0;
-  metric::TrialCount broken;      ///< the method reports convergence, but the distance exceeds the tolerance
+  metric::TrialCount broken;      ///< the method reports convergence, but the answer is not right
   std::uint64_t understated = 0;  ///< trials with a true distance larger than the claimed one
   metric::Total segments;
   std::uint64_t one_segment = 0;  ///< trials with a fit of one segment
   metric::Total iterations;
+  metric::Largest<double> departure;             ///< of the curve from the polyline of the data, in coordinate units
+  metric::Largest<double> departure_over_limit;  ///< above 1 where it is certainly more than allowed
+  metric::Largest<double> handle_over_chords;    ///< longest handle / length of the polyline beside its segment
+  std::uint64_t out_of_order = 0;                ///< data points whose place is before that of the point before
 
   template <class Bytes, class Self>
   static auto each_field(Bytes& bytes, Self& self) {
     return bytes(self.error, self.claimed, self.non_finite, self.non_converged, self.broken, self.understated,
-                 self.segments, self.one_segment, self.iterations);
+                 self.segments, self.one_segment, self.iterations, self.departure, self.departure_over_limit,
+                 self.handle_over_chords, self.out_of_order);
   }
 };
 
@@ -73,6 +81,10 @@ class FittingProblem {
       TrialColumn<Row>{"broken_promises", column::count<&Errors::broken>},
       TrialColumn<Row>{"understated", column::count<&Errors::understated>},
       TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
+      TrialColumn<Row>{"max_departure", column::where_any<&Errors::departure>},
+      TrialColumn<Row>{"max_departure_over_limit", column::where_any<&Errors::departure_over_limit>},
+      TrialColumn<Row>{"max_handle_over_chords", column::where_any<&Errors::handle_over_chords>},
+      TrialColumn<Row>{"out_of_order", column::count<&Errors::out_of_order>},
   };
   static constexpr std::array failures{TrialFailure<Row>{"", column::trials<&Errors::broken>, run::Broken::promise}};
 
@@ -86,7 +98,7 @@ class FittingProblem {
 
   void draw(std::uint64_t number, Drawn& data) const { data = sample::data_points(kind_, sampler_, cell_, number); }
   static void ask(const Kernel& method, const Drawn& data, double tolerance, Answer& fit) {
-    fit = method.fit(data, tolerance);
+    fit = method.fit(data, tolerance, {});
   }
   static std::array<std::span<double>, 2> numbers(Answer& fit) { return {fit.control_points, fit.t}; }
   static void judge(const Kernel& method, const Drawn& data, double tolerance, const Answer& fit, std::uint64_t number,
