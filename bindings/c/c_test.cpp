@@ -188,7 +188,24 @@ TEST(C, AFitIsAsNearAsItSays) {
   EXPECT_EQ(bb_fit("schneider", 2, data.data(), 1, 1e-3, &none), BB_ERROR_COUNT);
   EXPECT_EQ(bb_fit("schneider", 2, data.data(), 2, -1, &none), BB_ERROR_TOLERANCE);
   EXPECT_EQ(bb_fit("horner", 2, data.data(), 2, 0, &none), BB_ERROR_METHOD);
+  const std::vector<double> nowhere{0, 0};
+  EXPECT_EQ(bb_fit_directed("schneider", 2, data.data(), 2, 0, nullptr, nowhere.data(), &none), BB_ERROR_PARAMETER);
   EXPECT_EQ(none, nullptr);
+}
+
+TEST(C, AFitBeginsAndEndsAsAsked) {
+  const std::vector<double> arch{0, 0, 1, 1, 2, 1, 3, 0};
+  const std::vector<double> up{0, 5};
+  const std::vector<double> down{0, -2};
+  bb_fitted* fitted = nullptr;
+  ASSERT_EQ(bb_fit_directed("gauss_newton", 2, arch.data(), 4, 0.1, up.data(), down.data(), &fitted), BB_OK);
+  const double* b = bb_fitted_points(fitted);
+  const double* last = b + 8 * bb_fitted_segments(fitted) - 4;
+  EXPECT_EQ(b[2], 0);
+  EXPECT_GT(b[3], 0);
+  EXPECT_EQ(last[0], 3);
+  EXPECT_GT(last[1], 0);
+  bb_fitted_free(fitted);
 }
 
 TEST(C, WhatIsWrongIsRefusedAndNothingIsWritten) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Piecewise cubics near points.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -33,10 +35,23 @@ const FittingKernel& chosen(const char* method, int dimension) {
   throw c::Refused{BB_ERROR_METHOD};
 }
 
+/// The direction at `values`, none for null. Throws Refused for the zero vector.
+std::span<const double> direction_of(const double* values, int dimension) {
+  if (values == nullptr) return {};
+  const auto direction = c::finite_values(values, static_cast<std::size_t>(dimension));
+  c::require(std::ranges::any_of(direction, [](double x) { return x != 0; }), BB_ERROR_PARAMETER);
+  return direction;
+}
+
 }  // namespace
 
 int bb_fit(const char* method, int dimension, const double* points, std::size_t count, double tolerance,
            bb_fitted** fitted) {
+  return bb_fit_directed(method, dimension, points, count, tolerance, nullptr, nullptr, fitted);
+}
+
+int bb_fit_directed(const char* method, int dimension, const double* points, std::size_t count, double tolerance,
+                    const double* start, const double* end, bb_fitted** fitted) {
   return c::guarded([&] {
     c::require(dimension >= 1 && dimension <= c::max_dimension, BB_ERROR_DIMENSION);
     const auto& kernel = chosen(method, dimension);
@@ -44,7 +59,7 @@ int bb_fit(const char* method, int dimension, const double* points, std::size_t 
     const auto data = c::finite_values(points, values_of(dimension, count));
     c::require(std::isfinite(tolerance) && tolerance >= 0, BB_ERROR_TOLERANCE);
     c::require_pointers(fitted);
-    auto fit = kernel.fit(data, tolerance, {});
+    auto fit = kernel.fit(data, tolerance, {direction_of(start, dimension), direction_of(end, dimension)});
     c::require(fit.converged, BB_ERROR_OVERFLOW);
     *fitted = new bb_fitted{dimension, {data.begin(), data.end()}, std::move(fit)};
   });

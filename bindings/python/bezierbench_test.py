@@ -167,6 +167,19 @@ class Problems(unittest.TestCase):
         self.assertLessEqual(found.exact_error, found.max_error)
         self.assertLessEqual(found.max_error, 1e-3)
 
+    def test_fit_between_directions_and_closed(self):
+        arch = [[0, 0], [1, 1], [2, 1], [3, 0]]
+        found = bezierbench.fit(arch, 0.1, start_direction=[0, 2], end_direction=[1, -1]).segments
+        self.assertEqual(found[0, 1, 0], 0)
+        self.assertGreater(found[0, 1, 1], 0)
+        side = found[-1, 3] - found[-1, 2]
+        self.assertAlmostEqual(side[0], -side[1], 12)
+        closed = bezierbench.fit(arch, 0.1, closed=True).segments
+        self.assertTrue(np.array_equal(closed[-1, 3], closed[0, 0]))
+        for direction in ([0, 0], [1], [1, 2, 3]):
+            with self.assertRaisesRegex(ValueError, "direction"):
+                bezierbench.fit(arch, 0.1, end_direction=direction)
+
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}
         self.assertEqual(problems, {"evaluation", "arc_length", "projection", "fitting"})

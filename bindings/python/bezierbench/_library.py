@@ -64,7 +64,7 @@ _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
     "bb_project": (c_int, [c_char_p, _CURVE, _ARRAY, POINTER(FootEntry)]),
     "bb_exact_project": (c_int, [_CURVE, _ARRAY, _DOUBLE, _DOUBLE]),
     "bb_project_error": (c_int, [_CURVE, _ARRAY, c_double, c_double, _DOUBLE]),
-    "bb_fit": (c_int, [c_char_p, c_int, _ARRAY, c_size_t, c_double, POINTER(c_void_p)]),
+    "bb_fit_directed": (c_int, [c_char_p, c_int, _ARRAY, c_size_t, c_double, _ARRAY, _ARRAY, POINTER(c_void_p)]),
     "bb_fitted_segments": (c_size_t, [c_void_p]),
     "bb_fitted_points": (_DOUBLE, [c_void_p]),
     "bb_fitted_max_error": (c_double, [c_void_p]),

@@ -104,12 +104,20 @@ def project_error(points: ArrayLike, point: ArrayLike, t: float, distance: float
     return error.value
 
 
-def fit(points: ArrayLike, tolerance: float, method: str = "gauss_newton") -> Fit:
-    """Cubic Bezier segments, one after the other, with no point farther than `tolerance` from them."""
+def fit(points: ArrayLike, tolerance: float, method: str = "gauss_newton", *, closed: bool = False,
+        start_direction: ArrayLike | None = None, end_direction: ArrayLike | None = None) -> Fit:
+    """Cubic Bezier segments, one after the other, with no point farther than `tolerance` from them. Between the points they
+    stay near the straight lines from one to the next. `closed` leads back to the first point; points whose last one equals
+    the first are closed as well. The directions are vectors along the curve."""
     rows = point_rows(points)
+    if closed and not np.array_equal(rows[0], rows[-1]):
+        rows = np.vstack([rows, rows[:1]])
     count, dimension = rows.shape
+    start, end = _direction(start_direction, dimension), _direction(end_direction, dimension)
     handle = ctypes.c_void_p()
-    check(library.bb_fit(method.encode(), dimension, address(rows), count, tolerance, ctypes.byref(handle)))
+    check(library.bb_fit_directed(method.encode(), dimension, address(rows), count, tolerance,
+                                  None if start is None else address(start), None if end is None else address(end),
+                                  ctypes.byref(handle)))
     try:
         error = ctypes.c_double()
         check(library.bb_fitted_exact_error(handle, ctypes.byref(error)))
@@ -118,3 +126,12 @@ def fit(points: ArrayLike, tolerance: float, method: str = "gauss_newton") -> Fi
         return Fit(control, library.bb_fitted_max_error(handle), error.value)
     finally:
         library.bb_fitted_free(handle)
+
+
+def _direction(direction: ArrayLike | None, dimension: int) -> Array | None:
+    if direction is None:
+        return None
+    values: Array = np.ascontiguousarray(direction, dtype=np.float64)
+    if values.shape != (dimension,) or not values.any():
+        raise ValueError(f"the direction {direction} is not one of {dimension} coordinates, not all 0")
+    return values

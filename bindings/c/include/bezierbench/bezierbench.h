@@ -194,9 +194,15 @@ BB_API int bb_project_error(const bb_curve* curve, const double* point, double t
 /* A fit: cubic Bezier segments, of four control points each. */
 typedef struct bb_fitted bb_fitted;
 
-/* Fits two points or more, in order, so that none is farther than `tolerance` >= 0 from the curve. */
+/* Fits two points or more, in order, so that none is farther than `tolerance` >= 0 from the curve, and the curve stays
+ * near the line segments between them. Where the last point equals the first the curve is closed, smoothly unless the
+ * points have a corner there. */
 BB_API int bb_fit(const char* method, int dimension, const double* points, size_t count, double tolerance,
                   bb_fitted** fitted);
+/* The same, with the directions in which the curve begins and ends: vectors with `dimension` coordinates, along the
+ * curve; BB_ERROR_PARAMETER where all are 0. Null leaves a direction to the points. */
+BB_API int bb_fit_directed(const char* method, int dimension, const double* points, size_t count, double tolerance,
+                           const double* start, const double* end, bb_fitted** fitted);
 BB_API size_t bb_fitted_segments(const bb_fitted* fitted);
 BB_API const double* bb_fitted_points(const bb_fitted* fitted); /* 4 * dimension values a segment; valid until freed */
 BB_API double bb_fitted_max_error(const bb_fitted* fitted);     /* as the method bounds it: at most the tolerance */
