@@ -477,12 +477,21 @@ class Curves(Case):
         for tolerance, segments in (("0.5", 1), ("0", 4)):
             found = self.fitted(segments, *fit, "--tolerance", tolerance, "--method", "schneider")
             self.assertEqual(len(rows(found)), 4 * segments)
+        found = rows(self.fitted(1, *fit, "--tolerance", "0.5", "--start-direction", "0,2", "--end-direction", "1,0"))
+        self.assertEqual((found[1]["x"], found[2]["y"]), ("0", "0"))
+        self.assertGreater(float(found[1]["y"]), 0)
+        self.assertLess(float(found[2]["x"]), 2)
+        found = rows(self.fitted("[0-9]+", *fit, "--tolerance", "0.01", "--closed"))
+        self.assertEqual([found[-1][axis] for axis in "xy"], [found[0][axis] for axis in "xy"])
         self.write("p.csv", "x\n0x1p0\n4\n")
         self.assertEqual(self.fitted(1, *fit, "--tolerance", "0"), "segment,index,x\n0,0,1\n0,1,2\n0,2,3\n0,3,4\n")
         for tolerance in ("-1", "nan", "inf", "", "x"):
             with self.subTest(tolerance=tolerance):
                 self.refused(USAGE, fit + [f"--tolerance={tolerance}"], "--tolerance")
         self.refused(USAGE, fit, "--tolerance")
+        for direction, needle in (("1", "1 coordinate, but the points have 2"), ("0,0", "zero vector"), ("1,x", '"x"')):
+            with self.subTest(direction=direction):
+                self.refused(USAGE, fit + ["--tolerance", "1", f"--end-direction={direction}"], "--end-direction", needle)
         self.refused(USAGE, fit + ["--tolerance", "1", "--method", "schneidr"], 'did you mean "schneider"?')
         self.write("p.csv", "x,y\n1,2\n")
         self.refused(INPUT_OUTPUT, fit + ["--tolerance", "1"], "p.csv: 1 point;", "2 or more")
