@@ -38,13 +38,6 @@ class Guarded {
   std::vector<double> values_;
 };
 
-/// Whether arithmetic is IEEE 754 to nearest with subnormals, as it was before the method was called.
-bool has_usual_arithmetic() {
-  volatile double smallest = std::numeric_limits<double>::min();
-  volatile double two = 2;
-  return std::fegetround() == FE_TONEAREST && smallest / two != 0;
-}
-
 std::size_t allocated_bytes() {
   const auto info = mallinfo2();
   return info.uordblks + info.hblkhd;
@@ -112,11 +105,20 @@ std::string_view last_line(std::string_view text) {
 
 }  // namespace
 
+bool has_usual_arithmetic() {
+  volatile double smallest = std::numeric_limits<double>::min();
+  volatile double two = 2;
+  return std::fegetround() == FE_TONEAREST && smallest / two != 0;
+}
+
 Answer failed(const Ended& ended) {
   const auto said = last_line(ended.errors);
   const auto with = [&](const std::string& how) { return said.empty() ? how : fmt::format("{}: {}", how, said); };
   switch (ended.end) {
-    case End::exited: return {Status::exited, {}, with(fmt::format("the process ended with code {}", ended.code))};
+    case End::exited: {
+      const auto* const when = ended.code == 0 ? " before it had answered" : "";
+      return {Status::exited, {}, with(fmt::format("the process ended with code {}{}", ended.code, when))};
+    }
     case End::signalled:
       return {Status::crashed, {}, with(fmt::format("signal {} ({})", ended.code, strsignal(ended.code)))};
     case End::timed_out: return {Status::timed_out, {}, with("it did not end within the limit of time")};

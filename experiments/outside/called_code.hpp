@@ -21,6 +21,9 @@ struct CurveRefused {};
 /// C library has given out is compared after each quarter of the batch.
 Answer ask_code(const OpenKernel& open, const Batch& batch, const Limits& limits, bool (*stop)());
 
+/// In a child: whether arithmetic is IEEE 754 to nearest with subnormals, as it was before the method was called.
+bool has_usual_arithmetic();
+
 /// How a child that gave no answer ended.
 Answer failed(const Ended& ended);
 

@@ -15,7 +15,11 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -82,19 +86,25 @@ rlim_t data_bytes() {
   return static_cast<rlim_t>(pages) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
+/// The hard limit, too: what was lowered is not raised again.
 void limit(decltype(RLIMIT_DATA) resource, rlim_t most) {
   rlimit now{};
   if (getrlimit(resource, &now) != 0) return;
-  now.rlim_cur = std::min(most, now.rlim_max);
+  now.rlim_cur = now.rlim_max = std::min(most, now.rlim_max);
   setrlimit(resource, &now);
+}
+
+/// Lets this process have the signal when its parent ends.
+void end_with(pid_t parent, int signal) {
+  prctl(PR_SET_PDEATHSIG, signal);
+  if (getppid() != parent) _exit(EXIT_FAILURE);  // which ended before
 }
 
 /// What the child does before the work.
 void enter_child(const MemoryFile& in, const MemoryFile& out, const MemoryFile& errors, std::size_t most_output,
                  const Limits& limits, pid_t parent) {
   setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(EXIT_FAILURE);  // which ended before
+  end_with(parent, SIGKILL);
   for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
@@ -112,19 +122,77 @@ void enter_child(const MemoryFile& in, const MemoryFile& out, const MemoryFile& 
   limit(RLIMIT_DATA, data_bytes() + limits.megabytes * megabyte);
 }
 
-/// Waits until the child ends by itself or must end. Sets `end` in the latter case.
-int wait_for(pid_t child, const Limits& limits, bool (*stop)(), End& end) {
-  const auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
+/// The parent of a process; 0 for one that has ended.
+pid_t parent_of(const std::string& process) {
+  std::ifstream file("/proc/" + process + "/stat");
+  std::string text;
+  std::getline(file, text);
+  const auto name_end = text.rfind(')');  // the name of the program may have blanks and brackets
+  char state = 0;
+  pid_t parent = 0;
+  if (name_end != std::string::npos) std::istringstream(text.substr(name_end + 1)) >> state >> parent;
+  return parent;
+}
+
+/// Kills the children of this process, those that it was given when their parents ended included.
+void kill_children() {
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", failed)) {
+    const auto name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") == std::string::npos && parent_of(name) == getpid())
+      kill(static_cast<pid_t>(std::stol(name)), SIGKILL);
+  }
+}
+
+/// What the warden does: it starts the child, waits for its end or for SIGTERM, ends all that descends from the child,
+/// and exits. `report` gets the status of the child.
+[[noreturn]] void guard(const std::function<void()>& child_work, const MemoryFile& report, pid_t parent) {
+  sigset_t awaited;
+  sigfillset(&awaited);
+  sigprocmask(SIG_SETMASK, &awaited, nullptr);  // Ctrl-C is the parent's to handle
+  sigemptyset(&awaited);
+  sigaddset(&awaited, SIGCHLD);
+  sigaddset(&awaited, SIGTERM);
+  setpgid(0, 0);
+  end_with(parent, SIGTERM);
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const pid_t child = fork();
+  if (child == 0) {
+    child_work();
+    _exit(EXIT_SUCCESS);  // without the parent's exit handlers and buffers
+  }
+  if (child < 0) _exit(EXIT_FAILURE);
+  constexpr std::int64_t again_after = 10'000'000;  // nanoseconds: what is killed may have started others meanwhile
+  for (bool ends = false;;) {
+    int status = 0;
+    pid_t ended = 0;
+    while ((ended = waitpid(-1, &status, WNOHANG)) > 0)
+      if (ended == child) {
+        report.fill({reinterpret_cast<const char*>(&status), sizeof status});
+        ends = true;
+      }
+    if (ended < 0) _exit(EXIT_SUCCESS);  // no child is left
+    if (ends) kill_children();
+    const timespec pause{0, again_after};
+    if ((ends ? sigtimedwait(&awaited, nullptr, &pause) : sigwaitinfo(&awaited, nullptr)) == SIGTERM) ends = true;
+  }
+}
+
+/// Waits until the warden ends by itself or must end. Sets `end` in the latter case.
+int wait_for(pid_t warden, const Limits& limits, bool (*stop)(), End& end) {
+  auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
   std::chrono::microseconds pause{100};
   constexpr std::chrono::microseconds longest{2000};
+  constexpr std::chrono::seconds to_clear_up{10};
+  bool told = false;
   int status = 0;
-  while (waitpid(child, &status, WNOHANG) == 0) {
+  while (waitpid(warden, &status, WNOHANG) == 0) {
     const bool stopped = stop != nullptr && stop();
-    if (stopped || Clock::now() >= deadline) {
-      end = stopped ? End::interrupted : End::timed_out;
-      kill(-child, SIGKILL);
-      while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-      return status;
+    if ((stopped && !told) || Clock::now() >= deadline) {
+      if (!told) end = stopped ? End::interrupted : End::timed_out;
+      kill(warden, told ? SIGKILL : SIGTERM);
+      told = true;
+      deadline = Clock::now() + to_clear_up;
     }
     std::this_thread::sleep_for(pause);
     pause = std::min(2 * pause, longest);
@@ -139,21 +207,30 @@ Ended run_in_child(const std::function<void()>& work, std::string_view input, st
   const MemoryFile in("bezierbench-input");
   const MemoryFile out("bezierbench-output");
   const MemoryFile errors("bezierbench-errors");
+  const MemoryFile report("bezierbench-status");
   in.fill(input);
   signal(SIGCHLD, SIG_DFL);  // whoever started this program may ignore it, and then nobody learns how a child ended
   const pid_t parent = getpid();
-  const pid_t child = fork();
-  if (child < 0) cannot("fork");
-  if (child == 0) {
-    enter_child(in, out, errors, most_output, limits, parent);
-    work();
-    _exit(EXIT_SUCCESS);  // without the parent's exit handlers and buffers
+  const pid_t warden = fork();
+  if (warden < 0) cannot("fork");
+  if (warden == 0) {
+    const pid_t self = getpid();
+    guard(
+        [&] {
+          enter_child(in, out, errors, most_output, limits, self);
+          work();
+        },
+        report, parent);
   }
-  setpgid(child, child);  // the child does this too; whichever comes first
   Ended ended;
-  const int status = wait_for(child, limits, stop, ended.end);
-  kill(-child, SIGKILL);
+  int status = wait_for(warden, limits, stop, ended.end);
   if (ended.end == End::exited) {
+    const auto reported = report.contents(sizeof status);
+    if (reported.empty() && WIFEXITED(status)) {
+      errno = EAGAIN;
+      cannot("fork");  // in the warden
+    }
+    if (!reported.empty()) std::memcpy(&status, reported.data(), sizeof status);
     ended.end = WIFSIGNALED(status) ? End::signalled : End::exited;
     ended.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
   }

@@ -14,7 +14,7 @@ namespace bezierbench::outside {
 /// Limits of one child process, which computes one block of trials.
 struct Limits {
   double seconds = 10;             ///< by the clock on the wall
-  std::uint64_t megabytes = 1024;  ///< of memory that is written to, beyond that of this process
+  std::uint64_t megabytes = 1024;  ///< of private memory that may be written to, beyond that of this process
 };
 
 /// The limits of the process that says what a method is, once for a run: a busy machine may take long to start it.
@@ -33,11 +33,13 @@ struct Ended {
   std::string errors;  ///< the beginning of what it wrote to its standard error
 };
 
-/// Runs `work` in a fork of this process, in a process group of its own, and waits for its end; when `work` returns, the
-/// child exits with code 0. Its standard input is a file with `input`, its standard output and error are files, which
-/// together hold at most `most_output` bytes each; every other file is closed. All signals have their default actions.
-/// Processes that the child leaves behind in its group are killed. `stop` is called meanwhile; true ends the child as
-/// interrupted. May be called from any thread. Throws Failure(environment) where no process can be started.
+/// Runs `work` in a fork of this process and waits for its end; when `work` returns, the child exits with code 0. Its
+/// standard input is a file with `input`, its standard output and error are files, which together hold at most
+/// `most_output` bytes each; every other file is closed. All signals have their default actions. Between this process and
+/// the child stands a warden, another fork: all processes that descend from the child belong to it once their parents
+/// have ended, whatever group or session they have gone to, and it kills them when the child has ended. `stop` is called
+/// meanwhile; true ends the child as interrupted. May be called from any thread. Throws Failure(environment) where no
+/// process can be started.
 Ended run_in_child(const std::function<void()>& work, std::string_view input, std::size_t most_output,
                    const Limits& limits, bool (*stop)());
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): kill is not in <csignal>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -57,11 +59,49 @@ bool ends(pid_t process) {
 }
 
 TEST(Child, TakesItsOwnChildrenWithIt) {
-  for (const char* command : {"sleep 60 & echo $!; wait", "sleep 60 & echo $!"}) {
+  for (const char* command :
+       {"sleep 60 & echo $!; wait", "sleep 60 & echo $!", "setsid sh -c 'sleep 60 & echo $!; wait' & wait",
+        "setsid sh -c 'sleep 60 & echo $!' && sleep 0.1"}) {
     const auto ended = run_in_child([command] { shell(command); }, {}, room, {.seconds = 0.5}, nullptr);
     EXPECT_EQ(ended.end, std::string(command).ends_with("wait") ? End::timed_out : End::exited);
     EXPECT_TRUE(ends(static_cast<pid_t>(std::stol(ended.output)))) << command;
   }
+}
+
+/// Also where they leave their group one after the other, and their parents end.
+TEST(Child, LeavesNoProcessBehind) {
+  const auto work = [] {
+    for (int k = 0; k < 40; ++k)
+      if (fork() == 0) {
+        setpgid(0, 0);
+        if (k % 2 == 0 && fork() > 0) _exit(0);
+        std::printf("%d\n", getpid());
+        std::fflush(stdout);
+        while (true) pause();
+      }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  };
+  const auto ended = run_in_child(work, {}, room, {}, nullptr);
+  EXPECT_EQ(ended.end, End::exited);
+  std::istringstream processes(ended.output);
+  int count = 0;
+  for (pid_t process = 0; processes >> process; ++count) EXPECT_TRUE(ends(process)) << process;
+  EXPECT_GT(count, 20);
+}
+
+TEST(Child, EndsTheWardenAndNotTheRun) {
+  const auto ended = run_in_child([] { kill(getppid(), SIGKILL), pause(); }, {}, room, {}, nullptr);
+  EXPECT_EQ(ended.end, End::signalled);
+  EXPECT_EQ(ended.code, SIGKILL);
+}
+
+TEST(Child, CannotRaiseItsLimits) {
+  const auto work = [] {
+    rlimit data{};
+    getrlimit(RLIMIT_DATA, &data);
+    _exit(data.rlim_max == data.rlim_cur && data.rlim_max != RLIM_INFINITY ? 0 : 1);
+  };
+  EXPECT_EQ(run_in_child(work, {}, room, {}, nullptr).code, 0);
 }
 
 TEST(Child, EndsWhenTheRunIsInterrupted) {

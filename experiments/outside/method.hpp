@@ -10,6 +10,7 @@
 
 #include "core/evaluate/kernel.hpp"
 #include "experiments/outside/batch.hpp"
+#include "experiments/outside/child.hpp"
 #include "experiments/suite/outside.hpp"
 
 namespace bezierbench::outside {
@@ -32,6 +33,8 @@ class Method {
   /// The functions of a method that is code in this process, to be asked for and called in a child process only, and
   /// there of one method only. Null where it cannot be loaded.
   [[nodiscard]] virtual const Kernel<double>* open_kernel(int /*dimension*/) const { return nullptr; }
+  /// The limits of each of its processes.
+  [[nodiscard]] virtual Limits limits() const { return {}; }
 };
 
 /// The methods of one run, in the order in which they were given.

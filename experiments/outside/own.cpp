@@ -30,6 +30,7 @@ class Own final : public Method {
     return ask_code([this](int dimension) { return open_kernel(dimension); }, batch, limits_, stop_);
   }
   [[nodiscard]] bool has_kernel() const override { return true; }
+  [[nodiscard]] Limits limits() const override { return limits_; }
   [[nodiscard]] const Kernel<double>* open_kernel(int dimension) const override {
     return method_.kernels.at(static_cast<std::size_t>(dimension) - 1);
   }

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -88,9 +89,10 @@ class Plugin final : public Method {
     const auto refuse = [&](std::string_view what) {
       throw Failure(Exit::usage, fmt::format("--plugin {}: {}; see docs/own_method.md", file.string(), echo(what)));
     };
-    Told told;
-    const auto ended = ask(told);
-    if (ended.end != End::exited || ended.code != 0) refuse(failed(ended).detail);
+    const auto ended = ask();
+    const auto answered = told_by(ended);
+    if (!answered) refuse(failed(ended).detail);
+    const Told& told = *answered;
     record_.id = told.id;
     record_.label = told.label;
     record_.form = static_cast<Form>(told.form);
@@ -107,6 +109,7 @@ class Plugin final : public Method {
     return ask_code([this](int dimension) { return open_kernel(dimension); }, batch, limits_, stop_);
   }
   [[nodiscard]] bool has_kernel() const override { return true; }
+  [[nodiscard]] Limits limits() const override { return limits_; }
 
   [[nodiscard]] const Kernel<double>* open_kernel(int dimension) const override {
     load(file_);
@@ -122,7 +125,7 @@ class Plugin final : public Method {
   }
 
  private:
-  Ended ask(Told& told) const {
+  [[nodiscard]] Ended ask() const {
     const auto work = [this] {
       const int answer = keep_output_for_answer();
       load(file_);
@@ -133,15 +136,20 @@ class Plugin final : public Method {
       write_all(answer, bytes.bytes());
     };
     constexpr std::size_t room = 1U << 20U;
-    auto ended = run_in_child(work, {}, room, to_describe(limits_), stop_);
-    if (ended.end == End::exited && ended.code == 0) try {
-        number::ByteReader reader(ended.output);
-        reader(told);
-        reader.finish();
-      } catch (const number::MalformedBytes&) {
-        ended.code = EXIT_FAILURE;
-      }
-    return ended;
+    return run_in_child(work, {}, room, to_describe(limits_), stop_);
+  }
+  /// Empty where the process ended without an answer.
+  static std::optional<Told> told_by(const Ended& ended) {
+    if (ended.end != End::exited || ended.code != 0) return std::nullopt;
+    try {
+      number::ByteReader reader(ended.output);
+      Told told;
+      reader(told);
+      reader.finish();
+      return told;
+    } catch (const number::MalformedBytes&) {
+      return std::nullopt;
+    }
   }
 
   std::string file_;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/bytes.hpp"
@@ -61,7 +62,9 @@ class OutsideTimingJob final : private JudgedOutside, public RacingJob<OutsideLa
  public:
   OutsideTimingJob(const suite::Study& study, const suite::OutsideMethod& record, const outside::Method* at_hand,
                    std::uint64_t seed)
-      : JudgedOutside(record, study.curve, at_hand), RacingJob(study, seed, race_cells_of(study, info())) {}
+      : JudgedOutside(record, study.curve, at_hand),
+        RacingJob(study, seed, race_cells_of(study, info())),
+        late_(parts()) {}
 
   [[nodiscard]] run::Extent extent() const override { return {0, parts(), parts() * race::timed_inputs_per_cell, 0}; }
   void write(tables::Tables& tables) const override;
@@ -73,6 +76,8 @@ class OutsideTimingJob final : private JudgedOutside, public RacingJob<OutsideLa
  private:
   [[nodiscard]] race::JudgedRivals rivals_in_child(const race::RaceCell& race_cell,
                                                    const race::Inputs<double>& inputs) const;
+
+  mutable std::vector<bool> late_;  ///< race cells in which a repetition took too long; none of them is run again
 };
 
 /// A race cell in which the method failed, instead of times.
@@ -122,6 +127,7 @@ race::JudgedRivals OutsideTimingJob::rivals_in_child(const race::RaceCell& race_
 
 OutsideLaps OutsideTimingJob::work(std::size_t block) const {
   const auto& race_cell = race_cells()[part_of(block)];
+  if (late_[part_of(block)]) return nothing(Status::timed_out);
   const auto work = [&] {
     const int answer = outside::keep_output_for_answer();
     const auto inputs = race::timed_inputs<double>(study(), race_cell.cell, seed());
@@ -129,6 +135,7 @@ OutsideLaps OutsideTimingJob::work(std::size_t block) const {
     try {
       result.laps = race::race_of(race_cell, study(), rivals_in_child(race_cell, inputs),
                                   block % race::repetitions_per_race, race::options_of_a_repetition());
+      if (!outside::has_usual_arithmetic()) result = nothing(Status::changed_rounding);
     } catch (const outside::CurveRefused&) {
       result = nothing(Status::refused);
     } catch (...) {
@@ -139,12 +146,11 @@ OutsideLaps OutsideTimingJob::work(std::size_t block) const {
     outside::write_all(answer, bytes.bytes());
   };
   constexpr std::size_t most_bytes = std::size_t{1} << 28U;
-  constexpr double seconds = 120;  // a race ends by itself after 30
-  const auto ended = outside::run_in_child(work, {}, most_bytes, {.seconds = seconds}, run::interrupted);
+  const auto ended = outside::run_in_child(work, {}, most_bytes, method().limits(), run::interrupted);
   if (run::interrupted()) return {};
   OutsideLaps result;
   outside::Answer failure;
-  if (ended.end == outside::End::exited && ended.code == 0) {
+  if (ended.end == outside::End::exited && ended.code == 0 && !ended.output.empty()) {
     try {
       number::ByteReader reader(ended.output);
       reader(result);
@@ -157,6 +163,7 @@ OutsideLaps OutsideTimingJob::work(std::size_t block) const {
     failure = outside::failed(ended);
   }
   if (failure.status == Status::ok) return result;
+  if (failure.status == Status::timed_out) late_[part_of(block)] = true;
   tell(study(), failure);
   return nothing(failure.status);
 }
