@@ -24,6 +24,8 @@ struct Kinds {
   std::function<std::unique_ptr<Job>(const suite::Study& study, const suite::OutsideMethod& method,
                                      const JobContext& context)>
       make_outside_job = nullptr;
+  /// Why there is no such job, a sentence about the study; empty where there is one.
+  std::string (*why_unasked)(const suite::Study& study, const suite::OutsideMethod& method) = nullptr;
 };
 
 }  // namespace bezierbench::run

@@ -2,11 +2,14 @@
 #include "experiments/run/plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
@@ -61,9 +64,16 @@ void add_outside_jobs(const RunRequest& request, const suite::Study& study, cons
     const auto means = [&](const std::string& entry) {
       return suite::is_outside(entry) && suite::matches(entry, method.id);
     };
-    if ((names_some && std::ranges::none_of(study.methods, means)) || !request.kinds.make_outside_job) continue;
+    if (!request.kinds.make_outside_job) continue;
+    if (names_some && std::ranges::none_of(study.methods, means)) {
+      plan.unasked.push_back({method.id, study.id, "it names others from outside"});
+      continue;
+    }
     auto job = request.kinds.make_outside_job(study, method, context);
-    if (!job) continue;
+    if (!job) {
+      plan.unasked.push_back({method.id, study.id, request.kinds.why_unasked(study, method)});
+      continue;
+    }
     plan.jobs.push_back(std::move(job));
     plan.job_names.push_back(study.id + ", " + method.id);
   }
@@ -92,6 +102,23 @@ void add(const Violation& violation, Outcome& outcome) {
   }
 }
 
+/// Finds times of what did not give the results that were judged, in every table of times.
+void find_unchecked_times(const tables::Tables& tables, Outcome& outcome) {
+  for (const auto& [file, table] : tables.all()) {
+    if (bundle::declared_table(file)->column("checked") == nullptr) continue;
+    bundle::FewLines lines(file);
+    const auto document = bundle::parse_csv(table.text(), file);
+    for (std::size_t row = 0; row < document.row_count(); ++row)
+      if (document.at(row, "checked") == "no")
+        lines.add(
+            fmt::format("what was timed did not give what was judged: study {}, method {}, degree {}, mode {}; "
+                        "see {}:{}",
+                        document.at(row, "study"), document.at(row, "method"), document.at(row, "degree"),
+                        document.at(row, "mode"), file, document.line(row)));
+    for (auto& line : lines.take()) outcome.findings.push_back(std::move(line));
+  }
+}
+
 void count_times(const tables::Tables& tables, Outcome& outcome) {
   const auto timing = tables.all().find("timing.csv");
   if (timing == tables.all().end()) return;
@@ -117,6 +144,29 @@ Plan::Plan(const RunRequest& request)
   // Last, so that no row of another method is elsewhere than without them.
   for (const auto& one : request.suites)
     for (const auto& study : one.studies) add_outside_jobs(request, study, {one.seed, request.tier}, *this);
+}
+
+void tell_unasked(const RunRequest& request, const Plan& plan) {
+  const auto all = studies_of(request).size();
+  for (const auto& method : request.outside) {
+    std::map<std::string, std::vector<std::string>> studies;  // by reason
+    std::size_t count = 0;
+    for (const auto& [id, study, why] : plan.unasked)
+      if (id == method.id) {
+        studies[why].push_back(study);
+        ++count;
+      }
+    const auto sentence = [](const auto& one) {
+      return fmt::format("stud{} {}: {}", one.second.size() == 1 ? "y" : "ies", fmt::join(one.second, ", "), one.first);
+    };
+    if (count == all)
+      throw Failure(Exit::usage,
+                    fmt::format("{}: no study asks it, of {}; choose a suite with a study of kind accuracy "
+                                "for its form of curves, in double",
+                                method.id, sentence(*studies.begin())));
+    if (request.telling != Telling::nothing)
+      for (const auto& one : studies) note(fmt::format("{}: is not asked in {}", method.id, sentence(one)));
+  }
 }
 
 std::optional<std::string> difference(const bundle::Manifest& theirs, const bundle::Manifest& ours) {
@@ -196,6 +246,7 @@ Outcome outcome_of(const Jobs& jobs, const tables::Tables& tables) {
   outcome.cells = cells_of(jobs);
   for (const auto& job : jobs)
     for (const auto& violation : job->violations()) add(violation, outcome);
+  find_unchecked_times(tables, outcome);
   count_times(tables, outcome);
   return outcome;
 }

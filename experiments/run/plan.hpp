@@ -22,16 +22,28 @@ struct PlannedStudy {
   JobContext context;
 };
 
+/// A method from outside that a study does not ask.
+struct Unasked {
+  std::string method;
+  std::string study;
+  std::string why;  ///< a sentence about the study
+};
+
 struct Plan {
   explicit Plan(const RunRequest& request);
 
   Jobs jobs;                           ///< those of `studies` in their order, then those for methods from outside
   std::vector<std::string> job_names;  ///< of the study of a job; of that and the method for one from outside
   std::vector<PlannedStudy> studies;   ///< without the names of methods from outside
-  std::string suite_text;              ///< the resolved suites
-  bundle::Manifest manifest;           ///< state `partial`
-  std::string reference;               ///< the tier
+  std::vector<Unasked> unasked;
+  std::string suite_text;     ///< the resolved suites
+  bundle::Manifest manifest;  ///< state `partial`
+  std::string reference;      ///< the tier
 };
+
+/// Tells the user which studies ask nothing of which method from outside. Throws Failure(usage) where no study asks a
+/// method.
+void tell_unasked(const RunRequest& request, const Plan& plan);
 
 /// The first difference between two manifests whose results must not be mixed, for example "seed 1, this run has 2".
 /// Empty where there is none.

@@ -211,6 +211,7 @@ Outcome complete(const RunRequest& request, const Plan& plan, RunFolder& place, 
 
 Outcome run(const RunRequest& request) {
   const Plan plan(request);
+  tell_unasked(request, plan);
   const auto before = existing(request, plan);
   const bool is_complete = before && before->state == bundle::complete;
   if (request.dry_run) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 #include <utility>
 
 #include "experiments/cli/startup/vocabulary.hpp"
@@ -108,7 +110,59 @@ void add_row(const bundle::CsvDocument& table, std::size_t row, const std::strin
   add_once(study.generator, table.at(row, "generator"));
 }
 
+/// The fields of judge::input_columns(), in the program's spelling of numbers: a file may have another.
+std::vector<std::string> input_of(const bundle::CsvDocument& table, std::size_t row) {
+  std::vector<std::string> fields;
+  for (const auto& column : judge::input_columns()) {
+    std::istringstream words(table.at(row, column));
+    auto& field = fields.emplace_back();
+    for (std::string word; words >> word;) {
+      const auto value = number::parse_number(word);
+      field += (field.empty() ? "" : " ") + (value ? number::hexadecimal(*value) : word);
+    }
+  }
+  return fields;
+}
+
+/// The inputs of the trials of a study.
+std::set<std::vector<std::string>> drawn_inputs(const suite::Suite& of, const suite::Study& study) {
+  std::set<std::vector<std::string>> inputs;
+  sample::Trial trial;
+  for (const auto& cell : sample::cells(study)) {
+    const sample::Sampler sampler(of.seed, study.id, cell);
+    for (std::int64_t k = 0; k < study.trials; ++k) {
+      sampler.draw(static_cast<std::uint64_t>(k), trial);
+      inputs.insert(judge::input_fields(trial, cell.dimension));
+    }
+  }
+  return inputs;
+}
+
 }  // namespace
+
+std::vector<std::string> foreign_inputs(const bundle::CsvDocument& table, const std::vector<suite::Suite>& suites) {
+  std::vector<std::string> findings;
+  for (const auto& of : suites)
+    for (const auto& study : of.studies) {
+      const auto drawn = drawn_inputs(of, study);
+      std::vector<std::size_t> foreign;
+      std::size_t all = 0;
+      for (std::size_t row = 0; row < table.row_count(); ++row) {
+        if (table.at(row, "suite") != of.id || table.at(row, "study") != study.id) continue;
+        ++all;
+        if (!drawn.contains(input_of(table, row))) foreign.push_back(table.line(row));
+      }
+      if (foreign.empty()) continue;
+      const auto what =
+          foreign.size() == all
+              ? fmt::format("{}: suite {} with this seed has no study {}: none of its {} inputs is one of it",
+                            table.file_name(), of.id, study.id, all)
+              : fmt::format("{}:{}: {} input{} not one of this suite, this is the first", table.file_name(),
+                            foreign.front(), foreign.size(), foreign.size() == 1 ? " is" : "s are");
+      findings.push_back(what + "; write what `bezierbench inputs` wrote");
+    }
+  return findings;
+}
 
 bundle::CsvTable input_table(const std::vector<suite::Suite>& suites) {
   constexpr double largest = 1e9;

@@ -2,6 +2,7 @@
 // `judge`: the errors of answers to what `inputs` wrote, as accuracy.csv has them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "experiments/bundle/atomic_file.hpp"
@@ -43,13 +44,16 @@ Exit print_rows(const run::RunRequest& request, const outside::Method& method) {
 Exit judge(const JudgeOptions& options) {
   const outside::Methods methods{read_answers(options.file, options.id)};
   auto request = request_of_this_build(methods);
-  request.suites =
-      suites_of(bundle::parse_csv(bundle::read_file(options.file), options.file), methods.front()->record().id);
-  if (!options.out) return print_rows(request, *methods.front());
+  const auto table = bundle::parse_csv(bundle::read_file(options.file), options.file);
+  request.suites = suites_of(table, methods.front()->record().id);
+  auto findings = foreign_inputs(table, request.suites);
+  if (!options.out) return std::max(print_rows(request, *methods.front()), say_findings(findings));
   if (options.out->empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   request.out = *options.out;
   request.telling = run::Telling::nothing;
-  return say_findings(run::run(request).findings);
+  const auto of_run = run::run(request).findings;
+  findings.insert(findings.end(), of_run.begin(), of_run.end());
+  return say_findings(findings);
 }
 
 }  // namespace

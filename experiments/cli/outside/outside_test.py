@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
@@ -139,6 +140,18 @@ class Ways(Outside):
         result = self.run_program("judge", "gap.csv")
         self.assertEqual((result.returncode, [row["status"] for row in rows(result.stdout.decode())]),
                          (FINDING, ["missing", "ok"]))
+        # An input that was changed is none of the suite, and neither is any of a study that does not exist.
+        changed = answered.splitlines()
+        fields = changed[2].split(",")
+        fields[12] = "0x1.8p-1"  # t
+        self.write("changed.csv", "\n".join([*changed[:2], ",".join(fields), *changed[3:]]) + "\n")
+        result = self.run_program("judge", "changed.csv")
+        self.assertEqual(result.returncode, FINDING)
+        self.assertIn(b"changed.csv:3: 1 input is not one of this suite", result.stderr)
+        self.write("renamed.csv", answered.replace(",a,", ",b,"))
+        result = self.run_program("judge", "renamed.csv")
+        self.assertEqual(result.returncode, FINDING)
+        self.assertIn(b"suite tiny with this seed has no study b: none of its 100 inputs", result.stderr)
         for wrong in ("1e300", "1.5", "nan"):
             self.write("wrong.csv", answered.replace(f",{seed[1]},", f",{wrong},"))
             self.refused(4, ["judge", "wrong.csv"], "seed is not a whole number")
@@ -234,10 +247,40 @@ class Faults(Outside):
         self.assertEqual([(row["method"], row["degree"], row["mode"], row["status"]) for row in self.outside_rows("b", "untimed.csv")],
                          [("plugin_faulty_1", "3", "point", "crashed"), ("plugin_faulty_7", "3", "point", "refused")])
 
+    def test_what_misbehaves_only_while_it_is_timed(self):
+        """A race cell in which it does has the status of what it does, and what answers wrongly is a finding of the run."""
+        words = ["exited", "timed_out", "changed_rounding", "wrong"]
+        given = [word for k in range(len(words)) for word in
+                 ("--plugin", compiled(self.folder, EXAMPLES / "plugin/late.c", f"late{k}.so", f"-DFAULT={k}"))]
+        suite = self.suite({**TIMING, "modes": '["point"]', "methods": '["de_casteljau"]'})
+        start = time.monotonic()
+        result = self.run_program("run", suite, *given, "--outside-seconds", "3", "--quiet", "--out", "b", timeout=600)
+        self.assertLess(time.monotonic() - start, 100)  # one repetition runs into the limit, not each
+        self.assertEqual({row["method"]: row["status"] for row in self.outside_rows("b", "untimed.csv")},
+                         {f"plugin_late_{k}": word for k, word in enumerate(words) if word != "wrong"})
+        timed, = self.outside_rows("b", "timing.csv")
+        self.assertEqual((timed["method"], timed["checked"]), ("plugin_late_3", "no"))
+        self.assertEqual(result.returncode, FINDING)
+        self.assertIn(b"what was timed did not give what was judged: study t, method plugin_late_3", result.stderr)
+        self.assertEqual(self.run_program("verify", "b").returncode, FINDING)
+
+    def test_what_no_study_asks_is_refused(self):
+        length = {"id": '"length"', "kind": '"arc_length"', "curve": '"bezier"', "degree": "[3]", "trials": "2"}
+        self.refused(USAGE, ["run", self.suite(length), "--out", "b", "--program", ANSWER],
+                     "program_mine: no study asks it, of study length: it is of kind arc_length")
+        suite = self.suite({**STUDY, **SMALL}, length, {**STUDY, "id": '"power"', "curve": '"polynomial"', "methods": '["horner"]'},
+                           {**STUDY, "id": '"float"', "scalar": '["float"]'}, TIMING)
+        told = self.run_program("run", suite, "--out", "b", "--program", ANSWER, "--dry-run").stderr.decode()
+        for sentence in ("length: it is of kind arc_length", "power: its curves are polynomial, the method takes bezier",
+                         "float: it is in float only", "t: it is timed, which only a shared object or a compiled-in method is"):
+            self.assertIn(f"program_mine: is not asked in study {sentence}\n", told)
+
     def test_what_is_no_method_is_refused(self):
         suite = self.suite(**SMALL)
         self.write("text.so", "no shared object")
-        for option, value, needle in (("--program", "exit 3", "code 3"), ("--program", "true", "wrote nothing"),
+        self.write("leaves.c", "#include <stdlib.h>\n__attribute__((constructor)) static void leave(void) { exit(0); }\n")
+        compiled(self.folder, self.folder / "leaves.c", "leaves.so")
+        for option, value, needle in (("--program", "exit 3", "code 3"), ("--plugin", "leaves.so", "ended with code 0 before it had answered"), ("--program", "true", "wrote nothing"),
                                       ("--program", "echo mine", "program_"), ("--program", "echo program_a round", "form"),
                                       ("--program", "echo program_a power 3 2", "degrees"), ("--plugin", "text.so", "text.so"),
                                       ("--plugin", "none.so", "none.so")):

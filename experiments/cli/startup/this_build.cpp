@@ -19,7 +19,8 @@ run::RunRequest request_of_this_build(const outside::Methods& outside) {
       studies::make_job, studies::tables_of,
       [outside](const suite::Study& study, const suite::OutsideMethod& method, const run::JobContext& context) {
         return studies::outside_job(study, method, outside::find(outside, method.id), context);
-      }};
+      },
+      studies::why_unasked};
   request.counters = race::Counters().state();
   request.build = {compiler, all_flags, build_type, fp_flags, program_version, {}};
   for (const auto& peer : peers::present())

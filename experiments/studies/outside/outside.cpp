@@ -10,8 +10,19 @@
 #include "experiments/run/notes.hpp"
 #include "experiments/studies/outside/outside_jobs.hpp"
 #include "experiments/studies/timing/timed_problems.hpp"
+#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/names.hpp"
 
 namespace bezierbench::studies {
+namespace {
+
+/// The study with those methods only that are not from outside.
+suite::Study without_outside(suite::Study study) {
+  std::erase_if(study.methods, [](const auto& id) { return suite::is_outside(id); });
+  return study;
+}
+
+}  // namespace
 
 JudgedOutside::JudgedOutside(suite::OutsideMethod record, Form form, const outside::Method* at_hand)
     : record_(std::move(record)),
@@ -43,17 +54,24 @@ void JudgedOutside::tell(const suite::Study& study, const outside::Answer& answe
                           answer.detail.empty() ? "" : ": ", answer.detail));
 }
 
+std::string why_unasked(const suite::Study& study, const suite::OutsideMethod& record) {
+  const bool is_code = record.kind == suite::OutsideKind::own || record.kind == suite::OutsideKind::plugin;
+  if (suite::is_kind<suite::TimingKeys>(study)) {
+    if (!is_code) return "it is timed, which only a shared object or a compiled-in method is";
+    if (timed_problem(without_outside(study)).problem != Problem::evaluation) return "it times another problem";
+  } else if (!suite::is_kind<suite::AccuracyKeys>(study)) {
+    return fmt::format("it is of kind {}", suite::kind_of(study).id);
+  }
+  if (record.kind != suite::OutsideKind::answers && record.form != study.curve)
+    return fmt::format("its curves are {}, the method takes {}", suite::name(study.curve), suite::name(record.form));
+  return std::ranges::count(study.scalar, suite::ScalarKind::float64) == 0 ? "it is in float only" : "";
+}
+
 std::unique_ptr<run::Job> outside_job(const suite::Study& study, const suite::OutsideMethod& record,
                                       const outside::Method* at_hand, const run::JobContext& context) {
-  const bool takes_form = record.kind == suite::OutsideKind::answers || record.form == study.curve;
-  if (!takes_form || std::ranges::count(study.scalar, suite::ScalarKind::float64) == 0) return nullptr;
+  if (!why_unasked(study, record).empty()) return nullptr;
   if (suite::is_kind<suite::AccuracyKeys>(study)) return outside_accuracy_job(study, record, at_hand, context);
-  const bool has_times = record.kind == suite::OutsideKind::own || record.kind == suite::OutsideKind::plugin;
-  if (!has_times || !suite::is_kind<suite::TimingKeys>(study)) return nullptr;
-  suite::Study own = study;
-  std::erase_if(own.methods, [](const auto& id) { return suite::is_outside(id); });
-  if (timed_problem(own).problem != Problem::evaluation) return nullptr;
-  return outside_timing_job(own, record, at_hand, context);
+  return outside_timing_job(without_outside(study), record, at_hand, context);
 }
 
 }  // namespace bezierbench::studies

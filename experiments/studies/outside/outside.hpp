@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "experiments/outside/method.hpp"
 #include "experiments/run/job.hpp"
@@ -11,7 +12,10 @@
 
 namespace bezierbench::studies {
 
-/// Null for studies of other kinds, problems or forms, and for those in float only. `at_hand` may be null where the job
+/// Why a study asks nothing of the method, a sentence about the study; empty where it asks it.
+[[nodiscard]] std::string why_unasked(const suite::Study& study, const suite::OutsideMethod& record);
+
+/// Null where the study asks nothing of the method. `at_hand` may be null where the job
 /// is not to be run; else it must outlive the job and be the method of the record.
 std::unique_ptr<run::Job> outside_job(const suite::Study& study, const suite::OutsideMethod& record,
                                       const outside::Method* at_hand, const run::JobContext& context);
