@@ -43,7 +43,7 @@ inline Expected expected(const std::string& /*text*/, const std::string& /*file_
   return {.suites = {"fixture"},
           .seed = 1,
           .studies = {"fixture-accuracy", "fixture-timing"},
-          .tables = {{"accuracy.csv", "unstable.csv"}, {"timing.csv"}}};
+          .tables = {{"fixture-accuracy", {"accuracy.csv", "unstable.csv"}}, {"fixture-timing", {"timing.csv"}}}};
 }
 
 }  // namespace bezierbench::bundle

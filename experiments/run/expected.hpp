@@ -2,16 +2,14 @@
 // The contents that `verify` expects in a bundle of some suites.
 #pragma once
 
-#include <vector>
-
 #include "experiments/bundle/check/verify.hpp"
-#include "experiments/run/kinds.hpp"
-#include "experiments/suite/suite.hpp"
+#include "experiments/run/run.hpp"
 
 namespace bezierbench::run {
 
-/// The contents that `verify` expects in a bundle of these suites. For a study with methods that this build lacks it
-/// expects no table, because this build does not know which rows they write.
-[[nodiscard]] bundle::Expected expected_of(const std::vector<suite::Suite>& suites, const Kinds& kinds);
+/// The contents that `verify` expects in a bundle of the request's suites and methods from outside, by the jobs that a
+/// run of each study would have. Methods of other libraries that this build lacks are left out; of a study that it cannot
+/// plan without them it expects no table.
+[[nodiscard]] bundle::Expected expected_of(const RunRequest& request);
 
 }  // namespace bezierbench::run

@@ -245,8 +245,7 @@ Outcome merge(RunRequest request, const std::vector<fs::path>& bundles) {
   const bool is_source = target != sources.end();
   put_whole(request, plan, files, is_source, is_source && target->lock != nullptr);
   if (whole != nullptr) {
-    outcome.findings = bundle::verify(
-        request.out, [&](const auto&, const auto&) { return expected_of(request.suites, request.kinds); });
+    outcome.findings = bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request); });
     if (request.telling == Telling::text)
       note(fmt::format("{}: {} was the whole bundle already", request.out.string(), whole->path.string()));
   }

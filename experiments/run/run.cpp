@@ -220,9 +220,8 @@ Outcome run(const RunRequest& request) {
   }
   const auto already_complete = [&] {
     Outcome outcome;
-    auto& findings = outcome.findings = bundle::verify(request.out, [&](const std::string&, const std::string&) {
-      return expected_of(request.suites, request.kinds);
-    });
+    auto& findings = outcome.findings =
+        bundle::verify(request.out, [&](const std::string&, const std::string&) { return expected_of(request); });
     if (!findings.empty())
       findings.push_back(request.out.string() +
                          ": complete, but not as it was written; restore it, or remove it and run the command again");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a bundle refutes what it lists as proved.
+// Whether the verdicts of a bundle on properties of methods are those that its other fields give.
 #pragma once
 
 #include <map>
@@ -17,21 +17,25 @@ class ProvedProperties {
  public:
   void read(std::string_view file, const CsvDocument& table);
 
-  /// A line for each refuted row whose property methods.csv lists as proved at its degree; the first few.
-  [[nodiscard]] std::vector<std::string> refuted() const;
+  /// A line for each row whose verdict contradicts methods.csv or its own count of inputs that break the property; the
+  /// first few.
+  [[nodiscard]] std::vector<std::string> faults() const;
 
  private:
-  struct Refuted {
+  struct Tried {
     std::string method;
     std::string property;
     std::string degree;
+    std::string verdict;
+    std::string broken;
     std::string file;
     std::size_t line;
   };
-  [[nodiscard]] bool is_proved(const Refuted& row) const;
+  [[nodiscard]] bool is_proved(const Tried& row) const;
+  [[nodiscard]] std::string fault(const Tried& row) const;
 
   std::map<std::string, std::string, std::less<>> proved_;  ///< by method: "ends_exact monotone:1 ..."
-  std::vector<Refuted> refuted_;
+  std::vector<Tried> tried_;
 };
 
 }  // namespace bezierbench::bundle

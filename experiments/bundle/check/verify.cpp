@@ -8,11 +8,14 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/check/coverage.hpp"
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/check/proved_properties.hpp"
+#include "experiments/bundle/check/row_rules.hpp"
 #include "experiments/bundle/check/schema.hpp"
 #include "experiments/bundle/check/sums.hpp"
 #include "experiments/bundle/check/table_schema.hpp"
@@ -31,6 +34,7 @@ using Findings = std::vector<std::string>;
 
 constexpr std::string_view machine_name = "machine.json";
 constexpr std::string_view suite_name = "suite.toml";
+constexpr std::string_view methods_name = "methods.csv";
 
 // Files that every bundle has, whatever its suites.
 constexpr std::array<std::string_view, 3> required_files{manifest_name, suite_name, machine_name};
@@ -57,6 +61,7 @@ class Verification {
     version_ = version_of_manifest();
     if (folder_has(suite_name)) check_suites(read_suites);
     for (const auto& name : folder_.files) check_file(name);
+    check_rows();
     Findings all;
     if (folder_has(manifest_name)) or_finding(all, [&] { check_manifest(all); });
     for (const std::string_view name : required_files)
@@ -71,7 +76,7 @@ class Verification {
     if (folder_has(machine_name)) or_finding(all, [&] { check_machine(all); });
     check_strays(all);
     append(all, table_findings_);
-    append(all, proved_.refuted());
+    append(all, proved_.faults());
     return all;
   }
 
@@ -111,25 +116,33 @@ class Verification {
       or_finding(table_findings_, [&] {
         const auto table = parse_csv(bytes, place(name));
         append(table_findings_, table_faults(name, table, version_));
-        check_rows(name, table);
         proved_.read(name, table);
         note_method_digests(name, table);
+        tables_.emplace(name, table);
       });
   }
 
-  /// Finds rows that broke a proved bound, rows whose timed output differed from the judged one, and rows of a study
-  /// that is not in suite.toml.
-  void check_rows(std::string_view name, const CsvDocument& table) {
-    each_field(table, "bound_violations", [](const std::string& count) {
-      return count.empty() || count == "0" ? "" : count + " bound violations";
-    });
-    each_field(table, "checked", [](const std::string& checked) {
-      return checked == "no" ? "what was timed did not give what was judged" : "";
-    });
-    if (!expected_ || name == digests_name) return;  // its rows repeat the studies of other tables
-    each_field(table, "study", [&](const std::string& study) {
-      return contains(expected_->studies, study) ? "" : "its study is not one of those of suite.toml";
-    });
+  /// Looks at the rows of all tables: what they say, and whether they are those of the suites.
+  void check_rows() {
+    std::set<std::string, std::less<>> promising;
+    if (const auto methods = tables_.find(methods_name); methods != tables_.end())
+      or_finding(table_findings_, [&] { promising = promising_methods(methods->second); });
+    for (const auto& [name, table] : tables_) {
+      or_finding(table_findings_, [&] { append(table_findings_, row_faults(name, table, promising)); });
+      append(table_findings_, repeated_rows(name, table));
+      if (expected_ && name != digests_name) check_studies(table);  // its rows repeat the studies of other tables
+    }
+    or_finding(table_findings_, [&] { append(table_findings_, unpaired_rows(tables_, path_.string())); });
+  }
+
+  void check_studies(const CsvDocument& table) {
+    if (!table.has_column("study")) return;
+    FewLines lines(table.file_name());
+    for (std::size_t row = 0; row < table.row_count(); ++row)
+      if (!contains(expected_->studies, table.at(row, "study")))
+        lines.add(
+            fmt::format("{}:{}: its study is not one of those of suite.toml", table.file_name(), table.line(row)));
+    append(table_findings_, lines.take());
   }
 
   /// Keeps the digests computed from a table's rows, and those listed in digests.csv.
@@ -167,23 +180,13 @@ class Verification {
     append(all, found);
   }
 
-  template <class Fault>
-  void each_field(const CsvDocument& table, std::string_view column, Fault fault) {
-    if (!table.has_column(column)) return;
-    const std::size_t place = table.column(column);
-    FewLines lines(table.file_name());
-    for (std::size_t row = 0; row < table.row_count(); ++row)
-      if (const std::string what = fault(table.row(row)[place]); !what.empty())
-        lines.add(fmt::format("{}:{}: {}", table.file_name(), table.line(row), what));
-    append(table_findings_, lines.take());
-  }
-
   void check_manifest(Findings& all) {
     const std::string text = read_bundle_file(path_ / manifest_name);
     const Manifest manifest = parse_manifest(text, place(manifest_name));
     if (const auto fault = manifest_schema().fault(parse_json_object(text, place(manifest_name))))
       add(all, manifest_name, *fault);
     complete_ = manifest.state == complete;
+    git_commit_ = manifest.git_commit;
     if (!complete_) add(all, manifest_name, "state is partial; continue with bezierbench run");
     if (const auto digest = accuracy_digest_of_files(); digest && *digest != manifest.accuracy_digest)
       add(all, manifest_name,
@@ -211,11 +214,27 @@ class Verification {
     return sha256_hex(lines);
   }
 
+  /// Looks for the tables and rows that the suites ask for.
   void check_tables_there(Findings& all) const {
     if (!expected_) return;
-    for (const auto& one_of : expected_->tables)
-      if (std::ranges::none_of(one_of, [&](const auto& name) { return folder_has(name); }))
-        add(all, one_of.front(), "is missing, a study of suite.toml gives it");
+    if (!expected_->plan.methods_csv.empty() && !folder_has(methods_name)) add(all, methods_name, "is missing");
+    for (const auto& [study, tables] : expected_->tables) {
+      if (std::ranges::none_of(tables, [&](const auto& name) { return folder_has(name); }))
+        add(all, tables.front(), "is missing, a study of suite.toml gives it");
+      else if (std::ranges::none_of(tables, [&](const auto& name) { return has_row_of(study, name); }))
+        add(all, tables.front(), fmt::format("has no row of study {}, which is in suite.toml", study));
+    }
+    or_finding(all, [&] { append(all, coverage_faults(expected_->plan, tables_, git_commit_, path_.string())); });
+  }
+
+  [[nodiscard]] bool has_row_of(const std::string& study, const std::string& name) const {
+    const auto found = tables_.find(name);
+    if (found == tables_.end()) return folder_has(name);  // it cannot be read, which is reported
+    const auto& table = found->second;
+    if (!table.has_column("study")) return true;  // likewise
+    for (std::size_t row = 0; row < table.row_count(); ++row)
+      if (table.at(row, "study") == study) return true;
+    return false;
   }
 
   void check_sums(Findings& all) {
@@ -261,6 +280,8 @@ class Verification {
   std::map<std::string, std::string, std::less<>> digests_;  ///< by file name
   std::vector<MethodDigest> computed_;                       ///< from the rows of the tables
   std::vector<MethodDigest> listed_;                         ///< from digests.csv
+  TablesByName tables_;                                      ///< those that can be read
+  std::string git_commit_;                                   ///< of bundle.json
   Findings suite_findings_;
   Findings table_findings_;
   ProvedProperties proved_;

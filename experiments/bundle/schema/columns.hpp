@@ -2,6 +2,8 @@
 // The tables of a bundle and their columns, as tables.schema.json declares them: there is no other list.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,14 +17,26 @@ struct Column {
   bool is_digested = false;    ///< part of the table's digests
   bool is_deprecated = false;  ///< written by earlier programs only
   int since = 1;               ///< first schema version in which it is digested
+  bool is_of_machine = false;  ///< a key that the suite does not determine
+  /// What a count above 0, or a `no`, says against a row, for `verify`; empty where it says nothing.
+  std::string accuses = {};
+  bool is_of_promise = false;  ///< it accuses only methods for which methods.csv states a bound or promise
+};
+
+/// The rows of a table that another one has a row for.
+struct RowsOf {
+  std::string table;
+  std::map<std::string, std::string> where;  ///< fields of the row, by column
+  std::string filled;                        ///< a column in which it is not empty
 };
 
 struct DeclaredTable {
   std::string file;
-  bool is_deterministic = false;  ///< suite and seed determine every bit of it
-  std::string study;              ///< name of the column with the study of a row
-  std::string method;             ///< name of the column with the method of a row; empty without one
-  std::vector<Column> columns;    ///< in the order of the file
+  bool is_deterministic = false;                  ///< suite and seed determine every bit of it
+  std::string study;                              ///< name of the column with the study of a row
+  std::string method;                             ///< name of the column with the method of a row; empty without one
+  std::vector<Column> columns;                    ///< in the order of the file
+  std::optional<RowsOf> for_each = std::nullopt;  ///< the rows that it has one for, each with the keys of this table
 
   /// The column of this name; null where none is declared.
   [[nodiscard]] const Column* column(std::string_view name) const;
@@ -37,6 +51,10 @@ struct DeclaredTable {
 
 /// The table of this file name; null for a file that is not a table of a bundle.
 [[nodiscard]] const DeclaredTable* declared_table(std::string_view file);
+
+/// Lists of columns whose numbers in a row never fall from one to the next. A `*` stands for the same text in all names of
+/// a list; a column that a table does not have is left out.
+[[nodiscard]] std::vector<std::vector<std::string>> ascending_columns();
 
 /// The schema version of the bundles that this program writes. It reads bundles of every version from 1 on.
 [[nodiscard]] int written_version();

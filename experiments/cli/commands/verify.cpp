@@ -12,10 +12,10 @@
 #include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/run/expected.hpp"
-#include "experiments/studies/roster.hpp"
 #include "experiments/suite/text/reader.hpp"
 
 namespace bezierbench::cli {
@@ -36,8 +36,10 @@ void print_fine(const std::string& path) {
 
 /// What a bundle must contain. Its build may have had other libraries than this one, so all known methods are allowed.
 bundle::Expected expected_of(const std::string& suite_text, const std::string& file_name) {
-  return run::expected_of(suite::parse_suites(suite_text, file_name, vocabulary_of_all_builds()),
-                          {studies::make_job, studies::tables_of});
+  auto request = request_of_this_build();
+  request.suites = suite::parse_suites(suite_text, file_name, vocabulary_of_all_builds());
+  record_outside(request, suite::parse_outside(suite_text, file_name));
+  return run::expected_of(request);
 }
 
 }  // namespace

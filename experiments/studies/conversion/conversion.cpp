@@ -126,6 +126,7 @@ class ConversionJob final : public run::JobOf<metric::Rows<ChainErrors>> {
     return sum;
   }
   void write(tables::Tables& tables) const override;
+  void list_rows(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<tables::Series> series() const override;
 
  protected:
@@ -138,6 +139,7 @@ class ConversionJob final : public run::JobOf<metric::Rows<ChainErrors>> {
   };
 
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
+  [[nodiscard]] tables::Row key_row(const sample::Cell& cell, const Chain& chain) const;
   static double error_of(const Chain& chain, const CurveView<double>& curve);
   /// Visits all rows: by cell, then by chain in the order of the study.
   template <class Visit>
@@ -199,18 +201,28 @@ metric::Rows<ChainErrors> ConversionJob::work(std::size_t block) const {
   return tally;
 }
 
+tables::Row ConversionJob::key_row(const sample::Cell& cell, const Chain& chain) const {
+  tables::Row row("conversion.csv");
+  row.set("study", study_.id)
+      .set("conversion", chain.id)
+      .set("degree", cell.degree)
+      .set("coordinate_range", cell.coordinate_range)
+      .set("generator", cell.generator)
+      .set("trials", trials())
+      .set("curve", suite::name(study_.curve))
+      .set("dimension", cell.dimension);
+  return row;
+}
+
+void ConversionJob::list_rows(tables::Tables& tables) const {
+  for (const Part& part : parts_)
+    for (const Chain& chain : part.chains) tables.add(key_row(part.cell, chain));
+}
+
 void ConversionJob::write(tables::Tables& tables) const {
   (void)tables.table("conversion.csv");
   each_row([&](const sample::Cell& cell, const Chain& chain, const ChainErrors& errors) {
-    tables::Row row("conversion.csv");
-    row.set("study", study_.id)
-        .set("conversion", chain.id)
-        .set("degree", cell.degree)
-        .set("coordinate_range", cell.coordinate_range)
-        .set("generator", cell.generator)
-        .set("trials", trials())
-        .set("curve", suite::name(study_.curve))
-        .set("dimension", cell.dimension);
+    tables::Row row = key_row(cell, chain);
     row.set("mean_error", tables::field(errors.error, tables::mean))
         .set("max_error", tables::field(errors.error, tables::largest));
     const bool supported = chain.supports(cell.degree);

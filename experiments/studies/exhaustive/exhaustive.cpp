@@ -211,6 +211,7 @@ class ExhaustiveJob final : public run::JobOf<Tallies> {
     return sum;
   }
   void write(tables::Tables& tables) const override;
+  void list_rows(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:
@@ -224,6 +225,7 @@ class ExhaustiveJob final : public run::JobOf<Tallies> {
   }
 
  private:
+  [[nodiscard]] tables::Row key_row(const Part& part, const Kernel<float>& kernel) const;
   [[nodiscard]] std::vector<const NamedCurve*> chosen_curves() const;
   [[nodiscard]] Kernels kernels_for(const NamedCurve& curve) const;
 
@@ -256,6 +258,23 @@ Kernels ExhaustiveJob::kernels_for(const NamedCurve& curve) const {
   return kernels;
 }
 
+tables::Row ExhaustiveJob::key_row(const Part& part, const Kernel<float>& kernel) const {
+  tables::Row row("exhaustive.csv");
+  row.set("study", study_.id)
+      .set("curve_id", part.curve->id)
+      .set("method", kernel.info->id)
+      .set("scalar", suite::name(suite::ScalarKind::float32))
+      .set("degree", part.curve->degree())
+      .set("t_min", double{float_of(part.range.first)})
+      .set("t_max", double{float_of(part.range.last)});
+  return row;
+}
+
+void ExhaustiveJob::list_rows(tables::Tables& tables) const {
+  for (const Part& part : parts_)
+    for (const auto* kernel : part.kernels) tables.add(key_row(part, *kernel));
+}
+
 void ExhaustiveJob::write(tables::Tables& tables) const {
   (void)tables.table("exhaustive.csv");
   for (std::size_t part = 0; part < parts_.size(); ++part) {
@@ -268,14 +287,7 @@ void ExhaustiveJob::write(tables::Tables& tables) const {
     for (std::size_t m = 0; m < kernels.size(); ++m) {
       const FloatTally& tally = state(part).of.at(m);
       const float worst = float_of(tally.worst_t);
-      tables.add(tables::Row("exhaustive.csv")
-                     .set("study", study_.id)
-                     .set("curve_id", curve->id)
-                     .set("method", kernels[m]->info->id)
-                     .set("scalar", suite::name(suite::ScalarKind::float32))
-                     .set("degree", curve->degree())
-                     .set("t_min", double{float_of(range.first)})
-                     .set("t_max", double{float_of(range.last)})
+      tables.add(key_row(parts_[part], *kernels[m])
                      .set("points", range.count())
                      .set("max_error_ulp", exact_error(*curve, *kernels[m], worst))
                      .set("worst_t", number::hexadecimal(double{worst}))

@@ -67,6 +67,9 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
     for (std::size_t part = 0; part < parts(); ++part)
       std::visit([&](const auto& question) { write(question, state(part), tables); }, questions_[part]);
   }
+  void list_rows(tables::Tables& tables) const override {
+    for (const auto& one : questions_) std::visit([&](const auto& question) { tables.add(key_row(question)); }, one);
+  }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   [[nodiscard]] std::vector<run::Violation> violations() const override {
     std::vector<run::Violation> all;
@@ -145,16 +148,22 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
   }
 
   template <class Scalar>
-  void write(const Question<Scalar>& question, const Refutation& found, tables::Tables& tables) const {
-    const auto& statement = *question.statement;
+  [[nodiscard]] tables::Row key_row(const Question<Scalar>& question) const {
     tables::Row row(question.method().bit_stable ? "guarantees.csv" : "guarantees_unstable.csv");
-    row.set("guarantee_id", fmt::format("g{}", rows_of(tables) + 1))
-        .set("study", study_.id)
+    row.set("study", study_.id)
         .set("method", question.method().id)
         .set("scalar", suite::name(scalar_of(question)))
         .set("dimension", question.cell.dimension)
         .set("degree", question.cell.degree)
-        .set("property", name(statement.property))
+        .set("property", name(question.statement->property));
+    return row;
+  }
+
+  template <class Scalar>
+  void write(const Question<Scalar>& question, const Refutation& found, tables::Tables& tables) const {
+    const auto& statement = *question.statement;
+    tables::Row row = key_row(question);
+    row.set("guarantee_id", fmt::format("g{}", rows_of(tables) + 1))
         .set("verdict", question.verdict(found))
         .set("trials", found.trials)
         .set("broken", found.broken)

@@ -64,6 +64,10 @@ class OutsideAccuracyJob final : public run::JobOf<OutsideTally> {
     (void)tables.table("reference.csv");
     for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k].write(state(k).tally, tables, failure(state(k)));
   }
+  /// No rows of reference.csv, which a method that failed does not have.
+  void list_rows(tables::Tables& tables) const override {
+    for (const auto& cell : cells_) cell.list_judgements(tables);
+  }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:

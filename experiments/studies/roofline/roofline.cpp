@@ -36,6 +36,7 @@ class RooflineJob final : public run::JobOf<RooflineLaps> {
     for (std::size_t part = 0; part < races.size(); ++part) races[part].laps = state(part);
     write_roofline_rows(study_, races, tables);
   }
+  void list_rows(tables::Tables& tables) const override { list_roofline_rows(study_, races_, tables); }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:

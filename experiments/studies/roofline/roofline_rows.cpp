@@ -153,11 +153,7 @@ void set_share(tables::Row& row, const suite::Study& study, const RooflineRace& 
   row.set("quality", steady ? "ok" : "noisy");
 }
 
-tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::size_t place, const Fastest& fastest) {
-  const auto& who = race.rivals[place];
-  const auto& lap = race.laps.each[place];
-  const auto ns = interval(lap.ns_per_point);
-  const auto flops = flops_of(race, who);
+tables::Row key_row(const suite::Study& study, const RooflineRace& race, const TargetRival& who) {
   tables::Row row("roofline.csv");
   row.set("study", study.id)
       .set("curve", suite::name(study.curve))
@@ -166,21 +162,36 @@ tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::siz
       .set("dimension", race.cell.dimension)
       .set("degree", race.cell.degree)
       .set("target", who.target == nullptr ? scalar_kernel : who.target->name)
-      .set("median_ns", ns.median)
+      .set("mode", suite::name(who.mode))
+      .set_each(tables::drawn_columns(), tables::drawn_fields(race.cell));
+  return row;
+}
+
+tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::size_t place, const Fastest& fastest) {
+  const auto& who = race.rivals[place];
+  const auto& lap = race.laps.each[place];
+  const auto ns = interval(lap.ns_per_point);
+  const auto flops = flops_of(race, who);
+  tables::Row row = key_row(study, race, who);
+  row.set("median_ns", ns.median)
       .set("low_ns", ns.low)
       .set("high_ns", ns.high)
       .set("flops", flops)
       .set("gflops", flops ? std::optional(*flops / ns.median) : std::nullopt)
       .set("rounds", lap.ns_per_point.size())
-      .set("checked", lap.checked ? "yes" : "no")
-      .set("mode", suite::name(who.mode))
-      .set_each(tables::drawn_columns(), tables::drawn_fields(race.cell));
+      .set("checked", lap.checked ? "yes" : "no");
   set_limit(row, race, who, ns.median);
   if (who.target != nullptr) set_share(row, study, race, place, fastest);
   return row;
 }
 
 }  // namespace
+
+void list_roofline_rows(const suite::Study& study, const std::vector<RooflineRace>& races, tables::Tables& tables) {
+  for (const auto& race : races)
+    for (const auto& who : race.rivals)
+      if (who.method != nullptr) tables.add(key_row(study, race, who));
+}
 
 void write_roofline_rows(const suite::Study& study, const std::vector<RooflineRace>& races, tables::Tables& tables) {
   (void)tables.table("roofline.csv");

@@ -17,4 +17,7 @@ namespace bezierbench::studies {
 /// study: other processes disturbed the race.
 void write_roofline_rows(const suite::Study& study, const std::vector<RooflineRace>& races, tables::Tables& tables);
 
+/// The keys of the same rows, of races before they run, on this processor.
+void list_roofline_rows(const suite::Study& study, const std::vector<RooflineRace>& races, tables::Tables& tables);
+
 }  // namespace bezierbench::studies

@@ -68,10 +68,11 @@ class SubdivisionProblem {
           TrialColumn<Row>{"bound_violations", column::where_bounded<&Errors::violations>},
           TrialColumn<Row>{"junctions_apart", column::where_any<&Errors::junctions_apart>},
           TrialColumn<Row>{"ends_moved", column::where_any<&Errors::ends_moved>},
-          TrialColumn<Row>{"points_off",
-                           [](const Row& row) {
-                             return row.errors.middles > 0 ? tables::field(row.errors.points_off) : std::string();
-                           }},
+          TrialColumn<Row>{"broken_promises", column::where_any<&Errors::broken_promises>},
+          TrialColumn<Row>{
+              "points_off",
+              [](const Row&
+                     row) { return row.errors.middles > 0 ? tables::field(row.errors.points_off) : std::string(); }},
           TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
       });
   static constexpr std::array failures{

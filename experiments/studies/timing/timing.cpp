@@ -42,6 +42,7 @@ class TimingJob final : public RacingJob<race::RaceCellLaps> {
     write_timing_rows(study(), raced(), tables);
     write_complexity_rows(study(), raced(), timed_problem(study()).size, tables);
   }
+  void list_rows(tables::Tables& tables) const override { list_timing_rows(study(), race_cells(), tables); }
   [[nodiscard]] std::vector<tables::Series> series() const override;
 
  protected:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/timing/timing_rows.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "experiments/judge/methods.hpp"
@@ -69,11 +70,33 @@ void set_limit(tables::Row& row, const race::RaceCell& race_cell, std::size_t m,
       .set("chain_ns", limit->chain_ns);
 }
 
-/// The times, rounds, counts and the check of one lap; `pace` is what the sentinels took beside.
-tables::Row row_of(const suite::Study& study, suite::Mode mode, const race::RaceCellLap& lap, const race::Pace& pace) {
-  const auto rounds = lap.rounds();
+tables::Row key_row(const suite::Study& study, const race::RaceCell& race_cell, std::size_t method) {
   tables::Row row("timing.csv");
-  row.set("study", study.id).set("curve", suite::name(study.curve)).set("mode", suite::name(mode));
+  row.set("study", study.id)
+      .set("curve", suite::name(study.curve))
+      .set("mode", suite::name(race_cell.mode))
+      .set("method", race_cell.methods[method]->id)
+      .set("scalar", suite::name(race_cell.scalar))
+      .set("dimension", race_cell.cell.dimension)
+      .set("degree", race_cell.cell.degree)
+      .set_each(tables::drawn_columns(), tables::drawn_fields(race_cell.cell))
+      .set_each(judge::case_columns(), judge::case_fields(race_cell.case_values));
+  return row;
+}
+
+tables::Row sentinel_key_row(const suite::Study& study, suite::Mode mode) {
+  tables::Row row("timing.csv");
+  row.set("study", study.id)
+      .set("curve", suite::name(study.curve))
+      .set("mode", suite::name(mode))
+      .set("method", race::sentinel_name)
+      .set("scalar", suite::name(suite::ScalarKind::float64));
+  return row;
+}
+
+/// Sets the times, rounds, counts and the check of one lap; `pace` is what the sentinels took beside.
+void set_times(tables::Row& row, const race::RaceCellLap& lap, const race::Pace& pace) {
+  const auto rounds = lap.rounds();
   set_interval(row, {"median_ns", "low_ns", "high_ns"}, lap.repetition_ns());
   row.set("rounds", rounds.ns_per_point.size()).set("points_per_round", rounds.points_per_round);
   set_median(row, "cycles", rounds.cycles_per_point);
@@ -82,7 +105,6 @@ tables::Row row_of(const suite::Study& study, suite::Mode mode, const race::Race
       .set("repetitions", lap.repetitions.size())
       .set("sentinel_ns", pace.chain_ns)
       .set("sweep_ns", pace.sweep_ns);
-  return row;
 }
 
 void add_race_cell(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
@@ -102,10 +124,9 @@ void add_sentinel(tables::Tables& tables, const suite::Study& study, const std::
     if (race::drifted(race_cell.laps, fastest)) worst = noisy;
   }
   if (all.each.empty()) return;
-  tables.add(row_of(study, mode, all.each.back(), race::pace(all.each))
-                 .set("method", race::sentinel_name)
-                 .set("scalar", suite::name(suite::ScalarKind::float64))
-                 .set("quality", worst));
+  tables::Row row = sentinel_key_row(study, mode);
+  set_times(row, all.each.back(), race::pace(all.each));
+  tables.add(row.set("quality", worst));
 }
 
 }  // namespace
@@ -113,20 +134,24 @@ void add_sentinel(tables::Tables& tables, const suite::Study& study, const std::
 void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
                     std::size_t method, std::optional<std::size_t> base, const race::Pace& fastest) {
   const auto& lap = race_cell.laps[method];
-  tables::Row row = row_of(study, race_cell.mode, lap, race::pace(race_cell.laps));
-  row.set("method", race_cell.methods[method]->id)
-      .set("scalar", suite::name(race_cell.scalar))
-      .set("dimension", race_cell.cell.dimension)
-      .set("degree", race_cell.cell.degree)
-      .set("quality", quality(race_cell, lap, fastest))
-      .set_each(tables::drawn_columns(), tables::drawn_fields(race_cell.cell))
-      .set_each(judge::case_columns(), judge::case_fields(race_cell.case_values));
+  tables::Row row = key_row(study, race_cell, method);
+  set_times(row, lap, race::pace(race_cell.laps));
+  row.set("quality", quality(race_cell, lap, fastest));
   if (base) set_ratio(row, race_cell, lap, *base);
   set_interval(row, {"sentinel_units", "sentinel_units_low", "sentinel_units_high"},
                quotients(lap.repetition_ns(), race_cell.laps.back().repetition_ns()));
   row.set("max_error_u", lap.max_error_u);
   set_limit(row, race_cell, method, race::median_of(race_cell.operations));
   tables.add(row);
+}
+
+void list_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
+                      tables::Tables& tables) {
+  for (const auto& race_cell : race_cells)
+    for (std::size_t m = 0; m < race_cell.methods.size(); ++m) tables.add(key_row(study, race_cell, m));
+  for (const auto mode : suite::keys_of<suite::TimingKeys>(study).modes)
+    if (std::ranges::any_of(race_cells, [mode](const auto& one) { return one.mode == mode && !one.methods.empty(); }))
+      tables.add(sentinel_key_row(study, mode));
 }
 
 void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,

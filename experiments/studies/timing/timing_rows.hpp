@@ -21,6 +21,9 @@ namespace bezierbench::studies {
 void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
                        tables::Tables& tables);
 
+/// The keys of the same rows, of race cells before they run.
+void list_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells, tables::Tables& tables);
+
 /// The row of the method at place `method` of a race cell with laps. Its ratio is to the method at place `base`.
 void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
                     std::size_t method, std::optional<std::size_t> base, const race::Pace& fastest);
