@@ -26,6 +26,7 @@ struct QuinticIsolate {
                                    .form = Form::bernstein,
                                    .min_degree = 1,
                                    .max_degree = 512,
+                                   .promise = "no point of the curve is nearer, to rounding",
                                    .flops = "O(d n^2) per piece and per Newton step",
                                    .cost_exponent = 2,
                                    .citation = "[Chen et al. 2007]; [Lane and Riesenfeld 1981]"};

@@ -29,6 +29,7 @@ struct SubdivideHull {
                                    .form = Form::bernstein,
                                    .min_degree = 1,
                                    .max_degree = 512,
+                                   .promise = "no point of the curve is nearer, to rounding",
                                    .flops = "O(d n^2) per piece",
                                    .cost_exponent = 2,
                                    .citation = "[Chen et al. 2007]; [Document 004]"};

@@ -94,6 +94,7 @@ FORGERIES = {
     "broken promises": ({"arc_length.csv": with_fields(ANY, broken_promises="2")}, "2 broken promises"),
     "another tolerance": ({"arc_length.csv": with_fields(ANY, tolerance="0.5")}, "tolerance 0.5"),
     "projections gone": ({"projection.csv": without(where(method="scan_bisect"))}, "projection.csv: the row with"),
+    "a missed foot point": ({"projection.csv": with_fields(where(method="subdivide_hull"), missed="1")}, "1 missed foot points"),
     "refuted made proved": ({"guarantees.csv": with_fields(where(verdict="refuted"), verdict="proved")}, "not refuted"),
     "refuted made proved, and its count with it": (
         {"guarantees.csv": with_fields(where(verdict="refuted"), verdict="proved", broken="0")}, "not proved according to"),
