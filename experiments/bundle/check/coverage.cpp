@@ -152,41 +152,7 @@ Findings table_faults_of(const DeclaredTable& declared, const CsvDocument& plann
   return findings;
 }
 
-}  // namespace
-
-Findings coverage_faults(const Plan& plan, const TablesByName& tables, const std::string& git_commit,
-                         const std::string& place) {
-  const auto listed = tables.find(methods_name);
-  if (listed == tables.end()) return {};
-  const MethodLists methods(parse_csv(plan.methods_csv, methods_name), listed->second);
-  Findings findings;
-  const bool are_known = git_commit != "unknown" && plan.git_commit != "unknown";
-  if (are_known && git_commit == plan.git_commit) {
-    FewLines lines(listed->second.file_name());
-    for (const auto& one : methods.differences()) lines.add(fmt::format("{}: {}", listed->second.file_name(), one));
-    findings = lines.take();
-  }
-  for (const auto& [file, planned] : plan.rows) {
-    const auto found = tables.find(file);
-    std::ranges::move(table_faults_of(*declared_table(file), planned, found == tables.end() ? nullptr : &found->second,
-                                      methods, are_known && git_commit != plan.git_commit, place + "/" + file),
-                      std::back_inserter(findings));
-  }
-  return findings;
-}
-
-Findings repeated_rows(const std::string& file, const CsvDocument& table) {
-  const auto& declared = *declared_table(file);
-  const auto keys = keys_of(declared, {&table});
-  if (keys.empty() || keys != keys_of(declared, {})) return {};  // an older version has fewer
-  std::map<Fields, std::size_t> lines;
-  FewLines findings(table.file_name());
-  for (std::size_t row = 0; row < table.row_count(); ++row)
-    if (const auto [first, is_new] = lines.try_emplace(fields_of(table, row, keys), table.line(row)); !is_new)
-      findings.add(fmt::format("{}:{}: repeats the row of line {}", table.file_name(), table.line(row), first->second));
-  return findings.take();
-}
-
+/// Finds where a table that declares `for_each` does not have one row for each of those rows.
 Findings unpaired_rows(const TablesByName& tables, const std::string& place) {
   Findings findings;
   for (const auto& declared : declared_tables()) {
@@ -213,6 +179,42 @@ Findings unpaired_rows(const TablesByName& tables, const std::string& place) {
     std::ranges::move(lines.take(), std::back_inserter(findings));
   }
   return findings;
+}
+
+}  // namespace
+
+Findings coverage_faults(const Plan& plan, const TablesByName& tables, const std::string& git_commit,
+                         const std::string& place) {
+  const auto listed = tables.find(methods_name);
+  if (listed == tables.end() || plan.methods_csv.empty()) return {};
+  const MethodLists methods(parse_csv(plan.methods_csv, methods_name), listed->second);
+  Findings findings;
+  const bool are_known = git_commit != "unknown" && plan.git_commit != "unknown";
+  if (are_known && git_commit == plan.git_commit) {
+    FewLines lines(listed->second.file_name());
+    for (const auto& one : methods.differences()) lines.add(fmt::format("{}: {}", listed->second.file_name(), one));
+    findings = lines.take();
+  }
+  for (const auto& [file, planned] : plan.rows) {
+    const auto found = tables.find(file);
+    std::ranges::move(table_faults_of(*declared_table(file), planned, found == tables.end() ? nullptr : &found->second,
+                                      methods, are_known && git_commit != plan.git_commit, place + "/" + file),
+                      std::back_inserter(findings));
+  }
+  std::ranges::move(unpaired_rows(tables, place), std::back_inserter(findings));
+  return findings;
+}
+
+Findings repeated_rows(const std::string& file, const CsvDocument& table) {
+  const auto& declared = *declared_table(file);
+  const auto keys = keys_of(declared, {&table});
+  if (keys.empty() || keys != keys_of(declared, {})) return {};  // an older version has fewer
+  std::map<Fields, std::size_t> lines;
+  FewLines findings(table.file_name());
+  for (std::size_t row = 0; row < table.row_count(); ++row)
+    if (const auto [first, is_new] = lines.try_emplace(fields_of(table, row, keys), table.line(row)); !is_new)
+      findings.add(fmt::format("{}:{}: repeats the row of line {}", table.file_name(), table.line(row), first->second));
+  return findings.take();
 }
 
 }  // namespace bezierbench::bundle

@@ -20,7 +20,8 @@ struct Plan {
   std::string git_commit;   ///< of this build; "unknown" outside a repository
 };
 
-/// The lines that tell where the rows of `tables` are not those of the plan. Only methods that methods.csv of the bundle
+/// The lines that tell where the rows of `tables` are not those of the plan, or a table does not have the rows that its
+/// declaration asks for (`for_each`). Only methods that methods.csv of the bundle
 /// describes as this build does are held to it: another build may have others, or take them at other degrees. Rows of a
 /// method that the bundle does not list are reported, and so are differences between the two lists where `git_commit`,
 /// of the bundle, is that of this build. `place` is the folder.
@@ -29,8 +30,5 @@ struct Plan {
 
 /// The lines that tell which rows of a table have the keys of an earlier one.
 [[nodiscard]] std::vector<std::string> repeated_rows(const std::string& file, const CsvDocument& table);
-
-/// The lines that tell where a table that declares `for_each` does not have one row for each of those rows.
-[[nodiscard]] std::vector<std::string> unpaired_rows(const TablesByName& tables, const std::string& place);
 
 }  // namespace bezierbench::bundle

@@ -132,7 +132,6 @@ class Verification {
       append(table_findings_, repeated_rows(name, table));
       if (expected_ && name != digests_name) check_studies(table);  // its rows repeat the studies of other tables
     }
-    or_finding(table_findings_, [&] { append(table_findings_, unpaired_rows(tables_, path_.string())); });
   }
 
   void check_studies(const CsvDocument& table) {
