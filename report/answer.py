@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Which method to choose: what the bundle knows of time and error, cell by cell, and which cell to show first."""
 
+import math
 from dataclasses import dataclass
 
-from .wording import interval, shortest
+from .wording import count, interval, shortest
 
 # A largest error above this share of p~, the sum of the absolute terms, leaves so few digits that no time makes up for it.
 USELESS = 1e-3
 ROUNDOFF = {"double": 2.0 ** -53, "float": 2.0 ** -24}
+LOSING = 100  # a largest error in units of u p~ from which on the page says how many digits are lost
+SMALL = 5  # roundings per degree: above the proved bounds of all methods in one pass over the control points
 NO_TIME = "not timed"
 TYPICAL = 10  # degree
 MOST = 20_000  # candidates that the page's picker holds
@@ -68,6 +71,23 @@ def useful(error_u, scalar):
     return isinstance(error_u, float) and error_u * ROUNDOFF.get(scalar, ROUNDOFF["double"]) <= USELESS
 
 
+def small(degree, form):
+    """The largest bound in units of u p~ that is called small; a rational curve has a numerator and a denominator."""
+    return (2 if form == "rational" else 1) * SMALL * degree
+
+
+def is_proved_small(bound_u, degree, form):
+    """Whether a proved bound in units of u p~ is small: what is asked of a method where nothing else is."""
+    return isinstance(bound_u, float) and bound_u <= small(degree, form)
+
+
+def lost(error_u):
+    """The decimal digits that an error of so many u p~ loses, in words; empty up to LOSING."""
+    if not isinstance(error_u, float) or not LOSING < error_u < math.inf:
+        return ""
+    return f"loses {count(round(math.log10(error_u)), 'digit')}"
+
+
 def _cell(row, mode):
     return Cell(row["curve"] or "", row["degree"], mode, row["scalar"] or "double", row["dimension"], row["coordinate_range"],
                 row["t_min"], row["t_max"])
@@ -99,14 +119,16 @@ def candidates(bundle):
             if held is None or row["max_error_u"] > held.error_u:
                 replay = replays.get(tuple(row[c] for c in ("study", "method", "scalar", "dimension", "degree")), "")
                 members[row["method"]] = Candidate(row["method"], row, None, replay)
-    return {cell: ranked(members.values(), cell.scalar) for cell, members in cells.items()}
+    return {cell: ranked(members.values(), cell) for cell, members in cells.items()}
 
 
-def ranked(members, scalar):
-    """The useful ones, fastest first, or, where nothing was timed, of the least error first; then the others."""
+def ranked(members, cell):
+    """The useful ones before the others. Where there are times, those whose bound is proved to be small come first, then by time; else
+    that of the least error."""
     def key(one):
+        later = cell.mode != NO_TIME and not is_proved_small(one.bound_u, cell.degree, cell.form)
         size = one.ns if one.ns is not None else one.error_u
-        return not useful(one.error_u, scalar), size is None, size if size is not None else 0.0
+        return not useful(one.error_u, cell.scalar), later, size is None, size if size is not None else 0.0
     return sorted(members, key=key)
 
 

@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 from . import fixture
-from .answer import NO_TIME, USELESS, candidates, default_cell, useful
+from .answer import NO_TIME, USELESS, candidates, default_cell, is_proved_small, lost, useful
 from .bundle import Bundle, Missing
 from .chapters import answer, choosing, opening
 from .findings.roster import find_all
@@ -37,6 +37,36 @@ class Answer(unittest.TestCase):
         self.assertEqual([g.key for g in block.table.groups], ["horner_bernstein", "direct", "de_casteljau", "compensated_de_casteljau"])
         self.assertIn("`horner_bernstein`", block.sentence)
         self.assertNotIn("`direct`", block.sentence)  # beaten
+
+    def test_a_method_without_a_small_proved_bound_is_not_recommended(self):
+        """What is asked for first is the README's need; the fastest method here loses log10(8219) = 3.9 digits."""
+        def loses_digits(at, row):
+            if at == "pareto.csv" and row["method"] == "horner_bernstein":
+                row.update(observed_max_u=8219, bound_u=1.97e6)
+        bundle = self.bundle(loses_digits)
+        block = next(b for b in answer.blocks(bundle, None) if b.kind == "answer")
+        self.assertNotIn("horner_bernstein", block.sentence)
+        self.assertIn("with a proved bound of at most 20 u p~, fastest first: `compensated_de_casteljau`", block.sentence)
+        last = block.table.groups[-1]
+        self.assertEqual(last.key, "horner_bernstein")
+        texts = [cell.text for cell in last.rows[0][1]]
+        self.assertIn("8219, loses 4 digits", texts)
+        self.assertFalse(any(cell.mark == "inside" for cell in last.rows[0][1]))
+        tables = [b for b in choosing.blocks(bundle, find_all(bundle)) if b.kind == "table"]
+        cells = [c for t in tables for g in t.groups if g.key == "horner_bernstein" for _, row in g.rows for c in row if c.text]
+        self.assertTrue(cells)
+        self.assertTrue(all("8219 u, loses 4 digits" in c.text and c.mark == "" for c in cells), [c.text for c in cells])
+
+    def test_what_is_lost_is_said_beyond_100(self):
+        self.assertEqual([lost(u) for u in (None, 1.0, 100.0, 101.0, 999.0, 3e5, float("inf"))],
+                         ["", "", "", "loses 2 digits", "loses 3 digits", "loses 5 digits", ""])
+
+    def test_a_small_bound_is_that_of_the_form(self):
+        self.assertTrue(is_proved_small(15.0, 3, "bezier"))
+        self.assertFalse(is_proved_small(15.1, 3, "bezier"))
+        self.assertTrue(is_proved_small(30.0, 3, "rational"))
+        self.assertFalse(is_proved_small(None, 3, "bezier"))
+        self.assertFalse(is_proved_small(float("nan"), 3, "bezier"))
 
     def test_a_useless_method_is_not_worth_choosing(self):
         def ruin(at, row):

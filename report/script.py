@@ -9,7 +9,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from .answer import FORMS, NO_TIME, ROUNDOFF, USELESS
+from .answer import FORMS, LOSING, NO_TIME, ROUNDOFF, USELESS, small
 from .foreign import restored
 from .inline import to_plain
 
@@ -80,8 +80,8 @@ def _answer(answer):
                         noisy=bool(one.timed and one.timed["quality"] == "noisy"), front=one.front or "", replay=one.replay or "")
                    for one in members]
         cells.append(dict(form=restored(cell.form), degree=cell.degree, mode=restored(cell.mode), scalar=restored(cell.scalar),
-                          dimension=cell.dimension, where=cell.where, words=to_plain(where(cell)), methods=methods))
-    return dict(cells=cells, first=list(answer.cells).index(answer.first), forms=FORMS, useless=USELESS, untimed=NO_TIME,
+                          dimension=cell.dimension, small=small(cell.degree, cell.form), where=cell.where, words=to_plain(where(cell)), methods=methods))
+    return dict(cells=cells, first=list(answer.cells).index(answer.first), forms=FORMS, useless=USELESS, losing=LOSING, untimed=NO_TIME,
                 roundoff={**ROUNDOFF, **{c["scalar"]: ROUNDOFF["double"] for c in cells if c["scalar"] not in ROUNDOFF}})
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """The table at the top of README.md follows the bundle: what changes there turns an answer over."""
+import math
 import sys
 import unittest
 from pathlib import Path
@@ -17,7 +18,12 @@ WORSE = {"accuracy.csv": {"bound_u": 1e9, "max_error_ulp": 0.75}, "arc_length.cs
 
 
 def winners(bundle):
-    return {need.name: (winner(bundle, need) or [None])[0] for need in NEEDS}
+    return {need.name: method_of(bundle, need) for need in NEEDS}
+
+
+def method_of(bundle, need):
+    found = winner(bundle, need)
+    return found.method if found else None
 
 
 class Answers(unittest.TestCase):
@@ -26,20 +32,21 @@ class Answers(unittest.TestCase):
 
     def rows(self, need, method):
         found = winner(self.bundle, need)
-        self.assertEqual(found[0], method)
-        return [row for rows in found[1].values() for row in rows], list(found[2].values())
+        self.assertEqual(found.method, method)
+        return [row for rows in found.errors.values() for row in rows], list(found.times.values())
 
     def test_every_need_has_an_answer(self):
         self.assertNotIn(None, winners(self.bundle).values())
 
     def test_a_slower_method_wins_no_longer(self):
         for need in NEEDS:
-            method = winner(self.bundle, need)[0]
+            method = method_of(self.bundle, need)
             _, times = self.rows(need, method)
             others = {row["method"] for row in self.bundle["timing.csv"].select(study=need.times, mode=need.mode)} - {method}
             for row in times:
-                row.values["median_ns"] *= 1e9
-            after = winner(self.bundle, need)[0]
+                for column in ("median_ns", "low_ns", "high_ns"):
+                    row.values[column] *= 1e9
+            after = method_of(self.bundle, need)
             meets_alone = after == method  # the only one that fulfils the need
             with self.subTest(need=need.name):
                 self.assertTrue(meets_alone or after in others)
@@ -48,21 +55,41 @@ class Answers(unittest.TestCase):
 
     def test_a_method_that_fails_the_demand_at_one_degree_wins_no_longer(self):
         for need in NEEDS:
-            method = winner(self.bundle, need)[0]
+            method = method_of(self.bundle, need)
             errors, _ = self.rows(need, method)
             last = [row for row in errors if row["degree"] == DEGREES[-1]][-1]
             kept = dict(last.values)
             last.values.update(WORSE[need.table])
             with self.subTest(need=need.name):
-                self.assertNotEqual((winner(self.bundle, need) or [None])[0], method)
+                self.assertNotEqual(method_of(self.bundle, need), method)
             last.values.update(kept)
+
+    def test_of_methods_that_are_as_fast_the_one_with_the_smaller_bound_wins(self):
+        """Many t: horner_bernstein is faster by 1 % of the product of times; the bound 2n + 2 is below 3n + 1."""
+        need = next(need for need in NEEDS if need.mode == "batch")
+        fused, plain = (self.bundle["timing.csv"].select(study=need.times, mode=need.mode, method=method, degree=DEGREES)
+                        for method in ("horner_bernstein_fma", "horner_bernstein"))
+        found = winner(self.bundle, need)
+        self.assertLess(math.prod(row["median_ns"] for row in plain), math.prod(row["median_ns"] for row in fused))
+        self.assertEqual((found.method, "horner_bernstein" in found.tied), ("horner_bernstein_fma", True))
+        self.assertIn("| `horner_bernstein_fma` (", answers(self.bundle))
+        fused[0].values["low_ns"] = plain[0].values["high_ns"] * 1.01  # certainly slower at one degree
+        found = winner(self.bundle, need)
+        self.assertEqual((found.method, "horner_bernstein_fma" in found.tied), ("horner_bernstein", False))
+
+    def test_an_error_in_units_of_coordinates_has_the_factor_of_the_norm(self):
+        """The curve of one point (1, 1), whose basis functions sum to 1: p~ is its norm, the root of 2."""
+        norm = sum(abs(x) ** 2 for x in (1.0, 1.0)) ** 0.5
+        said = answers(self.bundle).replace("\n", " ")
+        self.assertIn(f"√{norm**2:.0f} times in the plane", said)
+        self.assertIn(f"an error of at most {5 * norm * 2.0 ** -53:.1e} times", said)
 
     def test_a_degree_that_is_missing_is_no_answer(self):
         need = NEEDS[0]
-        method = winner(self.bundle, need)[0]
+        method = method_of(self.bundle, need)
         _, times = self.rows(need, method)
         times[1].values["degree"] = 13.0
-        self.assertNotEqual(winner(self.bundle, need)[0], method)
+        self.assertNotEqual(method_of(self.bundle, need), method)
 
     def test_numbers_in_words_are_those_of_the_rows(self):
         self.assertIn("the tolerance of 1e-9 kept", answers(self.bundle))
@@ -79,7 +106,7 @@ class Answers(unittest.TestCase):
         rows = self.bundle["timing.csv"].rows
         for row in rows:
             row.values["quality"] = "noisy"
-        self.assertEqual(answers(self.bundle).count("~"), len(NEEDS) * len(DEGREES) + answers(self.bundle).count("p~"))
+        self.assertEqual(answers(self.bundle).count(" ~ |"), len(NEEDS) * len(DEGREES))
 
 
 if __name__ == "__main__":

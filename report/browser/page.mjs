@@ -129,12 +129,15 @@ async function answer(page) {
   for (const option of options) {
     await degree.selectOption(option);
     check((await caption()).includes(`degree ${option},`), `the caption is ${await caption()}`);
-    const times = (await rows()).map((row) => row[1]);
-    check(times.length > 0 && times.every((time, at) => !at || time >= times[at - 1]), `degree ${option}: times are ${times}`);
+    const times = (await rows()).map((row) => [row[3] <= 5 * Number(option) ? 0 : 1, row[1]]);
+    check(times.length > 0 && times.every(([group, time], at) => !at || group > times[at - 1][0] || (group === times[at - 1][0] && time >= times[at - 1][1])),
+      `degree ${option}: [bound is not small, time] are ${JSON.stringify(times)}`);
   }
-  const worth = await page.$$eval("#answer-table td.inside", (all) => all.map((cell) => cell.closest("tbody").dataset.key));
+  const small = 5 * Number(options.at(-1));
+  const worth = (await rows()).filter((row) => row[3] <= small);
   const all = await page.locator("#answer-sentence").textContent();
-  check(worth.length > 0 && worth.every((method) => all.includes(`${method} (`)), `of those worth choosing, ${worth}, the sentence has ${all}`);
+  const named = worth.map((row) => row[0]).filter((method) => all.includes(`${method} (`));
+  check(named.length > 0 && all.includes(`at most ${small} u p~, fastest first: ${worth[0][0]} (`), `of those with a small proved bound, ${named}, the sentence has ${all}`);
   const errors = (await rows()).map((row) => row[2]).sort((a, b) => a - b);
   const middle = errors[Math.floor(errors.length / 2) - 1];
   const tolerance = page.locator("#picker").getByLabel("tolerance");
@@ -149,6 +152,23 @@ async function answer(page) {
   check((await page.locator("#answer-sentence").textContent()).startsWith("No method"), "a tolerance that none keeps has an answer");
   await tolerance.fill("");
   await tolerance.press("Enter");
+}
+
+// Each entry of the contents leads to its heading, also where what lies between has not been laid out yet.
+async function contents(path, options) {
+  const page = await open(path, options);
+  const links = await page.$$eval("nav li a", (all) => all.map((one) => one.getAttribute("href").slice(1)));
+  check(links.length > 10, `only ${links.length} entries in the contents`);
+  for (const id of links) {
+    await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
+    await page.$eval("nav details", (one) => { one.open = true; });
+    await page.locator(`nav a[href="#${id}"]`).click();
+    await page.waitForTimeout(500);
+    const [top, left] = await page.evaluate((one) => [document.getElementById(one).getBoundingClientRect().top,
+      document.documentElement.scrollHeight - innerHeight - scrollY], id);
+    check(top > -1 && (top < 120 || left < 2), `the link to ${id} lands ${Math.round(top)} px above its heading`);
+  }
+  await page.context().close();
 }
 
 async function figures(page) {
@@ -282,7 +302,7 @@ for (const [name, part] of Object.entries({ numbers, tables, filters, answer, fi
     failures.push(`${name}: ${error.message.split("\n")[0]}`);
   }
 }
-for (const [name, part] of Object.entries({ permalinks: () => permalinks(path, page), without: () => without(path), looks: () => looks(path), many: () => many(`${large}/report.html`) })) {
+for (const [name, part] of Object.entries({ permalinks: () => permalinks(path, page), contents: () => contents(path), small: () => contents(path, { viewport: { width: 390, height: 844 } }), without: () => without(path), looks: () => looks(path), many: () => many(`${large}/report.html`) })) {
   try {
     await part();
   } catch (error) {

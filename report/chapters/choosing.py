@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Time against error: which methods are worth choosing, degree by degree."""
 
-from ..answer import USELESS, useful
+from ..answer import USELESS, lost, useful
 from ..bundle import Missing
 from ..document import Cell, Text
 from ..methods import form
@@ -48,7 +48,8 @@ def _table(number, key, rows):
 
 
 def _cell(row):
-    good = useful(row["observed_max_u"], row["scalar"])
-    return Cell(f"{general(row['ns'])} ns, {general(row['observed_max_u'])} u{SIGN.get(row['pareto'], '') if good else ' ✗'}",
+    good, loss = useful(row["observed_max_u"], row["scalar"]), lost(row["observed_max_u"])
+    text = ", ".join(filter(None, (f"{general(row['ns'])} ns", f"{general(row['observed_max_u'])} u", loss)))
+    return Cell(text + (SIGN.get(row["pareto"], "") if good else " ✗"),
                 f"{row.text('ns')} {row.text('observed_max_u')} {row.text('pareto')}",
-                "outside" if not good else "inside" if row["pareto"] == "yes" else "")
+                "outside" if not good else "inside" if row["pareto"] == "yes" and not loss else "")

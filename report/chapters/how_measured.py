@@ -16,7 +16,8 @@ def blocks(bundle, _findings):
     yield Definitions((
         ("error", "Euclidean distance in coordinate units, rounded to 24 significant bits"),
         ("u, ulp", "u = 2^-53 is the unit roundoff of double; an ulp is the spacing of doubles at the exact value"),
-        ("p~", "the sum of the absolute terms of the curve at t, over the coefficients in the form in which it is given"),
+        ("p~", "the sum of the absolute terms of the curve at t, over the coefficients in the form in which it is given, each with its "
+         "Euclidean norm: for t in [0, 1] at most the root of the dimension times the largest coordinate"),
         ("condition number", "p~/|p|: by what relative errors of the coefficients can grow at t"),
         ("path", "`conversion:evaluator`: convert to the other form, then evaluate there"),
         ("replicate", "one independent repetition of all trials of a study; a band is over replicates"),

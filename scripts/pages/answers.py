@@ -2,18 +2,20 @@
 """Which method for which need: the table at the top of README.md, decided by the rows of results/answers.
 
 A method is a candidate for a need where the bundle has its errors and its times at every degree of DEGREES. What the need demands
-is a predicate over its rows; of the candidates that meet it at every degree, the winner has the smallest product of times.
+is a predicate over its rows; of the candidates that meet it at every degree, the fastest has the smallest product of times. Those whose
+intervals overlap with its own at every degree are tied with it, and the winner is the one among them with the smallest proved bound.
 """
 import math
 import textwrap
 from dataclasses import dataclass
 from typing import Callable
 
+from report.answer import ROUNDOFF, SMALL, is_proved_small
 from report.wording import general, interval, large, listing, scientific, shortest
 from scripts.pages.markdown import WIDTH, table
 
 DEGREES = (3, 12, 30)
-SMALL = 5  # roundings per degree: above the proved bounds of all methods in one pass over the control points
+AXES = 2  # of the curves of the table
 NOISY = "~"
 MICROSECOND = 1000  # in nanoseconds
 
@@ -43,12 +45,7 @@ def done(row):
 
 
 def bounded(row):
-    return done(row) and number(row, "bound_u") <= SMALL * row["degree"] and not row["bound_violations"]
-
-
-def bounded_twice(row):
-    """In the numerator and in the denominator."""
-    return done(row) and number(row, "bound_u") <= 2 * SMALL * row["degree"] and not row["bound_violations"]
+    return done(row) and is_proved_small(row["bound_u"], row["degree"], row["curve"]) and not row["bound_violations"]
 
 
 def in_u(rows):
@@ -71,7 +68,7 @@ NEEDS = (
     Need("Far outside [0, 1]", "as the first, for t in {interval}", "accuracy.csv", ("answers-outside",), "answers-outside-time",
          bounded, in_u),
     Need("Rational curve", f"bound proved, at most {2 * SMALL}n u p~", "accuracy.csv", ("answers-rational",),
-         "answers-rational-time", bounded_twice, in_u),
+         "answers-rational-time", bounded, in_u),
     Need("Data in power form", "as the first", "accuracy.csv", ("answers-power",), "answers-power-time", bounded, in_u),
     Need("Arc length", "the tolerance of {tolerance} kept in every trial", "arc_length.csv", ("answers-length",), "answers-length-time",
          lambda row: done(row) and not row["non_converged"] and not row["broken_promises"]
@@ -102,15 +99,36 @@ def times_of(bundle, need):
     return {method: rows for method, rows in found.items() if len(rows) == len(DEGREES)}
 
 
+@dataclass(frozen=True)
+class Found:
+    """Who answers a need, with the rows that say so."""
+
+    method: str
+    errors: dict  # {degree: rows}
+    times: dict  # {degree: row}
+    tied: tuple  # the other methods that are as fast, as far as the times tell
+
+
+def product(rows, column):
+    return math.prod(number(row, column) for row in rows)
+
+
+def overlap(one, other):
+    """Whether the intervals of two times have a value in common."""
+    return number(one, "low_ns") <= number(other, "high_ns") and number(other, "low_ns") <= number(one, "high_ns")
+
+
 def winner(bundle, need):
-    """(method, its errors by degree, its times by degree); None where no method meets the demand."""
+    """The Found of a need; None where no method meets the demand."""
     errors, times = errors_of(bundle, need), times_of(bundle, need)
     meeting = [method for method in errors if method in times
                and all(need.meets(row) for degree in DEGREES for row in errors[method][degree])]
     if not meeting:
         return None
-    best = min(meeting, key=lambda method: math.prod(number(times[method][degree], "median_ns") for degree in DEGREES))
-    return best, errors[best], times[best]
+    by_time = sorted(meeting, key=lambda method: product((times[method][degree] for degree in DEGREES), "median_ns"))
+    tied = [method for method in by_time if all(overlap(times[method][degree], times[by_time[0]][degree]) for degree in DEGREES)]
+    best = min(tied, key=lambda method: product((row for degree in DEGREES for row in errors[method][degree]), "bound_u"))
+    return Found(best, errors[best], times[best], tuple(method for method in tied if method != best))
 
 
 def time_text(row):
@@ -144,17 +162,28 @@ def trials(bundle):
     return f"Errors are the largest of {large(usual)} random curves{f' ({fewer})' if fewer else ''} for each cell, against the **exact** value."
 
 
+def units():
+    """Sentences: what u p~ is, and what an error of so many of them is in units of coordinates."""
+    return (f"u = 2^-53; p~ = sum |b_i| |B_i(t)|, with the Euclidean norm |b_i|. For t in [0, 1] p~ is at most √d times the largest "
+            f"coordinate in d dimensions, √{AXES} times in the plane: \"{SMALL} u\" is an error of at most "
+            f"{scientific(SMALL * math.sqrt(AXES) * ROUNDOFF['double'], 2)} times that coordinate. ulp: last digits of the exact value. "
+            "Lengths: relative; nearest points: eps is 2^-52 times the largest coordinate. "
+            f"{NOISY} marks a time of a noisy race. Times are per prepared point (conversions are done beforehand), of lengths and nearest "
+            "points for one answer from the control points. Methods in parentheses are as fast, as far as the intervals of the times tell.")
+
+
 def line(bundle, need):
     found = winner(bundle, need)
     what = f"**{need.name}**: {demand(bundle, need)}"
     if found is None:
         return [what, "none", *("" for _ in DEGREES)]
-    method, errors, times = found
-    shown = {degree: [row for row in errors[degree] if row["study"] == need.studies[0]] for degree in DEGREES}
-    return [what, f"`{method}`", *(f"{need.error(shown[degree])}, {time_text(times[degree])}" for degree in DEGREES)]
+    shown = {degree: [row for row in found.errors[degree] if row["study"] == need.studies[0]] for degree in DEGREES}
+    tied = f" ({listing(f'`{method}`' for method in found.tied)})" if found.tied else ""
+    return [what, f"`{found.method}`{tied}", *(f"{need.error(shown[degree])}, {time_text(found.times[degree])}" for degree in DEGREES)]
 
 
 def answers(bundle):
-    """The table, and a sentence below it."""
+    """The table, and what its numbers are."""
     head = ["need", "method", *(f"n = {shortest(float(degree))}" for degree in DEGREES)]
-    return f"{table(head, [line(bundle, need) for need in NEEDS])}\n\n{textwrap.fill(trials(bundle), WIDTH)}"
+    return "\n\n".join([table(head, [line(bundle, need) for need in NEEDS]), textwrap.fill(trials(bundle), WIDTH),
+                        textwrap.fill(units(), WIDTH)])

@@ -26,7 +26,7 @@ def points(bundle):
 
 def chosen(bundle):
     """The methods that the table names for curves on [0, 1], one point at a time."""
-    return {winner(bundle, need)[0] for need in NEEDS if need.times == STUDY and need.mode == "point" and winner(bundle, need)}
+    return {winner(bundle, need).method for need in NEEDS if need.times == STUDY and need.mode == "point" and winner(bundle, need)}
 
 
 def words(bundle):

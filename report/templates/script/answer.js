@@ -24,10 +24,23 @@ function tolerance() {
   return state.get("tolerance") && asked >= 0 ? asked : Infinity;
 }
 
+// In the order of the page, those with a small proved bound first; within a tolerance that is asked for, the fastest first.
 function ranked(cell) {
   const coordinate = state.get("in") === "coordinate";
   const most = tolerance();
-  return cell.methods.filter((one) => useful(cell, one) && (coordinate ? one.error : one.error_u) <= most);
+  const right = cell.methods.filter((one) => useful(cell, one) && (coordinate ? one.error : one.error_u) <= most);
+  const size = (one) => one.ns ?? one.error_u;
+  return Number.isFinite(most) ? right.sort((a, b) => size(a) - size(b)) : right;
+}
+
+function provedSmall(cell, one) {
+  return one.bound_u !== null && one.bound_u <= cell.small;
+}
+
+function lost(error) {
+  if (!(error > data.answer.losing)) return "";
+  const digits = Math.round(Math.log10(error));
+  return `, loses ${digits} digit${digits === 1 ? "" : "s"}`;
 }
 
 function bounded(one) {
@@ -41,9 +54,11 @@ function sentence(cell, methods) {
   const [first] = methods;
   const time = first.ns === null ? "" : `, ${general(first.ns)} ns per point`;
   const proved = asked && bounded(first) ? "; its proved bound keeps the tolerance in these trials, too" : asked ? "; no proved bound says so, only the trials" : "";
-  const front = methods.filter((one) => one.front === "yes");
-  if (!asked && front.length) {
-    return `Worth choosing, fastest first: ${front.map((one) => `${one.method} (${general(one.ns)} ns, at most ${general(one.error_u)} u p~ seen)`).join(", ")}.`;
+  if (!asked && first.ns !== null) {
+    const small = methods.filter((one) => provedSmall(cell, one));
+    if (!small.length) return `No method has a proved bound of at most ${general(cell.small)} u p~ here; the table has those without.`;
+    const front = small.filter((one) => one.front === "yes");
+    return `With a proved bound of at most ${general(cell.small)} u p~, fastest first: ${(front.length ? front : small.slice(0, 1)).map((one) => `${one.method} (${general(one.ns)} ns, at most ${general(one.error_u)} u p~ seen)`).join(", ")}.`;
   }
   return `${first.ns === null ? "Least error" : "Fastest"}${asked}: ${first.method}${time}, at most ${general(first.error_u)} u p~ seen${proved}.`;
 }
@@ -56,10 +71,11 @@ function fillTable(cell, methods) {
   table.append(...methods.map((one) => make("tbody", { class: "one", "data-key": one.method, hidden: !seen(one.method) },
     make("tr", {}, make("th", { class: "group", scope: "row" }, make("code", {}, one.method)),
       ...(timed ? [td(`${general(one.ns)} [${general(one.low)} – ${general(one.high)}]${one.noisy ? " ~" : ""}`, one.ns)] : []),
-      td(general(one.error_u), one.error_u), td(general(one.bound_u), one.bound_u),
-      ...(timed ? [td(WORTH.get(one.front) ?? "", one.front, one.front === "yes" ? "inside" : "")] : [])))));
+      td(general(one.error_u) + lost(one.error_u), one.error_u), td(general(one.bound_u), one.bound_u),
+      ...(timed ? [td(WORTH.get(one.front) ?? "", one.front, one.front === "yes" && !lost(one.error_u) ? "inside" : "")] : [])))));
   const caption = table.querySelector("caption strong");
-  caption.textContent = `Methods for ${cell.words}, ${timed ? "fastest" : "least error"} first`;
+  const order = !timed ? "least error first" : Number.isFinite(tolerance()) ? "fastest first" : "those with a small proved bound first, then by time";
+  caption.textContent = `Methods for ${cell.words}, ${order}`;
   table.querySelectorAll("thead th").forEach((head) => head.removeAttribute("aria-sort"));
 }
 
