@@ -111,10 +111,7 @@ void find(const AtLengthOptions& options) {
   const double tolerance = tolerance_of(options);
   const auto methods =
       chosen(inverse_arc_length_kernels(curve.dimension), options.methods, curve, ids_of(inverse_arc_length_infos()));
-  if (methods.empty())
-    throw Failure(Exit::usage,
-                  fmt::format("{}: the file is in {} form, lengths are those of control points; see `curve convert`",
-                              options.curve.file, name(curve.form)));
+  if (methods.empty()) refuse_curve(options.curve.file, curve, *inverse_arc_length_infos().front());
   const Truth truth(options, curve.view());
   const LongReal target = target_of(options, truth.whole());
   bundle::CsvTable table(

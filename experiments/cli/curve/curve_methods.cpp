@@ -26,6 +26,17 @@ std::string why_not(const MethodInfo& info, const CurveFile& curve) {
                      info.max_degree, curve.degree());
 }
 
+void refuse_curve(const std::string& file, const CurveFile& curve, const MethodInfo& any) {
+  std::string problem(name(any.problem));
+  std::ranges::replace(problem, '_', ' ');
+  std::string why = why_not(any, curve);
+  if (curve.form == Form::rational)
+    why = fmt::format("no method for {} takes rational curves (column w); `curve eval` and `curve split` do", problem);
+  else if (curve.form == Form::power)
+    why = fmt::format("no method for {} takes the power form; see `curve convert`", problem);
+  throw Failure(Exit::usage, fmt::format("{}: {}", file, why));
+}
+
 bool applies(const MethodInfo& info, const CurveFile& curve) {
   return info.form == curve.form && info.supports<double>(curve.degree());
 }

@@ -21,6 +21,9 @@ bool applies(const MethodInfo& info, const CurveFile& curve);
 /// Why the method does not take the curve, for messages.
 std::string why_not(const MethodInfo& info, const CurveFile& curve);
 
+/// Throws Failure(usage) for a curve in `file` that no method takes. `any` is one of the problem's methods.
+[[noreturn]] void refuse_curve(const std::string& file, const CurveFile& curve, const MethodInfo& any);
+
 /// The ids of `infos`, in their order.
 std::vector<std::string> ids_of(std::span<const MethodInfo* const> infos);
 

@@ -68,11 +68,7 @@ void add_rows(const DerivativeKernel& method, const CurveFile& curve, int order,
 void differentiate(const DerivativeOptions& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const auto methods = chosen(derivative_kernels(curve.dimension), options.methods, curve, ids_of(derivative_infos()));
-  if (methods.empty())
-    throw Failure(Exit::usage,
-                  fmt::format("{}: has weights (column w); derivatives are those of polynomial curves, leave "
-                              "the column out",
-                              options.curve.file));
+  if (methods.empty()) refuse_curve(options.curve.file, curve, *derivative_infos().front());
   std::vector<DerivativeTarget> targets;
   for (const auto& text : options.t) targets.push_back(target_of(curve, options.order, finite_option("--t", text)));
   bundle::CsvTable table(

@@ -65,9 +65,7 @@ void run_grid(const GridOptions& options) {
     throw Failure(Exit::usage, fmt::format("--points {}: must be a power of two and one, 2 to {}", options.points,
                                            max_grid_steps + 1));
   const auto methods = chosen(grid_kernels(curve.dimension), options.methods, curve, ids_of(grid_infos()));
-  if (methods.empty())
-    throw Failure(Exit::usage, fmt::format("{}: no method takes it; grids are of polynomial curves, leave column w out",
-                                           options.curve.file));
+  if (methods.empty()) refuse_curve(options.curve.file, curve, *grid_infos().front());
   bundle::CsvTable table(
       {"method", "index", "t", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"});
   for (const auto* method : methods) add_grid_rows(*method, curve, options.points - 1, table);

@@ -67,10 +67,7 @@ void measure(const LengthOptions& options) {
   const auto task = task_of(options);
   const auto kernels = judge::arc_length_methods(curve.dimension);
   const auto methods = chosen(kernels, options.methods, curve, ids_in(kernels));
-  if (methods.empty())
-    throw Failure(Exit::usage,
-                  fmt::format("{}: the file is in {} form, lengths are those of control points; see `curve convert`",
-                              options.curve.file, name(curve.form)));
+  if (methods.empty()) refuse_curve(options.curve.file, curve, *kernels.front().info);
   const auto truth = true_length(options, curve.view(), task);
   bundle::CsvTable table({"method", "length", "error_estimate", "evaluations", "converged", "exact", "error"});
   for (const auto* method : methods) {

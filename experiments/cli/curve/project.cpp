@@ -39,9 +39,7 @@ void project(const ProjectOptions& options) {
   const auto point = point_option(options.point, curve, options.curve.file);
   const auto kernels = judge::projection_methods(curve.dimension);
   const auto methods = chosen(kernels, options.methods, curve, ids_in(kernels));
-  if (methods.empty())
-    throw Failure(Exit::usage, fmt::format("{}: no method projects onto it: {} {}", options.curve.file,
-                                           kernels.front().info->id, why_not(*kernels.front().info, curve)));
+  if (methods.empty()) refuse_curve(options.curve.file, curve, *kernels.front().info);
   std::optional<reference::ExactProjection> exact;
   std::string t;
   std::string distance;

@@ -107,10 +107,7 @@ void add_split_rows(const SplitKernel& method, const CurveFile& curve, const Spl
 void split(const SplitOptions& options) {
   const auto curve = read_curve(options.curve.file, options.curve.form_value());
   const auto methods = chosen(split_kernels(curve.dimension), options.methods, curve, ids_of(split_infos()));
-  if (methods.empty())
-    throw Failure(
-        Exit::usage,
-        fmt::format("{}: is in power form, what is split has control points; see `curve convert`", options.curve.file));
+  if (methods.empty()) refuse_curve(options.curve.file, curve, *split_infos().front());
   const SplitTarget target(curve, finite_option("--t", options.t));
   require_points(target.exact.left, options);
   require_points(target.exact.right, options);
