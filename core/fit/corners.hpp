@@ -30,10 +30,10 @@ class Shape {
  public:
   Shape(const FitData<Dimension>& data, double tolerance) : data_(data), arm_(2 * tolerance) {}
 
-  /// Whether the data have a corner, for each point. At a corner the arms turn by more than 75.5 degrees, and no point between their ends turns more. Arms end at data
-  /// points and are therefore not all of one length, so that several points qualify; the one with the largest sum of
-  /// distances to the ends of the arms is chosen. False for the first and the last point of open data. In closed data
-  /// these two are the same point.
+  /// Whether the data have a corner, for each point. At a corner the arms turn by more than 75.5 degrees, and no point
+  /// between their ends turns more. Arms end at data points and are therefore not all of one length, so that several
+  /// points qualify; the one with the largest sum of distances to the ends of the arms is chosen. False for the first
+  /// and the last point of open data. In closed data these two are the same point.
   [[nodiscard]] std::vector<bool> corners() const {
     const int first = data_.closed ? 0 : 1;
     std::vector<Turn> turns(static_cast<std::size_t>(data_.count()));

@@ -62,8 +62,8 @@ bool keeps_promise(const Section<Dimension>& section, const Piece<Dimension>& pi
 }
 
 /// No handle of a segment is longer than this many times the polyline of its points. No handle of any cubic is longer
-/// than three times the cubic: the integral of C' is of degree 3, so that by Markov's inequality |C'| is at most 2 * 3^2
-/// times half the length, and |C'(0)| is 3 |b_1 - b_0|.
+/// than three times the cubic: the integral of C' is of degree 3, so that by Markov's inequality |C'| is at most 2 *
+/// 3^2 times half the length, and |C'(0)| is 3 |b_1 - b_0|.
 inline constexpr double longest_handle = 3;
 
 /// What both methods promise, by way of piecewise.hpp.

@@ -16,13 +16,12 @@ struct FittingKernel {
   /// A piecewise cubic from the first data point to the last, with a distance of at most `tolerance` >= 0 (in
   /// coordinate units) from every data point. Between two points it is within the limit of polyline.hpp of the line
   /// segment between them, and no handle is longer than three times the polyline beside it. `points` has one or more
-  /// finite points, point by point. Segments meet in data points. They have the same tangent there, except at corners of
-  /// the data, where the data turn back, and where the limit is too small for it; the same holds for the ends of closed
-  /// data, whose last point equals the first. The curve begins and ends in the directions of `ends`, where these are
-  /// given; there closed data may have a corner. Consecutive equal points count once; a
-  /// single point gives one segment of equal control points. Scaling data and tolerance by a power of two scales the
-  /// result. Cost: the cost of the method's `piece`, times about the logarithm of the number of segments and at most
-  /// their number.
+  /// finite points, point by point. Segments meet in data points. They have the same tangent there, except at corners
+  /// of the data, where the data turn back, and where the limit is too small for it; the same holds for the ends of
+  /// closed data, whose last point equals the first. The curve begins and ends in the directions of `ends`, where these
+  /// are given; there closed data may have a corner. Consecutive equal points count once; a single point gives one
+  /// segment of equal control points. Scaling data and tolerance by a power of two scales the result. Cost: the cost of
+  /// the method's `piece`, times about the logarithm of the number of segments and at most their number.
   Fit (*fit)(std::span<const double> points, double tolerance, const FitEnds& ends);
 };
 

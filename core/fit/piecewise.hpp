@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Makes a piecewise curve of single segments, in the same way for every method. The data are cut at corners. Between
-// corners straight data get a straight segment. If the segment of another section is farther than the tolerance from any
-// of its points, the section is split at the farthest point, where both parts get the same tangent; likewise if the
+// corners straight data get a straight segment. If the segment of another section is farther than the tolerance from
+// any of its points, the section is split at the farthest point, where both parts get the same tangent; likewise if the
 // segment leaves the polyline of the data. Splitting ends at sections of two points, which a segment passes without
 // error.
 #pragma once

@@ -5,8 +5,9 @@
 // Source: [Schneider 1990]: parameters by chord length, the system of its section "Fitting the curve", t_i - f/f' of
 //   "Reparameterization", centre tangent at a split. As published, steps are only taken where the largest error is
 //   below twice the tolerance (four times for squared errors). Errors are in coordinate units here, so that the scale
-//   of the data does not matter. Alphas that are not above 2^-20 times the length, or above three times it, are replaced
-//   by a third of it; the former, with the chord for the length and 1e-6, is the published heuristic of Wu and Barsky.
+//   of the data does not matter. Alphas that are not above 2^-20 times the length, or above three times it, are
+//   replaced by a third of it; the former, with the chord for the length and 1e-6, is the published heuristic of Wu and
+//   Barsky.
 // Cost: O(m) flops for m points and each of at most 20 steps.
 // Bound: none of the fit itself; piecewise.hpp bounds the distance of every data point from the result.
 // Fails: T1 and T2 are chords of the data. So samples of a cubic do not give it back, however small the tolerance: the

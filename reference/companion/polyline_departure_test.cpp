@@ -48,7 +48,8 @@ TEST(Departure, SeesTheOrderOfThePoints) {
 }
 
 /// Of steps (4,0) and (4,3), the difference is (0,3), so that s = 3/8. Of (4,0) and (0.8,0.6) it is (-3.2,0.6), but the
-/// only neighbour of the long step, and the short step itself, have length 1, so that s = 2/8. A right angle is a corner.
+/// only neighbour of the long step, and the short step itself, have length 1, so that s = 2/8. A right angle is a
+/// corner.
 TEST(Departure, AllowsWhatTheSamplingLeavesOpen) {
   const auto limit = [](const Data& points, double tolerance) {
     const Data away{0, 0, 0, -1, 0, -1, points[4], points[5]};
