@@ -30,12 +30,11 @@ class TimingJob final : public RacingJob<race::RaceCellLaps> {
   }
 
   [[nodiscard]] run::Extent extent() const override {
-    run::Extent sum{race_cells().size(), suite::keys_of<suite::TimingKeys>(study()).modes.size(), 0,
-                    0};  // a sentinel's row in each mode
-    for (const auto& race_cell : race_cells()) {
-      sum.rows += race_cell.methods.size();
+    tables::Tables listed;
+    list_rows(listed);
+    run::Extent sum{race_cells().size(), listed.table("timing.csv").row_count(), 0, 0};
+    for (const auto& race_cell : race_cells())
       sum.evaluations += race_cell.methods.size() * race::timed_inputs_per_cell;
-    }
     return sum;
   }
   void write(tables::Tables& tables) const override {
