@@ -212,8 +212,8 @@ auto bounds_of(const MethodInfo& info, Form form, const Points& points, double t
 }  // namespace detail
 
 /// How far each coordinate of `evaluate<Method>(points, t)` may be from the true one: the method's proved bound at
-/// this curve and t, as a distance on each axis. Infinite where nothing is proved, so also where a result on the way may
-/// overflow. It holds in arithmetic that rounds each operation once (core/api/floating_point.hpp).
+/// this curve and t, as a distance on each axis. Infinite where nothing is proved, so also where a result on the way
+/// may overflow. It holds in arithmetic that rounds each operation once (core/api/floating_point.hpp).
 template <Evaluator Method, ControlPoints Points>
 requires(Method::info.form != Form::rational &&
          MeasuredPoints<Points>) auto error_bound(const Points& points, std::type_identity_t<ScalarOf<Points>> t) {

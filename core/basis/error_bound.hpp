@@ -31,8 +31,8 @@ inline constexpr int amplification_count = 7;
 /// For a rational curve with weights >= 0 and W = sum w_i B_i(t) > 0, for 0 <= t <= 1 only,
 ///   |computed - true| <= factor(n, u) u p~ + eta + underflow(n) eta (S + S_W p~) / W
 /// with S = S_W = 1 or, as above, S = 1 + max|w_i b_i| and S_W = 1 + max w_i; proved while underflow(n) eta S_W / W is
-/// at most 1/8, with max(|w_i b_i|, |b_i|, w_i) for max|c| in S_0. A method that divides by weights needs them positive;
-/// then
+/// at most 1/8, with max(|w_i b_i|, 2 |b_i|, w_i) for max|c| in S_0. A method that divides by weights needs positive
+/// ones; then
 ///   |computed - true| <= factor(n, u) u p~ + eta + underflow(n) eta (1 + max|b_i|) (1 + max w_i) / min w_i
 /// while 2^n (n + 1) (1 + max w_i) (1 + 1/min w_i) is in range.
 struct ErrorBound {
@@ -41,8 +41,8 @@ struct ErrorBound {
   double (*factor)(int degree, double u);  ///< u is the unit roundoff: 2^-53, or 2^-24 for float
   double (*underflow)(int degree);
   bool underflow_scales_with_coefficients;
-  /// No result of an operation is larger than growth S_0 (x + y)^n, but for the roundings on the way to it, which are at
-  /// most 5 (n + 1)^2. Binomials and factorials stay in range by the degrees that the method declares.
+  /// No result of an operation is larger than growth S_0 (x + y)^n, but for the roundings on the way to it, which are
+  /// at most 5 (n + 1)^2. Binomials and factorials stay in range by the degrees that the method declares.
   double (*growth)(int degree) = [](int) { return 1.0; };
   bool unit_interval_only = false;     ///< proved for 0 <= t <= 1 only
   bool positive_weights_only = false;  ///< of a rational method: weights of 0 are not allowed

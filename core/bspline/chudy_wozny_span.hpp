@@ -14,7 +14,8 @@
 //   3d n(n+1)/2 + 5 for a point.
 // Bound: none. (c - y) is negative: the coefficients are positive, but come as differences of larger numbers, and an
 //   error in one of them goes into all later ones.
-// Fails: where differences of knots overflow, and where these differences cancel. Clamped and uneven knots of degree 10 or more lose many digits.
+// Fails: where these differences cancel. Clamped and uneven knots of degree 10 or more lose many digits. Differences of
+//   knots may overflow.
 #pragma once
 
 #include "core/bspline/basis_functions.hpp"

@@ -9,8 +9,8 @@
 //   k = k_a + k_b + 1. It misses the product of the two errors, k_a k_b, and rounds its correction: three times each k
 //   and once its own error. Higher orders: no path of value or correction passes more than 4k roundings. (1-t)^n may
 //   underflow, by up to 2^n max|b| eta, and so may each of its corrections.
-// Fails: as volk_schumaker, the sum at r = 1 is up to 2^n max|b|. (1-t)^n underflows for n > 1022 at t = 1/2. Its error part underflows for n > 969, and the correction is lost
-//   there.
+// Fails: as volk_schumaker, the sum at r = 1 is up to 2^n max|b|. (1-t)^n underflows for n > 1022 at t = 1/2. Its error
+//   part underflows for n > 969, and the correction is lost there.
 #pragma once
 
 #include <functional>

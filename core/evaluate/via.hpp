@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <type_traits>
 
 #include "core/basis/amplification.hpp"
@@ -60,6 +61,21 @@ requires(Converter::target == Method::info.form) struct Via {
     else
       return false;
   }
+  /// The largest degree up to this one at which results stay in range for coordinates of 1 before the conversion, so
+  /// that the evaluator's growth comes on top of its own.
+  template <class Scalar>
+  static constexpr int degree_in_range(int degree) {
+    if constexpr (has_bound()) {
+      constexpr double u = std::numeric_limits<Scalar>::epsilon() / 2;
+      constexpr double most = std::numeric_limits<Scalar>::max();
+      // The product may leave the range, which no constant expression may.
+      const auto is_beyond = [](int n) {
+        return Method::info.bound->growth(n) > most / Converter::coefficient_growth(n);
+      };
+      while (is_beyond(degree) || !stays_in_range(bound_growth(degree), degree, u)) --degree;
+    }
+    return degree;
+  }
   static constexpr std::optional<ErrorBound> bound() {
     if constexpr (has_bound())
       return ErrorBound{
@@ -82,8 +98,9 @@ requires(Converter::target == Method::info.form) struct Via {
       .problem = Problem::evaluation,
       .form = Converter::info.form,
       .min_degree = std::max(Converter::info.min_degree, Method::info.min_degree),
-      .max_degree = std::min(Converter::info.max_degree, Method::info.max_degree),
-      .max_degree_float = std::min(Converter::info.max_degree_float, Method::info.max_degree_float),
+      .max_degree = degree_in_range<double>(std::min(Converter::info.max_degree, Method::info.max_degree)),
+      .max_degree_float =
+          degree_in_range<float>(std::min(Converter::info.max_degree_float, Method::info.max_degree_float)),
       .unit_interval_only = Method::info.unit_interval_only,
       .bound = bound(),
       .bit_stable = Converter::info.bit_stable && Method::info.bit_stable,

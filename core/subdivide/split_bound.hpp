@@ -24,8 +24,8 @@ enum class SplitAmplification {
 /// The bound of a control point of k levels with the amplification A. On each axis, for 0 <= t <= 1,
 ///   |computed - true| <= factor(k, u) u A + underflow(k) eta S,
 /// where eta is the smallest subnormal. S is 1 or, where powers of t are rounded apart from the coefficients,
-/// 1 + max |c_j|. The bound is infinite where none is proved, so also where growth max |c_j| leaves the range, no result
-/// on the way being larger. For a rational curve it applies to the homogeneous coordinates (w_i b_i, w_i).
+/// 1 + max |c_j|. The bound is infinite where none is proved, so also where growth max |c_j| leaves the range: no
+/// result on the way is larger. For a rational curve it applies to the homogeneous coordinates (w_i b_i, w_i).
 struct SplitBound {
   std::string_view text;  ///< for people
   SplitAmplification amplification;
