@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "reference/rational.hpp"
+
 namespace bezierbench::metric {
 namespace {
 
@@ -37,6 +39,23 @@ Interval median_interval(std::span<const double> sample, double confidence) {
   std::size_t below = 0;  // order statistics that can be left out at each end
   while (2 * (below + 1) < count && cdf(half, static_cast<double>(below)) <= (1 - confidence) / 2) ++below;
   return {median_of_sorted(values), values[below == 0 ? 0 : below - 1], values[count - (below == 0 ? 1 : below)]};
+}
+
+Ranks quantile_ranks(std::size_t count, unsigned long part, unsigned long exceptions) {
+  mpz_class total;
+  mpz_ui_pow_ui(total.get_mpz_t(), part, count);
+  mpz_class term;  // C(count, k) (part - 1)^(count - k): `total` times the probability that k values are below
+  mpz_ui_pow_ui(term.get_mpz_t(), part - 1, count);
+  mpz_class fewer = 0;  // the sum of the terms before
+  Ranks ranks{0, 0};
+  for (std::size_t k = 0;; ++k) {
+    if (fewer * exceptions <= total) ranks.low = k;
+    ranks.high = k;
+    if ((total - fewer) * exceptions <= total) return ranks;
+    fewer += term;
+    term *= count - k;
+    mpz_divexact_ui(term.get_mpz_t(), term.get_mpz_t(), (k + 1) * (part - 1));
+  }
 }
 
 bool covers_median(std::size_t count, double confidence) {

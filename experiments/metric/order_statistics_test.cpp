@@ -47,6 +47,25 @@ TEST(OrderStatistics, TooFewValuesGiveTheWholeRange) {
   EXPECT_EQ(three.high, 3);
 }
 
+/// Of 2 values none is below the quarter with 9/16, one with 6/16 and both with 1/16: the first value exceeds it where
+/// none is below, and lies below it otherwise.
+TEST(OrderStatistics, RanksOfAQuantileFollowTheBinomialDistribution) {
+  const auto ranks = [](std::size_t count, unsigned long part, unsigned long exceptions) {
+    const Ranks found = quantile_ranks(count, part, exceptions);
+    return std::pair(found.low, found.high);
+  };
+  EXPECT_EQ(ranks(2, 4, 16), std::pair(std::size_t{0}, std::size_t{2}));  // P(both below) = 1/16
+  EXPECT_EQ(ranks(2, 4, 17), std::pair(std::size_t{0}, std::size_t{3}));
+  EXPECT_EQ(ranks(2, 4, 2), std::pair(std::size_t{0}, std::size_t{1}));  // P(none below) = 9/16, P(any below) = 7/16
+  // The sign test again: 2 and 9 of 10, 6 and 15 of 20 (Conover, table A3).
+  EXPECT_EQ(ranks(10, 2, 40), std::pair(std::size_t{2}, std::size_t{9}));
+  EXPECT_EQ(ranks(20, 2, 40), std::pair(std::size_t{6}, std::size_t{15}));
+  // By fractions in Python, from math.comb: the first sample that has a value below its 5 % quantile is of 104.
+  EXPECT_EQ(ranks(103, 20, 200), std::pair(std::size_t{0}, std::size_t{13}));
+  EXPECT_EQ(ranks(104, 20, 200), std::pair(std::size_t{1}, std::size_t{13}));
+  EXPECT_EQ(ranks(400, 20, 200), std::pair(std::size_t{10}, std::size_t{33}));
+}
+
 /// 2 (1/2)^7 = 0.0156 and 2 (1/2)^8 = 0.0078.
 TEST(OrderStatistics, EightValuesCoverAtNinetyNinePercent) {
   EXPECT_FALSE(covers_median(0, 0.99));

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <optional>
 
 #include "experiments/metric/order_statistics.hpp"
@@ -24,10 +27,26 @@ struct PrintedCell {
   double coordinate_range = 0;
   std::optional<suite::Interval> t_interval;
   double value = 0;
-  std::optional<double> corrected;  ///< the value probably meant, where the printed one breaks its row's pattern
+  suite::Interval rounded;  ///< the values that are printed as this one
+  std::optional<suite::Interval>
+      corrected;  ///< of the value probably meant, where the printed one breaks its row's pattern
 };
 
 double number(const std::string& text) { return number::parse_number(text).value(); }
+
+/// The values that are rounded to `text`, to half a unit of its last digit; `text` is digits[.digits][eEXPONENT].
+suite::Interval rounded_to(const std::string& text) {
+  const std::size_t exponent_at = std::min(text.find('e'), text.size());
+  std::string digits = text.substr(0, exponent_at);
+  std::int64_t exponent = exponent_at < text.size() ? number::parse_integer(text.substr(exponent_at + 1)).value() : 0;
+  if (const std::size_t point = digits.find('.'); point != std::string::npos) {
+    exponent -= static_cast<std::int64_t>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  const std::int64_t tenths = 10 * number::parse_integer(digits).value();
+  return {number(fmt::format("{}e{}", tenths - 5, exponent - 1)),
+          number(fmt::format("{}e{}", tenths + 5, exponent - 1))};
+}
 
 std::vector<PrintedCell> printed_cells(const std::string& file_name) {
   std::vector<PrintedCell> cells;
@@ -44,7 +63,11 @@ std::vector<PrintedCell> printed_cells(const std::string& file_name) {
                        .coordinate_range = number(csv.at(row, "coordinate_range")),
                        .t_interval = std::nullopt,
                        .value = number(csv.at(row, "value")),
-                       .corrected = number::parse_number(csv.at(row, "corrected"))};
+                       .rounded = {},
+                       .corrected = std::nullopt};
+      const bool counted = cell.statistic.starts_with("count_");
+      cell.rounded = counted ? suite::Interval{cell.value, cell.value} : rounded_to(csv.at(row, "value"));
+      if (const auto& meant = csv.at(row, "corrected"); !meant.empty()) cell.corrected = rounded_to(meant);
       if (!csv.at(row, "t_min").empty())
         cell.t_interval = suite::Interval{number(csv.at(row, "t_min")), number(csv.at(row, "t_max"))};
       cells.push_back(std::move(cell));
@@ -87,26 +110,83 @@ Row row_of(std::string_view file, const PrintedCell& cell) {
 
 Row& set_not_in_suite(Row& row) { return row.set("verdict", "outside").set("note", "not in this suite"); }
 
+/// An edge of the band, a quantile of the repetitions, and the values between which the quantile of the experiment lies;
+/// infinite where the repetitions are too few to say.
+struct Edge {
+  double value, low, high;
+};
+
+/// Where the middle 90 % of honest repetitions lie, as far as ours tell.
+struct Band {
+  static constexpr unsigned long part = 20;         ///< edges are the quantiles 1/20 and 19/20
+  static constexpr unsigned long exceptions = 200;  ///< they lie between their limits with 99 %
+
+  Band(std::vector<double> ours, const metric::Ranks& ranks)
+      : low{.value = metric::quantile(ours, 1.0 / part), .low = -infinity, .high = infinity},
+        high{.value = metric::quantile(ours, 1 - 1.0 / part), .low = -infinity, .high = infinity},
+        chance_outside(2 * static_cast<double>(ranks.low) / static_cast<double>(ours.size() + 1)) {
+    std::ranges::sort(ours);
+    if (ranks.low > 0) {
+      low.low = ours[ranks.low - 1];
+      high.high = ours[ours.size() - ranks.low];
+    }
+    if (ranks.high <= ours.size()) {
+      low.high = ours[ranks.high - 1];
+      high.low = ours[ours.size() - ranks.high];
+    }
+  }
+
+  /// Of a printed value, each of the values that are rounded to it considered.
+  [[nodiscard]] std::string_view verdict(const suite::Interval& printed) const {
+    if (low.high <= printed.min && printed.max <= high.low) return "inside";
+    return printed.max < low.low || high.high < printed.min ? "outside" : "edge";
+  }
+
+  Edge low, high;
+  /// The probability that one more repetition lies outside: it takes each place among ours with the same probability.
+  double chance_outside;
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+};
+
+/// By the number of repetitions; made once, since the integers grow with it.
+using RanksOfEdges = std::map<std::size_t, metric::Ranks>;
+
+const metric::Ranks& ranks_of_edges(std::size_t count, RanksOfEdges& known) {
+  const auto found = known.find(count);
+  if (found != known.end()) return found->second;
+  return known.emplace(count, metric::quantile_ranks(count, Band::part, Band::exceptions)).first->second;
+}
+
+std::string_view accuracy_verdict(const PrintedCell& cell, const Band& band) {
+  const std::string_view verdict = band.verdict(cell.rounded);
+  const bool explained = verdict == "outside" && cell.corrected && band.verdict(*cell.corrected) != "outside";
+  return explained ? "explained" : verdict;
+}
+
+void set_edge(Row& row, const std::string& column, const Edge& edge) {
+  row.set("ours_" + column, edge.value);
+  if (std::isfinite(edge.low)) row.set(column + "_low", edge.low);
+  if (std::isfinite(edge.high)) row.set(column + "_high", edge.high);
+}
+
 void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std::span<const Series> series,
-                         Tables& tables) {
+                         RanksOfEdges& ranks, Tables& tables) {
   const std::string& baseline = study.baseline.front();
   const auto* ours = find(series, study, cell, study.generator.front(), baseline, "");
   Row row = row_of("scorecard.csv", cell);
   if (ours == nullptr || ours->values.empty()) {
     set_not_in_suite(row);
   } else {
-    const double low = metric::quantile(ours->values, 0.05);
-    const double high = metric::quantile(ours->values, 0.95);
-    const auto inside = [&](double value) { return low <= value && value <= high; };
-    const std::string_view verdict = inside(cell.value)                          ? "inside"
-                                     : cell.corrected && inside(*cell.corrected) ? "explained"
-                                                                                 : "outside";
+    const Band band(ours->values, ranks_of_edges(ours->values.size(), ranks));
+    set_edge(row, "p05", band.low);
+    set_edge(row, "p95", band.high);
     row.set("ours_median", median(*ours))
-        .set("ours_p05", low)
-        .set("ours_p95", high)
         .set("continuous_median", median_text(find(series, study, cell, "continuous", baseline, "")))
         .set("against_exact", median_text(find(series, study, cell, study.generator.front(), "exact", "")))
-        .set("verdict", verdict)
+        .set("chance_outside", band.chance_outside)
+        .set("verdict", accuracy_verdict(cell, band))
         .set("note", cell.note);
   }
   tables.add(row);
@@ -157,6 +237,7 @@ void write_scorecards(std::span<const suite::Study> studies, std::span<const Ser
   for (const auto& study : studies)
     if (const auto file = suite::published_of(study); !file.empty() && std::ranges::find(files, file) == files.end())
       files.emplace_back(file);
+  RanksOfEdges ranks;
   for (const auto& file : files)
     for (const auto& cell : printed_cells(file))
       for (const auto& study : studies) {
@@ -164,7 +245,7 @@ void write_scorecards(std::span<const suite::Study> studies, std::span<const Ser
         if (cell.statistic == time_statistic)
           write_timing_cell(study, cell, series, tables);
         else
-          write_accuracy_cell(study, cell, series, tables);
+          write_accuracy_cell(study, cell, series, ranks, tables);
         break;  // one row per printed cell
       }
 }

@@ -62,7 +62,7 @@ Series series_of(double first, double last, const std::string& generator, const 
                 .baseline = baseline,
                 .mode = "",
                 .values = {}};
-  for (int k = 0; k < 100; ++k) series.values.push_back(first + (last - first) * k / 99);
+  for (int k = 0; k < 400; ++k) series.values.push_back(first + (last - first) * k / 399);
   return series;
 }
 
@@ -90,6 +90,45 @@ TEST(Scorecard, InsideAndOutsideTheBand) {
   const std::vector<Series> above{series_of(7e-11, 8e-11, "report", "direct")};
   EXPECT_EQ(first_row(above, study)["verdict"], "outside");
   EXPECT_EQ(first_row({}, study)["verdict"], "outside");
+}
+
+/// Of 400 repetitions 99 % limits of the 5 % quantile are those of ranks 10 and 33 (order_statistics_test.cpp), and of
+/// the 95 % quantile those of ranks 368 and 391. The values here are rank by rank 1e-13 apart, and 6.92e-11 is printed
+/// for all from 6.915e-11 to 6.925e-11: ranks r to r + 1 where the value of rank r is 6.915e-11.
+TEST(Scorecard, AnEdgeIsWhereTheErrorOfTheBandReaches) {
+  const auto verdict_where_rank = [](int rank) {
+    const double first = 6.915e-11 + (1 - rank) * 1e-13;
+    return first_row(std::vector{series_of(first, first + 399e-13, "report", "direct")}, study_231())["verdict"];
+  };
+  EXPECT_EQ(verdict_where_rank(8), "outside");  // up to rank 9
+  EXPECT_EQ(verdict_where_rank(20), "edge");
+  EXPECT_EQ(verdict_where_rank(32), "edge");
+  EXPECT_EQ(verdict_where_rank(34), "inside");
+  EXPECT_EQ(verdict_where_rank(366), "inside");
+  EXPECT_EQ(verdict_where_rank(368), "edge");
+  EXPECT_EQ(verdict_where_rank(390), "edge");
+  EXPECT_EQ(verdict_where_rank(392), "outside");
+}
+
+/// One more repetition is the smallest of 401, the next, and so on, with the same probability: 20 of 401 places are
+/// below rank 10 or above rank 391.
+TEST(Scorecard, SaysWhatChanceLeavesOutside) {
+  auto row = first_row(std::vector{series_of(6e-11, 8e-11, "report", "direct")}, study_231());
+  EXPECT_EQ(row["chance_outside"], number::decimal(20.0 / 401));
+  EXPECT_LT(*number::parse_number(row["p05_low"]), *number::parse_number(row["ours_p05"]));
+  EXPECT_LT(*number::parse_number(row["ours_p05"]), *number::parse_number(row["p05_high"]));
+  EXPECT_LT(*number::parse_number(row["p95_low"]), *number::parse_number(row["ours_p95"]));
+  EXPECT_LT(*number::parse_number(row["ours_p95"]), *number::parse_number(row["p95_high"]));
+}
+
+/// Of 100 repetitions none need lie below the 5 % quantile: 0.95^100 = 0.6 %, and no value is certainly outside.
+TEST(Scorecard, FewRepetitionsLeaveNothingOutside) {
+  Series few = series_of(7e-11, 8e-11, "report", "direct");
+  few.values.resize(100);
+  auto row = first_row(std::vector{few}, study_231());
+  EXPECT_EQ(row["verdict"], "edge");
+  EXPECT_EQ(row["p05_low"], "");
+  EXPECT_EQ(row["chance_outside"], "0");
 }
 
 /// The report prints 3.64e-3 where 3.64e-4 was meant. The cell is explained only if the corrected value lies in the
