@@ -189,6 +189,7 @@ class Finding:
     headline: str
     detail: tuple = ()
     rows: tuple = ()  # the rows of the bundle that decide it
+    place: str = ""  # where the report says so: section and paragraph
     suite: str = ""  # the suite whose chapter it stands in; the report's own stand under their headings
     kind: str = field(default="finding", init=False)
 

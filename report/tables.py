@@ -19,7 +19,7 @@ LAYOUT = {
 }
 AXIS = {"degree": "degree n", "order": "order k", "tolerance": "tolerance", "points": "points", "coordinate_range": "R of the range [-R, R]", "interval": "interval of t",
         "statistic": "distance at most"}
-MARK = {"inside": "✓ inside", "outside": "✗ outside", "explained": "≈ explained", "untestable": "– untestable"}
+MARK = {"inside": "✓ inside", "edge": "± edge", "outside": "✗ outside", "explained": "≈ explained", "untestable": "– untestable"}
 
 
 def axis_value(row, axis):

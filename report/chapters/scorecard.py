@@ -11,7 +11,7 @@ from ..wording import as_printed, general, interval, scientific, shortest
 
 TITLE = "Scorecard"
 SUITE = "report"
-VERDICTS = ("inside", "explained", "untestable", "outside")
+VERDICTS = ("inside", "edge", "explained", "untestable", "outside")
 FILES = ("scorecard.csv", "scorecard_timing.csv")
 
 
@@ -30,8 +30,9 @@ def blocks(bundle, _findings):
     """The count, and what lies outside or needs a reason."""
     tables = counts(bundle)
     yield Text("The band is what the middle 90 % of independent repetitions of the report's experiment give, with its generator "
-               "and its yardstick. **inside**: the printed value lies in it. **outside**: it does not, and no cause is known. "
-               "**explained**: it does not, for a stated cause. **untestable**: the printed time is no more than one tick of its "
+               "and its yardstick. Its ends are known from our repetitions, with an error of their own (99 % limits), and the printed value is "
+               "rounded. **inside**: the printed value lies in the band, whatever these errors. **outside**: it lies beyond. **edge**: the "
+               "errors decide. **explained**: it is outside for a stated cause. **untestable**: the printed time is no more than one tick of its "
                "clock, which almost any time rounds to. Times are another machine's and need not match.")
     groups = []
     for number, verdicts in tables.items():
@@ -41,8 +42,9 @@ def blocks(bundle, _findings):
     yield Table(id="scorecard-counts", caption="Printed cells by table and verdict", caption_zh="各表的判定", group_head="table",
                 head=(*(MARK[v] for v in VERDICTS), "cells"), groups=tuple(groups))
     if "scorecard.csv" in bundle:
-        yield Text("The last range of table 2.3.2 repeats the last degree of table 2.3.1, so a cell there can stand twice below.")
-        yield _not_inside(bundle["scorecard.csv"].select(verdict=("outside", "explained")))
+        yield Text("The last range of table 2.3.2 repeats the last degree of table 2.3.1, and two methods can agree to the printed digits, so a "
+                   "value can stand several times below.")
+        yield _not_inside(bundle["scorecard.csv"].select(verdict=("edge", "outside", "explained")))
 
 
 def _place(row):
@@ -67,6 +69,6 @@ def _not_inside(rows):
                  (MARK[row["verdict"]], row["verdict"]), (row["note"] or "", row["note"] or "")]
         cells = [Cell(text, raw, row["verdict"] if i == 4 else "") for i, (text, raw) in enumerate(texts)]
         groups.append(Group(row["table"], row["table"], (("", cells),)))
-    return Table(id="not-inside", caption="Accuracy cells outside the band", caption_zh="落在区间之外的精度单元格",
+    return Table(id="not-inside", caption="Errors and counts that are not inside the band", caption_zh="不在区间之内的单元格",
                  group_head="table", head=("cell", "published", "ours, median", "ours, 5–95 %", "verdict", "note"),
                  groups=tuple(groups))

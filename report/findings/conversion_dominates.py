@@ -26,7 +26,8 @@ def find(bundle):
             lines.append(f"Of the time per curve at degree {high['degree']:g}, conversion and set-up take {percent(share)}.")
     return Finding(
         id="conversion_dominates", about="conclusion",
-        claim="On polynomial curves nearly all the error and work come from the conversion, not from the evaluator.",
+        claim="On polynomial curves the errors and the cost come mainly from the conversion to Bernstein form.",
+        place="section 3.2, paragraph 2",
         holds=holds,
         headline="On polynomial curves, converted as the report does it, the error comes from the conversion: both evaluators "
                  "err alike." if holds else

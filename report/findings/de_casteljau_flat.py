@@ -4,13 +4,12 @@
 from ..bundle import Missing
 from ..document import Finding
 from ..wording import general, interval, scientific, shortest
-from .printed import FLAT, series
+from .printed import FLAT, against_exact, series
 
 
 def _against_truth(bundle, printed):
     """The rows at the printed degrees, in the same order."""
-    key = dict(study="truth-bezier", method="de_casteljau", baseline="exact", generator="continuous")
-    rows = [bundle.accuracy(degree=row["degree"], **key) for row in printed]
+    rows = [against_exact(bundle, "de_casteljau", row["degree"]) for row in printed]
     sizes = {row["coordinate_range"] for row in (*rows, *printed)}
     if len(sizes) > 1:
         raise Missing("`accuracy.csv` has the degrees that are printed for another coordinate range")
@@ -33,7 +32,8 @@ def find(bundle):
     holds = growth > FLAT or ratio > FLAT
     return Finding(
         id="de_casteljau_flat", about="correction",
-        claim="The error of de Casteljau hardly depends on the degree or on t.", holds=holds,
+        claim="The error of de Casteljau hardly changes with the degree and has little to do with t.",
+        place="sections 2.3.1 and 2.3.3, after the first table of each", holds=holds,
         headline="Against the exact value de Casteljau's error does depend on the degree and on t."
         if growth > FLAT and ratio > FLAT else
         f"Against the exact value de Casteljau's error depends on {'the degree' if growth > FLAT else 't'}." if holds else

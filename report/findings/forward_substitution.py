@@ -22,7 +22,8 @@ def find(bundle):
     decades = math.log10(ratio)
     return Finding(
         id="forward_substitution", about="correction",
-        claim="Converting power form to Bernstein form makes the error grow exponentially with the degree.",
+        claim="On polynomial curves the errors grow exponentially with the degree; where it is large, they come mainly from the "
+              "conversion to Bernstein form.", place="section 2.3.1, after the second table",
         holds=holds,
         headline="The exponential error of power form to Bernstein form is the report's forward substitution, not the "
                  "conversion: with the positive sum it vanishes." if holds else

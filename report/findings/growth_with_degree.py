@@ -15,7 +15,8 @@ def find(bundle):
     holds = growth["against_exact"] >= EXPONENTIAL and growth["continuous_median"] >= EXPONENTIAL
     return Finding(
         id="growth_with_degree", about="conclusion",
-        claim="Through the power form the error of a Bézier curve grows exponentially with the degree.", holds=holds,
+        claim="With rising degree the error of conversion to power form rises exponentially.",
+        place="section 2.3.1, after the first table", holds=holds,
         headline=f"Through the power form the error of a Bézier curve is multiplied by {general(growth['against_exact'])} "
                  "with every degree: it grows exponentially." if holds else
                  f"Through the power form the error is multiplied by only {general(growth['against_exact'])} with every "

@@ -27,7 +27,7 @@ def find(bundle):
                      f"{span(min(gain), max(gain), lambda v: general(v, 2))} times less"
                      + ("." if min(gain) > FLAT else ", so the conversion is not the larger part everywhere."))
     return Finding(
-        id="timings_quantised", about="correction", claim="The printed times tell how fast the methods are.", holds=holds,
+        id="timings_quantised", about="note", claim="", holds=holds,
         headline=f"The printed times are steps of a clock of {tick} ms: {len(small)} of {len(rows)} are 0 or {tick}." if holds else
         "The printed times are not whole steps of a clock in this bundle.",
         detail=tuple(lines), rows=tuple(rows))

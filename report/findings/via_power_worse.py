@@ -25,7 +25,8 @@ def find(bundle):
     holds = all(w == n for w in wins.values())
     return Finding(
         id="via_power_worse", about="conclusion",
-        claim="For Bézier curves de Casteljau is more accurate than converting to power form.", holds=holds,
+        claim="For Bézier curves de Casteljau is always more accurate than conversion to power form.",
+        place="sections 2.3.2 and 2.3.3, after the first table of each", holds=holds,
         headline=f"De Casteljau is more accurate than the power form in all {n} pairs of cells, whatever it is held against."
         if holds else f"De Casteljau is not more accurate than the power form in all {n} pairs of cells.",
         detail=(f"It wins in {wins['published']} as printed, {wins['ours_median']} in our repetition, "
