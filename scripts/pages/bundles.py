@@ -12,8 +12,11 @@ from pathlib import Path
 
 from report.bundle import Bundle, Comparison
 from report.chapters.scorecard import VERDICTS, counts
+from report.findings.cells_inside import verdicts
+from report.findings.printed import events
 from report.wording import listing
 from scripts.digests import Agreement
+from scripts.pages import printed_times
 from scripts.pages.markdown import WIDTH, link, table
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -22,9 +25,8 @@ BASELINE = RESULTS / "baseline"
 OTHER_BUILD = RESULTS / "clang"
 ANSWERS = RESULTS / "answers"
 TIMES = "2.4"  # the table of the report that prints times
-SAID = {"inside": "inside the band that chance allows", "explained": "outside it for a stated cause",
-        "outside": "outside it without a known cause",
-        "untestable": "untestable, since they are no more than one tick of the report's clock"}
+SAID = {"inside": "inside the band of our repetitions", "edge": "on its edge, within the error of that edge",
+        "explained": "outside it for a stated cause"}
 
 
 def scorecard(_page):
@@ -33,14 +35,25 @@ def scorecard(_page):
 
 
 def printed(_page):
-    """The numbers of printed cells by verdict, for errors and times separately, as sentences."""
-    tables = counts(Bundle(BASELINE))
+    """The printed errors and counts by verdict, each counted once, and in which build the order of the printed times holds, as sentences."""
+    baseline = Bundle(BASELINE)
+    tables, found = counts(baseline), events(baseline)
     times = tables.pop(TIMES)
-    lines = [f"Of the {found.total()} {what}, "
-             + listing(f"{found[verdict]} {'is' if found[verdict] == 1 else 'are'} {SAID[verdict]}" for verdict in VERDICTS if found[verdict])
-             for what, found in ((f"errors and counts that it prints (tables {listing(tables)})", sum(tables.values(), Counter())),
-                                 (f"times (table {TIMES}), measured on another machine", times))]
-    return textwrap.fill(". ".join(lines) + ".", WIDTH)
+    by, _, chance = verdicts(found)
+    said = [f"{by[verdict]} {'is' if by[verdict] == 1 else 'are'} {words}" for verdict, words in SAID.items() if by[verdict]]
+    said.append(f"{by['outside']} {'is' if by['outside'] == 1 else 'are'} outside it, {chance}")
+    rows = printed_times.rows_of(printed_times.FILE)
+    text = (f"It prints {sum(tables.values(), Counter()).total()} errors and counts (tables {listing(tables)}), {len(found)} of them "
+            f"distinct: the others repeat a run in another table or by a method that errs alike. Of the distinct ones "
+            f"{listing(said)}. Its {times.total()} times (table {TIMES}) are of another machine and build, so that only their order within "
+            f"a row can be compared. {printed_times.orders(rows)} ({rows[0]['compiler']}, {rows[0]['processor']}).")
+    return textwrap.fill(text, WIDTH)
+
+
+def printed_orders(_page):
+    """The printed times beside those of two builds of what the report describes."""
+    rows = printed_times.rows_of(printed_times.FILE)
+    return f"{printed_times.table_of(rows)}\n\n" + textwrap.fill(f"{rows[0]['compiler']}, {rows[0]['processor']}.", WIDTH)
 
 
 def committed_bundles():
