@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
@@ -11,6 +12,10 @@ namespace bezierbench::cli {
 
 /// The name of an axis: x, y or z.
 std::string axis_name(int axis);
+
+/// Parses a file of coordinates. Throws Failure(input_output) as bundle::parse_csv() does, and where the first line has
+/// numbers instead of the names of columns.
+bundle::CsvDocument parse_coordinates(std::string_view text, const std::string& file_name);
 
 /// The indices of the columns x, y, z, up to the first that is missing. They may stand in any order.
 std::vector<std::size_t> axis_columns(const bundle::CsvDocument& csv);

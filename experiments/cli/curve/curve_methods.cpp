@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "experiments/echo.hpp"
+#include "experiments/number/fault.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/suite/nearest.hpp"
@@ -59,8 +60,7 @@ void unknown_method(const std::string& id, const std::vector<std::string>& known
 double finite_option(const std::string& option, const std::string& text) {
   const auto value = number::parse_number(text);
   if (!value || !std::isfinite(*value))
-    throw Failure(Exit::usage,
-                  fmt::format("{} {}: not a finite number; write a decimal or hexadecimal double", option, echo(text)));
+    throw Failure(Exit::usage, fmt::format("{} {}: {}", option, echo(text), number::fault(text)));
   return *value;
 }
 

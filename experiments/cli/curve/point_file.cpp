@@ -10,7 +10,7 @@
 namespace bezierbench::cli {
 
 PointFile read_points(const std::filesystem::path& file, std::size_t least) {
-  const auto csv = bundle::parse_csv(bundle::read_file(file), file.string());
+  const auto csv = parse_coordinates(bundle::read_file(file), file.string());
   const auto columns = axis_columns(csv);
   if (columns.empty() || columns.size() != csv.header().size()) refuse_header(csv, "x, or x,y, or x,y,z");
   if (csv.row_count() < least)
