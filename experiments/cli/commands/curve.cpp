@@ -5,7 +5,9 @@
 namespace bezierbench::cli {
 
 void CurveOptions::add_to(Command command) {
-  command.option("--curve", file, "curve file (CSV)").required().takes(file_value);
+  command.option("--curve", file, "curve file (CSV); FILE#ID is one of its curves, by id or number from 0")
+      .required()
+      .takes(file_value);
   command.option("--form", form, "form of the file").one_of({"bernstein", "power"});
 }
 

@@ -11,9 +11,9 @@
 
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
-#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/truth_option.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/number/number.hpp"
@@ -106,16 +106,13 @@ class Truth {
   LongReal whole_;
 };
 
-void find(const AtLengthOptions& options) {
-  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+void find(const AtLengthOptions& options, const CurveFile& curve, CurveTable& table) {
   const double tolerance = tolerance_of(options);
   const auto methods =
       chosen(inverse_arc_length_kernels(curve.dimension), options.methods, curve, ids_of(inverse_arc_length_infos()));
   if (methods.empty()) refuse_curve(options.curve.file, curve, *inverse_arc_length_infos().front());
   const Truth truth(options, curve.view());
   const LongReal target = target_of(options, truth.whole());
-  bundle::CsvTable table(
-      {"method", "t", "iterations", "converged", "exact_t", "error", "error_estimate", "length_error"});
   const auto exact_t = truth.parameter_at(target);
   for (const auto* method : methods) {
     const auto result = method->solve(curve.view(), target.convert_to<double>(), tolerance);
@@ -124,7 +121,6 @@ void find(const AtLengthOptions& options) {
                    result.converged ? "yes" : "no", exact_t ? number::decimal(exact_t->convert_to<double>()) : "",
                    error, number::decimal(result.error_estimate), length_error});
   }
-  fmt::print("{}", table.text());
 }
 
 }  // namespace
@@ -140,7 +136,11 @@ void add_curve_at_length(Command curve) {
   command.option("--method", options->methods, "method id; may be repeated; default: all")
       .takes("METHOD", methods_of(Problem::inverse_arc_length));
   options->truth.add_to(command);
-  command.action([options] { find(*options); });
+  command.action([options] {
+    print_rows_of_curves(
+        *options, {"method", "t", "iterations", "converged", "exact_t", "error", "error_estimate", "length_error"},
+        find);
+  });
 }
 
 }  // namespace bezierbench::cli

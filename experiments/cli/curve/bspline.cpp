@@ -132,7 +132,7 @@ void add_rows(const BsplineKernel& method, const BsplineTarget& target, bundle::
 
 void run_bspline(const BsplineOptions& options) {
   const auto curve = curve_of(options);
-  const CurveFile of_degree{Form::bernstein, 1, std::vector<double>(curve.degree() + 1), {}};
+  const CurveFile of_degree{{}, Form::bernstein, 1, std::vector<double>(curve.degree() + 1), {}};
   const auto methods =
       chosen(bspline_kernels(curve.points.dimension), options.methods, of_degree, ids_of(bspline_infos()));
   std::vector<BsplineTarget> targets;

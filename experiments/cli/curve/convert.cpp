@@ -49,8 +49,7 @@ void require_finite(const CurveFile& converted, const ConvertOptions& options) {
                                   options.curve.file, i, axis_name(axis), options.methods.front()));
 }
 
-void convert(const ConvertOptions& options) {
-  auto curve = read_curve(options.curve.file, options.curve.form_value());
+void convert(const ConvertOptions& options, CurveFile& curve) {
   refuse_inner_conversion(options.methods.front(), curve.dimension);
   const auto methods =
       chosen(conversion_kernels<double>(curve.dimension), options.methods, curve, vocabulary().conversions);
@@ -58,7 +57,12 @@ void convert(const ConvertOptions& options) {
   methods.front()->convert(curve.view(), converted.data());
   curve.coefficients = converted;
   require_finite(curve, options);
-  fmt::print("{}", curve_csv(curve));
+}
+
+void convert_all(const ConvertOptions& options) {
+  auto curves = read_curves(options.curve.file, options.curve.form_value());
+  for (auto& curve : curves) convert(options, curve);
+  fmt::print("{}", curves_csv(curves));
 }
 
 }  // namespace
@@ -71,7 +75,7 @@ void add_curve_convert(Command curve) {
       .required()
       .once()
       .takes("METHOD", methods_of(Problem::conversion));
-  command.action([options] { convert(*options); });
+  command.action([options] { convert_all(*options); });
 }
 
 }  // namespace bezierbench::cli

@@ -35,6 +35,62 @@ class Curves(Case):
                 self.refused(INPUT_OUTPUT, ["curve", "eval", "--curve", "c.csv", "--t", "0.5"], *needles)
                 self.refused(INPUT_OUTPUT, ["curve", "convert", "--curve", "c.csv", "--method", "exact"], *needles)
 
+    def test_several_curves_in_a_file(self):
+        """What `interpolate` and `fit` print is read; each curve has its rows, and FILE#ID names one."""
+        self.write("p.csv", "x,y\n0,0\n3,4\n6,8\n")
+        self.write("s.csv", self.fine("curve", "interpolate", "--points", "p.csv"))
+        found = rows(self.fine("curve", "length", "--curve", "s.csv", "--method", "gauss_legendre_24"))
+        self.assertEqual([(row["curve"], row["exact"]) for row in found], [("0", "5"), ("1", "5")])
+        commands = [["eval", "--t", "0.5"], ["derivative", "--t", "0.5", "--order", "1"], ["grid", "--points", "3"], ["length"],
+                    ["at-length", "--fraction", "0.5"], ["project", "--point", "1,1"], ["split", "--t", "0.5"]]
+        self.write("s.csv", "curve,index,form,x,w\na,0,bernstein,1,\na,1,bernstein,2,\n7,0,power,0,\n7,1,power,0x1p1,\n7,2,power,4,\n"
+                            '"b,",0,bernstein,1,\n"b,",1,bernstein,0,\nr,0,rational,1,1\nr,1,rational,3,3\n')
+        for name, at_half in (("a", 1.5), ("7", 2), ("1", 2), ("2", 0.5), ("b,", 0.5), ("r", 2.5), ("3", 2.5)):
+            found = rows(self.fine("curve", "eval", "--curve", f"s.csv#{name}", "--t", "0.5"))
+            self.assertEqual({float(row["exact"]) for row in found}, {at_half}, name)
+            self.assertNotIn("curve", found[0])
+        found = rows(self.fine("curve", "eval", "--curve", "s.csv", "--t", "0.5"))
+        self.assertEqual(list(found[0]), ["curve"] + EVAL_COLUMNS)
+        self.assertEqual(list(dict.fromkeys((row["curve"], row["exact"]) for row in found)),
+                         [("a", "1.5"), ("7", "2"), ("b,", "0.5"), ("r", "2.5")])
+        self.write("whole#0", "x\n5\n")
+        self.assertIn(",5,5,", self.fine("curve", "eval", "--curve", "whole#0", "--t", "0.5", "--method", "de_casteljau"))
+        self.assertIn(",5,5,", self.fine("curve", "eval", "--curve", "whole#0#0", "--t", "0.5", "--method", "de_casteljau"))
+        several = "segment,index,x,y\n0,0,0,0\n0,1,1,2\n0,2,2,0\n1,0,2,0\n1,1,3,5\n1,2,4,4\n"
+        for command, *arguments in commands:  # several curves are each one by itself, one after the other
+            self.write("s.csv", several)
+            self.write("one.csv", "x,y\n0,0\n1,2\n2,0\n")
+            both = rows(self.fine("curve", command, "--curve", "s.csv", *arguments))
+            alone = rows(self.fine("curve", command, "--curve", "s.csv#1", *arguments))
+            first = rows(self.fine("curve", command, "--curve", "one.csv", *arguments))
+            self.assertEqual(both, [{"curve": "0", **row} for row in first] + [{"curve": "1", **row} for row in alone], command)
+        converted = self.fine("curve", "convert", "--curve", "s.csv", "--method", "exact")
+        self.assertEqual(converted, "curve,index,x,y\n0,0,0,0\n0,1,2,4\n0,2,0,-4\n1,0,2,0\n1,1,2,10\n1,2,0,-6\n")
+        self.refused(USAGE, ["curve", "length", "--curve", "s.csv#2"], "s.csv#2", "has 2")
+        self.refused(USAGE, ["curve", "length", "--curve", "s.csv", "--form", "power"], "s.csv#0: ")  # the one it is about
+        for content, *needles in [
+                ("curve,x\n0,1\n", ":1: ", "curve,index"), ("index,x\n0,1\n", ":1: "), ("form,x\npower,1\n", ":1: "),
+                ("curve,segment,index,x\n0,0,0,1\n", ":1: "), ("curve,index,x\n0,1,1\n", ":2: ", "must be 0"),
+                ("curve,index,x\n0,0,1\n0,2,1\n", ":3: ", "must be 1"), ("curve,index,x\n0,0,1\n1,0,1\n0,1,1\n", ":4: ", '"0"', "together"),
+                ("curve,index,form,x\n0,0,power,1\n0,1,bernstein,1\n", ":3: ", "bernstein"), ("curve,index,form,x\n0,0,ball,1\n", ":2: ", "ball"),
+                ("curve,index,form,x,w\n0,0,power,1,1\n", ":2: ", "weights"), ("curve,index,form,x,w\n0,0,rational,1,\n", ":2: ", "weights"),
+                ("curve,index,x,w\n0,0,1,\n0,1,1,1\n", ":3: ", "column w"), ("curve,index,x,w\n0,0,1,1\n0,1,1,\n", ":3: ", "column w")]:
+            with self.subTest(content=content):
+                self.write("s.csv", content)
+                self.refused(INPUT_OUTPUT, ["curve", "eval", "--curve", "s.csv", "--t", "0.5"], "s.csv" + needles[0], *needles[1:])
+
+    def test_data_as_people_have_them(self):
+        for content, *needles in [
+                ("0,0\n1,2\n3,-1\n4,0.5\n", ":1: header is missing", "x,y"), ("(0, 0)\n(1, 2)\n", ":1: header is missing", "brackets"),
+                ("0 0\n1 2\n", ":1: header is missing", "commas"), ("0;0\n", ":1: header is missing"), ("[[0,1],[2,3]]", ":1: header"),
+                ("x,y\n(1,2)\n(3,4)\n", ":2: ", '"(1"', "without brackets"), ("x\n1e-400\n1\n", ":2: ", "too small for a double"),
+                ("x\n-1e400\n1\n", ":2: ", "too large for a double"), ("x\n0x1p-1100\n1\n", ":2: ", "too small")]:
+            with self.subTest(content=content):
+                self.write("d.csv", content)
+                self.refused(INPUT_OUTPUT, ["curve", "length", "--curve", "d.csv"], "d.csv" + needles[0], *needles[1:])
+                self.refused(INPUT_OUTPUT, ["curve", "fit", "--points", "d.csv", "--tolerance", "1"], "d.csv" + needles[0], *needles[1:])
+        self.refused(USAGE, ["curve", "eval", "--curve", "c.csv", "--t", "1e-400"], "--t 1e-400", "too small for a double")
+
     def test_files_that_cannot_be_read(self):
         for name in ("absent.csv", ".", "c.csv/c.csv"):
             with self.subTest(name=name):

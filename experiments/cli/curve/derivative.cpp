@@ -2,14 +2,13 @@
 // `curve derivative`: the derivative of one order of one curve by any method, against the exact one.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 
 #include "core/derivative/kernel.hpp"
-#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/judged_coordinate.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/metric/derivative_scale.hpp"
@@ -48,7 +47,7 @@ DerivativeTarget target_of(const CurveFile& curve, int order, double t) {
 }
 
 void add_rows(const DerivativeKernel& method, const CurveFile& curve, int order, const DerivativeTarget& target,
-              bundle::CsvTable& table) {
+              CurveTable& table) {
   std::vector<double> point(static_cast<std::size_t>(curve.dimension));
   method.derivative(curve.view(), order, target.t, point.data());
   for (int axis = 0; axis < curve.dimension; ++axis) {
@@ -65,17 +64,13 @@ void add_rows(const DerivativeKernel& method, const CurveFile& curve, int order,
   }
 }
 
-void differentiate(const DerivativeOptions& options) {
-  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+void differentiate(const DerivativeOptions& options, const CurveFile& curve, CurveTable& table) {
   const auto methods = chosen(derivative_kernels(curve.dimension), options.methods, curve, ids_of(derivative_infos()));
   if (methods.empty()) refuse_curve(options.curve.file, curve, *derivative_infos().front());
   std::vector<DerivativeTarget> targets;
   for (const auto& text : options.t) targets.push_back(target_of(curve, options.order, finite_option("--t", text)));
-  bundle::CsvTable table(
-      {"method", "t", "order", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"});
   for (const auto* method : methods)
     for (const auto& target : targets) add_rows(*method, curve, options.order, target, table);
-  fmt::print("{}", table.text());
 }
 
 }  // namespace
@@ -88,7 +83,11 @@ void add_curve_derivative(Command curve) {
   command.option("--order", options->order, "0 is the point itself").required().within(0);
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
       .takes("METHOD", methods_of(Problem::derivative));
-  command.action([options] { differentiate(*options); });
+  command.action([options] {
+    print_rows_of_curves(*options,
+                         {"method", "t", "order", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"},
+                         differentiate);
+  });
 }
 
 }  // namespace bezierbench::cli

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
-#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/judged_coordinate.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
@@ -51,8 +50,7 @@ std::vector<const Kernel<double>*> chosen_for(const std::vector<double>& ts, con
   return methods;
 }
 
-void evaluate(const EvalOptions& options) {
-  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+void evaluate(const EvalOptions& options, const CurveFile& curve, CurveTable& table) {
   std::vector<double> ts;
   for (const auto& text : options.t) ts.push_back(finite_option("--t", text));
   const auto methods = chosen_for(ts, options, curve);
@@ -68,7 +66,6 @@ void evaluate(const EvalOptions& options) {
                                 number::decimal(t), options.curve.file));
     p_tildes.push_back(exact.p_tilde(curve.view(), t));
   }
-  bundle::CsvTable table({"method", "t", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"});
   judge::PreparedStorage storage;
   std::vector<double> point(static_cast<std::size_t>(curve.dimension));
   for (const auto* kernel : methods)
@@ -84,7 +81,6 @@ void evaluate(const EvalOptions& options) {
         table.add_row(std::move(row));
       }
     }
-  fmt::print("{}", table.text());
 }
 
 }  // namespace
@@ -96,7 +92,10 @@ void add_curve_eval(Command curve) {
   command.option("--t", options->t, "parameter; may be repeated").required().takes("T");
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
       .takes("METHOD", methods_of(Problem::evaluation));
-  command.action([options] { evaluate(*options); });
+  command.action([options] {
+    print_rows_of_curves(
+        *options, {"method", "t", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"}, evaluate);
+  });
 }
 
 }  // namespace bezierbench::cli

@@ -4,14 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 
 #include "core/grid/kernel.hpp"
-#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/judged_coordinate.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/metric/grid_bound_at.hpp"
@@ -34,7 +33,7 @@ std::vector<double> axis_of(const CurveFile& curve, int axis) {
   return coefficients;
 }
 
-void add_grid_rows(const GridKernel& method, const CurveFile& curve, int steps, bundle::CsvTable& table) {
+void add_grid_rows(const GridKernel& method, const CurveFile& curve, int steps, CurveTable& table) {
   const auto d = static_cast<std::size_t>(curve.dimension);
   std::vector<double> points(static_cast<std::size_t>(steps + 1) * d);
   method.points(curve.view(), steps, points.data());
@@ -59,17 +58,13 @@ void add_grid_rows(const GridKernel& method, const CurveFile& curve, int steps, 
   }
 }
 
-void run_grid(const GridOptions& options) {
-  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+void run_grid(const GridOptions& options, const CurveFile& curve, CurveTable& table) {
   if (!is_grid(options.points - 1))
     throw Failure(Exit::usage, fmt::format("--points {}: must be a power of two and one, 2 to {}", options.points,
                                            max_grid_steps + 1));
   const auto methods = chosen(grid_kernels(curve.dimension), options.methods, curve, ids_of(grid_infos()));
   if (methods.empty()) refuse_curve(options.curve.file, curve, *grid_infos().front());
-  bundle::CsvTable table(
-      {"method", "index", "t", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"});
   for (const auto* method : methods) add_grid_rows(*method, curve, options.points - 1, table);
-  fmt::print("{}", table.text());
 }
 
 }  // namespace
@@ -81,7 +76,11 @@ void add_curve_grid(Command curve) {
   command.option("--points", options->points, "m + 1, where m is a power of two").required().within(2);
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
       .takes("METHOD", methods_of(Problem::grid));
-  command.action([options] { run_grid(*options); });
+  command.action([options] {
+    print_rows_of_curves(*options,
+                         {"method", "index", "t", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"},
+                         run_grid);
+  });
 }
 
 }  // namespace bezierbench::cli

@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/truth_option.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/judge/methods.hpp"
@@ -62,14 +62,12 @@ std::optional<reference::TrueLength> true_length(const LengthOptions& options, c
   return length;
 }
 
-void measure(const LengthOptions& options) {
-  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+void measure(const LengthOptions& options, const CurveFile& curve, CurveTable& table) {
   const auto task = task_of(options);
   const auto kernels = judge::arc_length_methods(curve.dimension);
   const auto methods = chosen(kernels, options.methods, curve, ids_in(kernels));
   if (methods.empty()) refuse_curve(options.curve.file, curve, *kernels.front().info);
   const auto truth = true_length(options, curve.view(), task);
-  bundle::CsvTable table({"method", "length", "error_estimate", "evaluations", "converged", "exact", "error"});
   for (const auto* method : methods) {
     const auto result = method->measure(curve.view(), task.from, task.to, task.tolerance);
     table.add_row({std::string(method->info->id), number::decimal(result.length),
@@ -78,7 +76,6 @@ void measure(const LengthOptions& options) {
                    truth ? truth->decimal(exact_digits) : "",
                    truth ? number::decimal(truth->error_of(result.length)) : ""});
   }
-  fmt::print("{}", table.text());
 }
 
 }  // namespace
@@ -93,7 +90,10 @@ void add_curve_length(Command curve) {
   command.option("--method", options->methods, "method id; may be repeated; default: all")
       .takes("METHOD", methods_of(Problem::arc_length));
   options->truth.add_to(command);
-  command.action([options] { measure(*options); });
+  command.action([options] {
+    print_rows_of_curves(*options, {"method", "length", "error_estimate", "evaluations", "converged", "exact", "error"},
+                         measure);
+  });
 }
 
 }  // namespace bezierbench::cli

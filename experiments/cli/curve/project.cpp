@@ -6,9 +6,9 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/truth_option.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/judge/methods.hpp"
@@ -34,8 +34,7 @@ std::vector<double> point_option(const std::string& text, const CurveFile& curve
   return point;
 }
 
-void project(const ProjectOptions& options) {
-  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+void project(const ProjectOptions& options, const CurveFile& curve, CurveTable& table) {
   const auto point = point_option(options.point, curve, options.curve.file);
   const auto kernels = judge::projection_methods(curve.dimension);
   const auto methods = chosen(kernels, options.methods, curve, ids_in(kernels));
@@ -48,7 +47,6 @@ void project(const ProjectOptions& options) {
     t = number::decimal(reference::round_to(reference::binary64, exact->foot().t));
     distance = number::decimal(reference::square_root(reference::binary64, exact->foot().distance_squared));
   }
-  bundle::CsvTable table({"method", "t", "distance", "candidates", "exact_t", "exact_distance", "error"});
   for (const auto* kernel : methods) {
     const auto foot = kernel->project(curve.view(), point);
     const auto error =
@@ -59,7 +57,6 @@ void project(const ProjectOptions& options) {
       fmt::print(stderr, "bezierbench: {} gave up before it converged; its row is the best it found\n",
                  kernel->info->id);
   }
-  fmt::print("{}", table.text());
 }
 
 }  // namespace
@@ -72,7 +69,10 @@ void add_curve_project(Command curve) {
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
       .takes("METHOD", methods_of(Problem::projection));
   options->truth.add_to(command);
-  command.action([options] { project(*options); });
+  command.action([options] {
+    print_rows_of_curves(*options, {"method", "t", "distance", "candidates", "exact_t", "exact_distance", "error"},
+                         project);
+  });
 }
 
 }  // namespace bezierbench::cli

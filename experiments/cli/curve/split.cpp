@@ -2,16 +2,15 @@
 // `curve split`: the control points of both halves of one curve by any method, against the exact ones.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <deque>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
+#include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/judged_coordinate.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/number/number.hpp"
@@ -74,8 +73,7 @@ std::vector<std::string> judged(double value, const reference::Rational& truth, 
   return fields;
 }
 
-void add_split_rows(const SplitKernel& method, const CurveFile& curve, const SplitTarget& target,
-                    bundle::CsvTable& table) {
+void add_split_rows(const SplitKernel& method, const CurveFile& curve, const SplitTarget& target, CurveTable& table) {
   std::vector<double> numbers;
   studies::compute_halves(method, curve.view(), target.t, numbers);
   const studies::ComputedHalves computed(curve.view(), std::move(numbers));
@@ -104,16 +102,13 @@ void add_split_rows(const SplitKernel& method, const CurveFile& curve, const Spl
   }
 }
 
-void split(const SplitOptions& options) {
-  const auto curve = read_curve(options.curve.file, options.curve.form_value());
+void split(const SplitOptions& options, const CurveFile& curve, CurveTable& table) {
   const auto methods = chosen(split_kernels(curve.dimension), options.methods, curve, ids_of(split_infos()));
   if (methods.empty()) refuse_curve(options.curve.file, curve, *split_infos().front());
   const SplitTarget target(curve, finite_option("--t", options.t));
   require_points(target.exact.left, options);
   require_points(target.exact.right, options);
-  bundle::CsvTable table({"method", "half", "index", "axis", "value", "exact", "error", "error_u", "bound_u"});
   for (const auto* method : methods) add_split_rows(*method, curve, target, table);
-  fmt::print("{}", table.text());
 }
 
 }  // namespace
@@ -125,7 +120,10 @@ void add_curve_split(Command curve) {
   command.option("--t", options->t, "where the curve is split").required().takes("T");
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
       .takes("METHOD", methods_of(Problem::subdivision));
-  command.action([options] { split(*options); });
+  command.action([options] {
+    print_rows_of_curves(*options, {"method", "half", "index", "axis", "value", "exact", "error", "error_u", "bound_u"},
+                         split);
+  });
 }
 
 }  // namespace bezierbench::cli
