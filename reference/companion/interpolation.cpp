@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "reference/companion/interpolation.hpp"
 
+#include <gmpxx.h>
+
 #include <algorithm>
+#include <utility>
 
 namespace bezierbench::reference {
 namespace {
@@ -65,7 +68,119 @@ First first_handle(const std::vector<mpz_class>& k, const std::vector<Shot>& han
   return first;
 }
 
+/// A linear equation for the inner control points: P1 and P2 of segment i are the unknowns 2i and 2i + 1.
+struct Equation {
+  std::vector<mpq_class> left;
+  mpq_class right;
+};
+
+/// Adds equations in terms of control points, of which the outer ones are known.
+class SplineEquations {
+ public:
+  explicit SplineEquations(std::span<const double> coordinates) : k_(coordinates.begin(), coordinates.end()) {}
+
+  /// factor P_j,i is one term of the left-hand side.
+  struct Term {
+    mpq_class factor;
+    std::size_t i;
+    std::size_t j;
+  };
+
+  void add(const std::vector<Term>& terms, const mpq_class& right) {
+    Equation equation{std::vector<mpq_class>(2 * (k_.size() - 1)), right};
+    for (const auto& [factor, i, j] : terms) {
+      if (j == 0 || j == 3)
+        equation.right -= factor * k_[i + j / 3];
+      else
+        equation.left[2 * i + j - 1] += factor;
+    }
+    equations_.push_back(std::move(equation));
+  }
+
+  /// The difference of `order` of segment i, whose last control point has number `last`, times a factor.
+  static std::vector<Term> difference(std::size_t order, std::size_t i, std::size_t last, const mpq_class& factor) {
+    static constexpr int binomials[4][4]{{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
+    std::vector<Term> terms;
+    for (std::size_t k = 0; k <= order; ++k)
+      terms.push_back({factor * (k % 2 == 0 ? 1 : -1) * binomials[order][k], i, last - k});
+    return terms;
+  }
+
+  /// The derivatives of `order` of two neighbouring segments, steps g and h, agree at their common knot.
+  void join(std::size_t order, std::size_t before, const mpq_class& g, std::size_t after, const mpq_class& h) {
+    mpq_class of_g = 1;
+    mpq_class of_h = 1;
+    for (std::size_t k = 0; k < order; ++k) {
+      of_g /= g;
+      of_h /= h;
+    }
+    auto terms = difference(order, before, 3, of_g);
+    const auto more = difference(order, after, order, -of_h);
+    terms.insert(terms.end(), more.begin(), more.end());
+    add(terms, 0);
+  }
+
+  /// The solution of the equations, of which there are as many as unknowns.
+  std::vector<mpq_class> solved() {
+    const std::size_t count = equations_.size();
+    for (std::size_t pivot = 0; pivot < count; ++pivot) {
+      std::size_t row = pivot;
+      while (equations_[row].left[pivot] == 0) ++row;
+      std::swap(equations_[pivot], equations_[row]);
+      const Equation& by = equations_[pivot];
+      for (row = 0; row < count; ++row) {
+        if (row == pivot || equations_[row].left[pivot] == 0) continue;
+        const mpq_class factor = equations_[row].left[pivot] / by.left[pivot];
+        for (std::size_t k = pivot; k < count; ++k) equations_[row].left[k] -= factor * by.left[k];
+        equations_[row].right -= factor * by.right;
+      }
+    }
+    std::vector<mpq_class> x;
+    for (std::size_t k = 0; k < count; ++k) x.emplace_back(equations_[k].right / equations_[k].left[k]);
+    return x;
+  }
+
+ private:
+  std::vector<mpq_class> k_;
+  std::vector<Equation> equations_;
+};
+
+void add_ends(const SplineSystem& system, SplineEquations& equations) {
+  using Ends = SplineSystem::Ends;
+  const auto h = [&](std::size_t i) { return mpq_class(system.steps[i]); };
+  const std::size_t n = system.steps.size();
+  const auto either = [&](std::size_t order, const mpq_class& start, const mpq_class& end) {
+    equations.add(SplineEquations::difference(order, 0, order, 1), start);
+    equations.add(SplineEquations::difference(order, n - 1, 3, 1), end);
+  };
+  if (system.ends == Ends::closed) {
+    for (const std::size_t order : {1U, 2U}) equations.join(order, n - 1, h(n - 1), 0, h(0));
+  } else if (system.ends == Ends::clamped) {
+    either(1, mpq_class(system.start) / 3, mpq_class(system.end) / 3);
+  } else if (system.ends == Ends::natural || n == 1) {
+    either(2, 0, 0);
+  } else if (n == 2) {
+    either(3, 0, 0);
+  } else {
+    equations.join(3, 0, h(0), 1, h(1));
+    equations.join(3, n - 2, h(n - 2), n - 1, h(n - 1));
+  }
+}
+
 }  // namespace
+
+ExactSpline exact_spline(std::span<const double> coordinates, const SplineSystem& system) {
+  SplineEquations equations(coordinates);
+  for (std::size_t i = 1; i < system.steps.size(); ++i)
+    for (const std::size_t order : {1U, 2U})
+      equations.join(order, i - 1, mpq_class(system.steps[i - 1]), i, mpq_class(system.steps[i]));
+  add_ends(system, equations);
+  const auto x = equations.solved();
+  ExactSpline spline;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    (k % 2 == 0 ? spline.first : spline.second).push_back({x[k].get_num(), x[k].get_den(), 0});
+  return spline;
+}
 
 ExactSpline exact_spline(std::span<const double> coordinates) {
   const long exponent = common_exponent(coordinates);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The truth about C2 natural cubic splines at uniform parameters, one axis at a time: the residuals of given Bezier
-// segments in each of the conditions, and the exact spline. All in big integers over one power of two.
+// The truth about C2 cubic splines, one axis at a time. Of natural ones at uniform parameters: the residuals of given
+// Bezier segments in each of the conditions, and the exact spline, in big integers over one power of two. Of any other: the
+// exact spline in fractions.
 #pragma once
 
 #include <span>
@@ -20,6 +21,21 @@ struct ExactSpline {
 /// P1,0 unknown, its equations give a_1, a_2, ... as p_i + q_i a_0 with integers p_i and q_i, and the last one gives
 /// a_0. That takes O(n^2) bits, so it suits n up to some thousands.
 ExactSpline exact_spline(std::span<const double> coordinates);
+
+/// What a C2 cubic spline is to meet beside its points.
+struct SplineSystem {
+  enum class Ends { natural, clamped, not_a_knot, closed };
+  std::span<const double> steps;  ///< of the parameter, one for each segment, positive
+  Ends ends = Ends::natural;
+  double start = 0;  ///< of clamped ends: 3 (P1 - P0) of the first segment
+  double end = 0;    ///< and 3 (P3 - P2) of the last
+};
+
+/// The exact spline through K_0 ... K_n, where n is the number of steps; of a closed one K_n = K_0. It is found from its
+/// definition: continuous first and second derivatives by the parameter at each knot, and the two conditions of the ends;
+/// not-a-knot ends of two segments are those of one parabola, of one segment those of a line. Inner control points are the
+/// unknowns, eliminated densely in O(n^3) fractions, so it suits n up to some dozens.
+ExactSpline exact_spline(std::span<const double> coordinates, const SplineSystem& system);
 
 /// The largest magnitudes along the spline, exact.
 struct SplineResiduals {

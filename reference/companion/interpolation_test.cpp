@@ -36,6 +36,36 @@ TEST(ExactSpline, OfOneAndTwoSegments) {
   expect_points(two.second, {2, 1}, 2);
 }
 
+/// The general definition gives the same spline at uniform parameters.
+TEST(ExactSpline, OfTheGeneralSystemIsTheSame) {
+  const std::vector<double> k{0.1, -7, 3, 3, 0x1p-60, 1e10};
+  for (std::size_t n = 1; n < k.size(); ++n) {
+    const auto points = std::span(k).first(n + 1);
+    const auto expected = exact_spline(points);
+    const auto spline = exact_spline(points, {std::vector<double>(n, 2.0)});
+    for (std::size_t i = 0; i < n; ++i) {
+      EXPECT_EQ((spline.first[i] - expected.first[i]).numerator, 0);
+      EXPECT_EQ((spline.second[i] - expected.second[i]).numerator, 0);
+    }
+  }
+}
+
+/// By hand: t^2 at 0, 1, 3, whose blossom is (ab + ac + bc)/3; a Hermite cubic; and the closed spline through 0 and 1, whose
+/// slopes vanish by symmetry.
+TEST(ExactSpline, OfOtherEnds) {
+  using Ends = SplineSystem::Ends;
+  const std::vector<double> steps{1, 2};
+  const auto square = exact_spline(std::vector<double>{0, 1, 9}, {steps, Ends::not_a_knot});
+  expect_points(square.first, {0, 7}, 3);
+  expect_points(square.second, {1, 15}, 3);
+  const auto hermite = exact_spline(std::vector<double>{1, 2}, {std::vector<double>{7.0}, Ends::clamped, 6, -3});
+  expect_points(hermite.first, {3}, 1);
+  expect_points(hermite.second, {3}, 1);
+  const auto closed = exact_spline(std::vector<double>{0, 1, 0}, {std::vector<double>{1, 1}, Ends::closed});
+  expect_points(closed.first, {0, 1}, 1);
+  expect_points(closed.second, {1, 0}, 1);
+}
+
 /// The printed back-substitution P2,i = 2 K_i - P1,i of [Document 003] leaves C1 residuals of 5/3 and 1 in the
 /// derivative 3 (P1 - P0), so a third of that here; the corrected points leave none. Points times 9 are integers.
 TEST(SplineResiduals, SeeThePrintedBackSubstitution) {
