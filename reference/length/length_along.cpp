@@ -38,10 +38,9 @@ Real local_parameter(const LengthPanel<Real>& panel, const Real& length, const R
 }  // namespace
 
 template <class Real>
-LengthAlong<Real>::LengthAlong(const CurveView<double>& curve) {
-  const auto h = hodograph<Real>(curve, 0, 1);
-  if (h.polygon() == 0) return;
-  const LengthPanels<Real> integral(h);
+LengthAlong<Real>::LengthAlong(const CurveView<double>& curve) : hodograph_(hodograph<Real>(curve, 0, 1)) {
+  if (hodograph_.polygon() == 0) return;
+  const LengthPanels<Real> integral(hodograph_);
   if constexpr (std::same_as<Real, LongReal>) require_certain(integral.length(), integral.uncertainty());
   uncertainty_ = integral.uncertainty();
   panels_ = integral.panels();
@@ -51,10 +50,28 @@ LengthAlong<Real>::LengthAlong(const CurveView<double>& curve) {
 
 template <class Real>
 Real LengthAlong<Real>::length_to(const Real& t) const {
-  if (t <= 0 || panels_.empty()) return 0;
-  if (t >= 1) return whole();
+  if (panels_.empty()) return 0;
+  if (t <= 0) return -excess(t).length;
+  if (t >= 1) return whole() + excess(t).length;
   const std::size_t k = panel_at(t);
   return cumulative_[k] + length_within<Real>(panels_[k], (t - panels_[k].begin) / panels_[k].width);
+}
+
+template <class Real>
+typename LengthAlong<Real>::Excess LengthAlong<Real>::excess(const Real& t) const {
+  if (panels_.empty() || (t >= 0 && t <= 1)) return {};
+  const Real width = t < 0 ? Real(-t) : Real(t - 1);
+  auto before = hodograph_;
+  const auto behind = before.split(t);  // one of the two is the part between t and the end, the other one the rest
+  auto part = t < 0 ? before : behind;
+  if (part.polygon() == 0) return {};
+  // A step of de Casteljau's algorithm at t multiplies magnitudes by at most |t| + |1 - t| = 1 + 2 width.
+  Real largest = 0;
+  for (const Real& x : hodograph_.vectors) largest = std::max(largest, Real(abs(x)));
+  for (std::size_t step = 0; step < part.degree(); ++step) largest *= 1 + 2 * width;
+  part.off = 8 * static_cast<double>(part.dimension * (part.degree() + 1)) * Precision<Real>::unit() * largest;
+  const LengthPanels<Real> integral(part);
+  return {width * integral.length(), width * integral.uncertainty()};
 }
 
 template <class Real>
@@ -74,7 +91,7 @@ Real LengthAlong<Real>::speed_at(const Real& t) const {
 template <class Real>
 Real LengthAlong<Real>::distance(const Real& t, const Real& length) const {
   Real error = abs(length_to(t) - length);
-  return error <= uncertainty_ ? Real(0) : error;
+  return error <= uncertainty_ + excess(t).uncertainty ? Real(0) : error;
 }
 
 template <class Real>
@@ -85,6 +102,16 @@ Real LengthAlong<Real>::parameter_at(const Real& length) const {
   const auto k = static_cast<std::size_t>(behind - cumulative_.begin()) - 1;
   const Real negligible = whole() * Precision<Real>::of_parameter;
   return panels_[k].begin + panels_[k].width * local_parameter<Real>(panels_[k], length - cumulative_[k], negligible);
+}
+
+template <class Real>
+std::optional<Real> LengthAlong<Real>::known_parameter_at(const Real& length) const {
+  const Real t = parameter_at(length);
+  if (t == 0 || t == 1) return t;
+  const Real slack = uncertainty_ + 2 * whole() * Precision<Real>::of_parameter;
+  const auto low = parameter_at(length - slack).template convert_to<double>();
+  const auto high = parameter_at(length + slack).template convert_to<double>();
+  return low == high ? std::optional(t) : std::nullopt;
 }
 
 template class LengthAlong<LongReal>;

@@ -6,7 +6,8 @@
 // and one quadrature over the rest; a parameter is found in its panel by Newton's method in a bracket.
 #pragma once
 
-#include <string>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/curve_view.hpp"
@@ -27,7 +28,7 @@ class LengthAlong {
   /// Lengths are right to this.
   [[nodiscard]] const Real& uncertainty() const { return uncertainty_; }
 
-  /// s(t), the length from the beginning to t; t beyond an end counts as this end.
+  /// s(t), the length from the beginning to t, negative for t < 0. Beyond its ends the curve is continued.
   [[nodiscard]] Real length_to(const Real& t) const;
 
   /// |s(t) - length|; 0 where it is within what is uncertain of the whole length.
@@ -36,12 +37,22 @@ class LengthAlong {
   /// The t in [0, 1] with s(t) = length; beyond an end that of the end. 0 where the whole length is 0.
   [[nodiscard]] Real parameter_at(const Real& length) const;
 
+  /// The same; empty where lengths that cannot be told from `length` have parameters of which the nearest doubles differ.
+  [[nodiscard]] std::optional<Real> known_parameter_at(const Real& length) const;
+
   /// The speed |p'| at t in [0, 1].
   [[nodiscard]] Real speed_at(const Real& t) const;
 
  private:
+  struct Excess {
+    Real length = 0;
+    Real uncertainty = 0;
+  };
+  /// The length between t outside [0, 1] and the nearer end, of the curve continued; 0 for t in [0, 1].
+  [[nodiscard]] Excess excess(const Real& t) const;
   [[nodiscard]] std::size_t panel_at(const Real& t) const;
 
+  Hodograph<Real> hodograph_;
   std::vector<LengthPanel<Real>> panels_;
   Real uncertainty_ = 0;
   std::vector<Real> cumulative_{0};  ///< length before each panel, and that of all

@@ -60,11 +60,30 @@ TEST(LengthAlong, EndsAreEnds) {
   EXPECT_EQ(along.parameter_at(-1), 0);
   EXPECT_EQ(along.parameter_at(0), 0);
   EXPECT_EQ(along.parameter_at(along.whole()), 1);
-  EXPECT_EQ(along.length_to(2), along.whole());
-  EXPECT_EQ(along.length_to(-1), 0);
+  // (t, t^2) goes on: s(t) = t sqrt(1 + 4 t^2) / 2 + asinh(2 t) / 4
+  for (const LongReal& t : {LongReal(2), 1 + LongReal(2.4e-10), LongReal(-1), LongReal(-1e-10)}) {
+    const LongReal root = sqrt(1 + 4 * t * t);
+    expect_close(along.length_to(t), t * root / 2 + log(2 * t + root) / 4, along.whole());
+    EXPECT_GT(along.distance(t, t < 0 ? LongReal(0) : along.whole()), 0);
+  }
   const std::vector<double> point{0.1, 0.2, 0.1, 0.2};
   EXPECT_EQ(LengthAlong<LongReal>(view(point, 2)).whole(), 0);
   EXPECT_EQ(LengthAlong<LongReal>(view(point, 2)).parameter_at(0), 0);
+}
+
+TEST(LengthAlong, KnowsWhichParametersItKnows) {
+  const std::vector<double> rests{0, 0, 0, 1};  // s(t) = t^3
+  const LengthAlong<LongReal> along(view(rests, 1));
+  const auto known = along.known_parameter_at(LongReal("0.125"));
+  ASSERT_TRUE(known);
+  expect_close(*known, LongReal("0.5"), 1);
+  EXPECT_EQ(along.known_parameter_at(0), LongReal(0));
+  EXPECT_EQ(along.known_parameter_at(1), LongReal(1));
+  for (const char* length : {"1e-30", "1e-36", "1e-45"}) {
+    const auto tiny = along.known_parameter_at(LongReal(length));
+    if (!tiny) continue;
+    EXPECT_LE(abs(*tiny * *tiny * *tiny / LongReal(length) - 1), LongReal("1e-15")) << length;
+  }
 }
 
 /// Against the true length of the part, which is integrated afresh; and there and back.

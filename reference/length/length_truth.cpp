@@ -91,7 +91,7 @@ double AlongTruth::length_at_share(double share) const {
 }
 
 std::optional<Enclosure> AlongTruth::enclosed_error(double t, double length) const {
-  if (!pairs_ || !(std::abs(length) <= largest_size)) return std::nullopt;
+  if (!pairs_ || !(t >= 0 && t <= 1) || !(std::abs(length) <= largest_size)) return std::nullopt;
   return enclosed_difference(length, pairs_->length_to(t), off_);
 }
 
