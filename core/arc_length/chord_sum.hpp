@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/arc_length/arc_length.hpp"
@@ -44,14 +45,17 @@ struct ChordSum {
       points.push_back(HornerBernstein::evaluate(prepared, static_cast<double>(k) / chords));
     const double bend = largest_bend(hodograph);
     const double rounding = rounding_of_chord(curve);
+    ArcLength best{.error_estimate = std::numeric_limits<double>::infinity()};
     for (int doubling = 0;; ++doubling) {
       auto result = sum_of_chords(points, bend);
       const double roundings = chords * rounding;
+      // Twice the chords have twice the roundings: the estimate then exceeds the present one, whatever the tolerance.
+      const bool finest = result.error_estimate <= roundings;
       result.error_estimate += roundings;
-      result.evaluations = chords + 1;
-      result.converged = result.error_estimate <= tolerance * result.length;
-      const bool hopeless = roundings > tolerance * result.length;  // more chords have more roundings
-      if (result.converged || hopeless || doubling == doublings) return result;
+      if (result.error_estimate < best.error_estimate) best = result;
+      best.evaluations = chords + 1;
+      best.converged = best.error_estimate <= tolerance * best.length;
+      if (best.converged || finest || doubling == doublings) return best;
       points = with_middles(prepared, points);
       chords *= 2;
     }

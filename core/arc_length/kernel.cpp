@@ -14,8 +14,8 @@ namespace bezierbench {
 namespace {
 
 /// The answer for the whole task. `part` is the result over [0, 1] in units of 2^exponent. The answer is that times the
-/// width of the parameters; its error includes the roundings of cutting the curve, and the rounding of a length that is
-/// no double. It has converged if all of this is within the tolerance.
+/// scaled width of the parameters; its error includes the roundings of cutting the curve, and the rounding of a length
+/// that is not a double. It has converged if all of this is within the tolerance.
 template <int Dimension>
 ArcLength unscaled(ArcLength part, const ScaledHodograph<Dimension>& scaled, double width, double rounding,
                    double tolerance) {
@@ -34,13 +34,16 @@ ArcLength measure(const CurveView<double>& view, double from, double to, double 
   if (is_zero(scaled.h) || from == to) return {.length = 0, .error_estimate = 0, .evaluations = 0, .converged = true};
   auto h = scaled.h;
   restrict_to(h, from, to);
-  const double rounding_of_whole = rounding_of_part(scaled.h, h, from, to);
+  // The width is scaled, too: with a subnormal width, the products of the length and of its error underflow.
+  const int of_width = binary_exponent(to - from);
+  const double width = times_power_of_two(to - from, -of_width);
+  const double rounding_of_whole = rounding_of_part(scaled.h, h, from, to, of_width);
   const int exponent = normalise(h);
   const double rounding = times_power_of_two(rounding_of_whole, -exponent);
-  scaled.exponent += exponent;
+  scaled.exponent += exponent + of_width;
   // A part that is 0 after cutting may have a length, below the roundings.
   const ArcLength part = is_zero(h) ? ArcLength{.error_estimate = 0} : M::measure(h, tolerance);
-  return unscaled(part, scaled, to - from, rounding, tolerance);
+  return unscaled(part, scaled, width, rounding, tolerance);
 }
 
 struct Entry {

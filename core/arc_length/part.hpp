@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/basis/binary_exponent.hpp"
 #include "core/curve.hpp"
 
 namespace bezierbench {
@@ -33,10 +34,12 @@ void restrict_to(Curve<Form::bernstein, double, Dimension>& h, double from, doub
 /// A bound of the error of the length of `part` due to the roundings of restrict_to, which made it from h. The length
 /// is the mean of the control vectors times the width; each of them is off by 6 (m + 1) u of the largest of h. The
 /// beginning, where the speed is that of the first vector, is off by u from the quotient from / to. 0 for the whole
-/// curve. Next to a cusp this error is much larger than the effect of roundings in the part's own control vectors.
+/// curve. Next to a cusp this error is much larger than the effect of roundings in the part's own control vectors. The
+/// bound is divided by 2^exponent. With the exponent of the width, no product underflows.
 template <int Dimension>
 double rounding_of_part(const Curve<Form::bernstein, double, Dimension>& h,
-                        const Curve<Form::bernstein, double, Dimension>& part, double from, double to) {
+                        const Curve<Form::bernstein, double, Dimension>& part, double from, double to,
+                        int exponent = 0) {
   if (from == 0 && to == 1) return 0;
   constexpr double u = 0x1p-53;
   double largest = 0;
@@ -45,7 +48,9 @@ double rounding_of_part(const Curve<Form::bernstein, double, Dimension>& h,
     first += std::abs(part(axis, 0));
     for (int i = 0; i <= h.degree(); ++i) largest = std::max(largest, std::abs(h(axis, i)));
   }
-  return u * (6 * (h.degree() + 1) * Dimension * largest * std::abs(to - from) + (from > 0 ? 2 * first : 0));
+  const double width = times_power_of_two(std::abs(to - from), -exponent);
+  const double beginning = from > 0 ? times_power_of_two(2 * first, -exponent) : 0;
+  return u * (6 * (h.degree() + 1) * Dimension * largest * width + beginning);
 }
 
 }  // namespace bezierbench

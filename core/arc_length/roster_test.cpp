@@ -326,6 +326,45 @@ TEST(ArcLength, AtTheEndsOfTheRangeIsNotPromisedUnlessItIsRight) {
     }
 }
 
+/// A straight line of length 3 2^size over a part of width 2^width, down to the least double: 3 2^(size + width). An error
+/// that is not 0 is at least the least double, so a length that is smaller than that over the tolerance is not promised.
+TEST(ArcLength, OfANarrowPartIsAccurate) {
+  constexpr double tolerance = 1e-9;
+  for (const int size : {0, 500, 1000})
+    for (const int width : {-900, -1040, -1060, -1074}) {
+      const std::vector<double> line{0, 0, std::ldexp(3, size), 0};
+      const double length = std::ldexp(3, size + width);
+      for (const auto& kernel : arc_length_kernels(2)) {
+        const auto result = kernel.measure({Form::bernstein, 2, 1, line}, 0, std::ldexp(1, width), tolerance);
+        EXPECT_NEAR(result.length, length, tolerance * length) << kernel.info->id << " " << size << " " << width;
+        const bool promised = tolerance * length >= std::numeric_limits<double>::denorm_min();
+        EXPECT_EQ(result.converged, promised && !std::isnan(result.error_estimate))
+            << kernel.info->id << " " << size << " " << width;
+      }
+    }
+}
+
+/// Beyond the looser of two tolerances, the error at the tighter one is not the larger one.
+TEST(ArcLength, IsNotWorseAtATighterTolerance) {
+  Inputs inputs(10);
+  // The first: y = 469 - 3t + 15t^2 - 9t^3, a public report.
+  std::vector<double> points{377, 469, 377, 468, 377, 472, 377, 472};
+  for (int trial = 0; trial < 60; ++trial) {
+    const int n = static_cast<int>(points.size()) / 2 - 1;
+    const CurveView<double> curve{Form::bernstein, 2, n, points};
+    const reference::TrueLength truth(curve, 0, 1);
+    for (const auto& kernel : arc_length_kernels(2)) {
+      double looser = std::numeric_limits<double>::infinity();
+      for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
+        const double error = truth.error_of(kernel.measure(curve, 0, 1, tolerance).length);
+        EXPECT_LE(error, looser) << kernel.info->id << " degree " << n << " trial " << trial << " " << tolerance;
+        looser = std::max(error, tolerance * truth.value().convert_to<double>());
+      }
+    }
+    points = inputs.coefficients(2 + trial % 5, 2);
+  }
+}
+
 /// A part that becomes 0 when it is cut still has a length, below the roundings, and is not promised.
 TEST(ArcLength, OfAPartThatIsLostIsNotPromised) {
   const std::vector<double> rests{0, 0, 0, 1};  // t^3
