@@ -41,20 +41,21 @@ double tolerance_of(const AtLengthOptions& options) {
   return tolerance;
 }
 
-/// The requested length, exactly. It may exceed the length of the whole curve by a rounding error.
-LongReal target_of(const AtLengthOptions& options, const LongReal& whole) {
+/// The requested length, exactly. A length that exceeds that of the whole curve by at most the tolerance, as a computed
+/// length may, is the length of the whole curve.
+LongReal target_of(const AtLengthOptions& options, double tolerance, const LongReal& whole) {
   if (!options.fraction.empty()) {
     const double fraction = finite_option("--fraction", options.fraction);
-    if (fraction < 0 || fraction > 1)
+    if (fraction < 0 || fraction > 1 + tolerance)
       throw Failure(Exit::usage, fmt::format("--fraction {}: must be within 0 and 1", options.fraction));
-    return fraction * whole;
+    return std::min(fraction, 1.0) * whole;
   }
   const double length = finite_option("--length", options.length);
-  if (length < 0 || LongReal(length) > whole * (1 + LongReal(0x1p-52)))
+  if (length < 0 || LongReal(length) > whole * (1 + LongReal(tolerance)))
     throw Failure(Exit::usage,
                   fmt::format("--length {}: must be within 0 and {}, the length of the curve in {}", options.length,
                               whole.str(17, std::ios_base::fmtflags{}), options.curve.file));
-  return length;
+  return LongReal(length) < whole ? LongReal(length) : whole;
 }
 
 /// The length of a curve by the method that is best at it.
@@ -85,20 +86,23 @@ class Truth {
 
   [[nodiscard]] const LongReal& whole() const { return whole_; }
 
+  /// Empty where its last digits are not known.
   [[nodiscard]] std::optional<LongReal> parameter_at(const LongReal& length) const {
     if (!lengths_) return std::nullopt;
-    return lengths_->parameter_at(length);
+    return lengths_->known_parameter_at(length);
   }
 
   /// The fields `error` and `length_error` for a method's t. Where the length up to t has no error, t counts as exact.
   [[nodiscard]] std::array<std::string, 2> errors(double t, const LongReal& length,
                                                   const std::optional<LongReal>& exact_t) const {
-    if (!exact_t) return {};
+    if (!lengths_) return {};
     if (!std::isfinite(t)) return {"inf", "inf"};
     const LongReal of_length = lengths_->distance(LongReal(t), length);
     const bool on_curve = t >= 0 && t <= 1;
+    const std::string length_error = number::decimal(of_length.convert_to<double>());
+    if (!exact_t) return {"", length_error};
     const LongReal of_t = on_curve && of_length == 0 ? LongReal(0) : LongReal(abs(LongReal(t) - *exact_t));
-    return {number::decimal(of_t.convert_to<double>()), number::decimal(of_length.convert_to<double>())};
+    return {number::decimal(of_t.convert_to<double>()), length_error};
   }
 
  private:
@@ -112,7 +116,7 @@ void find(const AtLengthOptions& options, const CurveFile& curve, CurveTable& ta
       chosen(inverse_arc_length_kernels(curve.dimension), options.methods, curve, ids_of(inverse_arc_length_infos()));
   if (methods.empty()) refuse_curve(options.curve.file, curve, *inverse_arc_length_infos().front());
   const Truth truth(options, curve.view());
-  const LongReal target = target_of(options, truth.whole());
+  const LongReal target = target_of(options, tolerance, truth.whole());
   const auto exact_t = truth.parameter_at(target);
   for (const auto* method : methods) {
     const auto result = method->solve(curve.view(), target.convert_to<double>(), tolerance);

@@ -383,12 +383,36 @@ class Curves(Case):
         self.assertEqual({(row["t"], row["converged"], row["error"]) for row in point}, {("0", "yes", "0")})
         for arguments, *needles in [
                 (["--length", "2.7"], "--length 2.7", "2.6", "half.csv"), (["--length=-0.1"], "--length -0.1"),
-                (["--fraction", "1.5"], "--fraction 1.5"), (["--length", "nan"], "--length"), ([], "--length"),
+                (["--length", "2.60000001"], "--length 2.60000001"), (["--fraction", "1.5"], "--fraction 1.5"),
+                (["--length", "nan"], "--length"), ([], "--length"),
                 (["--length", "1", "--fraction", "0.5"], "--fraction"), (["--length", "1", "--tolerance", "0"], "--tolerance"),
                 (["--length", "1", "--form", "power"], "power form", "curve convert"),
                 (["--length", "1", "--method", "newton"], "--method newton")]:
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, at_length + arguments, *needles)
+
+    def test_at_length_takes_what_length_prints(self):
+        """The control points of public reports. The length of the last one is printed 3.5e-15 too large."""
+        for points in ("0.2,0.73 0.35,1.08 0.85,1.08 1,0.73", "10,14 11,14 11,13 11,13",
+                       "12.964844,0 12.964844,0 11.996094,1 11.996094,2", "0,0 3,0 3,4 0,4"):
+            self.write("own.csv", "x,y\n" + points.replace(" ", "\n") + "\n")
+            for printed in rows(self.fine("curve", "length", "--curve", "own.csv")):
+                for row in rows(self.fine("curve", "at-length", "--curve", "own.csv", "--length", printed["length"])):
+                    if printed["converged"] == row["converged"] == "yes":
+                        self.assertLessEqual(float(row["length_error"]), 1e-9 * float(printed["exact"]), (points, row))
+        for question in (["--fraction", "1.0000000001"], ["--length", "2.6000000001"]):
+            self.write("half.csv", "x\n0\n2\n-1\n")
+            found = rows(self.fine("curve", "at-length", "--curve", "half.csv", *question))
+            self.assertEqual({row["exact_t"] for row in found}, {"1"})
+        line = rows(self.fine("curve", "length", "--curve", "half.csv", "--from=-1e-10", "--to", "1.0000000001"))
+        self.assertEqual({row["exact"] for row in line}, {"2.6"})
+
+    def test_at_length_prints_no_parameter_that_it_does_not_know(self):
+        self.write("rests.csv", "x,y\n0,0\n0,0\n0,0\n1,0\n")  # s(t) = t^3
+        for row in rows(self.fine("curve", "at-length", "--curve", "rests.csv", "--fraction", "1e-30")):
+            self.assertIn(row["exact_t"], ("", "1e-10"))
+            self.assertEqual(row["error"] == "", row["exact_t"] == "")
+            self.assertNotEqual(row["length_error"], "")
 
     def test_every_listed_method_evaluates(self):
         for form in ("bernstein", "power"):

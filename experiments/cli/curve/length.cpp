@@ -2,6 +2,7 @@
 // `curve length`: the length of a curve or of a part by any method, against the true one.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -38,14 +39,17 @@ struct Task {
 };
 
 Task task_of(const LengthOptions& options) {
-  const Task task{finite_option("--from", options.from), finite_option("--to", options.to),
-                  finite_option("--tolerance", options.tolerance)};
-  if (task.from < 0 || task.to > 1 || task.from > task.to)
-    throw Failure(Exit::usage,
-                  fmt::format("--from {} --to {}: must be in order and within 0 and 1", options.from, options.to));
+  Task task{finite_option("--from", options.from), finite_option("--to", options.to),
+            finite_option("--tolerance", options.tolerance)};
   if (task.tolerance <= 0)
     throw Failure(Exit::usage,
                   fmt::format("--tolerance {}: must be above 0; it is relative to the length", options.tolerance));
+  if (task.from < -task.tolerance || task.to > 1 + task.tolerance || task.from > task.to)
+    throw Failure(Exit::usage,
+                  fmt::format("--from {} --to {}: must be in order and within 0 and 1", options.from, options.to));
+  // A computed parameter of an end, as `at-length` prints it, may be outside by the tolerance.
+  task.from = std::clamp(task.from, 0.0, 1.0);
+  task.to = std::clamp(task.to, 0.0, 1.0);
   return task;
 }
 
