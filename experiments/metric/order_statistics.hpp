@@ -33,7 +33,7 @@ struct Ranks {
 /// The greatest and the least rank of a sample of `count` whose values lie below and above the quantile 1/`part` of the
 /// distribution, except with a probability of 1/`exceptions` each. The number of values below the quantile is binomial,
 /// so that value number r exceeds it where fewer than r are; the sums are exact integers. Count from above for the
-/// quantile 1 - 1/`part`. Source: [David and Nagaraja 2003], section 7.1.
+/// quantile 1 - 1/`part`. Source: David and Nagaraja, Order Statistics, 3rd ed., section 7.1.
 Ranks quantile_ranks(std::size_t count, unsigned long part, unsigned long exceptions);
 
 /// True where a sample of `count` is large enough for that: 2 (1/2)^count <= 1 - confidence, 8 for 99 %.
