@@ -12,7 +12,7 @@
 namespace bezierbench::bundle {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 Json quiet_machine() {
   return {{"cpu", {{"virtualised", false}}},
