@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The Python package against rational arithmetic, and a bundle against its files."""
+import copy
 import csv
+import decimal
+import gc
+import hashlib
 import math
+import os
 import shutil
 import signal
 import sys
@@ -103,7 +108,7 @@ class Points(unittest.TestCase):
     def test_what_is_wrong_is_refused(self):
         for status, call in [(2, lambda: bezierbench.evaluate(CURVE, 0.5, "de_castlejau")),
                              (3, lambda: bezierbench.evaluate(CURVE, 0.5, "horner")),
-                             (6, lambda: bezierbench.evaluate(CURVE, math.nan)),
+                             (6, lambda: bezierbench.evaluate(CURVE, math.inf)),
                              (7, lambda: bezierbench.evaluate(CURVE, 2, "correctly_rounded")),
                              (10, lambda: bezierbench.bound(CURVE, 0.5, "direct_pow"))]:
             with self.assertRaises(bezierbench.Error) as caught:
@@ -112,9 +117,66 @@ class Points(unittest.TestCase):
         for call in [lambda: bezierbench.evaluate([], 0.5), lambda: bezierbench.evaluate(CURVE, [[0.5]]),
                      lambda: bezierbench.evaluate(CURVE, 0.5, weights=[1, 2]),
                      lambda: bezierbench.evaluate(CURVE, 0.5, form="hermite"),
-                     lambda: bezierbench.error(CURVE, [0.5], [1.0, 2.0]), lambda: bezierbench.project(CURVE, [1.0])]:
+                     lambda: bezierbench.error(CURVE, [0.5], [1.0, 2.0]), lambda: bezierbench.project(CURVE, [1.0]),
+                     lambda: bezierbench.evaluate(CURVE, 0.5, ""), lambda: bezierbench.evaluate(CURVE, 0.5, "direct\0x"),
+                     lambda: bezierbench.evaluate(CURVE, 0.5, form=[1]), lambda: bezierbench.exact_fractions(CURVE, [0.5])]:
             with self.assertRaises(ValueError):
                 call()
+        for method in (3, b"direct"):
+            with self.assertRaises(TypeError):
+                bezierbench.evaluate(CURVE, 0.5, method)
+
+    def test_numbers_that_no_double_is_are_refused(self):
+        """Functions that are called exact would answer for other numbers."""
+        thirds = [[Fraction(1, 3), 0], [1, 1]]
+        for points in [[[2**53 + 1, 0], [1, 1]], [[2**70 + 1, 0], [1, 1]], thirds, [[decimal.Decimal("0.1"), 0], [1, 1]],
+                       np.array([[1, 0], [1, 1]], np.longdouble) / 3, np.array([[1j, 0], [1, 1]]), [["0", "0"], ["1", "1"]],
+                       np.array([["2020-01-01"]], "datetime64[D]"), np.ma.masked_equal([[1.0, 0], [1, 1]], 0)]:
+            for call in (bezierbench.exact, bezierbench.exact_fractions, bezierbench.evaluate):
+                with self.subTest(points=points, call=call), self.assertRaises(ValueError):
+                    call(points, 0.5)
+        halves = [[Fraction(1, 2), 2**60], [np.longdouble(0.25), True]]
+        self.assertEqual(bezierbench.exact_fractions(halves, 0), [Fraction(1, 2), 2**60])
+
+    def test_fractions_of_thousands_of_digits(self):
+        x, = bezierbench.exact_fractions([[0.0], *[[0.1]] * 300], 0.3)
+        t, b = Fraction(0.3), Fraction(0.1)
+        self.assertEqual(x, b * (1 - (1 - t)**300))
+
+    def test_nan_in_t_concerns_its_own_point_only(self):
+        t = np.array([0.25, math.nan, 0.75])
+        prepared = bezierbench.Prepared(CURVE)
+        for call in (lambda t: bezierbench.evaluate(CURVE, t), lambda t: bezierbench.exact(CURVE, t), prepared,
+                     lambda t: bezierbench.evaluate(np.float32(CURVE), t), lambda t: bezierbench.bound(CURVE, t).bound,
+                     lambda t: bezierbench.error(CURVE, t, np.zeros((*np.shape(t), 2))).error):
+            found = call(t)
+            self.assertTrue(np.isnan(found[1]).all())
+            self.assertTrue(np.array_equal(found[[0, 2]], call(t[[0, 2]])))
+            self.assertTrue(np.isnan(call(math.nan)).all())
+
+    def test_errors_of_floats_are_in_units_of_float(self):
+        points, t = np.float32([[0.1, 3], [0.7, -1], [1.9, 2]]), np.float32([0.3, 0.5])
+        value = bezierbench.evaluate(points, t)
+        found = bezierbench.error(points, t, value)
+        self.assertTrue(np.array_equal(found.exact, bezierbench.exact(points, t)))
+        for k in range(2):
+            true = bezierbench.exact_fractions(points.astype(float), float(t[k]))
+            for axis in range(2):
+                error = abs(Fraction(float(value[k, axis])) - true[axis])
+                ulp = Fraction(2)**(math.frexp(true[axis])[1] - 24)
+                self.assertAlmostEqual(found.error_ulp[k, axis], float(error / ulp), 9)
+                self.assertLess(found.error_u[k, axis], 10)
+        swapped = points.astype(">f4")
+        self.assertEqual(bezierbench.evaluate(swapped, t).dtype, np.float32)
+        self.assertTrue(np.array_equal(bezierbench.evaluate(swapped, t), value))
+
+    def test_copies_of_a_prepared_curve_share_it(self):
+        prepared = bezierbench.Prepared(CURVE, "direct")
+        other = copy.copy(prepared)
+        expected = prepared(0.5)
+        del prepared
+        gc.collect()
+        self.assertTrue(np.array_equal(other(0.5), expected))
 
 
 class Problems(unittest.TestCase):
@@ -220,18 +282,74 @@ class Bundles(unittest.TestCase):
         self.assertGreater(judged, 10)
 
     def test_what_is_damaged_is_refused(self):
-        with self.assertRaises(FileNotFoundError):
+        with self.assertRaisesRegex(bezierbench.BundleError, "SHA256SUMS"):
             bezierbench.read(ROOT / "results")
         with tempfile.TemporaryDirectory() as folder:
             copy = Path(folder) / "bundle"
             shutil.copytree(self.baseline, copy)
             file = copy / "accuracy.csv"
             file.write_text(file.read_text(encoding="utf-8").replace("400000", "400001", 1), encoding="utf-8")
-            with self.assertRaisesRegex(bezierbench.BundleError, "accuracy.csv: not what SHA256SUMS lists"):
+            with self.assertRaisesRegex(bezierbench.BundleError, "accuracy.csv: is not what SHA256SUMS lists"):
                 bezierbench.read(copy)
             (copy / "SHA256SUMS").unlink()
             with self.assertRaisesRegex(bezierbench.BundleError, "SHA256SUMS"):
                 bezierbench.read(copy)
+
+    def test_what_a_stranger_may_put_there_is_refused(self):
+        """No pipe is waited for, no device read to its end, no link followed, and there is one kind of exception."""
+        def seal(bundle):
+            (bundle / "SHA256SUMS").write_text("".join(
+                f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.name}\n" for file in sorted(bundle.iterdir())
+                if file.is_file() and not file.is_symlink() and file.name != "SHA256SUMS"))
+
+        def changed(name, content):
+            def change(bundle):
+                (bundle / name).write_bytes(content)
+                seal(bundle)
+            return change
+
+        def replaced(name, make):
+            def change(bundle):
+                (bundle / name).unlink()
+                make(bundle / name)
+            return change
+
+        complete = (self.baseline / "bundle.json").read_bytes()
+        changes = [replaced(name, os.mkfifo) for name in ("SHA256SUMS", "bundle.json", "machine.json", "accuracy.csv")]
+        changes += [replaced("accuracy.csv", lambda path: path.symlink_to("/dev/zero")),
+                    replaced("accuracy.csv", lambda path: path.symlink_to(self.baseline / "accuracy.csv")),
+                    replaced("accuracy.csv", Path.mkdir), replaced("accuracy.csv", lambda path: None)]
+        changes += [changed("bundle.json", text) for text in (
+            b"[]", b"[" * 100000, b"\xff", b"{", b'{"schema_version": ' + b"9" * 5000 + b"}", b'{"schema_version": true}',
+            complete.replace(b'"complete"', b'"partial"'))]
+        changes += [changed("machine.json", b"null"), changed("accuracy.csv", b'a\n"b'), changed("accuracy.csv", b"a\n\0\n"),
+                    changed("accuracy.csv", b"a,b\n1\n"), changed("accuracy.csv", b""), changed("accuracy.csv", b"a,a\n1,2\n")]
+        lines = (self.baseline / "SHA256SUMS").read_text().splitlines(keepends=True)
+        for sums in (lines + lines[:1], [*lines, "0" * 64 + "  ../x\n"], lines + ["x\n"]):
+            changes.append(lambda bundle, sums=sums: (bundle / "SHA256SUMS").write_text("".join(sums)))
+        changes.append(lambda bundle: (bundle / "suite.toml").write_text("garbage"))
+        for number, change in enumerate(changes):
+            with self.subTest(number=number), tempfile.TemporaryDirectory() as folder:
+                bundle = Path(folder) / "bundle"
+                shutil.copytree(self.baseline, bundle)
+                change(bundle)
+                with self.assertRaises(bezierbench.BundleError) as caught:
+                    bezierbench.read(bundle, frames=False)
+                self.assertIn(str(bundle), str(caught.exception))
+                self.assertLess(len(str(caught.exception)), 500 + len(str(bundle)))
+
+    def test_fields_are_as_they_were_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            bundle = Path(folder) / "bundle"
+            shutil.copytree(self.baseline, bundle)
+            text = 'study,value\na\u2028b,0x1p99999\n"c\nd",' + "9" * 5000 + "\n"
+            (bundle / "accuracy.csv").write_text(text, encoding="utf-8")
+            sums = bundle / "SHA256SUMS"
+            sums.write_text("".join(f"{hashlib.sha256(text.encode()).hexdigest()}  accuracy.csv\n" if "  accuracy.csv" in line
+                                    else line for line in sums.read_text().splitlines(keepends=True)))
+            table = bezierbench.read(bundle, frames=False)["accuracy"]
+            self.assertEqual(list(table["study"]), ["a\u2028b", "c\nd"])
+            self.assertEqual(table["value"][0], "0x1p99999")
 
     def test_frames(self):
         try:

@@ -16,9 +16,36 @@ FORM_NAMES = {number: name for name, number in FORMS.items()}
 Array = NDArray[Any]
 
 
+def array_of(values: ArrayLike, dtype: type) -> Array:
+    """`values` as numbers of `dtype`, bit for bit. Raises ValueError for what would be rounded, or lose a part, on the way: an
+    integer or a fraction that no double is, an imaginary part, a mask, a date, a text."""
+    given: Any = np.ma.asanyarray(values) if isinstance(values, np.ma.MaskedArray) else np.asarray(values)
+    if np.ma.is_masked(given):
+        raise ValueError("an array has masked values; leave them out")
+    if given.dtype.kind not in "fiubO":
+        raise ValueError(f"an array of {given.dtype} is given; give real numbers")
+    try:
+        with np.errstate(over="ignore"):
+            result: Array = np.ascontiguousarray(given, dtype=dtype).reshape(given.shape)
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(f"values are not real numbers that {np.dtype(dtype)} can hold") from None
+    # Python compares numbers of any type exactly. A double for a float is rounded as NumPy does with numbers of Python.
+    small = given.dtype.kind in "bfiu" and given.dtype.itemsize <= 8 and (given.dtype.kind == "f" or np.all(np.abs(result) <= 2**24))
+    for before, after in () if small else zip(given.ravel().tolist(), result.ravel().tolist()):
+        if before == before and before != after:
+            raise ValueError(f"{before} is not a {np.dtype(dtype)}; round it first")
+    return result
+
+
+def is_float(points: ArrayLike) -> bool:
+    """Whether `points` is an array of float32, of either byte order."""
+    dtype = getattr(points, "dtype", None)
+    return dtype is not None and dtype.newbyteorder("=") == np.float32
+
+
 def point_rows(points: ArrayLike, dtype: type = np.float64) -> Array:
     """Points as an array of shape (count, dimension); a flat sequence is a curve of dimension 1."""
-    rows: Array = np.ascontiguousarray(points, dtype=dtype)
+    rows = array_of(points, dtype)
     if rows.ndim == 1:
         rows = rows.reshape(-1, 1)
     if rows.ndim != 2 or rows.size == 0:
@@ -28,10 +55,10 @@ def point_rows(points: ArrayLike, dtype: type = np.float64) -> Array:
 
 def parameters(t: ArrayLike, dtype: type = np.float64) -> Array:
     """Parameters as an array, of which a scalar has no dimension and others have one."""
-    values: Array = np.asarray(t, dtype=dtype)
+    values = array_of(t, dtype)
     if values.ndim > 1:
         raise ValueError(f"t has the shape {values.shape}; give a number or a flat sequence")
-    return values if values.ndim == 0 else np.ascontiguousarray(values)
+    return values
 
 
 def address(values: Array) -> int:
@@ -50,9 +77,9 @@ class GivenCurve:
             form = "rational"
         elif form == "rational":
             raise ValueError("a rational curve needs weights")
-        if form not in FORMS:
+        if not isinstance(form, str) or form not in FORMS:
             raise ValueError(f"no form {form!r}; use {', '.join(FORMS)}")
-        self.weights = None if weights is None else np.ascontiguousarray(weights, dtype=np.float64)
+        self.weights = None if weights is None else array_of(weights, np.float64)
         if self.weights is not None and self.weights.shape != (count,):
             raise ValueError(f"weights have the shape {self.weights.shape}; give one for each of the {count} points")
         self.form = form

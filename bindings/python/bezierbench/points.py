@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Array, GivenCurve, address, parameters, point_rows
+from ._arrays import Array, GivenCurve, address, array_of, is_float, parameters, point_rows
 from ._library import check, library
 
 # For every degree, and t inside or outside of [0,1]; evaluate() says why.
@@ -33,13 +34,34 @@ class Bounds(NamedTuple):
     bound_u: Array  # over u p~
 
 
-def _is_float(points: ArrayLike) -> bool:
-    return getattr(points, "dtype", None) == np.float32
-
-
 def _require_double(points: ArrayLike, why: str) -> None:
-    if _is_float(points):
+    if is_float(points):
         raise ValueError(f"{why}; give float64")
+
+
+def _name(method: str | None, form: str) -> bytes:
+    """The method as the library takes it; the default of the form for None."""
+    if method is None:
+        return _DEFAULTS[form].encode()
+    if not isinstance(method, str):
+        raise TypeError(f"method is a {type(method).__name__}; give the id of a method, see methods()")
+    if not method or "\0" in method:
+        raise ValueError(f"no method {method!r}; see methods()")
+    return method.encode()
+
+
+def _answered(at: Array, out: Array, answer: Callable[[Array, Array], int]) -> Array:
+    """`out`, which `answer(t, out)` fills, with NaN where t is NaN: the library refuses such a t, and all others with it."""
+    given = ~np.isnan(at)
+    if given.all():
+        check(answer(at, out))
+        return out
+    some = np.empty_like(out[given])
+    if some.size:
+        check(answer(np.ascontiguousarray(at[given]), some))
+    out[...] = np.nan
+    out[given] = some
+    return out
 
 
 def _result(t: Array, dimension: int, dtype: type = np.float64) -> Array:
@@ -62,22 +84,16 @@ def evaluate(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form
     degree 512; bound() says whether its bound is enough. Errors and times are in results/answers of the project: studies
     answers-bezier, -outside, -rational, -power and answers-bezier-time.
     """
-    if _is_float(points):
-        return _evaluate_float(points, t, method or _DEFAULTS["bernstein"], form, weights)
+    if is_float(points):
+        name = _name(method, "bernstein")
+        rows, at = _float_curve(points, t, form, weights)
+        return _answered(at, _result(at, rows.shape[1], np.float32), lambda some, out: library.bb_evaluate_float(
+            name, rows.shape[1], rows.shape[0] - 1, address(rows), address(some), some.size, address(out)))
     curve = GivenCurve(points, form, weights)
+    name = _name(method, curve.form)
     at = parameters(t)
-    out = _result(at, curve.dimension)
-    name = (method or _DEFAULTS[curve.form]).encode()
-    check(library.bb_curve_evaluate(name, curve.pointer, address(at), at.size, address(out)))
-    return out
-
-
-def _evaluate_float(points: ArrayLike, t: ArrayLike, method: str, form: str, weights: ArrayLike | None) -> Array:
-    rows, at = _float_curve(points, t, form, weights)
-    out = _result(at, rows.shape[1], np.float32)
-    check(library.bb_evaluate_float(method.encode(), rows.shape[1], rows.shape[0] - 1, address(rows), address(at), at.size,
-                                    address(out)))
-    return out
+    return _answered(at, _result(at, curve.dimension), lambda some, out: library.bb_curve_evaluate(
+        name, curve.pointer, address(some), some.size, address(out)))
 
 
 def _float_curve(points: ArrayLike, t: ArrayLike, form: str, weights: ArrayLike | None) -> tuple[Array, Array]:
@@ -88,28 +104,29 @@ def _float_curve(points: ArrayLike, t: ArrayLike, form: str, weights: ArrayLike 
 
 def exact(points: ArrayLike, t: ArrayLike, *, form: str = "bernstein", weights: ArrayLike | None = None) -> Array:
     """The true points at `t`, each coordinate rounded once; shapes as of `evaluate`."""
-    if _is_float(points):
+    if is_float(points):
         rows, at = _float_curve(points, t, form, weights)
-        out = _result(at, rows.shape[1], np.float32)
-        check(library.bb_exact_float(rows.shape[1], rows.shape[0] - 1, address(rows), address(at), at.size, address(out)))
-        return out
+        return _answered(at, _result(at, rows.shape[1], np.float32), lambda some, out: library.bb_exact_float(
+            rows.shape[1], rows.shape[0] - 1, address(rows), address(some), some.size, address(out)))
     curve = GivenCurve(points, form, weights)
     at = parameters(t)
-    out = _result(at, curve.dimension)
-    check(library.bb_curve_exact(curve.pointer, address(at), at.size, address(out)))
-    return out
+    return _answered(at, _result(at, curve.dimension), lambda some, out: library.bb_curve_exact(
+        curve.pointer, address(some), some.size, address(out)))
 
 
 def exact_fractions(points: ArrayLike, t: float, *, form: str = "bernstein",
                     weights: ArrayLike | None = None) -> list[Fraction]:
     """The true point at a number t without any rounding, a fraction for each axis."""
     curve = GivenCurve(points, form, weights)
+    at = parameters(t)
+    if at.ndim:
+        raise ValueError(f"t has the shape {at.shape}; give one number")
     result = []
     for axis in range(curve.dimension):
         needed = ctypes.c_size_t(0)
         text = ctypes.create_string_buffer(1024)
         for _ in range(2):  # once more, if that was too small
-            status = library.bb_curve_exact_text(curve.pointer, t, axis, text, len(text), ctypes.byref(needed))
+            status = library.bb_curve_exact_text(curve.pointer, float(at), axis, text, len(text), ctypes.byref(needed))
             if status == 0 or needed.value <= len(text):
                 break
             text = ctypes.create_string_buffer(needed.value)
@@ -120,20 +137,44 @@ def exact_fractions(points: ArrayLike, t: float, *, form: str = "bernstein",
 
 def _fraction(text: str) -> Fraction:
     numerator, _, denominator = text.partition("/")
-    return Fraction(int(numerator), int(denominator or 1))
+    return Fraction(_integer(numerator), _integer(denominator or "1"))
+
+
+def _integer(text: str) -> int:
+    """int(text), which refuses more digits than sys.get_int_max_str_digits(), 4300 unless somebody changed it."""
+    digits, most, value = text.lstrip("-"), 512, 0
+    for begin in range(0, len(digits), most):
+        part = digits[begin:begin + most]
+        value = value * 10**len(part) + int(part)
+    return -value if text.startswith("-") else value
 
 
 def error(points: ArrayLike, t: ArrayLike, values: ArrayLike, *, form: str = "bernstein",
           weights: ArrayLike | None = None) -> Errors:
-    """The errors of `values`, from wherever they are: one point for each t, in the shape that `evaluate` returns."""
+    """The errors of `values`, from wherever they are: one point for each t, in the shape that `evaluate` returns.
+
+    For points of float32 the units are those of float, u = 2^-24, and `exact` has the nearest float.
+    """
     curve = GivenCurve(points, form, weights)
-    at = parameters(t)
-    given = np.ascontiguousarray(values, dtype=np.float64)
+    at = parameters(t, np.float32).astype(np.float64) if is_float(points) else parameters(t)
+    given = array_of(values, np.float64)
     if given.shape != (*at.shape, curve.dimension):
         raise ValueError(f"values have the shape {given.shape} instead of {(*at.shape, curve.dimension)}")
-    out = np.empty((*given.shape, 4))
-    check(library.bb_curve_error(curve.pointer, address(at), at.size, address(given), address(out)))
-    return Errors(*(out[..., k] for k in range(4)))
+    found = ~np.isnan(at)
+    out = _answered(at, np.empty((*given.shape, 4)), lambda some, out: library.bb_curve_error(
+        curve.pointer, address(some), some.size, address(np.ascontiguousarray(given[found])), address(out)))
+    errors = Errors(*(out[..., k] for k in range(4)))
+    return _in_float(errors, exact(points, at)) if is_float(points) else errors
+
+
+def _in_float(errors: Errors, exact: Array) -> Errors:
+    """Errors in units of double as errors in units of float."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        # The spacing of doubles at the true value itself; at the rounded one it may be twice that.
+        exponent = np.rint(np.log2(errors.error / errors.error_ulp)) + 52
+        ulp = np.ldexp(1.0, np.nan_to_num(np.maximum(exponent, -126)).astype(int) - 23)
+        in_ulp = np.where(errors.error > 0, errors.error / ulp, errors.error)
+    return Errors(exact, errors.error, in_ulp, errors.error_u * 2.0**-29)
 
 
 def bound(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form: str = "bernstein",
@@ -145,34 +186,39 @@ def bound(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form: s
     _require_double(points, "bounds are those of methods in double")
     curve = GivenCurve(points, form, weights)
     at = parameters(t)
-    out = np.empty((*at.shape, curve.dimension, 2))
-    name = (method or _DEFAULTS[curve.form]).encode()
-    check(library.bb_curve_bound(name, curve.pointer, address(at), at.size, address(out)))
+    name = _name(method, curve.form)
+    out = _answered(at, np.empty((*at.shape, curve.dimension, 2)), lambda some, out: library.bb_curve_bound(
+        name, curve.pointer, address(some), some.size, address(out)))
     return Bounds(out[..., 0], out[..., 1])
+
+
+class _PreparedOwner:
+    """What bb_prepare made, freed with the last Prepared that shares it."""
+
+    def __init__(self, method: bytes, curve: GivenCurve) -> None:
+        self.handle = ctypes.c_void_p()
+        check(library.bb_prepare(method, curve.pointer, ctypes.byref(self.handle)))
+
+    def __del__(self, free: Any = library.bb_prepared_free) -> None:
+        if self.handle:
+            free(self.handle)
 
 
 class Prepared:
     """A curve as a method prepared it, for many calls: `Prepared(points, method)(t)` is `evaluate(points, t, method)`.
 
-    In double only: raises ValueError for float32.
+    In double only: raises ValueError for float32. A copy by `copy.copy` shares the prepared curve.
     """
 
     def __init__(self, points: ArrayLike, method: str | None = None, *, form: str = "bernstein",
                  weights: ArrayLike | None = None) -> None:
         _require_double(points, "curves are prepared in double")
         curve = GivenCurve(points, form, weights)
-        self._handle = ctypes.c_void_p()
         self.dimension = curve.dimension
-        self.method = method or _DEFAULTS[curve.form]
-        check(library.bb_prepare(self.method.encode(), curve.pointer, ctypes.byref(self._handle)))
+        self.method = _name(method, curve.form).decode()
+        self._owner = _PreparedOwner(self.method.encode(), curve)
 
     def __call__(self, t: ArrayLike) -> Array:
         at = parameters(t)
-        out = _result(at, self.dimension)
-        check(library.bb_prepared_evaluate(self._handle, address(at), at.size, address(out)))
-        return out
-
-    def __del__(self, free: Any = library.bb_prepared_free) -> None:
-        handle = getattr(self, "_handle", None)
-        if handle:
-            free(handle)
+        return _answered(at, _result(at, self.dimension), lambda some, out: library.bb_prepared_evaluate(
+            self._owner.handle, address(some), some.size, address(out)))

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Array, GivenCurve, address, point_rows
+from ._arrays import Array, GivenCurve, address, array_of, point_rows
 from ._library import FootEntry, LengthEntry, check, interruptible, library
 
 
@@ -70,7 +70,7 @@ def arc_length_error(points: ArrayLike, length: float, *, start: float = 0, stop
 
 
 def _point(point: ArrayLike, curve: GivenCurve) -> Array:
-    coordinates = np.ascontiguousarray(point, dtype=np.float64).reshape(-1)
+    coordinates = array_of(point, np.float64).reshape(-1)
     if coordinates.size != curve.dimension:
         raise ValueError(f"the point has {coordinates.size} coordinates, the curve {curve.dimension}")
     return coordinates
@@ -131,7 +131,7 @@ def fit(points: ArrayLike, tolerance: float, method: str = "gauss_newton", *, cl
 def _direction(direction: ArrayLike | None, dimension: int) -> Array | None:
     if direction is None:
         return None
-    values: Array = np.ascontiguousarray(direction, dtype=np.float64)
+    values: Array = array_of(direction, np.float64)
     if values.shape != (dimension,) or not values.any():
         raise ValueError(f"the direction {direction} is not one of {dimension} coordinates, not all 0")
     return values
