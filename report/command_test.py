@@ -89,7 +89,7 @@ class Command(unittest.TestCase):
                 ("bundle.json", '"schema_version": 1', '"schema_version": 9', "schema_version"),
                 ("accuracy.csv", "mean_error,", "mean_eror,", "mean_error"),
                 ("accuracy.csv", "9e-11", "nine", "accuracy.csv:2"),
-                ("scorecard.csv", "inside,\n", "inside\n", "scorecard.csv:2"),
+                ("scorecard.csv", "inside,,0.1\n", "inside,,0.1,\n", "scorecard.csv:2"),
                 ("timing.csv", "study", "\0", "NUL"),
                 ("methods.csv", "gamma_3n p~", '"gamma_3n', "methods.csv")):
             with self.subTest(name=name, new=new):
