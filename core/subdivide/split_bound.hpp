@@ -56,7 +56,7 @@ inline double split_underflow(const SplitBound& bound, const SplitScale& scale, 
          (bound.underflow_scales_with_coefficients ? 1 + scale.largest : 1);
 }
 
-inline bool stays_in_range(const SplitBound& bound, const SplitScale& scale, double u) {
+inline bool split_stays_in_range(const SplitBound& bound, const SplitScale& scale, double u) {
   return bezierbench::stays_in_range(bound.growth * scale.largest, scale.levels, u);
 }
 
@@ -68,7 +68,7 @@ inline double amplification(const SplitBound& bound, const SplitScale& scale) {
 
 /// The bound of the absolute error of a coordinate of a polynomial curve, or of a weight of a rational one.
 inline double split_bound(const SplitBound& bound, const SplitScale& scale, const SplitArithmetic& arithmetic) {
-  if (!detail::stays_in_range(bound, scale, arithmetic.u)) return std::numeric_limits<double>::infinity();
+  if (!detail::split_stays_in_range(bound, scale, arithmetic.u)) return std::numeric_limits<double>::infinity();
   return arithmetic.u * bound.factor(scale.levels, arithmetic.u) * detail::amplification(bound, scale) +
          detail::split_underflow(bound, scale, arithmetic);
 }
@@ -85,7 +85,7 @@ inline double split_bound(const SplitBound& bound, const SplitScale& scale, cons
 inline double split_quotient_bound(const SplitBound& bound, const SplitScale& point, const SplitScale& weight,
                                    const SplitArithmetic& arithmetic) {
   const auto [u, eta] = arithmetic;
-  if (!detail::stays_in_range(bound, point, u) || !detail::stays_in_range(bound, weight, u) ||
+  if (!detail::split_stays_in_range(bound, point, u) || !detail::split_stays_in_range(bound, weight, u) ||
       !stays_in_range(2 * point.p_tilde, point.levels, u))
     return std::numeric_limits<double>::infinity();
   const double phi = u * bound.factor(point.levels, u);
