@@ -537,6 +537,54 @@ class Curves(Case):
         self.refused(USAGE, interpolate + ["--method", "c2_naturl"], 'did you mean "c2_natural"?')
         self.refused(USAGE, ["curve", "interpolate"], "--points")
 
+    def test_interpolation_of_uneven_points(self):
+        """Parameters, ends and closed splines, on points whose splines are worked by hand."""
+        def controls(*arguments):
+            return [float(row["x"]) for row in rows(self.fine("curve", "interpolate", "--points", "p.csv", *arguments))]
+        self.write("p.csv", "x,y\n0,0\n1,0\n100,0\n")
+        self.assertAlmostEqual(controls("--parameters", "uniform")[1], -23.5 / 3, 12)  # as in the report: x = -23.5 t + 24.5 t^3
+        self.assertEqual(controls("--parameters", "uniform"), controls("--method", "c2_natural"))
+        for expected, x in zip((0, 1 / 3, 2 / 3, 1, 1, 34, 67, 100), controls("--parameters", "chord"), strict=True):
+            self.assertAlmostEqual(x, expected, 12)  # the line at constant speed
+        centripetal = controls()
+        self.assertEqual(centripetal, controls("--parameters", "centripetal"))
+        self.assertEqual(centripetal, sorted(centripetal))
+        self.write("p.csv", "x\n0\n1\n4\n")  # t^2 at 0, 1, 2 by its blossoms
+        for ends in (["not-a-knot"], ["clamped", "--start-derivative", "0", "--end-derivative", "4"]):
+            found = controls("--parameters", "uniform", "--ends", *ends)
+            for expected, x in zip((0, 0, 1 / 3, 1, 1, 5 / 3, 8 / 3, 4), found, strict=True):
+                self.assertAlmostEqual(x, expected, 14)
+        for content in ("x,y\n0,0\n1,0\n1,1\n0,1\n", "x,y\n0,0\n1,0\n1,1\n0,1\n0,0\n"):  # a square, its first corner once or twice
+            self.write("p.csv", content)
+            # slopes by symmetry: 4 m_0 + m_1 + m_3 = 3 (K_1 - K_3) = 3 (1, -1), and m_1 + m_3 = 0
+            found = controls("--closed")
+            self.assertEqual(len(found), 16)
+            self.assertAlmostEqual(found[1], 0.25, 14)
+            self.assertAlmostEqual(found[14], -0.25, 14)
+        self.write("p.csv", "x\n0\n1\n1.1\n9\n9\n")
+        monotone = controls("--parameters", "uniform", "--monotone")
+        self.assertEqual(monotone, sorted(monotone))
+        self.assertNotEqual(controls("--parameters", "uniform"), sorted(monotone))
+
+    def test_interpolation_of_what_is_refused(self):
+        interpolate = ["curve", "interpolate", "--points", "p.csv"]
+        self.write("p.csv", "x,y,z\n0,0,0\n0,0,0\n1,1,1\n")
+        for parameters in ([], ["--parameters", "chord"]):
+            self.refused(INPUT_OUTPUT, interpolate + parameters, "p.csv:3: repeats the point before it", "uniform")
+        self.assertEqual(len(rows(self.fine(*interpolate, "--parameters", "uniform"))), 8)
+        self.write("p.csv", "x\n0\n1\n0\n0\n")  # the last is the first, and what is before it as well
+        self.refused(INPUT_OUTPUT, interpolate + ["--closed"], "p.csv:2: repeats")
+        self.write("p.csv", "x,y\n0,0\n1,0\n")
+        for arguments, *needles in [
+                (["--parameters", "arc"], "--parameters"), (["--ends", "free"], "--ends"), (["--ends", "clamped"], "--start-derivative"),
+                (["--ends", "clamped", "--start-derivative", "1,1"], "--end-derivative"), (["--start-derivative", "1,1"], "--ends"),
+                (["--ends", "clamped", "--start-derivative", "1", "--end-derivative", "1,1"], "--start-derivative 1", "2 axes"),
+                (["--ends", "clamped", "--start-derivative", "1,nan", "--end-derivative", "1,1"], "--start-derivative"),
+                (["--closed", "--ends", "not-a-knot"], "no ends"), (["--method", "c2_natural", "--closed"], "--method c2_natural"),
+                (["--method", "c2_natural", "--parameters", "chord"], "uniform parameters")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, interpolate + arguments, *needles)
+
     def fitted(self, segments, *arguments):
         """The standard output of a fit that says that it has so many segments."""
         result = self.run_program(*arguments)

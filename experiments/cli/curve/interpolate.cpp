@@ -1,24 +1,49 @@
 // SPDX-License-Identifier: MIT
-// `curve interpolate`: the cubic Bezier segments of a C2 natural spline through points.
+// `curve interpolate`: the cubic Bezier segments of a spline through points.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/interpolate/kernel.hpp"
+#include "core/interpolate/knot_steps.hpp"
+#include "core/interpolate/spline.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/point_file.hpp"
 #include "experiments/cli/curve/segment_rows.hpp"
+#include "experiments/cli/startup/known_values.hpp"
 
 namespace bezierbench::cli {
 namespace {
 
 struct InterpolateOptions {
   std::string points;
+  std::optional<std::string> parameters;
+  std::string ends{spline_ends_names.front()};
+  std::optional<std::string> start_derivative;
+  std::optional<std::string> end_derivative;
+  bool closed = false;
+  bool monotone = false;
   std::string method;
 };
+
+constexpr Parameters default_parameters = Parameters::centripetal;
+
+template <class Word, std::size_t n>
+Word word_of(const std::array<std::string_view, n>& names, std::string_view name) {
+  return static_cast<Word>(std::ranges::find(names, name) - names.begin());
+}
+
+template <std::size_t n>
+std::vector<std::string> words(const std::array<std::string_view, n>& names) {
+  return {names.begin(), names.end()};
+}
 
 /// The method `id`, or the first one if `id` is empty. Throws Failure(usage) for an unknown id.
 const InterpolationKernel& chosen_kernel(const std::string& id) {
@@ -29,10 +54,64 @@ const InterpolationKernel& chosen_kernel(const std::string& id) {
   return *found;
 }
 
+/// The parameters; without the option those that the method has, if one is named.
+Parameters parameters_of(const InterpolateOptions& options) {
+  if (options.parameters) return word_of<Parameters>(parameters_names, *options.parameters);
+  return options.method.empty() ? default_parameters : Parameters::uniform;
+}
+
+/// One number per axis. Throws Failure(usage) for another count, and where the option and clamped ends are not together.
+std::vector<double> derivative_of(const std::string& option, const std::optional<std::string>& text, bool clamped,
+                                  int dimension) {
+  if (clamped != text.has_value())
+    throw Failure(Exit::usage, clamped ? fmt::format("--ends clamped: {} must say the derivative there", option)
+                                       : fmt::format("{}: is that of clamped ends; see --ends", option));
+  if (!clamped) return {};
+  auto derivative = finite_numbers(option, *text);
+  if (derivative.size() != static_cast<std::size_t>(dimension))
+    throw Failure(Exit::usage, fmt::format("{} {}: must have one number for each of the {} axes of the points", option,
+                                           *text, dimension));
+  return derivative;
+}
+
+/// Leaves out the last point of a closed spline if it is the first once more.
+void open_up(PointFile& points) {
+  auto& x = points.coordinates;
+  if (points.count() > 2 && std::equal(x.begin(), x.begin() + points.dimension, x.end() - points.dimension))
+    x.resize(x.size() - static_cast<std::size_t>(points.dimension));
+}
+
+/// The steps of the parameter. Throws Failure(input_output) that names the row where one is 0.
+std::vector<double> steps_of(const InterpolateOptions& options, const PointFile& points) {
+  auto steps = knot_steps(points.coordinates, points.dimension, parameters_of(options), options.closed);
+  const auto repeated = static_cast<std::size_t>(std::ranges::find(steps, 0.0) - steps.begin());
+  if (repeated < steps.size())
+    throw Failure(Exit::input_output,
+                  fmt::format("{}:{}: repeats the point before it, so that the parameter takes no step; leave the row "
+                              "out, or see --parameters uniform",
+                              options.points, points.lines[(repeated + 1) % points.count()]));
+  return steps;
+}
+
 void interpolate(const InterpolateOptions& options) {
+  auto points = read_points(options.points, 2);
+  if (options.closed) open_up(points);
+  const auto ends = word_of<SplineEnds>(spline_ends_names, options.ends);
+  const bool clamped = ends == SplineEnds::clamped;
+  if (options.closed && ends != SplineEnds::natural)
+    throw Failure(Exit::usage, fmt::format("--ends {}: a closed spline has no ends; leave --closed out", options.ends));
+  const auto start = derivative_of("--start-derivative", options.start_derivative, clamped, points.dimension);
+  const auto end = derivative_of("--end-derivative", options.end_derivative, clamped, points.dimension);
+  const bool of_methods = parameters_of(options) == Parameters::uniform && ends == SplineEnds::natural &&
+                          !options.closed && !options.monotone;
   const auto& kernel = chosen_kernel(options.method);
-  const auto points = read_points(options.points, 2);
-  const auto segments = kernel.interpolate(points.coordinates, points.dimension);
+  if (!options.method.empty() && !of_methods)
+    throw Failure(Exit::usage, fmt::format("--method {}: has uniform parameters and natural ends, is open and not "
+                                           "monotone; leave --method or the other options out",
+                                           options.method));
+  const auto segments = of_methods ? kernel.interpolate(points.coordinates, points.dimension)
+                                   : spline_segments(points.coordinates, points.dimension, steps_of(options, points),
+                                                     {ends, options.closed, options.monotone, start, end});
   const auto beyond = std::ranges::find_if(segments, [](double value) { return !std::isfinite(value); });
   if (beyond != segments.end())
     throw Failure(Exit::input_output,
@@ -45,10 +124,29 @@ void interpolate(const InterpolateOptions& options) {
 
 void add_curve_interpolate(Command curve) {
   auto options = std::make_shared<InterpolateOptions>();
-  auto command = curve.command("interpolate", "the C2 natural cubic spline through points");
+  auto command = curve.command("interpolate", "a cubic spline through points, C2 in its parameter");
   command.option("--points", options->points, "point file (CSV)").required().takes(file_value);
-  command.option("--method", options->method,
-                 fmt::format("method id; default {}", interpolation_kernels().front().info->id));
+  command
+      .option(
+          "--parameters", options->parameters,
+          fmt::format("steps of the parameter: equal, or the square root of the distance of points, or the distance; "
+                      "default {}, which does not run back between points that are unevenly spaced on a line",
+                      parameters_names[static_cast<std::size_t>(default_parameters)]))
+      .one_of(words(parameters_names));
+  command.option("--ends", options->ends, "second derivative 0, given derivatives, or one cubic over two segments")
+      .one_of(words(spline_ends_names));
+  command.option("--start-derivative", options->start_derivative, "of clamped ends: 3 (P1 - P0) of the first segment")
+      .takes("X,Y[,Z]");
+  command.option("--end-derivative", options->end_derivative, "of clamped ends: 3 (P3 - P2) of the last segment")
+      .takes("X,Y[,Z]");
+  command.flag("--closed", options->closed, "the spline goes on from the last point to the first, C2 there, too");
+  command.flag("--monotone", options->monotone,
+               "each coordinate is monotone between neighbouring points, and second derivatives jump");
+  command
+      .option("--method", options->method,
+              fmt::format("method id, for uniform parameters and natural ends; default there {}",
+                          interpolation_kernels().front().info->id))
+      .takes("METHOD", methods_of(Problem::interpolation));
   command.action([options] { interpolate(*options); });
 }
 

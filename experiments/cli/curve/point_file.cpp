@@ -16,10 +16,12 @@ PointFile read_points(const std::filesystem::path& file, std::size_t least) {
   if (csv.row_count() < least)
     throw Failure(Exit::input_output, fmt::format("{}: {} point{}; write {} or more, one per row", file.string(),
                                                   csv.row_count(), csv.row_count() == 1 ? "" : "s", least));
-  PointFile points{static_cast<int>(columns.size()), {}};
+  PointFile points{static_cast<int>(columns.size()), {}, {}};
   points.coordinates.reserve(csv.row_count() * columns.size());
-  for (std::size_t row = 0; row < csv.row_count(); ++row)
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
     for (const auto column : columns) points.coordinates.push_back(number_at(csv, row, column));
+    points.lines.push_back(csv.line(row));
+  }
   return points;
 }
 

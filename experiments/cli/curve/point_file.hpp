@@ -11,6 +11,7 @@ namespace bezierbench::cli {
 struct PointFile {
   int dimension = 0;
   std::vector<double> coordinates;  ///< point by point
+  std::vector<std::size_t> lines;   ///< of the file, one for each point
 
   [[nodiscard]] std::size_t count() const { return coordinates.size() / static_cast<std::size_t>(dimension); }
 };
