@@ -15,8 +15,11 @@ template <InverseArcLengthMethod M, int Dimension>
 InverseArcLength solve(const CurveView<double>& view, double target, double tolerance) {
   const auto scaled = scaled_hodograph(instantiate::load<Form::bernstein, Dimension>(view));
   if (is_zero(scaled.h)) return {.t = 0, .error_estimate = std::abs(target), .converged = target == 0};
-  InverseArcLength result = M::solve(scaled.h, scaled.in_units(target), tolerance);
-  result.error_estimate = scaled.unscaled_error(result.error_estimate);
+  const double scaled_target = scaled.in_units(target);
+  InverseArcLength result = M::solve(scaled.h, scaled_target, tolerance);
+  // A target far below the size of the curve underflows.
+  const double lost = std::abs(times_power_of_two(scaled_target, scaled.exponent) - target);
+  result.error_estimate = scaled.unscaled_error(result.error_estimate) + lost;
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "core/arc_length/gauss_legendre_adaptive.hpp"
 #include "core/arc_length/part.hpp"
@@ -44,7 +45,10 @@ class PartLength {
         GaussLegendreAdaptive::measure_within(part, std::max(share_, finest_tolerance / 8 * polygon_length(part)));
     evaluations_ += result.evaluations;
     result.length *= width;
-    result.error_estimate = result.error_estimate * std::abs(width) + rounding_of_part(hodograph_, part, a, b);
+    // The products with the width and with u may underflow, those of the length and of the two errors.
+    constexpr double underflow = 3 * std::numeric_limits<double>::denorm_min();
+    result.error_estimate =
+        result.error_estimate * std::abs(width) + rounding_of_part(hodograph_, part, a, b) + underflow;
     return result;
   }
 

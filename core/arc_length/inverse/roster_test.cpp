@@ -280,5 +280,19 @@ TEST(ChordEqualising, IsBiasedBySecondOrder) {
   }
 }
 
+/// s(t) = 3 2^size t up to the least targets: the estimate includes what underflows.
+TEST(InverseArcLength, EstimatesWhatUnderflows) {
+  for (const int size : {0, 500, 1000})
+    for (const double target : {0x1p-1074, 0x5p-1074, 0x1.8p-1060, 1e-310, 1e-100}) {
+      const std::vector<double> line{0, std::ldexp(3, size)};
+      for (const auto& kernel : inverse_arc_length_kernels(1)) {
+        const auto result = kernel.solve({Form::bernstein, 1, 1, line}, target, 1e-9);
+        if (std::isnan(result.error_estimate)) continue;
+        const reference::LongReal error = abs(reference::LongReal(result.t) * line[1] - reference::LongReal(target));
+        EXPECT_LE(error, result.error_estimate) << kernel.info->id << " " << size << " " << target;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace bezierbench
