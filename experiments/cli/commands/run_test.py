@@ -234,7 +234,7 @@ class Bundles(Case):
         cells = rows((self.folder / "b/scorecard.csv").read_text())
         self.assertEqual({(cell["table"], cell["curve"]) for cell in cells}, {("2.3.1", "bezier")})
         for cell in cells:
-            self.assertEqual(cell["verdict"], "edge", "20 repetitions are too few for any other verdict")
+            self.assertIn(cell["verdict"], ("inside", "edge"), "the ends of a band of 20 repetitions are not known")
             for column in ("published", "ours_median", "ours_p05", "ours_p95", "continuous_median", "against_exact"):
                 self.assertGreaterEqual(float(cell[column]), 0)
             self.assertLessEqual(float(cell["ours_p05"]), float(cell["ours_p95"]))

@@ -488,7 +488,7 @@ class Curves(Case):
         self.refused(USAGE, project + ["--point", "1,2,3", "--method", "quintic_seed_002"], "quintic_seed_002", "degree 1")
         self.assertEqual(len(rows(self.fine(*project, "--point", "1,2,-3"))), 5)
         self.write("c.csv", "x,y,w\n8,5,1\n-4,0,2\n")
-        self.refused(USAGE, project + ["--point", "1,2"], "weights")
+        self.refused(USAGE, project + ["--point", "1,2"], "rational", "column w")
         self.refused(INPUT_OUTPUT, ["curve", "project", "--curve", "absent.csv", "--point", "1,2"], "absent.csv")
 
     def test_answers_do_not_wait_for_truths_of_high_degrees(self):
@@ -611,15 +611,15 @@ class Curves(Case):
         self.assertLess(float(found[2]["x"]), 2)
         found = rows(self.fitted("[0-9]+", *fit, "--tolerance", "0.01", "--closed"))
         self.assertEqual([found[-1][axis] for axis in "xy"], [found[0][axis] for axis in "xy"])
+        for direction, needle in (("1", "1 coordinate, but the points have 2"), ("0,0", "zero vector"), ("1,x", "x: is not a finite number")):
+            with self.subTest(direction=direction):
+                self.refused(USAGE, fit + ["--tolerance", "1", f"--end-direction={direction}"], "--end-direction", needle)
         self.write("p.csv", "x\n0x1p0\n4\n")
         self.assertEqual(self.fitted(1, *fit, "--tolerance", "0"), "segment,index,x\n0,0,1\n0,1,2\n0,2,3\n0,3,4\n")
         for tolerance in ("-1", "nan", "inf", "", "x"):
             with self.subTest(tolerance=tolerance):
                 self.refused(USAGE, fit + [f"--tolerance={tolerance}"], "--tolerance")
         self.refused(USAGE, fit, "--tolerance")
-        for direction, needle in (("1", "1 coordinate, but the points have 2"), ("0,0", "zero vector"), ("1,x", '"x"')):
-            with self.subTest(direction=direction):
-                self.refused(USAGE, fit + ["--tolerance", "1", f"--end-direction={direction}"], "--end-direction", needle)
         self.refused(USAGE, fit + ["--tolerance", "1", "--method", "schneidr"], 'did you mean "schneider"?')
         self.write("p.csv", "x,y\n1,2\n")
         self.refused(INPUT_OUTPUT, fit + ["--tolerance", "1"], "p.csv: 1 point;", "2 or more")

@@ -52,7 +52,9 @@ std::vector<double> direction_option(const std::string& option, const std::optio
     throw Failure(Exit::usage, fmt::format("{} {}: {} coordinate{}, but the points have {}; write one per axis", option,
                                            text, direction.size(), direction.size() == 1 ? "" : "s", dimension));
   if (std::ranges::all_of(direction, [](double x) { return x == 0; }))
-    throw Failure(Exit::usage, fmt::format("{} {}: the zero vector has no direction", option, text));
+    throw Failure(Exit::usage,
+                  fmt::format("{} {}: the zero vector has no direction; leave the option out, or give one that has",
+                              option, text));
   return direction;
 }
 
