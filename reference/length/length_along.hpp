@@ -37,7 +37,7 @@ class LengthAlong {
   /// The t in [0, 1] with s(t) = length; beyond an end that of the end. 0 where the whole length is 0.
   [[nodiscard]] Real parameter_at(const Real& length) const;
 
-  /// The same; empty where lengths that cannot be told from `length` have parameters of which the nearest doubles differ.
+  /// The same; empty where lengths within the uncertainty of `length` have parameters that round to different doubles.
   [[nodiscard]] std::optional<Real> known_parameter_at(const Real& length) const;
 
   /// The speed |p'| at t in [0, 1].
