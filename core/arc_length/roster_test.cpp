@@ -326,8 +326,8 @@ TEST(ArcLength, AtTheEndsOfTheRangeIsNotPromisedUnlessItIsRight) {
     }
 }
 
-/// A part of width 2^width of a straight line of length 3 2^size has the length 3 2^(size + width). An error that is not
-/// 0 is at least the least double, so a length that is smaller than that over the tolerance is not promised.
+/// A part of width 2^width of a straight line of length 3 2^size has the length 3 2^(size + width). An error that is
+/// not 0 is at least the least double, so a length that is smaller than that over the tolerance is not promised.
 TEST(ArcLength, OfANarrowPartIsAccurate) {
   constexpr double tolerance = 1e-9;
   for (const int size : {0, 500, 1000})
