@@ -50,8 +50,8 @@ LengthAlong<Real>::LengthAlong(const CurveView<double>& curve) : hodograph_(hodo
 
 template <class Real>
 Real LengthAlong<Real>::length_to(const Real& t) const {
-  if (panels_.empty()) return 0;
-  if (t <= 0) return -excess(t).length;
+  if (panels_.empty() || t == 0) return 0;
+  if (t < 0) return -excess(t).length;
   if (t >= 1) return whole() + excess(t).length;
   const std::size_t k = panel_at(t);
   return cumulative_[k] + length_within<Real>(panels_[k], (t - panels_[k].begin) / panels_[k].width);

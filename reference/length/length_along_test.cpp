@@ -60,6 +60,7 @@ TEST(LengthAlong, EndsAreEnds) {
   EXPECT_EQ(along.parameter_at(-1), 0);
   EXPECT_EQ(along.parameter_at(0), 0);
   EXPECT_EQ(along.parameter_at(along.whole()), 1);
+  EXPECT_FALSE(signbit(along.length_to(0)));
   // (t, t^2) goes on: s(t) = t sqrt(1 + 4 t^2) / 2 + asinh(2 t) / 4
   for (const LongReal& t : {LongReal(2), 1 + LongReal(2.4e-10), LongReal(-1), LongReal(-1e-10)}) {
     const LongReal root = sqrt(1 + 4 * t * t);
