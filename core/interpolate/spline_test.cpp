@@ -115,8 +115,8 @@ TEST(Spline, OfFewPointsThatAreNoKnots) {
               (std::vector<double>{3, 4, 5, 6}));
 }
 
-/// Points that ascend on a line: at chord-length parameters the spline is the line at constant speed, at centripetal ones
-/// it is monotone (the proof is in spline.hpp), at uniform ones it runs back (0, 1, 100: to -8.86, by hand).
+/// Points that ascend on a line: at chord-length parameters the spline is the line at constant speed, at centripetal
+/// ones it is monotone (the proof is in spline.hpp), at uniform ones it runs back (0, 1, 100: to -8.86, by hand).
 TEST(Spline, RunsBackAtUniformParametersOnly) {
   Inputs inputs(2);
   for (int trial = 0; trial < 500; ++trial) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The accuracy goals of quintic_isolate and of polished parameters against the exact foot points, on curves for which projectors have failed.
+// The accuracy goals of quintic_isolate and of polished parameters against the exact foot
+// points, on curves for which projectors have failed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -17,8 +17,8 @@ struct ProjectionKernel {
   /// Projects `point`, which has as many coordinates as the curve. `curve` is in Bernstein form, of a degree that the
   /// method supports.
   FootPoint (*project)(const CurveView<double>& curve, std::span<const double> point);
-  /// The bound of |(C - P).C'| at t that the method states, over the unit of polished_residual_bound, for a degree and a
-  /// dimension; null for none.
+  /// The bound of |(C - P).C'| at t that the method states, over the unit of polished_residual_bound, for a degree and
+  /// a dimension; null for none.
   double (*residual_bound)(int degree, int dimension) = nullptr;
 };
 

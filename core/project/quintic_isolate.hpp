@@ -9,9 +9,10 @@
 //   isolation by halving in Bernstein form; [Farouki and Rajan 1988], products in Bernstein form.
 // Cost: O(n^2) flops per piece, most often 2 to 10 pieces, and O(n^2) per Newton step. Quadratics and cubics run in
 //   code of their own degree, without allocation.
-// Bound: polished_residual_bound of (C - P).C' at t inside (0, 1). A running bound of every rounding error says which signs of the f_k are certain. A piece is
-//   dropped only if no choice of the uncertain signs allows a root. A piece all of whose signs are uncertain, where the
-//   distance is constant up to rounding, gives one candidate, from which the distance is minimised further.
+// Bound: polished_residual_bound of (C - P).C' at t inside (0, 1). A running bound of every rounding error says which
+//   signs of the f_k are certain. A piece is dropped only if no choice of the uncertain signs allows a root. A piece
+//   all of whose signs are uncertain, where the distance is constant up to rounding, gives one candidate, from which
+//   the distance is minimised further.
 // Fails: above degree 512 the binomials of degree 2n-1 overflow.
 #pragma once
 

@@ -45,7 +45,8 @@ double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, do
 
 /// The parameter in [0, 1] of the local minimum of the distance that lies downhill from t; t where the curve is farther
 /// there. Distances next to a minimum differ in their last digits only, so a search by distances ends at half of the
-/// digits of t; a root of (C - P).C' has them all. Signs bracket it: steps downhill double, from twice Newton's step on.
+/// digits of t; a root of (C - P).C' has them all. Signs bracket it: steps downhill double, from twice Newton's step
+/// on.
 template <int Dimension, int Degree>
 double polished(const OffsetCurve<Dimension, Degree>& curve, double t) {
   constexpr double least_step = 0x1p-52;

@@ -6,10 +6,10 @@
 // Source: [Document 004], third answer, whose bound is wrong: the distance of a control polygon's vertices is no lower
 //   bound. [Chen et al. 2007] clip by the coefficients of |C - P|^2.
 // Cost: O(n^2) flops per piece; some 100 pieces.
-// Bound: polished_residual_bound of (C - P).C' at t inside (0, 1). A piece is dropped only where it cannot be nearer than the best parameter by more than its
-//   rounding errors: 2c u of the distance, c = d (5n + d + 5), and those of halving, (n + 1) u times the size of every
-//   piece that it was cut from; or where it is narrower than 2^-54. The best parameter is
-//   then polished.
+// Bound: polished_residual_bound of (C - P).C' at t inside (0, 1). A piece is dropped only where it cannot be nearer
+//   than the best parameter by more than its rounding errors: 2c u of the distance, c = d (5n + d + 5), and those of
+//   halving, (n + 1) u times the size of every piece that it was cut from; or where it is narrower than 2^-54. The best
+//   parameter is then polished.
 // Fails: beyond degree 512 the binomials of degree 2n overflow. Next to a curve whose distance is constant up to
 //   rounding over a long part it ends after 20,000 pieces, and `converged` is false.
 #pragma once

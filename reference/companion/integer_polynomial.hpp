@@ -44,8 +44,8 @@ mpz_class value_at(const IntegerPolynomial& p, const Dyadic& t);
 /// The sign of p at t.
 int sign_at(const IntegerPolynomial& p, const Dyadic& t);
 
-/// True only if p has exactly one root in the open interval from `low` to low + width / 2^low.shift, by Descartes' rule;
-/// it is simple. True for a narrow enough interval about a simple root.
+/// True only if p has exactly one root in the open interval from `low` to low + width / 2^low.shift, by Descartes'
+/// rule; it is simple. True for a narrow enough interval about a simple root.
 bool has_one_root(IntegerPolynomial p, const Dyadic& low, const mpz_class& width);
 
 /// An interval [k, k + 1] / 2^shift with one root inside; or the root k / 2^shift itself, if `exact`.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The truth about C2 cubic splines, one axis at a time. Of natural ones at uniform parameters: the residuals of given
-// Bezier segments in each of the conditions, and the exact spline, in big integers over one power of two. Of any other: the
-// exact spline in fractions.
+// The truth about C2 cubic splines, one axis at a time. Of natural ones at uniform
+// parameters: the residuals of given Bezier segments in each of the conditions, and the exact spline, in big integers
+// over one power of two. Of any other: the exact spline in fractions.
 #pragma once
 
 #include <span>
@@ -31,10 +31,10 @@ struct SplineSystem {
   double end = 0;    ///< and 3 (P3 - P2) of the last
 };
 
-/// The exact spline through K_0 ... K_n, where n is the number of steps; of a closed one K_n = K_0. It is found from its
-/// definition: continuous first and second derivatives by the parameter at each knot, and the two conditions of the ends;
-/// not-a-knot ends of two segments are those of one parabola, of one segment those of a line. Inner control points are the
-/// unknowns, eliminated densely in O(n^3) fractions, so it suits n up to some dozens.
+/// The exact spline through K_0 ... K_n, where n is the number of steps; of a closed one K_n = K_0. It is found from
+/// its definition: continuous first and second derivatives by the parameter at each knot, and the two conditions of the
+/// ends; not-a-knot ends of two segments are those of one parabola, of one segment those of a line. Inner control
+/// points are the unknowns, eliminated densely in O(n^3) fractions, so it suits n up to some dozens.
 ExactSpline exact_spline(std::span<const double> coordinates, const SplineSystem& system);
 
 /// The largest magnitudes along the spline, exact.

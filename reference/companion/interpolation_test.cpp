@@ -50,8 +50,8 @@ TEST(ExactSpline, OfTheGeneralSystemIsTheSame) {
   }
 }
 
-/// By hand: t^2 at 0, 1, 3, whose blossom is (ab + ac + bc)/3; a Hermite cubic; and the closed spline through 0 and 1, whose
-/// slopes vanish by symmetry.
+/// By hand: t^2 at 0, 1, 3, whose blossom is (ab + ac + bc)/3; a Hermite cubic; and the closed spline through 0 and 1,
+/// whose slopes vanish by symmetry.
 TEST(ExactSpline, OfOtherEnds) {
   using Ends = SplineSystem::Ends;
   const std::vector<double> steps{1, 2};

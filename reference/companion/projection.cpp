@@ -124,7 +124,8 @@ class Nearest {
   }
 
  private:
-  /// |C - P|^2, as `squared` has it, at the beginning of an interval of t; at the root it is at most `off` / 2^shift off.
+  /// |C - P|^2, as `squared` has it, at the beginning of an interval of t; at the root it is at most `off` / 2^shift
+  /// off.
   struct Range {
     Dyadic value;
     mpz_class off;

@@ -45,9 +45,9 @@ ExactProjection projection(const CurveView<double>& curve, std::span<const doubl
 /// difference: the claimed distance may be right, but t is not. Infinite where t or distance is not finite.
 double foot_error(const Format& format, double t, double distance, const ExactProjection& exact);
 
-/// The residual |(C - P).C'| at t, over u D (|C - P| + D t + 2 n u M), with D `largest_speed`, M `largest_coordinate` and
-/// u = 2^-53, rounded to `error_format`: these are a rounding of C', one of t and, next to the curve, those of C - P
-/// that remain where u^2 counts. At an end from which the distance rises it is 0, outside [0, 1] infinite.
+/// The residual |(C - P).C'| at t, over u D (|C - P| + D t + 2 n u M), with D `largest_speed`, M `largest_coordinate`
+/// and u = 2^-53, rounded to `error_format`: these are a rounding of C', one of t and, next to the curve, those of C -
+/// P that remain where u^2 counts. At an end from which the distance rises it is 0, outside [0, 1] infinite.
 double foot_residual(double t, const ExactProjection& exact);
 
 /// |a - sqrt(b)| for a double a >= 0 and b >= 0, rounded once to `format`, with the root cut to 256 bits.
