@@ -127,7 +127,9 @@ class Verification {
     std::set<std::string, std::less<>> promising;
     if (const auto methods = tables_.find(methods_name); methods != tables_.end())
       or_finding(table_findings_, [&] { promising = promising_methods(methods->second); });
-    for (const auto& [name, table] : tables_) {
+    for (const auto& entry : tables_) {  // Clang before 16 does not capture the names of a structured binding
+      const auto& name = entry.first;
+      const auto& table = entry.second;
       or_finding(table_findings_, [&] { append(table_findings_, row_faults(name, table, promising)); });
       append(table_findings_, repeated_rows(name, table));
       if (expected_ && name != digests_name) check_studies(table);  // its rows repeat the studies of other tables
