@@ -265,7 +265,7 @@ class Faults(Outside):
         self.assertEqual(self.run_program("verify", "b").returncode, FINDING)
 
     def test_what_no_study_asks_is_refused(self):
-        length = {"id": '"length"', "kind": '"arc_length"', "curve": '"bezier"', "degree": "[3]", "trials": "2"}
+        length = {"id": '"length"', "kind": '"arc_length"', "curve": '"bezier"', "degree": "[3]", "trials": "2", "tolerance": "[1e-3]"}
         self.refused(USAGE, ["run", self.suite(length), "--out", "b", "--program", ANSWER],
                      "program_mine: no study asks it, of study length: it is of kind arc_length")
         suite = self.suite({**STUDY, **SMALL}, length, {**STUDY, "id": '"power"', "curve": '"polynomial"', "methods": '["horner"]'},
