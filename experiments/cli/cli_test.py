@@ -41,7 +41,7 @@ class CommandLine(Case):
             with self.subTest(arguments=[argument[:20] for argument in arguments]):
                 message = self.run_program(*arguments).stderr.decode()
                 self.assertIn(needle, message)
-                self.assertLess(len(message), 500)
+                self.assertLess(len(message), 700)
 
     def test_values_of_options(self):
         run = ["run", self.suite(), "--out", "b"]
