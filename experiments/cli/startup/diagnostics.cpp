@@ -11,7 +11,7 @@
 namespace bezierbench::cli {
 
 void say(const std::string& text) {
-  constexpr std::size_t longest_word = 300;  // in bytes; an option or a field of a file may have megabytes
+  constexpr std::size_t longest_word = 400;  // in bytes; an option or a field of a file may have megabytes
   constexpr std::size_t longest_line = 1000;
   std::string_view rest = std::string_view(text).substr(0, text.find_last_not_of(" \n") + 1);
   std::string line;
