@@ -8,7 +8,7 @@
 //   its product and up to n for the additions. Underflow: each of the 2r weights of level r has an error of at most
 //   eta/2, times N_i^(r-1), whose sum is 1, and each of its 2r products one of eta/2: over all levels n(n+3)/2 eta,
 //   times max|d|. The products of the last sum add (n+1) eta/2.
-// Fails: nothing is known; differences of knots that overflow are halved (knot_weights.hpp).
+// Fails: no failure is known. Differences of knots that overflow are halved (knot_weights.hpp).
 #pragma once
 
 #include "core/bspline/basis_functions.hpp"

@@ -9,7 +9,7 @@
 // Bound: gamma_10(n-1) sum |d_i| c_i of a control point, gamma_(15n-10) p~ of a point. A path to a control point passes
 //   at most n-1 levels for each end, of five roundings, and one to a point n more. All weights are >= 0, since a and c
 //   lie between the two knots of each weight. Underflow as for de_boor, for as many levels.
-// Fails: nothing is known; differences of knots that overflow are halved (knot_weights.hpp).
+// Fails: no failure is known. Differences of knots that overflow are halved (knot_weights.hpp).
 #pragma once
 
 #include "core/bspline/point_of_span.hpp"

@@ -68,7 +68,7 @@ requires(Converter::target == Method::info.form) struct Via {
     if constexpr (has_bound()) {
       constexpr double u = std::numeric_limits<Scalar>::epsilon() / 2;
       constexpr double most = std::numeric_limits<Scalar>::max();
-      // The product may leave the range, which no constant expression may.
+      // The product may overflow, which a constant expression does not allow.
       const auto is_beyond = [](int n) {
         return Method::info.bound->growth(n) > most / Converter::coefficient_growth(n);
       };

@@ -64,7 +64,7 @@ class OutsideAccuracyJob final : public run::JobOf<OutsideTally> {
     (void)tables.table("reference.csv");
     for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k].write(state(k).tally, tables, failure(state(k)));
   }
-  /// No rows of reference.csv, which a method that failed does not have.
+  /// Rows of reference.csv are not planned, since a method that fails has none.
   void list_rows(tables::Tables& tables) const override {
     for (const auto& cell : cells_) cell.list_judgements(tables);
   }
