@@ -46,6 +46,12 @@ int main(void) {
   MEMBER(bb_foot, distance);
   MEMBER(bb_foot, candidates);
   MEMBER(bb_foot, converged);
+  STRUCT(bb_spline);
+  MEMBER(bb_spline, parameters);
+  MEMBER(bb_spline, ends);
+  MEMBER(bb_spline, monotone);
+  MEMBER(bb_spline, start_derivative);
+  MEMBER(bb_spline, end_derivative);
   VALUE(BB_OK);
   VALUE(BB_ERROR_NULL);
   VALUE(BB_ERROR_METHOD);
@@ -64,8 +70,16 @@ int main(void) {
   VALUE(BB_ERROR_COUNT);
   VALUE(BB_ERROR_INTERNAL);
   VALUE(BB_ERROR_STOPPED);
+  VALUE(BB_ERROR_REPEATED);
   VALUE(BB_BERNSTEIN);
   VALUE(BB_POWER);
   VALUE(BB_RATIONAL);
+  VALUE(BB_CENTRIPETAL);
+  VALUE(BB_UNIFORM);
+  VALUE(BB_CHORD);
+  VALUE(BB_NATURAL);
+  VALUE(BB_CLAMPED);
+  VALUE(BB_NOT_A_KNOT);
+  VALUE(BB_CLOSED);
   return 0;
 }

@@ -208,6 +208,52 @@ TEST(C, AFitBeginsAndEndsAsAsked) {
   bb_fitted_free(fitted);
 }
 
+/// 0, 1, 0, 1: 5/9, 8/9, -1/9 and 10/9, 1/9, 4/9, by hand from the system of equal steps, which centripetal ones are here.
+TEST(C, ASplineMeetsItsPoints) {
+  const std::vector<double> k{0, 1, 0, 1};
+  const std::vector<double> ninths{0, 5, 10, 9, 9, 8, 1, 0, 0, -1, 4, 9};
+  std::vector<double> segments(12, infinity);
+  ASSERT_EQ(bb_interpolate(nullptr, 1, k.data(), 4, segments.data()), BB_OK);
+  for (std::size_t i = 0; i < ninths.size(); ++i) EXPECT_NEAR(segments[i], ninths[i] / 9, 1e-15);
+  const std::vector<double> line{0, 1, 100};
+  const bb_spline chord{BB_CHORD, BB_NATURAL, 0, nullptr, nullptr};
+  ASSERT_EQ(bb_interpolate(&chord, 1, line.data(), 3, segments.data()), BB_OK);
+  EXPECT_NEAR(segments[5], 34, 1e-12);
+  const std::vector<double> square{0, 1, 4};  // t^2, whose derivatives at 0 and 2 are 0 and 4
+  const double start = 0;
+  const double end = 4;
+  for (const bb_spline& spline : {bb_spline{BB_UNIFORM, BB_CLAMPED, 0, &start, &end},
+                                  bb_spline{BB_UNIFORM, BB_NOT_A_KNOT, 0, nullptr, nullptr}}) {
+    ASSERT_EQ(bb_interpolate(&spline, 1, square.data(), 3, segments.data()), BB_OK);
+    EXPECT_NEAR(segments[6], 8.0 / 3, 1e-14);
+  }
+  const std::vector<double> corners{0, 0, 1, 0, 1, 1, 0, 1};
+  std::vector<double> closed(4 * 4 * 2, infinity);
+  const bb_spline ring{BB_CHORD, BB_CLOSED, 0, nullptr, nullptr};
+  ASSERT_EQ(bb_interpolate(&ring, 2, corners.data(), 4, closed.data()), BB_OK);
+  EXPECT_NEAR(closed[2], 0.25, 1e-15);  // slopes by symmetry: 4 m_0 + m_1 + m_3 = 3 (K_1 - K_3)
+  EXPECT_EQ(closed[30], 0);
+}
+
+TEST(C, ASplineThatCannotBeIsRefused) {
+  std::vector<double> k{0, 0, 1};
+  std::vector<double> segments(8, 7);
+  const auto status = [&](const bb_spline& spline) {
+    return bb_interpolate(&spline, 1, k.data(), k.size(), segments.data());
+  };
+  EXPECT_EQ(status({}), BB_ERROR_REPEATED);
+  EXPECT_EQ(status({3, 0, 0, nullptr, nullptr}), BB_ERROR_PARAMETER);
+  EXPECT_EQ(status({0, 4, 0, nullptr, nullptr}), BB_ERROR_PARAMETER);
+  EXPECT_EQ(status({BB_UNIFORM, BB_CLAMPED, 0, nullptr, nullptr}), BB_ERROR_NULL);
+  EXPECT_EQ(bb_interpolate(nullptr, 1, k.data(), 1, segments.data()), BB_ERROR_COUNT);
+  EXPECT_EQ(bb_interpolate(nullptr, 4, k.data(), 3, segments.data()), BB_ERROR_DIMENSION);
+  EXPECT_EQ(bb_interpolate(nullptr, 1, k.data(), 3, nullptr), BB_ERROR_NULL);
+  k = {1.7e308, 1.7e308, -1.7e308};  // a parabola with its vertex above
+  EXPECT_EQ(status({BB_UNIFORM, BB_NOT_A_KNOT, 0, nullptr, nullptr}), BB_ERROR_OVERFLOW);
+  EXPECT_EQ(segments, std::vector<double>(8, 7));
+  EXPECT_EQ(status({BB_UNIFORM, BB_NATURAL, 1, nullptr, nullptr}), BB_OK);  // monotone stays within the points
+}
+
 TEST(C, WhatIsWrongIsRefusedAndNothingIsWritten) {
   const double t = 0.5;
   double out = 7;
@@ -278,6 +324,7 @@ std::vector<int> statuses() {
   bb_bound bound[2];
   bb_length length;
   bb_foot foot;
+  std::array<double, 16> segments;
   bb_fitted* fitted = nullptr;
   bb_prepared* prepared = nullptr;
   return {bb_evaluate("horner_bernstein", 2, 2, points.data(), &t, 1, out.data()),
@@ -287,6 +334,7 @@ std::vector<int> statuses() {
           bb_arc_length("gauss_legendre_24", &parabola, 0, 1, 1e-9, &length),
           bb_exact_arc_length(&parabola, 0, 1, out.data()),
           bb_project("scan_refine", &parabola, points.data(), &foot),
+          bb_interpolate(nullptr, 2, points.data(), 3, segments.data()),
           bb_prepare("de_casteljau", &parabola, &prepared) == BB_OK ? (bb_prepared_free(prepared), BB_OK)
                                                                     : BB_ERROR_ENVIRONMENT,
           bb_fit("gauss_newton", 2, points.data(), 3, 1, &fitted) == BB_OK ? (bb_fitted_free(fitted), BB_OK)

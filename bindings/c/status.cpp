@@ -60,6 +60,8 @@ const char* bb_strerror(int status) {
     case BB_ERROR_COUNT: return "too few points, an index beyond the end, or a buffer that is too small";
     case BB_ERROR_STOPPED: return "the computation was stopped";
     case BB_ERROR_INTERNAL: return "a defect of libbezierbench; please report it";
+    case BB_ERROR_REPEATED:
+      return "a point repeats the one before it, so that the parameter takes no step; leave it out";
     default: return "not a status of this version of libbezierbench";
   }
 }

@@ -242,6 +242,29 @@ class Problems(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "direction"):
                 bezierbench.fit(arch, 0.1, end_direction=direction)
 
+    def test_interpolation(self):
+        """0, 1, 0, 1, and the uneven points of a line, worked by hand; the same as the C function in other words."""
+        ninths = [[0, 5, 10, 9], [9, 8, 1, 0], [0, -1, 4, 9]]
+        np.testing.assert_allclose(bezierbench.interpolate([0, 1, 0, 1])[:, :, 0], np.array(ninths) / 9, atol=1e-15)
+        line = [[0, 0], [1, 0], [100, 0]]
+        self.assertAlmostEqual(bezierbench.interpolate(line, "uniform")[0, 1, 0], -23.5 / 3)
+        np.testing.assert_allclose(bezierbench.interpolate(line, "chord")[1, :, 0], [1, 34, 67, 100])
+        self.assertTrue((np.diff(bezierbench.interpolate(line)[:, :, 0].ravel()) >= 0).all())
+        square = bezierbench.interpolate([0, 1, 4], "uniform", "clamped", start_derivative=0, end_derivative=4)
+        np.testing.assert_allclose(square, bezierbench.interpolate([0, 1, 4], "uniform", "not-a-knot"), atol=1e-15)
+        closed = bezierbench.interpolate([[0, 0], [1, 0], [1, 1], [0, 1]], closed=True)
+        self.assertEqual(closed.shape, (4, 4, 2))
+        np.testing.assert_allclose(closed[0, 1], [0.25, -0.25])
+        steep = bezierbench.interpolate([0, 0, 1, 1.1, 9], "uniform", monotone=True).ravel()
+        self.assertEqual(steep.tolist(), sorted(steep))
+        with self.assertRaisesRegex(bezierbench.Error, "repeats"):
+            bezierbench.interpolate([0, 0, 1])
+        for arguments, message in (({"parameters": "arc"}, "arc"), ({"ends": "free"}, "free"), ({"ends": "clamped"}, "derivative"),
+                                   ({"ends": "not-a-knot", "closed": True}, "no ends"), ({"start_derivative": 1}, "clamped"),
+                                   ({"ends": "clamped", "start_derivative": [1, 2], "end_derivative": 1}, "2 coordinates")):
+            with self.assertRaisesRegex(ValueError, message):
+                bezierbench.interpolate([0, 1, 4], **arguments)
+
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}
         self.assertEqual(problems, {"evaluation", "arc_length", "projection", "fitting"})

@@ -11,9 +11,10 @@
 
 namespace bezierbench {
 
-enum class Parameters { uniform, centripetal, chord };
+/// The first is what commands take unless told otherwise; spline.hpp has the reason.
+enum class Parameters { centripetal, uniform, chord };
 
-inline constexpr std::array<std::string_view, 3> parameters_names{"uniform", "centripetal", "chord"};
+inline constexpr std::array<std::string_view, 3> parameters_names{"centripetal", "uniform", "chord"};
 
 /// The steps over the largest of them. Points are n + 1 >= 2, or n >= 2 of a closed curve, whose last step goes back to
 /// the first point; `dimension` finite coordinates each. A step is 0 where points coincide, also where its length is

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/interpolate/kernel.hpp"
+
 namespace bezierbench {
 namespace {
 
@@ -137,6 +139,9 @@ std::vector<double> slopes_of(const Axis& axis, std::span<const double> h, const
 
 std::vector<double> spline_segments(std::span<const double> points, int dimension, std::span<const double> steps,
                                     const SplineConditions& conditions) {
+  const bool uniform = std::ranges::all_of(steps, [](double step) { return step == 1; });
+  if (uniform && conditions.ends == SplineEnds::natural && !conditions.closed && !conditions.monotone)
+    return interpolation_kernels().front().interpolate(points, dimension);
   const auto d = static_cast<std::size_t>(dimension);
   const std::size_t count = points.size() / d;
   std::vector<double> segments(4 * steps.size() * d);

@@ -44,7 +44,8 @@ struct SplineConditions {
 /// The cubic Bezier segments of the spline, point by point, four control points each; one segment for each of `steps`,
 /// which are positive (see knot_steps()). Without `closed` there is one point more than steps; with it as many, at
 /// least 2, and the last segment ends in the first point. Each point has `dimension` finite coordinates, and is met bit
-/// for bit. An inner control point beyond the largest double is infinite.
+/// for bit. An inner control point beyond the largest double is infinite. Where all steps are 1, the spline of natural
+/// ends is that of the first method of the roster, with its bound.
 std::vector<double> spline_segments(std::span<const double> points, int dimension, std::span<const double> steps,
                                     const SplineConditions& conditions);
 

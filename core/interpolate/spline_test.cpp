@@ -16,7 +16,7 @@ namespace bezierbench {
 namespace {
 
 constexpr double u = 0x1p-53;
-constexpr std::array every_parameters{Parameters::uniform, Parameters::centripetal, Parameters::chord};
+constexpr std::array every_parameters{Parameters::centripetal, Parameters::uniform, Parameters::chord};
 constexpr std::array every_ends{SplineEnds::natural, SplineEnds::clamped, SplineEnds::not_a_knot};
 
 std::vector<double> random_points(std::size_t count, Inputs& inputs) {
@@ -165,7 +165,9 @@ TEST(Spline, OfMonotoneDataIsMonotoneIfThatIsWanted) {
   // a slope within the limits stays: that of a spline which is monotone by itself
   const std::vector<double> points{0, 1, 3, 6};
   const auto steps = knot_steps(points, 1, Parameters::uniform, false);
-  EXPECT_EQ(spline_segments(points, 1, steps, {.monotone = true}), spline_segments(points, 1, steps, {}));
+  const auto free = spline_segments(points, 1, steps, {});
+  const auto monotone = spline_segments(points, 1, steps, {.monotone = true});
+  for (std::size_t k = 0; k < free.size(); ++k) EXPECT_NEAR(monotone[k], free[k], 50 * u);
 }
 
 TEST(Spline, ReversedScaledAndMovedIsTheSame) {

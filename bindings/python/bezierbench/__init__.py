@@ -23,10 +23,11 @@ from .problems import (
     exact_arc_length,
     exact_project,
     fit,
+    interpolate,
     project,
     project_error,
 )
 
 __all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "Fit", "Foot", "Length", "Method", "Prepared",
            "arc_length", "arc_length_error", "bound", "error", "evaluate", "exact", "exact_arc_length", "exact_fractions",
-           "exact_project", "fit", "methods", "numbers", "project", "project_error", "read", "version"]
+           "exact_project", "fit", "interpolate", "methods", "numbers", "project", "project_error", "read", "version"]

@@ -39,6 +39,11 @@ class FootEntry(ctypes.Structure):
     _fields_ = [("t", c_double), ("distance", c_double), ("candidates", c_int), ("converged", c_int)]
 
 
+class SplineEntry(ctypes.Structure):
+    _fields_ = [("parameters", c_int), ("ends", c_int), ("monotone", c_int), ("start_derivative", c_void_p),
+                ("end_derivative", c_void_p)]
+
+
 _ARRAY = c_void_p  # doubles or floats of NumPy
 _CURVE = POINTER(Curve)
 _DOUBLE = POINTER(c_double)
@@ -64,6 +69,7 @@ _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
     "bb_project": (c_int, [c_char_p, _CURVE, _ARRAY, POINTER(FootEntry)]),
     "bb_exact_project": (c_int, [_CURVE, _ARRAY, _DOUBLE, _DOUBLE]),
     "bb_project_error": (c_int, [_CURVE, _ARRAY, c_double, c_double, _DOUBLE]),
+    "bb_interpolate": (c_int, [POINTER(SplineEntry), c_int, _ARRAY, c_size_t, _ARRAY]),
     "bb_fit_directed": (c_int, [c_char_p, c_int, _ARRAY, c_size_t, c_double, _ARRAY, _ARRAY, POINTER(c_void_p)]),
     "bb_fitted_segments": (c_size_t, [c_void_p]),
     "bb_fitted_points": (_DOUBLE, [c_void_p]),

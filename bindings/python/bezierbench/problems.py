@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Arc length, projection and fitting, with their true results."""
+"""Arc length, projection and fitting, with their true results; interpolation."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Array, GivenCurve, address, array_of, point_rows
-from ._library import FootEntry, LengthEntry, check, interruptible, library
+from ._library import FootEntry, LengthEntry, SplineEntry, check, interruptible, library
 
 
 class Length(NamedTuple):
@@ -102,6 +102,42 @@ def project_error(points: ArrayLike, point: ArrayLike, t: float, distance: float
     error = ctypes.c_double()
     _check_truth(curve, lambda: library.bb_project_error(curve.pointer, address(at), t, distance, ctypes.byref(error)))
     return error.value
+
+
+PARAMETERS = ("centripetal", "uniform", "chord")  # in the order of bb_parameters
+ENDS = ("natural", "clamped", "not-a-knot")  # in the order of bb_ends, of which BB_CLOSED follows
+
+
+def interpolate(points: ArrayLike, parameters: str = "centripetal", ends: str = "natural", closed: bool = False, *,
+                monotone: bool = False, start_derivative: ArrayLike | None = None,
+                end_derivative: ArrayLike | None = None) -> Array:
+    """The cubic Bezier segments, of shape (count, 4, dimension), of a spline through points, C2 in its parameter.
+
+    Steps of the parameter are the square root of the distance of points ("centripetal"), 1 ("uniform") or the distance
+    ("chord"). Ends have the second derivative 0 ("natural"), the given derivatives 3 (P1 - P0) of the first segment and
+    3 (P3 - P2) of the last ("clamped"), or one cubic over two segments ("not-a-knot"). A closed spline has none; a last segment
+    goes back to the first point. `monotone` makes each coordinate monotone between neighbouring points, and the spline C1 only.
+    Raises Error where a point repeats the one before it, except at uniform parameters.
+    """
+    rows = point_rows(points)
+    count, dimension = rows.shape
+    for word, words in ((parameters, PARAMETERS), (ends, ENDS)):
+        if word not in words:
+            raise ValueError(f"no {word!r}; use {', '.join(words)}")
+    if closed and ends != "natural":
+        raise ValueError(f"a closed spline has no ends that could be {ends}")
+    entry = SplineEntry(PARAMETERS.index(parameters), len(ENDS) if closed else ENDS.index(ends), monotone)
+    derivatives = [None if given is None else array_of(given, np.float64).reshape(-1)
+                   for given in (start_derivative, end_derivative)]
+    for derivative in derivatives:
+        if (derivative is not None) != (ends == "clamped"):
+            raise ValueError("clamped ends, and no others, have start_derivative and end_derivative")
+        if derivative is not None and derivative.size != dimension:
+            raise ValueError(f"a derivative has {derivative.size} coordinates, the points {dimension}")
+    entry.start_derivative, entry.end_derivative = (None if given is None else address(given) for given in derivatives)
+    segments = np.empty((max(count - 1 + closed, 0), 4, dimension))
+    check(library.bb_interpolate(ctypes.byref(entry), dimension, address(rows), count, address(segments)))
+    return segments
 
 
 def fit(points: ArrayLike, tolerance: float, method: str = "gauss_newton", *, closed: bool = False,

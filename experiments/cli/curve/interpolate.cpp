@@ -33,8 +33,6 @@ struct InterpolateOptions {
   std::string method;
 };
 
-constexpr Parameters default_parameters = Parameters::centripetal;
-
 template <class Word, std::size_t n>
 Word word_of(const std::array<std::string_view, n>& names, std::string_view name) {
   return static_cast<Word>(std::ranges::find(names, name) - names.begin());
@@ -57,7 +55,7 @@ const InterpolationKernel& chosen_kernel(const std::string& id) {
 /// The parameters; without the option those that the method has, if one is named.
 Parameters parameters_of(const InterpolateOptions& options) {
   if (options.parameters) return word_of<Parameters>(parameters_names, *options.parameters);
-  return options.method.empty() ? default_parameters : Parameters::uniform;
+  return options.method.empty() ? Parameters{} : Parameters::uniform;
 }
 
 /// One number per axis. Throws Failure(usage) for another count, and where the option and clamped ends are not together.
@@ -102,16 +100,16 @@ void interpolate(const InterpolateOptions& options) {
     throw Failure(Exit::usage, fmt::format("--ends {}: a closed spline has no ends; leave --closed out", options.ends));
   const auto start = derivative_of("--start-derivative", options.start_derivative, clamped, points.dimension);
   const auto end = derivative_of("--end-derivative", options.end_derivative, clamped, points.dimension);
-  const bool of_methods = parameters_of(options) == Parameters::uniform && ends == SplineEnds::natural &&
-                          !options.closed && !options.monotone;
+  const bool by_method = !options.method.empty();
   const auto& kernel = chosen_kernel(options.method);
-  if (!options.method.empty() && !of_methods)
+  if (by_method && (parameters_of(options) != Parameters::uniform || ends != SplineEnds::natural || options.closed ||
+                    options.monotone))
     throw Failure(Exit::usage, fmt::format("--method {}: has uniform parameters and natural ends, is open and not "
                                            "monotone; leave --method or the other options out",
                                            options.method));
-  const auto segments = of_methods ? kernel.interpolate(points.coordinates, points.dimension)
-                                   : spline_segments(points.coordinates, points.dimension, steps_of(options, points),
-                                                     {ends, options.closed, options.monotone, start, end});
+  const auto segments = by_method ? kernel.interpolate(points.coordinates, points.dimension)
+                                  : spline_segments(points.coordinates, points.dimension, steps_of(options, points),
+                                                    {ends, options.closed, options.monotone, start, end});
   const auto beyond = std::ranges::find_if(segments, [](double value) { return !std::isfinite(value); });
   if (beyond != segments.end())
     throw Failure(Exit::input_output,
@@ -129,9 +127,9 @@ void add_curve_interpolate(Command curve) {
   command
       .option(
           "--parameters", options->parameters,
-          fmt::format("steps of the parameter: equal, or the square root of the distance of points, or the distance; "
+          fmt::format("steps of the parameter: the square root of the distance of points, or equal, or the distance; "
                       "default {}, which does not run back between points that are unevenly spaced on a line",
-                      parameters_names[static_cast<std::size_t>(default_parameters)]))
+                      parameters_names.front()))
       .one_of(words(parameters_names));
   command.option("--ends", options->ends, "second derivative 0, given derivatives, or one cubic over two segments")
       .one_of(words(spline_ends_names));

@@ -47,7 +47,8 @@ typedef enum bb_status {
   BB_ERROR_MEMORY = 14,      /* memory is exhausted */
   BB_ERROR_COUNT = 15,       /* too few points, an index beyond the end, or a buffer that is too small */
   BB_ERROR_INTERNAL = 16,    /* a defect of this library */
-  BB_ERROR_STOPPED = 17      /* the computation was stopped: see bb_stop_when() */
+  BB_ERROR_STOPPED = 17,     /* the computation was stopped: see bb_stop_when() */
+  BB_ERROR_REPEATED = 18     /* a point repeats the one before it, so that a parameter takes no step */
 } bb_status;
 
 /* The forms in which a curve can be given. */
@@ -208,6 +209,37 @@ BB_API const double* bb_fitted_points(const bb_fitted* fitted); /* 4 * dimension
 BB_API double bb_fitted_max_error(const bb_fitted* fitted);     /* as the method bounds it: at most the tolerance */
 BB_API int bb_fitted_exact_error(const bb_fitted* fitted, double* error); /* the true one, rounded once */
 BB_API void bb_fitted_free(bb_fitted* fitted);                            /* null is allowed */
+
+/* ---- Cubic splines through points ---- */
+
+/* The steps of the parameter between points. */
+typedef enum bb_parameters {
+  BB_CENTRIPETAL =
+      0,          /* the square root of their distance: a natural spline through a line's points does not run back */
+  BB_UNIFORM = 1, /* 1 */
+  BB_CHORD = 2    /* their distance */
+} bb_parameters;
+
+typedef enum bb_ends {
+  BB_NATURAL = 0,    /* the second derivative is 0 */
+  BB_CLAMPED = 1,    /* the derivative is given */
+  BB_NOT_A_KNOT = 2, /* the first two segments are one cubic, the last two as well */
+  BB_CLOSED = 3      /* there are none: a last segment goes back to the first point */
+} bb_ends;
+
+/* A spline; all zero it is the natural one at centripetal parameters. */
+typedef struct bb_spline {
+  int parameters; /* a bb_parameters */
+  int ends;       /* a bb_ends */
+  int monotone;   /* 1: each coordinate is monotone between neighbouring points, and the spline is C1 only */
+  const double* start_derivative; /* for BB_CLAMPED, `dimension` values: 3 (P1 - P0) of the first segment */
+  const double* end_derivative;   /* and 3 (P3 - P2) of the last one */
+} bb_spline;
+
+/* The cubic Bezier segments of a spline through two points or more, C2 in its parameter, four control points each:
+ * 4 * dimension * (count - 1) values in `segments`, and 4 * dimension more for BB_CLOSED. Null means a bb_spline that is all
+ * zero. At uniform parameters points may be repeated. */
+BB_API int bb_interpolate(const bb_spline* spline, int dimension, const double* points, size_t count, double* segments);
 
 #ifdef __cplusplus
 }
