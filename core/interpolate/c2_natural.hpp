@@ -8,9 +8,9 @@
 // Cost: 90 flops per point and axis; all but 7 of them belong to the refinement.
 // Bound: each control point is the exact one rounded once, but for terms of u^2; |P| <= sqrt(3) max|K|. The residuals
 //   that these roundings leave are at most 2 u max|K| in C1, (P1,i - K_i) - (K_i - P2,i-1); (14 - 4 sqrt(3)) u max|K|
-//   in C2, the second differences of two segments; and 4.24 u max|K| at an end. Without refinement 10 u max|K| was
-//   observed.
-// Fails: control points beyond the largest double are infinite; subnormal ones are rounded once more.
+//   in C2, the second differences of two segments; and 4.24 u max|K| at an end; each plus 3 times the smallest double
+//   (residual_underflow). Without refinement 10 u max|K| was observed.
+// Fails: control points beyond the largest double are infinite.
 #pragma once
 
 #include <initializer_list>
@@ -22,15 +22,17 @@
 namespace bezierbench {
 
 struct C2Natural {
-  static constexpr MethodInfo info{.id = "c2_natural",
-                                   .label = "C2 natural spline by its slopes, refined",
-                                   .problem = Problem::interpolation,
-                                   .form = Form::bernstein,
-                                   .min_degree = 3,
-                                   .max_degree = 3,
-                                   .promise = "C1, C2 and natural ends to 7.1 u of the largest coordinate, proved",
-                                   .flops = "per point 90d",
-                                   .citation = "[de Boor 1978], chapter IV; [Higham 2002], section 12.1"};
+  static constexpr MethodInfo info{
+      .id = "c2_natural",
+      .label = "C2 natural spline by its slopes, refined",
+      .problem = Problem::interpolation,
+      .form = Form::bernstein,
+      .min_degree = 3,
+      .max_degree = 3,
+      .promise =
+          "C1, C2 and natural ends to 7.1 u times the largest coordinate plus 3 times the smallest double, proved",
+      .flops = "per point 90d",
+      .citation = "[de Boor 1978], chapter IV; [Higham 2002], section 12.1"};
 
   static constexpr double residual_bound = 7.1;  ///< 14 - 4 sqrt(3) = 7.0718, and terms of u^2
 

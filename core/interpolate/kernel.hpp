@@ -13,7 +13,7 @@ namespace bezierbench {
 /// One method, for points of any dimension.
 struct InterpolationKernel {
   const MethodInfo* info;
-  double residual_bound;  ///< in u times the largest coordinate of an axis; 0 where nothing is proved
+  double residual_bound;  ///< in u times the largest coordinate of an axis, beside residual_underflow; 0: none
   /// The n cubic Bezier segments through n + 1 >= 2 points of `dimension` finite coordinates each, point by point: 4 n
   /// control points, segment by segment. The first and last control point of a segment are the given points, bit for
   /// bit. Each axis is scaled by a power of two first, so that the results scale with the coordinates. An inner control

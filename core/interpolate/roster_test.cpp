@@ -90,6 +90,28 @@ TEST(Interpolation, KeepsTheResidualsThatItPromises) {
   EXPECT_GT(worst, 8);  // handles without refinement lose this much: these points distinguish the methods
 }
 
+/// Points of a few times the smallest double, on which all that remains of the bound is its underflow term.
+TEST(Interpolation, KeepsItsResidualsWhereNumbersAreSubnormal) {
+  Inputs inputs(4);
+  bool above_first_term = false;
+  for (const double scale : {0x1p-1070, 0x1p-1050, 0x1p-1021})
+    for (const std::size_t count : {2U, 3U, 4U, 9U})
+      for (int trial = 0; trial < 500; ++trial) {
+        auto k = points_of(trial % 3, count, inputs);
+        for (double& x : k) x *= scale;
+        const auto& kernel = interpolation_kernels().front();
+        const auto first_term =
+            reference::exactly(kernel.residual_bound) * reference::exactly(size_of(k)) * reference::Rational{1, 1, -53};
+        const auto limit = first_term + reference::Rational{residual_underflow, 1, -1074};
+        const auto all = reference::spline_residuals(k, kernel.interpolate(k, 1));
+        for (const auto* residual : {&all.data, &all.c0, &all.c1, &all.c2, &all.natural}) {
+          EXPECT_LE((*residual - limit).numerator, 0) << count << " times " << scale << ", trial " << trial;
+          above_first_term = above_first_term || (*residual - first_term).numerator > 0;
+        }
+      }
+  EXPECT_TRUE(above_first_term);
+}
+
 /// The bound rests on the sums of the weights of the points: in |P|, and in each residual if every control point has an
 /// error of u |P|. Unit points give the weights; the sums are largest inside long splines.
 TEST(Interpolation, WeightsAreThoseOfTheBound) {

@@ -55,6 +55,20 @@ TEST(InterpolationStudy, TellsMethodsApart) {
   EXPECT_EQ(csv.at(3, "bound_violations"), "");
 }
 
+/// There the bound is hardly more than its underflow term, which residuals attain in part, and is printed with it.
+TEST(InterpolationStudy, BoundsResidualsOfSubnormalPoints) {
+  auto study = interpolation_study_of({"c2_natural"});
+  study.coordinate_range = {1e-320};
+  const auto csv = interpolation_rows_of(study);
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    EXPECT_EQ(csv.at(row, "bound_violations"), "0");
+    EXPECT_LE(run::number_at(csv, row, "max_c2_u"), run::number_at(csv, row, "bound_u"));
+    EXPECT_GT(run::number_at(csv, row, "bound_u"), 1e10);
+  }
+  study.coordinate_range = {1};
+  EXPECT_EQ(interpolation_rows_of(study).at(0, "bound_u"), "7.1");
+}
+
 TEST(InterpolationStudy, LeavesOutTheErrorWhereThereAreTooManyPoints) {
   auto study = interpolation_study_of({"c2_natural"});
   suite::keys_of<suite::InterpolationKeys>(study).points = {most_points_of_exact_splines,

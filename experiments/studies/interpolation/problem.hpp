@@ -55,7 +55,7 @@ class InterpolationProblem {
       TrialColumn<Row>{"max_natural_u", column::statistic<tables::largest, &Errors::natural>},
       TrialColumn<Row>{"bound_u",
                        [](const Row& row) {
-                         const double bound = row.method.residual_bound;
+                         const double bound = row.errors.bound_u.value;
                          return bound > 0 ? number::decimal(bound) : std::string();
                        }},
       TrialColumn<Row>{"bound_violations",

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/interpolate/interpolation.hpp"
 #include "experiments/metric/all_finite.hpp"
 
 namespace bezierbench::studies {
@@ -29,16 +30,12 @@ double in_units(const Rational& value, const Rational& unit) {
 /// Adds a value that is rounded already. Rounding by metric::to_24_bits would change subnormal values.
 void add(double value, metric::Tally& tally) { tally.add(std::span(&value, 1)); }
 
-/// Whether a residual exceeds the bound. The bound has an underflow term of three times the smallest double, by which
-/// subnormal control points are rounded.
-bool exceeds_units(const Rational& residual, double bound, const Rational& unit) {
-  const Rational limit = reference::exactly(bound) * unit + Rational{3, 1, -1074};
-  return (residual - limit).numerator > 0;
-}
+const Rational underflow{residual_underflow, 1, -1074};
 
 /// Whether no residual exceeds the bound.
 bool within(const reference::SplineResiduals& residuals, double bound, const Rational& unit) {
-  const auto kept = [&](const Rational& residual) { return !exceeds_units(residual, bound, unit); };
+  const Rational limit = reference::exactly(bound) * unit + underflow;
+  const auto kept = [&](const Rational& residual) { return (residual - limit).numerator <= 0; };
   return kept(residuals.data) && kept(residuals.c0) && kept(residuals.c1) && kept(residuals.c2) &&
          kept(residuals.natural);
 }
@@ -72,6 +69,7 @@ void SplineJudge::judge(std::span<const double> segments, double bound, std::uin
     const auto values = axis_of(segments, axes_.size(), k);
     const auto residuals = reference::spline_residuals(axis.coordinates, values);
     violates = violates || (bound > 0 && !within(residuals, bound, axis.unit));
+    if (bound > 0) errors.bound_u.add(bound + (axis.unit.numerator == 0 ? 0 : in_units(underflow, axis.unit)));
     const auto keep = [&](const Rational& residual, double& largest) {
       largest = std::max(largest, in_units(residual, axis.unit));
     };
