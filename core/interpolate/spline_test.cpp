@@ -159,6 +159,10 @@ TEST(Spline, OfMonotoneDataIsMonotoneIfThatIsWanted) {
               EXPECT_GE(inner, low);
               EXPECT_LE(inner, high);
             }
+            if (k == 0) continue;  // C1 in the parameter: handles are as long as their steps
+            const double before = (segments[k + axis] - segments[k - 4 + axis]) / steps[k / 8 - 1];
+            const double after = (segments[k + 2 + axis] - segments[k + axis]) / steps[k / 8];
+            EXPECT_NEAR(before, after, 10 * u * (1 + 1 / std::min(steps[k / 8 - 1], steps[k / 8])));
           }
       }
   }
