@@ -160,9 +160,9 @@ def error(points: ArrayLike, t: ArrayLike, values: ArrayLike, *, form: str = "be
     given = array_of(values, np.float64)
     if given.shape != (*at.shape, curve.dimension):
         raise ValueError(f"values have the shape {given.shape} instead of {(*at.shape, curve.dimension)}")
-    found = ~np.isnan(at)
+    judged = np.ascontiguousarray(given[~np.isnan(at)])  # lives until the library has read it
     out = _answered(at, np.empty((*given.shape, 4)), lambda some, out: library.bb_curve_error(
-        curve.pointer, address(some), some.size, address(np.ascontiguousarray(given[found])), address(out)))
+        curve.pointer, address(some), some.size, address(judged), address(out)))
     errors = Errors(*(out[..., k] for k in range(4)))
     return _in_float(errors, exact(points, at)) if is_float(points) else errors
 

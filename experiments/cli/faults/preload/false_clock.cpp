@@ -3,8 +3,7 @@
 //   stands   it never moves
 //   back     every reading lies before the last
 //   coarse   it moves every 10 milliseconds
-#include <sys/syscall.h>
-#include <unistd.h>
+#include <dlfcn.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -26,7 +25,10 @@ bool is_asked_for(const char* fault) {
 extern "C" int clock_gettime(clockid_t which, timespec* time) noexcept {
   constexpr long start_seconds = 1'000'000;
   static std::atomic<long> readings{0};
-  const auto result = static_cast<int>(syscall(SYS_clock_gettime, which, time));
+  // The C library's reads the clock without a system call, which takes more than a microsecond on some machines.
+  using Clock = int (*)(clockid_t, timespec*);
+  static const auto right_clock = reinterpret_cast<Clock>(dlsym(RTLD_NEXT, "clock_gettime"));
+  const int result = right_clock(which, time);
   if (which != CLOCK_MONOTONIC || result != 0) return result;
   if (is_asked_for("stands")) *time = {start_seconds, 0};
   if (is_asked_for("back")) {
