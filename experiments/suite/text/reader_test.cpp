@@ -132,7 +132,7 @@ TEST(Reader, TakesWhatAGeneratorDrawsExactly) {
 
 TEST(Reader, ReadsNumbersInEveryNotation) {
   const Study study = parsed(minimal +
-                             "degree = [\"3\", 0x4, 5.0]\ncoordinate_range = [\"0x1p-1022\", 2, \"1e-3\", -0.0e1]\n"
+                             "degree = [3, 0x4, 5]\ncoordinate_range = [\"0x1p-1022\", 2, \"1e-3\", -0.0e1]\n"
                              "t_interval = [[0, \"0x1p-1\"]]\ntrials = 10000\n")
                           .studies.front();
   EXPECT_THAT(study.degree, ElementsAre(3, 4, 5));
