@@ -18,8 +18,9 @@ struct Halves {
   C right;  ///< over [t, 1]; its first control point is the junction
 };
 
-/// Properties of the bits of the halves. A promised property holds for every curve and every t in [0, 1] while nothing
-/// overflows. For a property that a method does not promise, the tests have a curve without it.
+/// Properties of the values of the halves, among which -0 equals 0. A promised property holds for every curve and every
+/// t in [0, 1] while nothing overflows. For a property that a method does not promise, the tests have a curve without
+/// it.
 struct SplitPromises {
   bool keeps_ends;            ///< the first control point of left is b_0 and the last of right b_n
   bool shares_junction;       ///< the last control point of left is the first of right
