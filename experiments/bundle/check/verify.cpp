@@ -127,10 +127,9 @@ class Verification {
     std::set<std::string, std::less<>> promising;
     if (const auto methods = tables_.find(methods_name); methods != tables_.end())
       or_finding(table_findings_, [&] { promising = promising_methods(methods->second); });
-    for (const auto& entry : tables_) {  // Clang before 16 does not capture the names of a structured binding
-      const auto& name = entry.first;
-      const auto& table = entry.second;
-      or_finding(table_findings_, [&] { append(table_findings_, row_faults(name, table, promising)); });
+    for (const auto& [name, table] : tables_) {
+      or_finding(table_findings_,
+                 [&, &name = name, &table = table] { append(table_findings_, row_faults(name, table, promising)); });
       append(table_findings_, repeated_rows(name, table));
       if (expected_ && name != digests_name) check_studies(table);  // its rows repeat the studies of other tables
     }
@@ -222,7 +221,7 @@ class Verification {
     for (const auto& [study, tables] : expected_->tables) {
       if (std::ranges::none_of(tables, [&](const auto& name) { return folder_has(name); }))
         add(all, tables.front(), "is missing, a study of suite.toml gives it");
-      else if (std::ranges::none_of(tables, [&](const auto& name) { return has_row_of(study, name); }))
+      else if (std::ranges::none_of(tables, [&, &study = study](const auto& name) { return has_row_of(study, name); }))
         add(all, tables.front(), fmt::format("has no row of study {}, which is in suite.toml", study));
     }
     or_finding(all, [&] { append(all, coverage_faults(expected_->plan, tables_, git_commit_, path_.string())); });
