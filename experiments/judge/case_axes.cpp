@@ -10,7 +10,7 @@
 #include "experiments/sample/data_kind.hpp"
 #include "experiments/sample/knot_kind.hpp"
 #include "experiments/sample/placement.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 
 namespace bezierbench::judge {
 namespace {
@@ -64,10 +64,9 @@ std::vector<std::string> case_fields(const CaseValues& case_values) {
 
 std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes) {
   std::vector<CaseValues> all(1);
-  sweep(all, suite::orders_of(study), [](CaseValues& one, int order) { one.order = order; });
-  if (axes.tolerance)
-    sweep(all, suite::tolerances_of(study), [](CaseValues& one, double tolerance) { one.tolerance = tolerance; });
-  sweep(all, suite::points_of(study), [](CaseValues& one, int points) { one.points = points; });
+  sweep(all, study.order, [](CaseValues& one, int order) { one.order = order; });
+  if (axes.tolerance) sweep(all, study.tolerance, [](CaseValues& one, double tolerance) { one.tolerance = tolerance; });
+  sweep(all, study.points, [](CaseValues& one, int points) { one.points = points; });
   if (axes.data) sweep(all, ids_of(sample::data_kinds()), [](CaseValues& one, auto id) { one.data = id; });
   if (axes.placement) sweep(all, ids_of(sample::placements()), [](CaseValues& one, auto id) { one.placement = id; });
   if (axes.knots) sweep(all, ids_of(sample::knot_kinds()), [](CaseValues& one, auto id) { one.knots = id; });

@@ -247,8 +247,7 @@ void GroupJudge<Scalar>::judge_method(std::size_t method, Group group, Scratch& 
 template <class Scalar>
 void GroupJudge<Scalar>::take_apart(std::size_t method, Lane& lane, std::span<const double> point,
                                     SourceMeter<Scalar>& sources, Judgement& judgement) const {
-  if (lane.number.replicate != 0 || lane.number.trial >= suite::keys_of<suite::AccuracyKeys>(study_).decomposed_trials)
-    return;
+  if (lane.number.replicate != 0 || lane.number.trial >= study_.decomposed_trials) return;
   const auto apart =
       sources.measure(*methods_[method].kernel, lane.inputs.curve(), lane.inputs.t(), point, lane.truth->exact());
   if (apart) judgement.sources.add(*apart);

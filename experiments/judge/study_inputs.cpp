@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/sample/draw.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 
 namespace bezierbench::judge {
 namespace {
@@ -25,8 +25,8 @@ void check_inputs(const suite::Study& study) {
   if (const auto fault = suite::check_inputs(study, known_generators())) suite::refuse(study, *fault);
 }
 
-void check_timed(const suite::Study& study, Problem problem) {
-  if (const auto fault = suite::check_timed(study, problem, known_generators())) suite::refuse(study, *fault);
+void check_timed(const suite::Study& study, const suite::Kind& judged) {
+  if (const auto fault = suite::check_timed(study, judged, known_generators())) suite::refuse(study, *fault);
 }
 
 }  // namespace bezierbench::judge

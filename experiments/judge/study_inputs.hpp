@@ -3,7 +3,6 @@
 // has checked them for the kind, but programs and tests also make studies without it.
 #pragma once
 
-#include "core/method.hpp"
 #include "experiments/suite/suite.hpp"
 
 namespace bezierbench::judge {
@@ -12,6 +11,6 @@ namespace bezierbench::judge {
 void check_inputs(const suite::Study& study);
 
 /// Throws Failure(usage) for inputs and axes that the problem of a timing study does not take: suite::check_timed.
-void check_timed(const suite::Study& study, Problem problem);
+void check_timed(const suite::Study& study, const suite::Kind& judged);
 
 }  // namespace bezierbench::judge

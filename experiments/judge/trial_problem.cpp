@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/judge/trial_problem.hpp"
 
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 
 namespace bezierbench::judge {
 
@@ -15,7 +15,7 @@ std::vector<TrialPart> parts_of(const suite::Study& study, CaseAxes axes) {
     return parts;
   }
   suite::Study swept = study;
-  swept.degree = suite::points_of(study);
+  swept.degree = study.points;
   for (const auto& cell : sample::cells(swept)) {
     parts.push_back({cell, {.points = cell.degree}});
     parts.back().cell.degree = segment_degree;
@@ -24,7 +24,7 @@ std::vector<TrialPart> parts_of(const suite::Study& study, CaseAxes axes) {
 }
 
 std::vector<double> tolerances_of(const suite::Study& study, const CaseAxes& axes) {
-  return axes.tolerance ? suite::tolerances_of(study) : std::vector<double>{0};
+  return axes.tolerance ? study.tolerance : std::vector<double>{0};
 }
 
 }  // namespace bezierbench::judge

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/race/timed_companion.hpp"
 
-#include "experiments/judge/study_inputs.hpp"
-
 namespace bezierbench::race {
 
-std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, judge::CaseAxes axes) {
-  judge::check_timed(study, problem);
+std::vector<RaceCell> companion_race_cells(const suite::Study& study, judge::CaseAxes axes) {
   axes.placement = false;  // only the first placement is timed
   axes.knots = false;      // and the first kind of knots
   const auto all_cases = judge::cases_of(study, axes);

@@ -19,9 +19,8 @@
 
 namespace bezierbench::race {
 
-/// The race cells of a study of a companion problem, still without methods. Throws Failure(usage) for what is not
-/// timed.
-std::vector<RaceCell> companion_race_cells(const suite::Study& study, Problem problem, judge::CaseAxes axes);
+/// The race cells of a study of a companion problem, still without methods.
+std::vector<RaceCell> companion_race_cells(const suite::Study& study, judge::CaseAxes axes);
 
 /// The trials of one race cell.
 template <judge::TrialProblem P>
@@ -95,7 +94,7 @@ class CompanionRival {
 
 template <judge::TrialProblem P>
 std::vector<RaceCell> race_cells_of_companion(const suite::Study& study) {
-  auto race_cells = companion_race_cells(study, P::problem, P::axes);
+  auto race_cells = companion_race_cells(study, P::axes);
   for (auto& race_cell : race_cells)
     for (const auto* kernel : judge::chosen_trial_kernels<P>(study, race_cell.cell.dimension))
       if (judge::takes<P>(*kernel->info, race_cell.cell)) race_cell.methods.push_back(kernel->info);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A problem that a timing study can time: evaluation, or a companion problem, whose methods the study then names in
-// place of evaluators. Each is one line in studies/timing/timed_problems.cpp. A companion problem is timed as its
+// place of evaluators. The kind of study that judges the problem states it. A companion problem is timed as its
 // problem.hpp states (race/timed_companion.hpp).
 #pragma once
 

@@ -10,15 +10,16 @@
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/job_test.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 
-/// A small study of the kind that has these keys.
-template <class Keys>
-suite::Study small_length_study(std::vector<std::string> generators) {
+/// A small study of the kind.
+inline suite::Study small_length_study(std::string_view id, std::vector<std::string> generators) {
   suite::Study study;
   study.id = "small";
-  study.keys = Keys{.tolerance = {1e-3, 1e-9}};
+  study.kind = &kind(id);
+  study.tolerance = {1e-3, 1e-9};
   study.degree = {3};
   study.coordinate_range = {1};
   study.t_interval = {{0, 1}, {0.25, 0.75}};

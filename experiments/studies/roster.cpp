@@ -4,69 +4,64 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <stdexcept>
 
-#include "experiments/studies/accuracy/accuracy.hpp"
-#include "experiments/studies/arc_length/arc_length.hpp"
-#include "experiments/studies/bspline/bspline.hpp"
-#include "experiments/studies/conversion/conversion.hpp"
-#include "experiments/studies/derivative/derivative.hpp"
-#include "experiments/studies/exhaustive/exhaustive.hpp"
-#include "experiments/studies/fitting/fitting.hpp"
-#include "experiments/studies/grid/grid.hpp"
-#include "experiments/studies/guarantees/guarantees.hpp"
-#include "experiments/studies/hard_cases/hard_cases.hpp"
-#include "experiments/studies/interpolation/interpolation.hpp"
-#include "experiments/studies/inverse_arc_length/inverse_arc_length.hpp"
-#include "experiments/studies/projection/projection.hpp"
-#include "experiments/studies/roofline/roofline.hpp"
-#include "experiments/studies/search/search.hpp"
-#include "experiments/studies/subdivision/subdivision.hpp"
-#include "experiments/studies/timing/timing.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/judge/companions.hpp"
+#include "experiments/judge/methods.hpp"
+#include "experiments/judge/study_inputs.hpp"
+#include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::studies {
+
+extern const StudyKind search_kind, conversion_kind, roofline_kind, derivative_kind, arc_length_kind,
+    inverse_arc_length_kind, projection_kind, interpolation_kind, fitting_kind, subdivision_kind, hard_cases_kind,
+    guarantees_kind, exhaustive_kind, grid_kind, bspline_kind;
+
 namespace {
 
-struct StudyKind {
-  const suite::Kind& (*kind)();
-  std::unique_ptr<run::Job> (*make)(const suite::Study& study, const run::JobContext& context);
-  /// Names of the tables that its rows go to, without .csv; `a|b` where the methods decide which.
-  std::array<std::string_view, 2> tables;
-};
-
-constexpr std::array kinds{
-    StudyKind{suite::AccuracyKeys::kind, accuracy_job, {"accuracy|unstable", "reference"}},
-    StudyKind{suite::SearchKeys::kind, search_job, {"search"}},
-    StudyKind{suite::ConversionKeys::kind, conversion_job, {"conversion"}},
-    StudyKind{suite::TimingKeys::kind, timing_job, {"timing"}},
-    StudyKind{suite::RooflineKeys::kind, roofline_job, {"roofline"}},
-    StudyKind{suite::DerivativeKeys::kind, derivative_job, {"derivative"}},
-    StudyKind{suite::ArcLengthKeys::kind, arc_length_job, {"arc_length|arc_length_unstable"}},
-    StudyKind{suite::InverseArcLengthKeys::kind, inverse_arc_length_job, {"inverse_arc_length", "spacing"}},
-    StudyKind{suite::ProjectionKeys::kind, projection_job, {"projection|projection_unstable"}},
-    StudyKind{suite::InterpolationKeys::kind, interpolation_job, {"interpolation"}},
-    StudyKind{suite::FittingKeys::kind, fitting_job, {"fitting"}},
-    StudyKind{suite::SubdivisionKeys::kind, subdivision_job, {"subdivision"}},
-    StudyKind{suite::HardCasesKeys::kind, hard_cases_job, {"hard_cases"}},
-    StudyKind{suite::GuaranteesKeys::kind, guarantees_job, {"guarantees|guarantees_unstable"}},
-    StudyKind{suite::ExhaustiveKeys::kind, exhaustive_job, {"exhaustive"}},
-    StudyKind{suite::GridKeys::kind, grid_job, {"grid"}},
-    StudyKind{suite::BsplineKeys::kind, bspline_job, {"bspline"}}};
+constexpr std::array roster{&accuracy_kind,   &search_kind,        &conversion_kind, &timing_kind,
+                            &roofline_kind,   &derivative_kind,    &arc_length_kind, &inverse_arc_length_kind,
+                            &projection_kind, &interpolation_kind, &fitting_kind,    &subdivision_kind,
+                            &hard_cases_kind, &guarantees_kind,    &exhaustive_kind, &grid_kind,
+                            &bspline_kind};
 
 const StudyKind& find(const suite::Study& study) {
-  const auto found =
-      std::ranges::find_if(kinds, [&](const StudyKind& one) { return &one.kind() == &suite::kind_of(study); });
-  if (found != kinds.end()) return *found;
-  suite::refuse(
-      study, {"kind",
-              0,
-              {},
-              fmt::format("kind \"{}\" is not available yet; leave the study out (--only)", suite::kind_of(study).id)});
+  return **std::ranges::find_if(roster, [&](const StudyKind* one) { return is_kind(study, *one); });
+}
+
+bool means_an_evaluator(const std::string& pattern) {
+  constexpr int any_dimension = 2;
+  return std::ranges::any_of(judge::methods<double>(any_dimension),
+                             [&](const auto& kernel) { return suite::means(pattern, kernel.info->id); });
+}
+
+Problem named_problem(const suite::Study& study) {
+  for (const auto& pattern : study.methods) {
+    if (means_an_evaluator(pattern)) continue;
+    for (const auto* info : judge::companion_infos())
+      if (suite::means(pattern, info->id)) return info->problem;
+  }
+  return Problem::evaluation;
 }
 
 }  // namespace
+
+std::span<const suite::Kind* const> kinds() {
+  static const auto all = [] {
+    std::array<const suite::Kind*, roster.size()> each{};
+    std::ranges::transform(roster, each.begin(), [](const StudyKind* one) { return &one->asks; });
+    return each;
+  }();
+  return all;
+}
+
+const suite::Kind& kind(std::string_view id) {
+  const auto found = std::ranges::find(kinds(), id, &suite::Kind::id);
+  if (found == kinds().end()) throw std::out_of_range(std::string(id) + ": no kind of study");
+  return **found;
+}
+
+bool is_kind(const suite::Study& study, const StudyKind& kind) { return &suite::kind_of(study) == &kind.asks; }
 
 std::unique_ptr<run::Job> make_job(const suite::Study& study, const run::JobContext& context) {
   return find(study).make(study, context);
@@ -83,6 +78,17 @@ std::vector<std::vector<std::string>> tables_of(const suite::Study& study) {
     }
   }
   return all;
+}
+
+const race::TimedProblem& timed_problem(const suite::Study& study) {
+  const Problem problem = named_problem(study);
+  const auto judging = std::ranges::find_if(
+      roster, [&](const StudyKind* one) { return one->timed && one->asks.problem == std::optional(problem); });
+  if (judging == roster.end())
+    suite::refuse(
+        study, {"methods", 0, {}, fmt::format("methods for the problem {} are not timed; name others", name(problem))});
+  judge::check_timed(study, (*judging)->asks);
+  return *(*judging)->timed;
 }
 
 }  // namespace bezierbench::studies

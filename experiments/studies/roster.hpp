@@ -1,19 +1,49 @@
 // SPDX-License-Identifier: MIT
-// Every kind of study. One line in roster.cpp makes a kind exist.
+// Every kind of study. A kind is one object, in the folder of its name, and one line in roster.cpp.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "experiments/race/timed_problem.hpp"
 #include "experiments/run/job.hpp"
+#include "experiments/suite/kind.hpp"
 
 namespace bezierbench::studies {
 
-/// The work of one study. Throws Failure(usage) where the kind has no implementation or the methods do not fit.
+struct StudyKind {
+  suite::Kind asks;  ///< what suites may ask of it
+  /// The work of one study. Throws Failure(usage) for inputs that the kind does not take, and where the methods do not
+  /// fit.
+  std::unique_ptr<run::Job> (*make)(const suite::Study& study, const run::JobContext& context);
+  /// Names of the tables that its rows go to, without .csv; `a|b` where the methods decide which.
+  std::array<std::string_view, 2> tables;
+  std::optional<race::TimedProblem> timed = {};  ///< how timing studies race the methods of `asks.problem`
+};
+
+extern const StudyKind accuracy_kind;
+extern const StudyKind timing_kind;
+
+/// All kinds, as suites see them, in the order of lists.
+std::span<const suite::Kind* const> kinds();
+/// Throws std::out_of_range for an id that is not one of a kind.
+const suite::Kind& kind(std::string_view id);
+/// Whether the study is of this kind.
+bool is_kind(const suite::Study& study, const StudyKind& kind);
+
+/// The work of one study, as StudyKind::make.
 std::unique_ptr<run::Job> make_job(const suite::Study& study, const run::JobContext& context);
 
 /// The tables that a study of this kind writes wherever it has rows, by file name: one of each list.
 [[nodiscard]] std::vector<std::vector<std::string>> tables_of(const suite::Study& study);
+
+/// The problem whose methods a timing study names, else evaluation; a glob that matches evaluators means evaluation.
+/// Throws Failure(usage) for a problem that cannot be timed, and for inputs and axes that it does not take.
+const race::TimedProblem& timed_problem(const suite::Study& study);
 
 }  // namespace bezierbench::studies

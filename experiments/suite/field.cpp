@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/suite/field.hpp"
 
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/text/toml_value.hpp"
 
 namespace bezierbench::suite {

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -16,11 +15,11 @@
 namespace bezierbench::suite {
 
 /// Where a study keeps the value of a key. The type determines what may be written.
-using Slot = std::variant<KindKeys*, std::string*, Form*, std::int64_t*, std::vector<int>*, std::vector<double>*,
+using Slot = std::variant<const Kind**, std::string*, Form*, std::int64_t*, std::vector<int>*, std::vector<double>*,
                           std::vector<Interval>*, std::vector<std::string>*, std::vector<ScalarKind>*,
                           std::vector<Mode>*, std::vector<Goal>*>;
 using Value =
-    std::variant<const KindKeys*, const std::string*, const Form*, const std::int64_t*, const std::vector<int>*,
+    std::variant<const Kind* const*, const std::string*, const Form*, const std::int64_t*, const std::vector<int>*,
                  const std::vector<double>*, const std::vector<Interval>*, const std::vector<std::string>*,
                  const std::vector<ScalarKind>*, const std::vector<Mode>*, const std::vector<Goal>*>;
 
@@ -32,7 +31,7 @@ struct Field {
   std::string_view meaning;        ///< for people
   std::string_view example;        ///< a value, as TOML
   std::string_view left_out = {};  ///< what applies without the key, where the default has no value to show
-  bool needed = false;
+  bool required = false;
   Axis axis = Axis::none;
   bool settable = true;         ///< with `--set key=v1,v2`
   bool bare_if_single = false;  ///< a list of one value may be written without brackets
@@ -41,27 +40,11 @@ struct Field {
   Value (*value)(const Study& study) = nullptr;
 };
 
-namespace field_detail {
-
-template <class Member, class Owner>
-Owner owner_of(Member Owner::*);
-
-template <auto Member, class Pointer, class Any>
-Pointer pointer_to(Any& study) {
-  using Owner = decltype(owner_of(Member));
-  if constexpr (std::is_same_v<Owner, Study>)
-    return &(study.*Member);
-  else
-    return &(keys_of<Owner>(study).*Member);
-}
-
-}  // namespace field_detail
-
-/// The field of `Member`, a member of Study or of the keys of a kind.
+/// The field of `Member`, a member of Study.
 template <auto Member>
 constexpr Field field(Field described) {
-  described.slot = field_detail::pointer_to<Member, Slot, Study>;
-  described.value = field_detail::pointer_to<Member, Value, const Study>;
+  described.slot = [](Study& study) -> Slot { return &(study.*Member); };
+  described.value = [](const Study& study) -> Value { return &(study.*Member); };
   return described;
 }
 

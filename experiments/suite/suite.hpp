@@ -4,44 +4,22 @@
 
 #include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/curve_view.hpp"
-#include "experiments/suite/kinds/accuracy.hpp"
-#include "experiments/suite/kinds/companion/arc_length.hpp"
-#include "experiments/suite/kinds/companion/bspline.hpp"
-#include "experiments/suite/kinds/companion/derivative.hpp"
-#include "experiments/suite/kinds/companion/fitting.hpp"
-#include "experiments/suite/kinds/companion/grid.hpp"
-#include "experiments/suite/kinds/companion/interpolation.hpp"
-#include "experiments/suite/kinds/companion/inverse_arc_length.hpp"
-#include "experiments/suite/kinds/companion/projection.hpp"
-#include "experiments/suite/kinds/companion/subdivision.hpp"
-#include "experiments/suite/kinds/conversion.hpp"
-#include "experiments/suite/kinds/exhaustive.hpp"
-#include "experiments/suite/kinds/guarantees.hpp"
-#include "experiments/suite/kinds/hard_cases.hpp"
-#include "experiments/suite/kinds/roofline.hpp"
-#include "experiments/suite/kinds/search.hpp"
-#include "experiments/suite/kinds/timing.hpp"
 #include "experiments/suite/places.hpp"
 #include "experiments/suite/values.hpp"
 
 namespace bezierbench::suite {
 
-/// The kinds of studies, each by the struct of those keys that not every kind has. This is the only list of kinds;
-/// `Keys::kind()` (kinds.hpp) describes each.
-using KindKeys = std::variant<AccuracyKeys, SearchKeys, ConversionKeys, TimingKeys, RooflineKeys, DerivativeKeys,
-                              ArcLengthKeys, InverseArcLengthKeys, ProjectionKeys, InterpolationKeys, FittingKeys,
-                              SubdivisionKeys, HardCasesKeys, GuaranteesKeys, ExhaustiveKeys, GridKeys, BsplineKeys>;
+struct Kind;
 
 /// One [[study]] table. Axes are swept in the cross product.
 struct Study {
   Places places;  ///< for messages
   std::string id;
   std::string title;
-  KindKeys keys;                 ///< the kind of the study and the keys of this kind
+  const Kind* kind = nullptr;    ///< null only in studies that no one asks for their kind
   Form curve = Form::bernstein;  ///< the form in which random curves are drawn, one of those that are given
   std::vector<int> degree;
   std::vector<double> coordinate_range{1.0};
@@ -53,23 +31,20 @@ struct Study {
   std::int64_t trials = 1000;                  ///< per replicate
   std::int64_t replicates = 1;                 ///< independent repetitions, for a band
   std::vector<std::string> baseline{"exact"};  ///< what errors are measured against: `exact` or a method id
+
+  // Keys that not every kind has; the kind's own fields (kind.hpp) say which.
+  std::vector<int> order;         ///< orders of derivatives
+  std::vector<int> points;        ///< numbers of data points, or of points of a grid
+  std::vector<double> tolerance;  ///< relative to a length, or distances from data
+  std::vector<Mode> modes{Mode::one_shot, Mode::point, Mode::latency, Mode::batch};
+  std::string published;                ///< file of printed values in reference/published; may be empty
+  std::int64_t decomposed_trials = 0;   ///< trials per cell whose error is split into its parts
+  std::int64_t budget = 0;              ///< inputs that a search may try per cell and method
+  std::int64_t kept = 8;                ///< hard cases of each family and search
+  std::vector<std::string> properties;  ///< guarantees that are searched for; empty: all of them
+  std::vector<std::string> curves;      ///< ids or globs of named curves
+  std::vector<Goal> goals;              ///< goals that batch kernels must reach
 };
-
-/// Whether the study is of the kind that has these keys.
-template <class Keys>
-bool is_kind(const Study& study) {
-  return std::holds_alternative<Keys>(study.keys);
-}
-
-/// The keys of the study's kind. Throws std::bad_variant_access for a study of another kind.
-template <class Keys>
-const Keys& keys_of(const Study& study) {
-  return std::get<Keys>(study.keys);
-}
-template <class Keys>
-Keys& keys_of(Study& study) {
-  return std::get<Keys>(study.keys);
-}
 
 struct Suite {
   std::string id;

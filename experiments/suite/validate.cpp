@@ -14,7 +14,7 @@
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -237,10 +237,10 @@ Finding check_cells(const Study& study) {
 Finding check_present(const Study& study) {
   const Kind& kind = kind_of(study);
   Study defaults;
-  defaults.keys = kind.keys();
+  defaults.kind = &kind;
   for (const Field* field : fields_of(kind)) {
     if (!is_empty(*field, study)) continue;
-    if (needs(kind, *field))
+    if (is_required(kind, *field))
       return Fault{field->key,
                    0,
                    {},

@@ -11,7 +11,7 @@
 
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/published/published.hpp"
 
@@ -235,13 +235,13 @@ void write_timing_cell(const suite::Study& study, const PrintedCell& cell, std::
 void write_scorecards(std::span<const suite::Study> studies, std::span<const Series> series, Tables& tables) {
   std::vector<std::string> files;
   for (const auto& study : studies)
-    if (const auto file = suite::published_of(study); !file.empty() && std::ranges::find(files, file) == files.end())
+    if (const auto file = study.published; !file.empty() && std::ranges::find(files, file) == files.end())
       files.emplace_back(file);
   RanksOfEdges ranks;
   for (const auto& file : files)
     for (const auto& cell : printed_cells(file))
       for (const auto& study : studies) {
-        if (suite::published_of(study) != file || !reproduces(study, cell)) continue;
+        if (study.published != file || !reproduces(study, cell)) continue;
         if (cell.statistic == time_statistic)
           write_timing_cell(study, cell, series, tables);
         else

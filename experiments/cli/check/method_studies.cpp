@@ -10,7 +10,8 @@
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "experiments/suite/text/reader.hpp"
@@ -23,7 +24,7 @@ std::optional<Problem> problem_of(const suite::Study& study) {
   const auto& kind = suite::kind_of(study);
   if (suite::find_field(kind, "methods") == nullptr) return std::nullopt;
   if (kind.chains) return Problem::conversion;
-  if (kind.companion) return kind.companion;
+  if (kind.problem) return kind.problem;
   if (!kind.timed || study.methods.empty()) return Problem::evaluation;
   for (const auto* info : every_method())
     if (info->problem != Problem::conversion && suite::means(study.methods.front(), info->id)) return info->problem;
@@ -77,7 +78,7 @@ std::vector<suite::Suite> studies_that_judge(const std::vector<suite::Suite>& su
 std::vector<suite::Suite> studies_that_time(const std::vector<suite::Suite>& suites, const std::string& id) {
   const auto methods = methods_named(id);
   const auto times = [&](const suite::Study& study) {
-    return suite::is_kind<suite::TimingKeys>(study) && applies(study, methods);
+    return studies::is_kind(study, studies::timing_kind) && applies(study, methods);
   };
   const bool named = std::ranges::any_of(suites, [&](const suite::Suite& one) {
     return std::ranges::any_of(one.studies, [&](const auto& study) { return times(study) && names(study, id); });

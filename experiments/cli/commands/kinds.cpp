@@ -12,8 +12,9 @@
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/suite/goal.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
 
@@ -33,7 +34,7 @@ std::string words_of() {
 
 /// A description of the values that may be written, by the type of the slot that a field points to.
 struct TypeText {
-  std::string operator()(const suite::KindKeys* /*type*/) const { return "the id of a kind"; }
+  std::string operator()(const suite::Kind* const* /*type*/) const { return "the id of a kind"; }
   std::string operator()(const std::string* /*type*/) const { return "a text"; }
   std::string operator()(const Form* /*type*/) const { return "one of " + words_of<Form>(); }
   std::string operator()(const std::int64_t* /*type*/) const { return "a whole number"; }
@@ -53,7 +54,7 @@ struct TypeText {
 /// A study with nothing but the defaults of its kind.
 suite::Study default_study(const Kind& kind) {
   suite::Study study;
-  study.keys = kind.keys();
+  study.kind = &kind;
   return study;
 }
 
@@ -63,7 +64,7 @@ std::string example_of(const Kind& kind, const Field& field) {
 }
 
 std::string default_of(const Kind& kind, const Field& field) {
-  if (suite::needs(kind, field)) return "needed";
+  if (suite::is_required(kind, field)) return "required";
   const auto value = suite::to_text(field, default_study(kind));
   return "default " + (value.empty() ? std::string(field.left_out) : value);
 }
@@ -147,7 +148,7 @@ Json goal_schema() {
 }
 
 struct TypeSchema {
-  Json operator()(const suite::KindKeys* /*type*/) const { return text_schema(); }
+  Json operator()(const suite::Kind* const* /*type*/) const { return text_schema(); }
   Json operator()(const std::string* /*type*/) const { return text_schema(); }
   Json operator()(const Form* /*type*/) const { return word_schema<Form>(); }
   Json operator()(const std::int64_t* /*type*/) const { return whole_schema(); }
@@ -181,7 +182,7 @@ Json kind_schema(const Kind& kind) {
   Json schema{{"type", "object"}, {"description", kind.about}, {"additionalProperties", false}};
   for (const Field* field : suite::fields_of(kind)) {
     schema["properties"][std::string(field->key)] = key_schema(kind, *field);
-    if (suite::needs(kind, *field)) schema["required"].push_back(field->key);
+    if (suite::is_required(kind, *field)) schema["required"].push_back(field->key);
   }
   return schema;
 }
@@ -189,25 +190,26 @@ Json kind_schema(const Kind& kind) {
 }  // namespace
 
 std::string kinds_text() {
-  std::string text = "Keys of every kind of study:\n" + shared_text(suite::AccuracyKeys::kind()) + "\n";
-  for (const Kind* kind : suite::kinds()) text += own_text(*kind) + "\n";
+  std::string text = "Keys of every kind of study:\n" + shared_text(studies::accuracy_kind.asks) + "\n";
+  for (const Kind* kind : studies::kinds()) text += own_text(*kind) + "\n";
   return text + "`list kinds KIND` shows all keys of one kind and an example.\n";
 }
 
 std::string kind_text(const std::string& id) {
-  const Kind* kind = suite::find_kind(id);
-  if (kind == nullptr) {
+  const auto found = std::ranges::find(studies::kinds(), id, &Kind::id);
+  if (found == studies::kinds().end()) {
     std::vector<std::string> ids;
-    for (const Kind* known : suite::kinds()) ids.emplace_back(known->id);
+    for (const Kind* known : studies::kinds()) ids.emplace_back(known->id);
     throw Failure(Exit::usage, fmt::format("{}: unknown kind{}", echo(id), suite::suggestion(id, ids)));
   }
+  const Kind* kind = *found;
   return own_text(*kind) + "\nKeys of every kind:\n" + shared_text(*kind) + "\nExample:\n" + example_study(*kind);
 }
 
 std::string example_study(const Kind& kind) {
   std::string text = "[[study]]\n";
   for (const Field* field : suite::fields_of(kind))
-    if (suite::needs(kind, *field) || field->key == "methods" || (field->key == "degree"))
+    if (suite::is_required(kind, *field) || field->key == "methods" || (field->key == "degree"))
       text += fmt::format("{} = {}\n", field->key, example_of(kind, *field));
   return text;
 }
@@ -215,7 +217,7 @@ std::string example_study(const Kind& kind) {
 std::string suite_schema() {
   Json study{{"type", "object"}, {"required", {"id", "kind"}}, {"oneOf", Json::array()}};
   Json definitions;
-  for (const Kind* kind : suite::kinds()) {
+  for (const Kind* kind : studies::kinds()) {
     definitions[std::string(kind->id)] = kind_schema(*kind);
     study["oneOf"].push_back({{"$ref", fmt::format("#/definitions/{}", kind->id)}});
   }

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 
 namespace bezierbench::cli {
 

@@ -19,7 +19,8 @@
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/cli/terminal/fitted.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/terminal.hpp"
@@ -89,7 +90,7 @@ void add_topic(Command list, const std::string& topic, const std::string& help, 
 
 std::vector<std::string> ids_of_kinds() {
   std::vector<std::string> ids;
-  for (const auto* kind : suite::kinds()) ids.emplace_back(kind->id);
+  for (const auto* kind : studies::kinds()) ids.emplace_back(kind->id);
   return ids;
 }
 

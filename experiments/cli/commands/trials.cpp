@@ -17,7 +17,8 @@
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/text/overrides.hpp"
 #include "experiments/suite/text/reader.hpp"
@@ -93,7 +94,7 @@ const suite::Study& only_study(const std::vector<suite::Suite>& suites, const st
   if (suites.size() > 1 || suites.front().studies.size() > 1)
     throw Failure(Exit::usage, fmt::format("--study {}: matches more than one study; name one", wanted));
   const auto& study = suites.front().studies.front();
-  if (!suite::is_kind<suite::AccuracyKeys>(study))
+  if (!studies::is_kind(study, studies::accuracy_kind))
     throw Failure(Exit::usage, fmt::format("--study {}: is of another kind; name one of kind accuracy", study.id));
   return study;
 }

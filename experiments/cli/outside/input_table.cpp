@@ -14,6 +14,7 @@
 #include "experiments/number/number.hpp"
 #include "experiments/outside/answers.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/suite/outside.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/text/writer.hpp"
@@ -36,7 +37,8 @@ const std::vector<std::string>& columns() {
 }
 
 bool has_inputs(const suite::Study& study) {
-  return suite::is_kind<suite::AccuracyKeys>(study) && std::ranges::count(study.scalar, suite::ScalarKind::float64) > 0;
+  return studies::is_kind(study, studies::accuracy_kind) &&
+         std::ranges::count(study.scalar, suite::ScalarKind::float64) > 0;
 }
 
 void add_cell(const suite::Suite& of, const suite::Study& study, const sample::Cell& cell, bundle::CsvTable& table) {

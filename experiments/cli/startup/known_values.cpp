@@ -4,7 +4,8 @@
 #include <algorithm>
 
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::cli {
@@ -44,7 +45,7 @@ KnownValues all_methods() {
 std::vector<std::string> known_settings() {
   std::vector<std::string> settings;
   std::vector<std::string_view> keys;
-  for (const auto* kind : suite::kinds())
+  for (const auto* kind : studies::kinds())
     for (const auto* field : suite::fields_of(*kind))
       if (field->settable && std::ranges::find(keys, field->key) == keys.end()) keys.push_back(field->key);
   for (const auto key : keys) {

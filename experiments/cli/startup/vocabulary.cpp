@@ -14,6 +14,7 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/tables/tables.hpp"
 #include "git_facts.hpp"
 #include "reference/published/published.hpp"
@@ -67,6 +68,7 @@ std::vector<const MethodInfo*> every_method() {
 
 suite::Vocabulary vocabulary() {
   suite::Vocabulary known;
+  known.kinds = studies::kinds();
   for (const auto& kernel : judge::methods<double>(any_dimension)) add_once(known.methods, kernel.info->id);
   for (const auto* info : judge::companion_infos()) add_once(known.methods, info->id);
   for (const auto& peer : peers::absent())

@@ -7,7 +7,7 @@
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/sample/draw.hpp"
-#include "experiments/studies/accuracy/accuracy.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::throughput {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/accuracy/accuracy.hpp"
+// Studies of kind `accuracy`: random curves and parameters, every method, errors against the exact point or a baseline.
 
 #include <deque>
 #include <utility>
@@ -8,6 +8,9 @@
 
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/studies/accuracy/accuracy_cell.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/studies/timing/timed_evaluation.hpp"
+#include "experiments/suite/keys.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -73,10 +76,35 @@ class AccuracyJob final : public run::JobOf<judge::CellTally> {
   std::deque<Cell> cells_;  ///< which never move: what a cell judges with refers to it
 };
 
-}  // namespace
-
 std::unique_ptr<run::Job> accuracy_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<AccuracyJob>(study, context);
 }
+
+constexpr std::array accuracy_fields{
+    suite::field<&suite::Study::decomposed_trials>(
+        {.key = "decomposed_trials",
+         .meaning = "so many trials of the first replicate of a cell have their error taken apart by its sources",
+         .example = "100",
+         .left_out = "0"}),
+    suite::field<&suite::Study::published>(suite::published_key)};
+
+suite::Finding check_accuracy(const suite::Study& study, const suite::Vocabulary& known) {
+  if (study.decomposed_trials < 0)
+    return suite::Fault{"decomposed_trials", 0, {}, "decomposed_trials must not be negative"};
+  return suite::check_published(study.published, known);
+}
+
+}  // namespace
+
+extern constexpr StudyKind accuracy_kind{.asks = {.id = "accuracy",
+                                                  .about = "errors of points on random curves, of every method",
+                                                  .own = accuracy_fields,
+                                                  .methods_example = "[\"de_casteljau\", \"horner_bernstein\"]",
+                                                  .problem = Problem::evaluation,
+                                                  .has_baseline = true,
+                                                  .check = check_accuracy},
+                                         .make = accuracy_job,
+                                         .tables = {"accuracy|unstable", "reference"},
+                                         .timed = timed_evaluation};
 
 }  // namespace bezierbench::studies

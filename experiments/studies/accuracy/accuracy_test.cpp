@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/accuracy/accuracy.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,6 +16,7 @@
 #include "experiments/judge/workspace.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/roster.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::studies {
@@ -25,6 +24,7 @@ namespace {
 
 suite::Study small_accuracy_study() {
   suite::Study study;
+  study.kind = &accuracy_kind.asks;
   study.id = "small";
   study.degree = {3, 171};
   study.generator = {"continuous"};
@@ -53,9 +53,9 @@ std::unique_ptr<run::Result> reread(const run::Job& job, const run::Result& resu
 
 TEST(Accuracy, OrderThreadsAndInterruptionsChangeNoByte) {
   const auto study = small_accuracy_study();
-  const auto plain = accuracy_job(study, {1});
+  const auto plain = make_job(study, {1});
   run::run_all(*plain);
-  const auto shuffled = accuracy_job(study, {1});
+  const auto shuffled = make_job(study, {1});
   std::vector<std::size_t> blocks(shuffled->blocks());
   std::iota(blocks.begin(), blocks.end(), std::size_t{0});
   std::shuffle(blocks.begin(), blocks.end(), std::mt19937_64(7));
@@ -85,7 +85,7 @@ void expect_errors_of_the_trials(Form kind, const std::string& generator) {
   study.generator = {generator};
   study.methods = {"direct", "de_casteljau"};
   const Form form = kind;
-  const auto job = accuracy_job(study, {5});
+  const auto job = make_job(study, {5});
   run::run_all(*job);
   const sample::Cell cell{kind, 2, 3, 1, {}, generator};
   const sample::Sampler sampler(5, study.id, cell);
@@ -121,7 +121,7 @@ TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
 }
 
 TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
-  const auto job = accuracy_job(small_accuracy_study(), {1});
+  const auto job = make_job(small_accuracy_study(), {1});
   run::run_all(*job);
   const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
   int unsupported = 0;
@@ -151,7 +151,7 @@ TEST(Accuracy, UlpsAreOfTheLengthOfThePoint) {
   study.baseline = {"exact"};
   study.trials = 1;
   study.replicates = 1;
-  const auto job = accuracy_job(study, {5});
+  const auto job = make_job(study, {5});
   run::run_all(*job);
   const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
   sample::Trial trial;
@@ -170,7 +170,7 @@ TEST(Accuracy, UlpsAreOfTheLengthOfThePoint) {
 }
 
 TEST(Accuracy, LibmMethodsStayOutOfTheDigest) {
-  const auto job = accuracy_job(small_accuracy_study(), {1});
+  const auto job = make_job(small_accuracy_study(), {1});
   run::run_all(*job);
   EXPECT_EQ(text_of(*job, "accuracy.csv").find("direct_pow"), std::string::npos);
   EXPECT_NE(text_of(*job, "unstable.csv").find("direct_pow"), std::string::npos);
@@ -182,7 +182,7 @@ TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
   study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
   study.methods = {"de_casteljau"};
   study.baseline = {"exact"};
-  const auto job = accuracy_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
   ASSERT_EQ(csv.row_count(), 2U);
@@ -204,8 +204,8 @@ TEST(Accuracy, RationalCurvesKeepTheirBounds) {
   study.baseline = {"exact"};
   study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
   study.trials = 500;
-  suite::keys_of<suite::AccuracyKeys>(study).decomposed_trials = 50;
-  const auto job = accuracy_job(study, {1});
+  study.decomposed_trials = 50;
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
@@ -223,7 +223,7 @@ TEST(Accuracy, RefusesAMethodOfTheOtherForm) {
   auto study = small_accuracy_study();
   study.methods = {"horner"};
   try {
-    accuracy_job(study, {1});
+    make_job(study, {1});
     FAIL() << "accepted";
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.exit(), Exit::usage);
@@ -240,7 +240,7 @@ TEST(Accuracy, CountsTrialsWithoutABound) {
   study.t_interval = {{-1, 3}};
   study.trials = 400;
   study.replicates = 1;
-  const auto job = accuracy_job(study, {5});
+  const auto job = make_job(study, {5});
   run::run_all(*job);
   std::int64_t outside = 0;
   sample::Trial trial;
@@ -263,7 +263,7 @@ TEST(Accuracy, CountsTrialsWithoutABound) {
 TEST(Accuracy, CountsTrialsOfTheKernelThatIsTimed) {
   auto study = small_accuracy_study();  // 2 replicates of 3 blocks
   study.degree = {3};
-  const auto job = accuracy_job(study, {5});
+  const auto job = make_job(study, {5});
   run::run_all(*job);
   const auto csv = bundle::parse_csv(text_of(*job, "reference.csv"), "reference.csv");
   ASSERT_EQ(csv.row_count(), 3U);
@@ -278,7 +278,7 @@ TEST(Accuracy, KeepsTheWorstTrial) {
   auto study = small_accuracy_study();
   study.degree = {3};
   study.baseline = {"exact"};
-  const auto job = accuracy_job(study, {5});
+  const auto job = make_job(study, {5});
   for (std::size_t block = job->blocks(); block-- > 0;) job->add(job->part_of(block), job->run_block(block));
   const auto rows = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
   const auto worst = bundle::parse_csv(text_of(*job, "worst.csv"), "worst.csv");
@@ -315,8 +315,8 @@ TEST(Accuracy, TiersAgreeByteForByte) {
                         ? std::vector<std::string>{"de_casteljau", "compensated_de_casteljau", "exact:horner"}
                         : std::vector<std::string>{"horner", "compensated_horner"};
     study.baseline = {"exact", study.methods.front()};
-    const auto exact = accuracy_job(study, {7, reference::Tier::exact});
-    const auto certified = accuracy_job(study, {7, reference::Tier::certified});
+    const auto exact = make_job(study, {7, reference::Tier::exact});
+    const auto certified = make_job(study, {7, reference::Tier::certified});
     run::run_all(*exact);
     run::run_all(*certified);
     for (const std::string file : {"accuracy.csv", "worst.csv", "audit.csv"})

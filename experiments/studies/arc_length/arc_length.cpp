@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/arc_length/arc_length.hpp"
+// Studies of kind `arc_length`: lengths of random curves over each interval of t, to each tolerance, against the true
+// lengths. A method that reports that it kept its tolerance and did not fails the run. Rows of methods that are not
+// bit-stable go to arc_length_unstable.csv.
 
 #include <cmath>
 
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/arc_length/problem.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/suite/keys.hpp"
 
 namespace bezierbench::studies {
 
@@ -27,10 +31,31 @@ bool ArcLengthProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, do
   return Promises::keeps(drawn.truth->error_of(answer.length, metric::to_24_bits), tolerance * drawn.truth->length());
 }
 
-std::unique_ptr<run::Job> arc_length_job(const suite::Study& study, const run::JobContext& context) {
-  return trial_job<ArcLengthProblem>(study, context);
+namespace {
+
+constexpr std::array arc_length_fields{suite::field<&suite::Study::tolerance>(
+    suite::tolerance_key("tolerances that the methods are given, relative to the length", "[1e-3, 1e-6]"))};
+
+suite::Finding check_arc_length(const suite::Study& study, const suite::Vocabulary& /*known*/) {
+  return suite::check_tolerances(study.tolerance);
 }
 
-constexpr race::TimedProblem timed_arc_length = race::timed_companion<ArcLengthProblem>();
+}  // namespace
+
+extern constexpr StudyKind arc_length_kind{
+    .asks = {.id = "arc_length",
+             .about = "errors of arc lengths, and whether tolerances are kept",
+             .own = arc_length_fields,
+             .methods_example = "[\"gauss_legendre_adaptive\"]",
+             .inputs = {.forms = suite::bernstein_form,
+                        .forms_reason = "lengths are those of polynomial Bezier curves",
+                        .double_only = true,
+                        .parameters = suite::Parameters::from_0_to_1,
+                        .parameters_reason = "the part to be measured"},
+             .problem = Problem::arc_length,
+             .check = check_arc_length},
+    .make = trial_job<ArcLengthProblem>,
+    .tables = {"arc_length|arc_length_unstable"},
+    .timed = race::timed_companion<ArcLengthProblem>()};
 
 }  // namespace bezierbench::studies

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/arc_length/arc_length.hpp"
-
 #include <gtest/gtest.h>
 
 #include "experiments/studies/length_study_test.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 /// Small whole numbers as coordinates give cusps, curves that turn back and curves that are a point.
-suite::Study small_arc_length_study() { return small_length_study<suite::ArcLengthKeys>({"continuous", "integer"}); }
+suite::Study small_arc_length_study() { return small_length_study("arc_length", {"continuous", "integer"}); }
 
 TEST(ArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
-  const auto tables = run::expect_order_changes_nothing(arc_length_job, small_arc_length_study());
+  const auto tables = run::expect_order_changes_nothing(make_job, small_arc_length_study());
   const auto csv = bundle::parse_csv(tables.at("arc_length.csv"), "arc_length.csv");
   ASSERT_EQ(csv.row_count(), 2U * 2 * 2 * 4);
-  EXPECT_EQ(arc_length_job(small_arc_length_study(), {1})->extent().rows, csv.row_count());
+  EXPECT_EQ(make_job(small_arc_length_study(), {1})->extent().rows, csv.row_count());
   for (std::size_t row = 0; row < csv.row_count(); ++row) expect_kept(csv, row);
 }
 
@@ -27,7 +26,7 @@ TEST(ArcLengthStudy, SaysWhichTruthIsNotCertain) {
   study.degree = {9};
   study.generator = {"multiple_root"};
   study.t_interval = {{0.75, 0.75 + 0x1p-53}};
-  const auto job = arc_length_job(study, {1});
+  const auto job = make_job(study, {1});
   try {
     static_cast<void>(job->run_block(0));
     FAIL() << "certain";
@@ -39,7 +38,7 @@ TEST(ArcLengthStudy, SaysWhichTruthIsNotCertain) {
   }
 }
 
-TEST(ArcLengthStudy, RefusesWhatItCannotDo) { expect_refusals(arc_length_job, small_arc_length_study()); }
+TEST(ArcLengthStudy, RefusesWhatItCannotDo) { expect_refusals(make_job, small_arc_length_study()); }
 
 }  // namespace
 }  // namespace bezierbench::studies

@@ -12,7 +12,6 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
-#include "experiments/studies/arc_length/arc_length.hpp"
 #include "experiments/studies/promises.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "reference/length/length_truth.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/bspline/bspline.hpp"
+// Studies of kind `bspline`: random B-spline curves in one knot span, over every kind of knots in sample::knot_kinds();
+// the point at a random t of the span is judged against the exact one and, of methods that make the Bernstein form of
+// the span, every control point of it.
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include "experiments/metric/trial_scale.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/bspline/problem.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
 #include "reference/companion/exact_bspline.hpp"
 
@@ -117,10 +120,22 @@ bool BsplineProblem::is_right(const Kernel& method, const Drawn& drawn, double /
   return true;
 }
 
-std::unique_ptr<run::Job> bspline_job(const suite::Study& study, const run::JobContext& context) {
-  return trial_job<BsplineProblem>(study, context);
-}
-
-constexpr race::TimedProblem timed_bspline = race::timed_companion<BsplineProblem>();
+extern constexpr StudyKind bspline_kind{
+    .asks = {.id = "bspline",
+             .about = "errors of points and Bernstein control points of a knot span of a B-spline curve",
+             .own = {},
+             .methods_example = "[\"de_boor\"]",
+             .inputs = {.forms = suite::bernstein_form,
+                        .forms_reason = "B-spline curves without weights are studied",
+                        .double_only = true,
+                        .least_degree = 1,
+                        .least_degree_reason = "B-spline curves of degree 0 are not continuous",
+                        .parameters = suite::Parameters::from_0_to_1,
+                        .parameters_reason = "the part of the knot span in which parameters lie",
+                        .independent_points = true},
+             .problem = Problem::bspline},
+    .make = trial_job<BsplineProblem>,
+    .tables = {"bspline"},
+    .timed = race::timed_companion<BsplineProblem>()};
 
 }  // namespace bezierbench::studies

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/bspline/bspline.hpp"
-
 #include <gtest/gtest.h>
 
 #include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/sample/knot_kind.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -13,14 +12,14 @@ namespace {
 suite::Study small_bspline_study() {
   suite::Study study;
   study.id = "small";
-  study.keys = suite::BsplineKeys{};
+  study.kind = &kind("bspline");
   study.degree = {1, 3, 6};
   study.trials = 40;  // two blocks, the last one short
   return study;
 }
 
 bundle::CsvDocument bspline_rows_of(const suite::Study& study) {
-  const auto job = bspline_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   return bundle::parse_csv(run::text_of(*job).at("bspline.csv"), "bspline.csv");
@@ -31,8 +30,8 @@ bool makes_bernstein(const bundle::CsvDocument& csv, std::size_t row) {
 }
 
 TEST(BsplineStudy, OrderAndInterruptionsChangeNoByte) {
-  const auto files = run::expect_order_changes_nothing(bspline_job, small_bspline_study());
-  EXPECT_EQ(bspline_job(small_bspline_study(), {1})->extent().rows,
+  const auto files = run::expect_order_changes_nothing(make_job, small_bspline_study());
+  EXPECT_EQ(make_job(small_bspline_study(), {1})->extent().rows,
             bundle::parse_csv(files.at("bspline.csv"), "bspline.csv").row_count());
 }
 
@@ -70,19 +69,19 @@ TEST(BsplineStudy, IsExactAtTheFirstPointOfAClampedCurve) {
 TEST(BsplineStudy, RefusesWhatItCannotDo) {
   auto rational = small_bspline_study();
   rational.curve = Form::rational;
-  EXPECT_THROW(bspline_job(rational, {1}), Failure);
+  EXPECT_THROW(make_job(rational, {1}), Failure);
   auto single = small_bspline_study();
   single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(bspline_job(single, {1}), Failure);
+  EXPECT_THROW(make_job(single, {1}), Failure);
   auto constant = small_bspline_study();
   constant.degree = {0};
-  EXPECT_THROW(bspline_job(constant, {1}), Failure);
+  EXPECT_THROW(make_job(constant, {1}), Failure);
   auto outside = small_bspline_study();
   outside.t_interval = {{0, 1.5}};
-  EXPECT_THROW(bspline_job(outside, {1}), Failure);
+  EXPECT_THROW(make_job(outside, {1}), Failure);
   auto whole = small_bspline_study();
   whole.generator = {"bspline"};
-  EXPECT_THROW(bspline_job(whole, {1}), Failure);
+  EXPECT_THROW(make_job(whole, {1}), Failure);
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include "experiments/metric/counts.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/sample/knot_kind.hpp"
-#include "experiments/studies/bspline/bspline.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "reference/exact_point.hpp"
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/conversion/conversion.hpp"
+// Studies of kind `conversion`. Random curves go through one conversion, judged against the exact one, or through a
+// chain such as `factorial+forward_substitution+factorial`, judged by the distance of the last curve in the original
+// form from the original curve. The error of a trial is the largest distance between corresponding coefficients.
 
 #include <fmt/format.h>
 
@@ -18,7 +20,9 @@
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/suite/fault.hpp"
+#include "experiments/suite/keys.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/statistics.hpp"
 #include "reference/exact_conversion.hpp"
@@ -272,10 +276,28 @@ std::vector<tables::Series> ConversionJob::series() const {
   return all;
 }
 
-}  // namespace
-
 std::unique_ptr<run::Job> conversion_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<ConversionJob>(study, context.seed);
 }
+
+constexpr std::array conversion_fields{suite::field<&suite::Study::published>(suite::published_key)};
+
+suite::Finding check_conversion(const suite::Study& study, const suite::Vocabulary& known) {
+  return suite::check_published(study.published, known);
+}
+
+}  // namespace
+
+extern constexpr StudyKind conversion_kind{.asks = {.id = "conversion",
+                                                    .about = "errors of the coefficients in another form",
+                                                    .own = conversion_fields,
+                                                    .methods_example = "[\"factorial+positive_sum\"]",
+                                                    .inputs = {.forms = suite::polynomial_forms,
+                                                               .forms_reason = "conversions take polynomial curves",
+                                                               .double_only = true},
+                                                    .chains = true,
+                                                    .check = check_conversion},
+                                           .make = conversion_job,
+                                           .tables = {"conversion"}};
 
 }  // namespace bezierbench::studies

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/conversion/conversion.hpp"
-
 #include <gtest/gtest.h>
 
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/job_test.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 bundle::CsvDocument conversion_rows_of(const suite::Study& study) {
-  const auto job = conversion_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   tables::Tables tables;
   job->write(tables);
@@ -21,7 +20,7 @@ bundle::CsvDocument conversion_rows_of(const suite::Study& study) {
 suite::Study conversion_study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "round_trip";
-  study.keys = suite::ConversionKeys{};
+  study.kind = &kind("conversion");
   study.degree = {1, 3, 10};
   study.coordinate_range = {1e6};
   study.methods = std::move(methods);
@@ -56,8 +55,8 @@ TEST(Conversion, OneConversionIsJudgedAgainstTheExactOne) {
 }
 
 TEST(Conversion, AChainMustStartFromTheFormOfTheCurve) {
-  EXPECT_THROW(conversion_job(conversion_study_of({"forward_substitution"}), {1}), Failure);
-  EXPECT_THROW(conversion_job(conversion_study_of({"factorial+factorial"}), {1}), Failure);
+  EXPECT_THROW(make_job(conversion_study_of({"forward_substitution"}), {1}), Failure);
+  EXPECT_THROW(make_job(conversion_study_of({"factorial+factorial"}), {1}), Failure);
 }
 
 TEST(Conversion, SaysWhereADegreeIsNotSupported) {
@@ -70,7 +69,7 @@ TEST(Conversion, SaysWhereADegreeIsNotSupported) {
 
 TEST(Conversion, TheOrderOfBlocksChangesNothing) {
   const auto study = conversion_study_of({"factorial", "factorial+forward_substitution"});
-  EXPECT_EQ(run::expect_order_changes_nothing(conversion_job, study).size(), 1U);
+  EXPECT_EQ(run::expect_order_changes_nothing(make_job, study).size(), 1U);
 }
 
 /// Chains are judged on the same curves, whatever others are judged beside them.
@@ -83,7 +82,7 @@ TEST(Conversion, AChainHasItsRowsAloneAsBesideOthers) {
 }
 
 TEST(Conversion, CountsAreSummedOverDegrees) {
-  const auto job = conversion_job(conversion_study_of({"exact"}), {1});
+  const auto job = make_job(conversion_study_of({"exact"}), {1});
   run::run_all(*job);
   const auto series = job->series();
   ASSERT_EQ(series.size(), 3U);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/derivative/derivative.hpp"
+// Studies of kind `derivative`: derivatives of random curves at random t, of each order, against the exact ones.
 
 #include <cmath>
 
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/derivative/problem.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/suite/keys.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -54,10 +56,28 @@ bool DerivativeProblem::is_right(const Kernel& method, const Drawn& drawn, doubl
   return !metric::TrialScale::violates(error, bound_of(method, drawn));
 }
 
-std::unique_ptr<run::Job> derivative_job(const suite::Study& study, const run::JobContext& context) {
-  return trial_job<DerivativeProblem>(study, context);
+namespace {
+
+constexpr std::array derivative_fields{suite::field<&suite::Study::order>(suite::order_key)};
+
+suite::Finding check_derivative(const suite::Study& study, const suite::Vocabulary& /*known*/) {
+  return suite::check_orders(study.order);
 }
 
-constexpr race::TimedProblem timed_derivative = race::timed_companion<DerivativeProblem>();
+}  // namespace
+
+extern constexpr StudyKind derivative_kind{
+    .asks = {.id = "derivative",
+             .about = "errors of derivatives at one parameter",
+             .own = derivative_fields,
+             .methods_example = "[\"differences_horner\"]",
+             .inputs = {.forms = suite::polynomial_forms,
+                        .forms_reason = "derivatives are those of polynomial curves",
+                        .double_only = true},
+             .problem = Problem::derivative,
+             .check = check_derivative},
+    .make = trial_job<DerivativeProblem>,
+    .tables = {"derivative"},
+    .timed = race::timed_companion<DerivativeProblem>()};
 
 }  // namespace bezierbench::studies

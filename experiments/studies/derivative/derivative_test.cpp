@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/derivative/derivative.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "core/derivative/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -15,7 +14,8 @@ namespace {
 suite::Study small_derivative_study() {
   suite::Study study;
   study.id = "small";
-  study.keys = suite::DerivativeKeys{.order = {1, 2, 5}};
+  study.kind = &kind("derivative");
+  study.order = {1, 2, 5};
   study.degree = {3, 20};
   study.trials = 600;  // two blocks, the last one short
   study.replicates = 2;
@@ -28,20 +28,20 @@ std::size_t methods_of(Form form) {
 }
 
 bundle::CsvDocument derivative_rows_of(const suite::Study& study) {
-  const auto job = derivative_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   return bundle::parse_csv(run::text_of(*job).at("derivative.csv"), "derivative.csv");
 }
 
 TEST(DerivativeStudy, OrderAndInterruptionsChangeNoByte) {
-  const auto files = run::expect_order_changes_nothing(derivative_job, small_derivative_study());
-  EXPECT_EQ(derivative_job(small_derivative_study(), {1})->extent().rows,
+  const auto files = run::expect_order_changes_nothing(make_job, small_derivative_study());
+  EXPECT_EQ(make_job(small_derivative_study(), {1})->extent().rows,
             bundle::parse_csv(files.at("derivative.csv"), "derivative.csv").row_count());
 }
 
 TEST(DerivativeStudy, BoundsHoldAndTheSeedDocumentIsRightForOrderOneOnly) {
   const auto study = small_derivative_study();
-  const auto job = derivative_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   const auto csv = derivative_rows_of(study);
@@ -75,16 +75,16 @@ TEST(DerivativeStudy, TakesTheMethodsOfTheForm) {
 TEST(DerivativeStudy, RefusesWhatItCannotDo) {
   auto rational = small_derivative_study();
   rational.curve = Form::rational;
-  EXPECT_THROW(derivative_job(rational, {1}), Failure);
+  EXPECT_THROW(make_job(rational, {1}), Failure);
   auto single = small_derivative_study();
   single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(derivative_job(single, {1}), Failure);
+  EXPECT_THROW(make_job(single, {1}), Failure);
   auto of_points = small_derivative_study();
   of_points.methods = {"de_casteljau"};
-  EXPECT_THROW(derivative_job(of_points, {1}), Failure);
+  EXPECT_THROW(make_job(of_points, {1}), Failure);
   auto of_another_form = small_derivative_study();
   of_another_form.methods = {"power_derivative"};
-  EXPECT_THROW(derivative_job(of_another_form, {1}), Failure);
+  EXPECT_THROW(make_job(of_another_form, {1}), Failure);
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/metric/derivative_scale.hpp"
-#include "experiments/studies/derivative/derivative.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "reference/exact_curve.hpp"
 

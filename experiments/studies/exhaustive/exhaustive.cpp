@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/exhaustive/exhaustive.hpp"
+// Studies of kind `exhaustive`: named curves at every float of an interval.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,6 +22,7 @@
 #include "experiments/studies/exhaustive/float_range.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/exhaustive/named_curves.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -235,7 +236,7 @@ class ExhaustiveJob final : public run::JobOf<Tallies> {
 };
 
 std::vector<const NamedCurve*> ExhaustiveJob::chosen_curves() const {
-  const auto& patterns = suite::keys_of<suite::ExhaustiveKeys>(study_).curves;
+  const auto& patterns = study_.curves;
   std::vector<std::string_view> ids;
   for (const auto& curve : named_curves()) ids.push_back(curve.id);
   for (std::size_t k = 0; k < patterns.size(); ++k)
@@ -298,10 +299,45 @@ void ExhaustiveJob::write(tables::Tables& tables) const {
   }
 }
 
-}  // namespace
-
 std::unique_ptr<run::Job> exhaustive_job(const suite::Study& study, const run::JobContext& /*context*/) {
   return std::make_unique<ExhaustiveJob>(study);
 }
+
+constexpr std::array exhaustive_fields{suite::field<&suite::Study::curves>(
+    {.key = "curves",
+     .meaning = "ids or globs of named curves, see experiments/studies/exhaustive/named_curves.csv",
+     .example = "[\"css_*\", \"circle_tangent\"]",
+     .left_out = "nothing: it is required",
+     .required = true})};
+
+constexpr std::array<std::string_view, 6> keys_without{"dimension", "coordinate_range", "generator",
+                                                       "scalar",    "trials",           "replicates"};
+
+suite::Finding check_exhaustive(const suite::Study& study, const suite::Vocabulary& /*known*/) {
+  const auto& curves = study.curves;
+  if (curves.empty()) return suite::Fault{"curves", 0, {}, "curves is empty; name one, such as \"css_ease\""};
+  return suite::each("curves", curves, [](const std::string& pattern) {
+    return std::string(pattern.empty() ? "curves has an empty name; remove it" : "");
+  });
+}
+
+}  // namespace
+
+extern constexpr StudyKind exhaustive_kind{
+    .asks = {.id = "exhaustive",
+             .about = "every float of an interval: the largest error on named curves, and where it is",
+             .own = exhaustive_fields,
+             .methods_example = "[\"de_casteljau*\"]",
+             .inputs = {.forms = suite::bernstein_form,
+                        .forms_reason = "the named curves are Bezier curves",
+                        .degree = suite::DegreeUse::not_a_key,
+                        .degree_reason = "degree is that of the named curve",
+                        .parameters = suite::Parameters::from_0_to_1,
+                        .parameters_reason = "the named curves are those of t in [0, 1]"},
+             .without = keys_without,
+             .without_reason = "curves are named, methods compute in float, and every t is tried",
+             .check = check_exhaustive},
+    .make = exhaustive_job,
+    .tables = {"exhaustive"}};
 
 }  // namespace bezierbench::studies

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/exhaustive/exhaustive.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "experiments/studies/exhaustive/float_range.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/exhaustive/named_curves.hpp"
+#include "experiments/studies/roster.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::studies {
@@ -26,14 +25,15 @@ const suite::Interval few{0x1.ffap-2, 0x1.001p-1};
 suite::Study small_exhaustive_study() {
   suite::Study study;
   study.id = "every";
-  study.keys = suite::ExhaustiveKeys{.curves = {"glyph_tail", "wilkinson_3"}};
+  study.kind = &kind("exhaustive");
+  study.curves = {"glyph_tail", "wilkinson_3"};
   study.methods = {"de_casteljau", "de_casteljau_lerp", "differences:horner", "correctly_rounded"};
   study.t_interval = {few};
   return study;
 }
 
 bundle::CsvDocument table_of(const suite::Study& study) {
-  const auto job = exhaustive_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   tables::Tables tables;
   job->write(tables);
@@ -116,10 +116,11 @@ TEST(Exhaustive, RowsAreWhatTheIntegersSay) {
 /// More than one block, the last shorter: the steps between blocks count, and every point once.
 TEST(Exhaustive, BlocksChangeNothing) {
   auto study = small_exhaustive_study();
-  study.keys = suite::ExhaustiveKeys{.curves = {"hermite_value_1"}};
+  study.kind = &kind("exhaustive");
+  study.curves = {"hermite_value_1"};
   study.methods = {"horner_bernstein"};
   study.t_interval = {{0x1p-2, 0x1.8p-1}};
-  const auto job = exhaustive_job(study, {1});
+  const auto job = make_job(study, {1});
   ASSERT_GT(job->blocks_per_part(), 1U);
   const auto whole = table_of(study);
   study.t_interval = {{0x1p-2, 0x1.fffffep-2}, {0x1p-1, 0x1.8p-1}};
@@ -134,11 +135,13 @@ TEST(Exhaustive, BlocksChangeNothing) {
 
 TEST(Exhaustive, RefusesUnknownCurvesAndEmptyIntervals) {
   auto study = small_exhaustive_study();
-  study.keys = suite::ExhaustiveKeys{.curves = {"css_ease", "no_such_curve"}};
-  EXPECT_THROW(exhaustive_job(study, {1}), Failure);
-  study.keys = suite::ExhaustiveKeys{.curves = {"css_ease"}};
+  study.kind = &kind("exhaustive");
+  study.curves = {"css_ease", "no_such_curve"};
+  EXPECT_THROW(make_job(study, {1}), Failure);
+  study.kind = &kind("exhaustive");
+  study.curves = {"css_ease"};
   study.t_interval = {{0.1, 0.1}};
-  EXPECT_THROW(exhaustive_job(study, {1}), Failure);
+  EXPECT_THROW(make_job(study, {1}), Failure);
 }
 
 TEST(FloatRange, HasTheFloatsOfTheInterval) {

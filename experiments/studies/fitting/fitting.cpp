@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/fitting/fitting.hpp"
+// Studies of kind `fitting`: data of every kind in sample::data_kinds(), fitted to every tolerance and judged by their
+// exact distance from the fitted curve. Writes fitting.csv, and to fitting_example.csv the first data set of each study
+// in the plane with its fits.
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +13,10 @@
 #include "experiments/metric/all_finite.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/fitting/problem.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/keys.hpp"
+#include "experiments/suite/kind.hpp"
 #include "reference/companion/fit_distance.hpp"
 
 namespace bezierbench::studies {
@@ -96,7 +100,7 @@ void FittingProblem::write_example(tables::Tables& tables, const suite::Study& s
   const auto parts = judge::parts_of(study, axes);
   const auto first = std::ranges::find_if(parts, [](const auto& part) { return part.cell.dimension == plane; });
   if (first == parts.end()) return;
-  const double tolerance = suite::tolerances_of(study).front();
+  const double tolerance = study.tolerance.front();
   for (auto part = first;
        part != parts.end() && part->cell == first->cell && part->values.points == first->values.points; ++part) {
     Drawn data;
@@ -121,10 +125,36 @@ void FittingProblem::write_example(tables::Tables& tables, const suite::Study& s
   }
 }
 
-std::unique_ptr<run::Job> fitting_job(const suite::Study& study, const run::JobContext& context) {
-  return trial_job<FittingProblem>(study, context);
+namespace {
+
+constexpr std::array fitting_fields{suite::field<&suite::Study::points>(suite::points_key),
+                                    suite::field<&suite::Study::tolerance>(suite::tolerance_key(
+                                        "distances from the data that a fit may have", "[1e-2, 1e-4]"))};
+
+suite::Finding check_fitting(const suite::Study& study, const suite::Vocabulary& /*known*/) {
+  if (auto found = suite::check_points(study.points)) return found;
+  return suite::check_tolerances(study.tolerance);
 }
 
-constexpr race::TimedProblem timed_fitting = race::timed_companion<FittingProblem>();
+}  // namespace
+
+extern constexpr StudyKind fitting_kind{
+    .asks = {.id = "fitting",
+             .about = "segments and errors of fits to data of random curves",
+             .own = fitting_fields,
+             .methods_example = "[\"schneider\"]",
+             .inputs = {.forms = suite::bernstein_form,
+                        .forms_reason = "data are taken from polynomial Bezier curves",
+                        .double_only = true,
+                        .least_degree = 1,
+                        .least_degree_reason = "data are taken from curves of degree 1 or more",
+                        .parameters = suite::Parameters::whole,
+                        .parameters_reason = "data are taken from whole curves",
+                        .independent_points = true},
+             .problem = Problem::fitting,
+             .check = check_fitting},
+    .make = trial_job<FittingProblem>,
+    .tables = {"fitting"},
+    .timed = race::timed_companion<FittingProblem>()};
 
 }  // namespace bezierbench::studies

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/fitting/fitting.hpp"
-
 #include <gtest/gtest.h>
 
 #include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/sample/data_kind.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -13,7 +12,9 @@ namespace {
 suite::Study small_fitting_study() {
   suite::Study study;
   study.id = "small";
-  study.keys = suite::FittingKeys{.points = {3, 12}, .tolerance = {1e-2, 1e-9}};
+  study.kind = &kind("fitting");
+  study.points = {3, 12};
+  study.tolerance = {1e-2, 1e-9};
   study.degree = {3};
   study.generator = {"integer"};  // gives equal distances, turns and coinciding points
   study.trials = 60;              // two blocks, the last one short
@@ -21,10 +22,10 @@ suite::Study small_fitting_study() {
 }
 
 TEST(FittingStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
-  const auto files = run::expect_order_changes_nothing(fitting_job, small_fitting_study());
+  const auto files = run::expect_order_changes_nothing(make_job, small_fitting_study());
   const auto csv = bundle::parse_csv(files.at("fitting.csv"), "fitting.csv");
   ASSERT_EQ(csv.row_count(), 2 * sample::data_kinds().size() * 2 * 2);
-  EXPECT_EQ(fitting_job(small_fitting_study(), {1})->extent().rows, csv.row_count());
+  EXPECT_EQ(make_job(small_fitting_study(), {1})->extent().rows, csv.row_count());
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     for (const char* column : {"broken_promises", "understated", "non_converged", "non_finite"})
       EXPECT_EQ(csv.at(row, column), "0") << row << " " << column;
@@ -38,8 +39,10 @@ TEST(FittingStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
 TEST(FittingStudy, SaysWhatGivesItsSourceBack) {
   auto study = small_fitting_study();
   study.generator = {"continuous"};
-  study.keys = suite::FittingKeys{.points = {12}, .tolerance = {1e-9}};
-  const auto job = fitting_job(study, {1});
+  study.kind = &kind("fitting");
+  study.points = {12};
+  study.tolerance = {1e-9};
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   const auto csv = bundle::parse_csv(run::text_of(*job).at("fitting.csv"), "fitting.csv");
   ASSERT_EQ(csv.at(0, "data"), "samples");
@@ -51,9 +54,9 @@ TEST(FittingStudy, SaysWhatGivesItsSourceBack) {
 /// The example has the data, then each method's fit, which goes from the first data point to the last.
 TEST(FittingStudy, ShowsAnExample) {
   auto study = small_fitting_study();
-  suite::keys_of<suite::FittingKeys>(study).points = {12};
+  study.points = {12};
   study.trials = 1;
-  const auto job = fitting_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   const auto csv = bundle::parse_csv(run::text_of(*job).at("fitting_example.csv"), "fitting_example.csv");
   std::size_t row = 0;
@@ -77,19 +80,19 @@ TEST(FittingStudy, ShowsAnExample) {
 TEST(FittingStudy, RefusesWhatItCannotDo) {
   auto polynomial = small_fitting_study();
   polynomial.curve = Form::power;
-  EXPECT_THROW(fitting_job(polynomial, {1}), Failure);
+  EXPECT_THROW(make_job(polynomial, {1}), Failure);
   auto single = small_fitting_study();
   single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(fitting_job(single, {1}), Failure);
+  EXPECT_THROW(make_job(single, {1}), Failure);
   auto point = small_fitting_study();
   point.degree = {0};
-  EXPECT_THROW(fitting_job(point, {1}), Failure);
+  EXPECT_THROW(make_job(point, {1}), Failure);
   auto roots = small_fitting_study();
   roots.generator = {"multiple_root"};
-  EXPECT_THROW(fitting_job(roots, {1}), Failure);
+  EXPECT_THROW(make_job(roots, {1}), Failure);
   auto evaluator = small_fitting_study();
   evaluator.methods = {"de_casteljau"};
-  EXPECT_THROW(fitting_job(evaluator, {1}), Failure);
+  EXPECT_THROW(make_job(evaluator, {1}), Failure);
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/sample/data_kind.hpp"
-#include "experiments/studies/fitting/fitting.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "experiments/tables/tables.hpp"
 #include "reference/companion/polyline_departure.hpp"

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/grid/grid.hpp"
+// Studies of kind `grid`: random curves at all k/m, k = 0..m; every point is judged against the exact one.
+
+#include "core/grid/grid.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/grid/grid.hpp"
 #include "experiments/metric/grid_bound_at.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/grid/problem.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
 #include "experiments/suite/fault.hpp"
+#include "experiments/suite/keys.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -87,10 +90,38 @@ bool GridProblem::is_right(const Kernel& method, const Drawn& drawn, double /*to
   });
 }
 
-std::unique_ptr<run::Job> grid_job(const suite::Study& study, const run::JobContext& context) {
-  return trial_job<GridProblem>(study, context);
+namespace {
+
+constexpr suite::Field grid_points_key{
+    .key = "points",
+    .meaning = "numbers of points of the grid, each a power of two and one, 2 to 524289",
+    .example = "[17, 257]",
+    .required = true,
+    .axis = suite::Axis::of_cases};
+
+static_assert(suite::most_grid_points == 524289, "the meaning of points states it");
+
+constexpr std::array grid_fields{suite::field<&suite::Study::points>(grid_points_key)};
+
+suite::Finding check_grid(const suite::Study& study, const suite::Vocabulary& /*known*/) {
+  return suite::check_grid_points(study.points);
 }
 
-constexpr race::TimedProblem timed_grid = race::timed_companion<GridProblem>();
+}  // namespace
+
+extern constexpr StudyKind grid_kind{.asks = {.id = "grid",
+                                              .about = "errors of the points on a uniform grid",
+                                              .own = grid_fields,
+                                              .methods_example = "[\"forward_differencing\"]",
+                                              .inputs = {.forms = suite::polynomial_forms,
+                                                         .forms_reason = "grids are of polynomial curves",
+                                                         .double_only = true,
+                                                         .parameters = suite::Parameters::whole,
+                                                         .parameters_reason = "grids reach from 0 to 1"},
+                                              .problem = Problem::grid,
+                                              .check = check_grid},
+                                     .make = trial_job<GridProblem>,
+                                     .tables = {"grid"},
+                                     .timed = race::timed_companion<GridProblem>()};
 
 }  // namespace bezierbench::studies

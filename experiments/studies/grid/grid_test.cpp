@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/grid/grid.hpp"
-
 #include <gtest/gtest.h>
 
 #include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -12,22 +11,23 @@ namespace {
 suite::Study small_grid_study() {
   suite::Study study;
   study.id = "small";
-  study.keys = suite::GridKeys{.points = {17, 257}};
+  study.kind = &kind("grid");
+  study.points = {17, 257};
   study.degree = {3, 10};
   study.trials = 20;  // two blocks, the last one short
   return study;
 }
 
 bundle::CsvDocument grid_rows_of(const suite::Study& study) {
-  const auto job = grid_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   return bundle::parse_csv(run::text_of(*job).at("grid.csv"), "grid.csv");
 }
 
 TEST(GridStudy, OrderAndInterruptionsChangeNoByte) {
-  const auto files = run::expect_order_changes_nothing(grid_job, small_grid_study());
-  EXPECT_EQ(grid_job(small_grid_study(), {1})->extent().rows,
+  const auto files = run::expect_order_changes_nothing(make_job, small_grid_study());
+  EXPECT_EQ(make_job(small_grid_study(), {1})->extent().rows,
             bundle::parse_csv(files.at("grid.csv"), "grid.csv").row_count());
 }
 
@@ -60,13 +60,14 @@ TEST(GridStudy, TakesTheMethodsOfTheForm) {
 TEST(GridStudy, RefusesWhatItCannotDo) {
   auto rational = small_grid_study();
   rational.curve = Form::rational;
-  EXPECT_THROW(grid_job(rational, {1}), Failure);
+  EXPECT_THROW(make_job(rational, {1}), Failure);
   auto single = small_grid_study();
   single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(grid_job(single, {1}), Failure);
+  EXPECT_THROW(make_job(single, {1}), Failure);
   auto uneven = small_grid_study();
-  uneven.keys = suite::GridKeys{.points = {16}};
-  EXPECT_THROW(run::run_all(*grid_job(uneven, {1})), Failure);
+  uneven.kind = &kind("grid");
+  uneven.points = {16};
+  EXPECT_THROW(run::run_all(*make_job(uneven, {1})), Failure);
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "experiments/judge/drawn_curves.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
-#include "experiments/studies/grid/grid.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/exact_point.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/guarantees/guarantees.hpp"
+// Studies of kind `guarantees`: what methods keep of a curve's properties, proved or refuted by an input.
+
+#include "core/evaluate/guarantees.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +11,6 @@
 #include <variant>
 #include <vector>
 
-#include "core/evaluate/guarantees.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/method_choice.hpp"
@@ -18,7 +19,9 @@
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/studies/guarantees/search_for_counterexample.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/suite/fault.hpp"
+#include "experiments/suite/keys.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::studies {
@@ -98,10 +101,8 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
   static suite::ScalarKind scalar_of(const Question<Scalar>& /*question*/) {
     return judge::ScalarFacts<Scalar>::kind;
   }
-  [[nodiscard]] std::int64_t budget() const { return suite::keys_of<suite::GuaranteesKeys>(study_).budget; }
-  [[nodiscard]] const std::vector<std::string>& asked() const {
-    return suite::keys_of<suite::GuaranteesKeys>(study_).properties;
-  }
+  [[nodiscard]] std::int64_t budget() const { return study_.budget; }
+  [[nodiscard]] const std::vector<std::string>& asked() const { return study_.properties; }
   [[nodiscard]] bool is_asked(Property property) const {
     return asked().empty() || std::ranges::find(asked(), name(property)) != asked().end();
   }
@@ -200,10 +201,40 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
   std::vector<std::variant<Question<double>, Question<float>>> questions_;
 };
 
-}  // namespace
-
 std::unique_ptr<run::Job> guarantees_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<GuaranteesJob>(study, context.seed);
 }
+
+constexpr std::array guarantees_fields{
+    suite::field<&suite::Study::budget>(suite::budget_key(
+        "how many inputs the search for a counterexample may try per cell, method and property, after the "
+        "random trials")),
+    suite::field<&suite::Study::properties>({.key = "properties",
+                                             .meaning = "which statements, by the names of experiments/guarantees",
+                                             .example = "[\"ends_exact\", \"in_hull\"]",
+                                             .left_out = "all"})};
+
+constexpr std::array<std::string_view, 3> undrawn{"coordinate_range", "t_interval", "generator"};
+
+suite::Finding check_guarantees(const suite::Study& study, const suite::Vocabulary& /*known*/) {
+  return suite::check_budget("guarantees", study.budget);
+}
+
+}  // namespace
+
+extern constexpr StudyKind guarantees_kind{
+    .asks = {.id = "guarantees",
+             .about = "what methods keep of a curve's properties: proved, refuted by an input, or neither",
+             .own = guarantees_fields,
+             .methods_example = "[\"de_casteljau*\"]",
+             .inputs = {.forms = suite::bernstein_form,
+                        .forms_reason = "the properties are of control points",
+                        .least_degree = 1,
+                        .least_degree_reason = "a curve of degree 0 is a point"},
+             .without = undrawn,
+             .without_reason = "the statements are about all control points, and each says which t it is about",
+             .check = check_guarantees},
+    .make = guarantees_job,
+    .tables = {"guarantees|guarantees_unstable"}};
 
 }  // namespace bezierbench::studies

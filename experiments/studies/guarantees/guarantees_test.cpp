@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/guarantees/guarantees.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,6 +9,7 @@
 #include "experiments/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/guarantees/search_for_counterexample.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -18,7 +17,8 @@ namespace {
 suite::Study small_guarantees_study() {
   suite::Study study;
   study.id = "small";
-  study.keys = suite::GuaranteesKeys{.budget = 2000, .properties = {}};
+  study.kind = &kind("guarantees");
+  study.budget = 2000;
   study.scalar = {suite::ScalarKind::float64, suite::ScalarKind::float32};
   study.degree = {1, 3};
   study.methods = {"de_casteljau*", "horner_bernstein", "correctly_rounded", "direct_pow"};
@@ -27,7 +27,7 @@ suite::Study small_guarantees_study() {
 }
 
 bundle::CsvDocument guarantees_table(const suite::Study& study, const std::string& file = "guarantees.csv") {
-  const auto job = guarantees_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   return bundle::parse_csv(run::text_of(*job).at(file), file);
@@ -37,15 +37,15 @@ TEST(GuaranteesStudy, OrderAndInterruptionsChangeNoByte) {
   auto study = small_guarantees_study();
   study.methods = {"de_casteljau_two_sided"};
   study.degree = {2};
-  suite::keys_of<suite::GuaranteesKeys>(study).properties = {"in_hull", "monotone"};
-  run::expect_order_changes_nothing(guarantees_job, study);
+  study.properties = {"in_hull", "monotone"};
+  run::expect_order_changes_nothing(make_job, study);
 }
 
 /// Verdicts that follow from the formulas alone, at degrees 1 and 3.
 TEST(GuaranteesStudy, DecidesWhatIsKnown) {
   auto study = small_guarantees_study();
   study.trials = 300;
-  suite::keys_of<suite::GuaranteesKeys>(study).budget = 20000;
+  study.budget = 20000;
   const auto table = guarantees_table(study);
   std::map<std::string, int> verdicts;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
@@ -105,8 +105,8 @@ TEST(GuaranteesStudy, UnstableMethodsAreInNoDigest) {
 
 TEST(GuaranteesStudy, RefusesUnknownProperties) {
   auto study = small_guarantees_study();
-  suite::keys_of<suite::GuaranteesKeys>(study).properties = {"in_hul"};
-  EXPECT_THROW(guarantees_job(study, {1}), Failure);
+  study.properties = {"in_hul"};
+  EXPECT_THROW(make_job(study, {1}), Failure);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/hard_cases/hard_cases.hpp"
+// Studies of kind `hard_cases`: inputs whose exact values are hard to round, for tests of other libraries.
 
 #include <fmt/format.h>
 
@@ -17,6 +17,7 @@
 #include "experiments/sample/cell.hpp"
 #include "experiments/studies/hard_cases/families.hpp"
 #include "experiments/studies/hard_cases/hard_value.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/exact_curve.hpp"
 
@@ -158,7 +159,7 @@ class HardCasesJob final : public run::JobOf<Kept> {
   };
 
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
-  [[nodiscard]] std::int64_t kept() const { return suite::keys_of<suite::HardCasesKeys>(study_).kept; }
+  [[nodiscard]] std::int64_t kept() const { return study_.kept; }
 
   template <class Scalar>
   [[nodiscard]] Kept searched(std::size_t block) const {
@@ -225,10 +226,40 @@ void HardCasesJob::write(tables::Tables& tables) const {
   }
 }
 
-}  // namespace
-
 std::unique_ptr<run::Job> hard_cases_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<HardCasesJob>(study, context.seed);
 }
+
+constexpr std::int64_t most_kept = 1000;
+constexpr std::array hard_cases_fields{suite::field<&suite::Study::kept>(
+    {.key = "kept",
+     .meaning = "so many of the trials of a family are kept by each search, 1 to 1000",
+     .example = "10"})};
+
+constexpr std::array<std::string_view, 5> without{"dimension", "coordinate_range", "t_interval", "generator",
+                                                  "methods"};
+
+suite::Finding check_hard_cases(const suite::Study& study, const suite::Vocabulary& /*known*/) {
+  const auto kept = study.kept;
+  if (kept >= 1 && kept <= most_kept) return std::nullopt;
+  return suite::Fault{"kept", 0, {}, fmt::format("kept must be 1 to {}", most_kept)};
+}
+
+}  // namespace
+
+extern constexpr StudyKind hard_cases_kind{
+    .asks = {.id = "hard_cases",
+             .about = "inputs whose exact values are hard to round: ties, numbers beside them, cancellation",
+             .own = hard_cases_fields,
+             .methods_example = {},
+             .inputs = {.forms = suite::polynomial_forms,
+                        .forms_reason = "the families are of polynomials",
+                        .degree = suite::DegreeUse::not_a_key,
+                        .degree_reason = "degree is drawn with the case"},
+             .without = without,
+             .without_reason = "a family draws the whole case, of one coordinate, and no method takes part",
+             .check = check_hard_cases},
+    .make = hard_cases_job,
+    .tables = {"hard_cases"}};
 
 }  // namespace bezierbench::studies

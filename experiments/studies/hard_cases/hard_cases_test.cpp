@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/hard_cases/hard_cases.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "experiments/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/hard_cases/hard_value.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -67,23 +66,24 @@ suite::Study small_study(Form form) {
   suite::Study study;
   study.id = "small";
   study.curve = form;
-  study.keys = suite::HardCasesKeys{.kept = 3};
+  study.kind = &kind("hard_cases");
+  study.kept = 3;
   study.scalar = {suite::ScalarKind::float64, suite::ScalarKind::float32};
   study.trials = 2100;  // two blocks, the last one short
   return study;
 }
 
 bundle::CsvDocument rows_of(Form form) {
-  const auto job = hard_cases_job(small_study(form), {1});
+  const auto job = make_job(small_study(form), {1});
   run::run_all(*job);
   return bundle::parse_csv(run::text_of(*job).at("hard_cases.csv"), "hard_cases.csv");
 }
 
 TEST(HardCasesStudy, OrderAndInterruptionsChangeNoByte) {
   for (const auto form : {Form::bernstein, Form::power}) {
-    const auto files = run::expect_order_changes_nothing(hard_cases_job, small_study(form));
+    const auto files = run::expect_order_changes_nothing(make_job, small_study(form));
     EXPECT_LE(bundle::parse_csv(files.at("hard_cases.csv"), "hard_cases.csv").row_count(),
-              hard_cases_job(small_study(form), {1})->extent().rows);
+              make_job(small_study(form), {1})->extent().rows);
   }
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/interpolation/interpolation.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/interpolate/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
+#include "experiments/studies/interpolation/problem.hpp"
 #include "experiments/studies/interpolation/spline_judge.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -14,7 +14,8 @@ namespace {
 suite::Study interpolation_study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "splines";
-  study.keys = suite::InterpolationKeys{.points = {2, 12}};
+  study.kind = &kind("interpolation");
+  study.points = {2, 12};
   study.dimension = {1, 3};
   study.methods = std::move(methods);
   study.trials = 40;  // two blocks
@@ -22,7 +23,7 @@ suite::Study interpolation_study_of(std::vector<std::string> methods) {
 }
 
 bundle::CsvDocument interpolation_rows_of(const suite::Study& study) {
-  const auto job = interpolation_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   tables::Tables tables;
@@ -71,8 +72,7 @@ TEST(InterpolationStudy, BoundsResidualsOfSubnormalPoints) {
 
 TEST(InterpolationStudy, LeavesOutTheErrorWhereThereAreTooManyPoints) {
   auto study = interpolation_study_of({"c2_natural"});
-  suite::keys_of<suite::InterpolationKeys>(study).points = {most_points_of_exact_splines,
-                                                            most_points_of_exact_splines + 1};
+  study.points = {most_points_of_exact_splines, most_points_of_exact_splines + 1};
   study.dimension = {1};
   study.trials = 1;
   const auto csv = interpolation_rows_of(study);
@@ -121,7 +121,7 @@ TEST(InterpolationStudy, RefusesWhatItDoesNotJudge) {
   const auto refused = [](auto change) {
     auto study = interpolation_study_of({});
     change(study);
-    EXPECT_THROW(interpolation_job(study, {1}), Failure);
+    EXPECT_THROW(make_job(study, {1}), Failure);
   };
   refused([](auto& study) { study.curve = Form::power; });
   refused([](auto& study) { study.scalar = {suite::ScalarKind::float32}; });

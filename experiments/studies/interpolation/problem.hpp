@@ -14,11 +14,14 @@
 #include "core/interpolate/kernel.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/sample/draw.hpp"
-#include "experiments/studies/interpolation/interpolation.hpp"
 #include "experiments/studies/interpolation/spline_judge.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 
 namespace bezierbench::studies {
+
+/// The largest number of points for which the exact spline is computed: its size grows with the square of this number.
+/// The conditions are checked exactly for any number of points.
+inline constexpr int most_points_of_exact_splines = 1025;
 
 class InterpolationProblem {
  public:

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/inverse_arc_length/inverse_arc_length.hpp"
+// Studies of kind `inverse_arc_length`: the parameter at a share of the length of random curves, to each tolerance,
+// against the true parameter. The share is the trial's t, drawn from the interval of t. A method that reports that it
+// kept its tolerance and did not fails the run. Writes inverse_arc_length.csv, and for each study spacing.csv: the
+// curve of its first trial with points at equal steps of t and at equal steps of the length.
 
 #include <cmath>
 
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/inverse_arc_length/problem.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/suite/keys.hpp"
 
 namespace bezierbench::studies {
 
@@ -39,10 +44,31 @@ bool InverseArcLengthProblem::is_right(const Kernel& /*method*/, const Drawn& dr
   return Promises::keeps(error, tolerance * drawn.truth->whole());
 }
 
-std::unique_ptr<run::Job> inverse_arc_length_job(const suite::Study& study, const run::JobContext& context) {
-  return trial_job<InverseArcLengthProblem>(study, context);
+namespace {
+
+constexpr std::array inverse_arc_length_fields{suite::field<&suite::Study::tolerance>(suite::tolerance_key(
+    "tolerances that the methods are given, relative to the length of the whole curve", "[1e-3, 1e-6]"))};
+
+suite::Finding check_inverse_arc_length(const suite::Study& study, const suite::Vocabulary& /*known*/) {
+  return suite::check_tolerances(study.tolerance);
 }
 
-constexpr race::TimedProblem timed_inverse_arc_length = race::timed_companion<InverseArcLengthProblem>();
+}  // namespace
+
+extern constexpr StudyKind inverse_arc_length_kind{
+    .asks = {.id = "inverse_arc_length",
+             .about = "errors of the parameter at a length, and whether tolerances are kept",
+             .own = inverse_arc_length_fields,
+             .methods_example = "[\"bracketed_newton\"]",
+             .inputs = {.forms = suite::bernstein_form,
+                        .forms_reason = "lengths are those of polynomial Bezier curves",
+                        .double_only = true,
+                        .parameters = suite::Parameters::from_0_to_1,
+                        .parameters_reason = "the share of the length at which t is sought"},
+             .problem = Problem::inverse_arc_length,
+             .check = check_inverse_arc_length},
+    .make = trial_job<InverseArcLengthProblem>,
+    .tables = {"inverse_arc_length", "spacing"},
+    .timed = race::timed_companion<InverseArcLengthProblem>()};
 
 }  // namespace bezierbench::studies

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/inverse_arc_length/inverse_arc_length.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "experiments/number/number.hpp"
 #include "experiments/studies/length_study_test.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 suite::Study small_inverse_arc_length_study() {
-  auto study = small_length_study<suite::InverseArcLengthKeys>({"cusp", "integer"});
+  auto study = small_length_study("inverse_arc_length", {"cusp", "integer"});
   study.t_interval = {{0.25, 0.75}};  // true parameters take longer than true lengths
   return study;
 }
 
 TEST(InverseArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
-  const auto tables = run::expect_order_changes_nothing(inverse_arc_length_job, small_inverse_arc_length_study());
+  const auto tables = run::expect_order_changes_nothing(make_job, small_inverse_arc_length_study());
   const auto csv = bundle::parse_csv(tables.at("inverse_arc_length.csv"), "inverse_arc_length.csv");
   ASSERT_EQ(csv.row_count(), 2U * 2 * 4);
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
@@ -36,7 +35,7 @@ TEST(InverseArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept)
 TEST(InverseArcLengthStudy, WritesOneCurveWithBothSpacings) {
   auto study = small_inverse_arc_length_study();
   study.trials = 1;
-  const auto job = inverse_arc_length_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   const auto csv = bundle::parse_csv(run::text_of(*job).at("spacing.csv"), "spacing.csv");
   ASSERT_EQ(csv.row_count(), 201U + 21 + 21);
@@ -60,9 +59,7 @@ TEST(InverseArcLengthStudy, WritesOneCurveWithBothSpacings) {
   EXPECT_GT(widest, 1.5);
 }
 
-TEST(InverseArcLengthStudy, RefusesWhatItCannotDo) {
-  expect_refusals(inverse_arc_length_job, small_inverse_arc_length_study());
-}
+TEST(InverseArcLengthStudy, RefusesWhatItCannotDo) { expect_refusals(make_job, small_inverse_arc_length_study()); }
 
 }  // namespace
 }  // namespace bezierbench::studies

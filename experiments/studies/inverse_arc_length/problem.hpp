@@ -12,7 +12,6 @@
 #include "experiments/judge/drawn_curves.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
-#include "experiments/studies/inverse_arc_length/inverse_arc_length.hpp"
 #include "experiments/studies/inverse_arc_length/spacing.hpp"
 #include "experiments/studies/promises.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"

@@ -9,8 +9,8 @@
 
 #include "experiments/run/notes.hpp"
 #include "experiments/studies/outside/outside_jobs.hpp"
-#include "experiments/studies/timing/timed_problems.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::studies {
@@ -56,10 +56,10 @@ void JudgedOutside::tell(const suite::Study& study, const outside::Answer& answe
 
 std::string why_unasked(const suite::Study& study, const suite::OutsideMethod& record) {
   const bool is_code = record.kind == suite::OutsideKind::own || record.kind == suite::OutsideKind::plugin;
-  if (suite::is_kind<suite::TimingKeys>(study)) {
+  if (is_kind(study, timing_kind)) {
     if (!is_code) return "it is timed, which only a shared object or a compiled-in method is";
     if (timed_problem(without_outside(study)).problem != Problem::evaluation) return "it times another problem";
-  } else if (!suite::is_kind<suite::AccuracyKeys>(study)) {
+  } else if (!is_kind(study, accuracy_kind)) {
     return fmt::format("it is of kind {}", suite::kind_of(study).id);
   }
   if (record.kind != suite::OutsideKind::answers && record.form != study.curve)
@@ -70,7 +70,7 @@ std::string why_unasked(const suite::Study& study, const suite::OutsideMethod& r
 std::unique_ptr<run::Job> outside_job(const suite::Study& study, const suite::OutsideMethod& record,
                                       const outside::Method* at_hand, const run::JobContext& context) {
   if (!why_unasked(study, record).empty()) return nullptr;
-  if (suite::is_kind<suite::AccuracyKeys>(study)) return outside_accuracy_job(study, record, at_hand, context);
+  if (is_kind(study, accuracy_kind)) return outside_accuracy_job(study, record, at_hand, context);
   return outside_timing_job(without_outside(study), record, at_hand, context);
 }
 

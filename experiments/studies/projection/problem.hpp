@@ -12,11 +12,14 @@
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/sample/placement.hpp"
-#include "experiments/studies/projection/projection.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "reference/companion/projection.hpp"
 
 namespace bezierbench::studies {
+
+/// A foot point misses the nearest point if it is farther away than that by more than this times the largest coordinate
+/// of the control points and the point. No method is that inaccurate about a minimum that it found.
+inline constexpr double missed_tolerance = 0x1p-20;
 
 struct ProjectionErrors {
   metric::Tally error;                 ///< error of the distance, in coordinate units

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/projection/projection.hpp"
+// Studies of kind `projection`: points, placed in every way in sample::placements(), projected onto random curves in
+// Bernstein form, judged against the exact foot point. Writes projection.csv, and projection_unstable.csv for methods
+// that are not bit-stable.
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include "experiments/judge/companions.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/projection/problem.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
 
 namespace bezierbench::studies {
@@ -75,10 +78,18 @@ bool ProjectionProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, d
          missed_tolerance * sample::largest_coordinate(drawn.placed);
 }
 
-std::unique_ptr<run::Job> projection_job(const suite::Study& study, const run::JobContext& context) {
-  return trial_job<ProjectionProblem>(study, context);
-}
-
-constexpr race::TimedProblem timed_projection = race::timed_companion<ProjectionProblem>();
+extern constexpr StudyKind projection_kind{
+    .asks = {.id = "projection",
+             .about = "errors of foot points, and feet that are missed",
+             .own = {},
+             .methods_example = "[\"quintic_isolate\"]",
+             .inputs = {.forms = suite::bernstein_form,
+                        .forms_reason = "foot points are sought on polynomial Bezier curves",
+                        .double_only = true,
+                        .independent_points = true},
+             .problem = Problem::projection},
+    .make = trial_job<ProjectionProblem>,
+    .tables = {"projection|projection_unstable"},
+    .timed = race::timed_companion<ProjectionProblem>()};
 
 }  // namespace bezierbench::studies

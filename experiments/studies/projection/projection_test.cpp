@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/projection/projection.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -9,6 +7,7 @@
 #include "experiments/run/job_test.hpp"
 #include "experiments/sample/placement.hpp"
 #include "experiments/studies/projection/problem.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -16,7 +15,7 @@ namespace {
 suite::Study projection_study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "feet";
-  study.keys = suite::ProjectionKeys{};
+  study.kind = &kind("projection");
   study.degree = {3};
   study.dimension = {2, 3};
   study.methods = std::move(methods);
@@ -25,7 +24,7 @@ suite::Study projection_study_of(std::vector<std::string> methods) {
 }
 
 bundle::CsvDocument projection_rows_of(const suite::Study& study, const std::string& file) {
-  const auto job = projection_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   tables::Tables tables;
   job->write(tables);
@@ -92,14 +91,14 @@ TEST(ProjectionStudy, MethodsThatAreNotBitStableHaveAFileOfTheirOwn) {
 TEST(ProjectionStudy, RefusesWhatItDoesNotJudge) {
   auto study = projection_study_of({});
   study.curve = Form::power;
-  EXPECT_THROW(projection_job(study, {1}), Failure);
+  EXPECT_THROW(make_job(study, {1}), Failure);
   study = projection_study_of({});
   study.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(projection_job(study, {1}), Failure);
+  EXPECT_THROW(make_job(study, {1}), Failure);
   study = projection_study_of({});
   study.generator = {"clustered_roots"};
-  EXPECT_THROW(projection_job(study, {1}), Failure);
-  EXPECT_THROW(projection_job(projection_study_of({"de_casteljau"}), {1}), Failure);
+  EXPECT_THROW(make_job(study, {1}), Failure);
+  EXPECT_THROW(make_job(projection_study_of({"de_casteljau"}), {1}), Failure);
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/roofline/roofline.hpp"
+// Studies of kind `roofline`: batch kernels against the peak of each target, measured in the same rounds.
 
 #include "experiments/race/clock.hpp"
 #include "experiments/race/timed_inputs.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/roofline/roofline_race.hpp"
 #include "experiments/studies/roofline/roofline_rows.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/goal.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -53,10 +55,33 @@ class RooflineJob final : public run::JobOf<RooflineLaps> {
   std::vector<RooflineRace> races_;
 };
 
-}  // namespace
-
 std::unique_ptr<run::Job> roofline_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<RooflineJob>(study, context.seed);
 }
+
+constexpr std::array roofline_fields{suite::field<&suite::Study::goals>(
+    {.key = "goals",
+     .meaning = "what is asked of batch kernels: of a method, a share of the peak or no_slower_than another method; "
+                "scalar, from_degree and to_degree say in which rows, needs_additions_beside on which processors",
+     .example = "[{ method = \"horner_bernstein_fma\", share = 0.6 }]",
+     .left_out = "none",
+     .settable = false})};
+
+suite::Finding check_roofline(const suite::Study& study, const suite::Vocabulary& known) {
+  return suite::each("goals", study.goals,
+                     [&](const suite::Goal& goal) { return suite::goal_problem(goal, known.methods); });
+}
+
+}  // namespace
+
+extern constexpr StudyKind roofline_kind{
+    .asks = {.id = "roofline",
+             .about = "batch kernels against the peak of each instruction set, kernels for a point against its limit",
+             .own = roofline_fields,
+             .methods_example = "[\"horner_bernstein_fma\"]",
+             .timed = true,
+             .check = check_roofline},
+    .make = roofline_job,
+    .tables = {"roofline"}};
 
 }  // namespace bezierbench::studies

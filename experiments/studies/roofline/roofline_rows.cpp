@@ -138,7 +138,7 @@ void set_share(tables::Row& row, const suite::Study& study, const RooflineRace& 
   const Race all(race);
   const double peak = all.peak(Work::multiply_add, who.target);
   const auto used = share(lap, *all.lap(Work::multiply_add, who.target), *flops_of(race, who));
-  const auto goal = all.goal(who, suite::keys_of<suite::RooflineKeys>(study).goals);
+  const auto goal = all.goal(who, study.goals);
   row.set("peak_gflops", peak)
       .set("mixed_peak_gflops", all.peak(Work::multiply_add_and_add, who.target))
       .set("share_of_peak", used.median)

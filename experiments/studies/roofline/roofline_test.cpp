@@ -13,6 +13,7 @@
 #include "experiments/number/number.hpp"
 #include "experiments/studies/roofline/roofline_race.hpp"
 #include "experiments/studies/roofline/roofline_rows.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -20,13 +21,12 @@ namespace {
 suite::Study roofline_study() {
   suite::Study study;
   study.id = "s";
-  study.keys = suite::RooflineKeys{};
+  study.kind = &kind("roofline");
   study.degree = {20};
   study.methods = {"de_casteljau", "de_casteljau_lerp_fma", "horner_bernstein_fma", "exact_dd:horner_dd"};
-  suite::keys_of<suite::RooflineKeys>(study).goals = {
-      {.method = "horner_bernstein_fma", .share = 0.6},
-      {.method = "de_casteljau_lerp_fma", .share = 1, .needs_additions_beside = true},
-      {.method = "exact_dd:horner_dd", .no_slower_than = "de_casteljau", .from_degree = 20}};
+  study.goals = {{.method = "horner_bernstein_fma", .share = 0.6},
+                 {.method = "de_casteljau_lerp_fma", .share = 1, .needs_additions_beside = true},
+                 {.method = "exact_dd:horner_dd", .no_slower_than = "de_casteljau", .from_degree = 20}};
   return study;
 }
 
@@ -158,16 +158,15 @@ TEST_F(Roofline, GoalsAreMetOrNot) {
 
 TEST_F(Roofline, GoalsAreThoseOfTheStudy) {
   auto study = roofline_study();
-  suite::keys_of<suite::RooflineKeys>(study).goals = {};
+  study.goals = {};
   for (const auto& id : study.methods) {
     EXPECT_THAT(values(written(study), id, "goal_met"), testing::ElementsAre("")) << id;
     EXPECT_THAT(values(written(study), id, "goal_share"), testing::ElementsAre("")) << id;
   }
-  suite::keys_of<suite::RooflineKeys>(study).goals = {
-      {.method = "de_casteljau", .share = 0.7, .from_degree = 10, .to_degree = 20},
-      {.method = "horner_bernstein_fma", .share = 0.7, .from_degree = 21},
-      {.method = "de_casteljau_lerp_fma", .share = 0.7, .to_degree = 19},
-      {.method = "exact_dd:horner_dd", .share = 0.7, .scalar = suite::ScalarKind::float32}};
+  study.goals = {{.method = "de_casteljau", .share = 0.7, .from_degree = 10, .to_degree = 20},
+                 {.method = "horner_bernstein_fma", .share = 0.7, .from_degree = 21},
+                 {.method = "de_casteljau_lerp_fma", .share = 0.7, .to_degree = 19},
+                 {.method = "exact_dd:horner_dd", .share = 0.7, .scalar = suite::ScalarKind::float32}};
   const auto table = written(study);
   EXPECT_THAT(values(table, "de_casteljau", "goal_share"), testing::ElementsAre("0.7"));
   for (const auto* id : {"horner_bernstein_fma", "de_casteljau_lerp_fma", "exact_dd:horner_dd"})

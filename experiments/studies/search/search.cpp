@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/search/search.hpp"
+// Studies of kind `search`: the largest error that a climb finds, starting from the worst inputs of a sample.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,9 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/search/climb.hpp"
+#include "experiments/suite/keys.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
 namespace bezierbench::studies {
@@ -105,7 +107,7 @@ class Search {
   [[nodiscard]] const sample::Cell& cell() const { return cell_; }
 
  private:
-  [[nodiscard]] std::int64_t budget() const { return suite::keys_of<suite::SearchKeys>(study_).budget; }
+  [[nodiscard]] std::int64_t budget() const { return study_.budget; }
 
   /// `reached`: the climb raised the error by the required factor. `near_bound`: it cannot, because the sample is
   /// already that close to the proved bound. `short`: neither.
@@ -206,7 +208,7 @@ class SearchJob final : public run::JobOf<Outcome> {
   }
 
  private:
-  [[nodiscard]] std::int64_t budget() const { return suite::keys_of<suite::SearchKeys>(study_).budget; }
+  [[nodiscard]] std::int64_t budget() const { return study_.budget; }
   template <class Scalar>
   void add(const run::JobContext& context, const sample::Cell& cell) {
     for (const auto* kernel : judge::chosen_kernels<Scalar>(study_, cell))
@@ -222,10 +224,26 @@ class SearchJob final : public run::JobOf<Outcome> {
   std::vector<std::variant<Search<double>, Search<float>>> searches_;
 };
 
-}  // namespace
-
 std::unique_ptr<run::Job> search_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<SearchJob>(study, context);
 }
+
+constexpr std::array search_fields{suite::field<&suite::Study::budget>(
+    suite::budget_key("how many inputs the search may try per cell and method, after the random trials"))};
+
+suite::Finding check_search(const suite::Study& study, const suite::Vocabulary& /*known*/) {
+  return suite::check_budget("search", study.budget);
+}
+
+}  // namespace
+
+extern constexpr StudyKind search_kind{
+    .asks = {.id = "search",
+             .about = "the inputs with the largest error, sought from random ones on",
+             .own = search_fields,
+             .methods_example = "[\"de_casteljau\"]",
+             .check = check_search},
+    .make = search_job,
+    .tables = {"search"}};
 
 }  // namespace bezierbench::studies

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/search/search.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/evaluate/kernel.hpp"
@@ -8,6 +6,7 @@
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/search/climb.hpp"
 
 namespace bezierbench::studies {
@@ -16,7 +15,8 @@ namespace {
 suite::Study small_search_study() {
   suite::Study study;
   study.id = "search";
-  study.keys = suite::SearchKeys{.budget = 1500};
+  study.kind = &kind("search");
+  study.budget = 1500;
   study.degree = {5};
   study.methods = {"de_casteljau*", "horner_bernstein", "direct_pow"};
   study.trials = 300;
@@ -24,7 +24,7 @@ suite::Study small_search_study() {
 }
 
 bundle::CsvDocument table_of(const suite::Study& study) {
-  const auto job = search_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   tables::Tables tables;
@@ -51,7 +51,7 @@ TEST(Search, StaysBetweenTheSampleAndTheBound) {
 TEST(Search, FindsWhatSamplingDoesNot) {
   auto study = small_search_study();
   study.methods = {"de_casteljau_lerp"};
-  suite::keys_of<suite::SearchKeys>(study).budget = 10000;
+  study.budget = 10000;
   const auto table = table_of(study);
   EXPECT_GT(value(table, 0, "searched_error_u"), 50 * value(table, 0, "sampled_error_u"));
   EXPECT_EQ(table.at(0, "status"), "reached");

@@ -13,7 +13,6 @@
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/studies/subdivision/split_truth.hpp"
-#include "experiments/studies/subdivision/subdivision.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 
 namespace bezierbench::studies {

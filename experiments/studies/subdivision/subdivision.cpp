@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/subdivision/subdivision.hpp"
+// Studies of kind `subdivision`: random curves split at random t; every control point of both halves is judged against
+// the exact one.
 
 #include "experiments/race/timed_companion.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/subdivision/problem.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
 
 namespace bezierbench::studies {
 
-std::unique_ptr<run::Job> subdivision_job(const suite::Study& study, const run::JobContext& context) {
-  return trial_job<SubdivisionProblem>(study, context);
-}
-
-constexpr race::TimedProblem timed_subdivision = race::timed_companion<SubdivisionProblem>();
+extern constexpr StudyKind subdivision_kind{
+    .asks = {.id = "subdivision",
+             .about = "errors of the control points of both halves of a split curve",
+             .own = {},
+             .methods_example = "[\"de_casteljau_split\"]",
+             .inputs = {.forms = suite::forms_with_control_points,
+                        .forms_reason = "what is split has control points",
+                        .double_only = true},
+             .problem = Problem::subdivision},
+    .make = trial_job<SubdivisionProblem>,
+    .tables = {"subdivision"},
+    .timed = race::timed_companion<SubdivisionProblem>()};
 
 }  // namespace bezierbench::studies

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/subdivision/subdivision.hpp"
-
 #include <gtest/gtest.h>
 
 #include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
+#include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -12,7 +11,7 @@ namespace {
 suite::Study small_subdivision_study() {
   suite::Study study;
   study.id = "small";
-  study.keys = suite::SubdivisionKeys{};
+  study.kind = &kind("subdivision");
   study.degree = {1, 5, 12};
   study.trials = 40;  // two blocks, the last one short
   study.replicates = 2;
@@ -27,7 +26,7 @@ suite::Study rational_study() {
 }
 
 bundle::CsvDocument subdivision_rows_of(const suite::Study& study) {
-  const auto job = subdivision_job(study, {1});
+  const auto job = make_job(study, {1});
   run::run_all(*job);
   EXPECT_TRUE(job->violations().empty());
   return bundle::parse_csv(run::text_of(*job).at("subdivision.csv"), "subdivision.csv");
@@ -35,8 +34,8 @@ bundle::CsvDocument subdivision_rows_of(const suite::Study& study) {
 
 TEST(SubdivisionStudy, OrderAndInterruptionsChangeNoByte) {
   for (const auto& study : {small_subdivision_study(), rational_study()}) {
-    const auto files = run::expect_order_changes_nothing(subdivision_job, study);
-    EXPECT_EQ(subdivision_job(study, {1})->extent().rows,
+    const auto files = run::expect_order_changes_nothing(make_job, study);
+    EXPECT_EQ(make_job(study, {1})->extent().rows,
               bundle::parse_csv(files.at("subdivision.csv"), "subdivision.csv").row_count());
   }
 }
@@ -85,13 +84,13 @@ TEST(SubdivisionStudy, HasNoBoundOutside) {
 TEST(SubdivisionStudy, RefusesWhatItCannotDo) {
   auto power = small_subdivision_study();
   power.curve = Form::power;
-  EXPECT_THROW(subdivision_job(power, {1}), Failure);
+  EXPECT_THROW(make_job(power, {1}), Failure);
   auto single = small_subdivision_study();
   single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(subdivision_job(single, {1}), Failure);
+  EXPECT_THROW(make_job(single, {1}), Failure);
   auto of_points = small_subdivision_study();
   of_points.methods = {"de_casteljau"};
-  EXPECT_THROW(subdivision_job(of_points, {1}), Failure);
+  EXPECT_THROW(make_job(of_points, {1}), Failure);
 }
 
 }  // namespace

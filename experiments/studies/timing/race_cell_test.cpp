@@ -7,9 +7,8 @@
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/timing/complexity_rows.hpp"
-#include "experiments/studies/timing/timed_problems.hpp"
-#include "experiments/studies/timing/timing.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
 
 namespace bezierbench::studies {
@@ -20,8 +19,8 @@ using testing::ElementsAre;
 suite::Study timing_study() {
   suite::Study study;
   study.id = "s";
-  study.keys = suite::TimingKeys{};
-  suite::keys_of<suite::TimingKeys>(study).modes = {suite::Mode::point};
+  study.kind = &kind("timing");
+  study.modes = {suite::Mode::point};
   study.degree = {3, 5, 10, 20};
   study.methods = {"horner_bernstein", "de_casteljau"};  // the roster has them the other way round
   return study;
@@ -71,7 +70,7 @@ std::vector<std::string> column(const bundle::CsvDocument& document, std::string
 TEST(RaceCell, EveryScalarCellAndModeIsOne) {
   auto study = timing_study();
   study.scalar = {suite::ScalarKind::float64, suite::ScalarKind::float32};
-  suite::keys_of<suite::TimingKeys>(study).modes = {suite::Mode::point, suite::Mode::batch, suite::Mode::latency};
+  study.modes = {suite::Mode::point, suite::Mode::batch, suite::Mode::latency};
   study.dimension = {1, 2};
   EXPECT_EQ(timed_problem(study).race_cells(study).size(), 2U * 3 * 2 * 4);
 }
@@ -106,9 +105,9 @@ TEST(RaceCell, ABaselineThatCannotRaceHasNoRatios) {
   study.baseline = {"direct"};
   EXPECT_EQ(race::relative_to(timed_problem(study).race_cells(study)[0], study), 0U);
   EXPECT_EQ(race::relative_to(timed_problem(study).race_cells(study)[1], study), std::nullopt);
-  EXPECT_NO_THROW(studies::timing_job(study, {}));
+  EXPECT_NO_THROW(studies::make_job(study, {}));
   study.baseline = {"volk_schumaker"};
-  EXPECT_THROW(studies::timing_job(study, {}), Failure);
+  EXPECT_THROW(studies::make_job(study, {}), Failure);
 }
 
 race::RaceCell one_heat(const suite::Study& study) {
@@ -306,7 +305,7 @@ TEST(ComplexityRows, FitTheDegreesOfAStudyAgainstTheClaim) {
 TEST(ComplexityRows, OneShotIsChargedWithPreparing) {
   auto study = timing_study();
   study.methods = {"differences:horner"};
-  suite::keys_of<suite::TimingKeys>(study).modes = {suite::Mode::point, suite::Mode::one_shot};
+  study.modes = {suite::Mode::point, suite::Mode::one_shot};
   auto race_cells = timed_problem(study).race_cells(study);
   for (auto& race_cell : race_cells) race_cell.laps = {lap_of(race_cell.cell.degree), lap_of(1), lap_of(1)};
   const auto csv = complexity_csv(study, race_cells);

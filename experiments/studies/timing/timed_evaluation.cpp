@@ -4,7 +4,6 @@
 #include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
-#include "experiments/judge/study_inputs.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/timed_check.hpp"
 #include "experiments/race/timed_inputs.hpp"
@@ -38,11 +37,10 @@ race::JudgedRivals rivals(const race::RaceCell& race_cell, const suite::Study& s
 }  // namespace
 
 std::vector<race::RaceCell> race_cells_of_evaluation(const suite::Study& study) {
-  judge::check_timed(study, Problem::evaluation);
   std::vector<race::RaceCell> race_cells;
   for (const auto scalar : study.scalar)
     for (const auto& cell : sample::cells(study))
-      for (const auto mode : suite::keys_of<suite::TimingKeys>(study).modes)
+      for (const auto mode : study.modes)
         race_cells.push_back(
             {cell,
              scalar,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/timing/timing.hpp"
+// Studies of kind `timing`: the methods of a study race each other in every cell and mode.
 
 #include <fmt/format.h>
 
@@ -10,11 +10,12 @@
 #include "experiments/race/race_cell.hpp"
 #include "experiments/race/timed_inputs.hpp"
 #include "experiments/run/interruption.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/timing/complexity_rows.hpp"
 #include "experiments/studies/timing/racing_job.hpp"
-#include "experiments/studies/timing/timed_problems.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
 #include "experiments/suite/fault.hpp"
+#include "experiments/suite/keys.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::studies {
@@ -126,10 +127,45 @@ std::vector<tables::Series> TimingJob::series() const {
   return all;
 }
 
-}  // namespace
-
 std::unique_ptr<run::Job> timing_job(const suite::Study& study, const run::JobContext& context) {
   return std::make_unique<TimingJob>(study, context.seed);
 }
+
+constexpr std::array timing_fields{
+    suite::field<&suite::Study::modes>(
+        {.key = "modes",
+         .meaning = "what one timed call does: one_shot prepares and evaluates one point, point evaluates one prepared "
+                    "point, latency a chain of them, batch many t; companion problems are timed in one_shot only",
+         .example = "[\"point\"]"}),
+    suite::field<&suite::Study::order>(suite::optional(suite::order_key, "none; only methods of derivatives have it")),
+    suite::field<&suite::Study::points>(
+        suite::optional(suite::points_key, "none; only methods of interpolation and fitting have it")),
+    suite::field<&suite::Study::tolerance>(suite::optional(
+        suite::tolerance_key("tolerances, relative to the length for lengths, distances for fits", "[1e-3, 1e-6]"),
+        "none; only methods of lengths and fitting have it")),
+    suite::field<&suite::Study::published>(suite::published_key)};
+
+suite::Finding check_timing(const suite::Study& study, const suite::Vocabulary& known) {
+  if (study.degree.empty() && study.points.empty())
+    return suite::Fault{"degree", 0, {}, "degree is missing; kind \"timing\" needs it or points, add degree = [3, 5]"};
+  if (auto found = suite::each("modes", study.modes, [](suite::Mode) { return std::string(); })) return found;
+  if (auto found = suite::check_orders(study.order)) return found;
+  if (auto found = suite::check_points(study.points)) return found;
+  if (auto found = suite::check_tolerances(study.tolerance)) return found;
+  return suite::check_published(study.published, known);
+}
+
+}  // namespace
+
+extern constexpr StudyKind timing_kind{.asks = {.id = "timing",
+                                                .about = "time per evaluation or per answer to a companion problem",
+                                                .own = timing_fields,
+                                                .methods_example = "[\"de_casteljau\", \"horner_bernstein\"]",
+                                                .inputs = {.degree = suite::DegreeUse::optional},
+                                                .timed = true,
+                                                .has_baseline = true,
+                                                .check = check_timing},
+                                       .make = timing_job,
+                                       .tables = {"timing"}};
 
 }  // namespace bezierbench::studies

@@ -149,7 +149,7 @@ void list_timing_rows(const suite::Study& study, const std::vector<race::RaceCel
                       tables::Tables& tables) {
   for (const auto& race_cell : race_cells)
     for (std::size_t m = 0; m < race_cell.methods.size(); ++m) tables.add(key_row(study, race_cell, m));
-  for (const auto mode : suite::keys_of<suite::TimingKeys>(study).modes)
+  for (const auto mode : study.modes)
     if (std::ranges::any_of(race_cells, [mode](const auto& one) { return one.mode == mode && !one.methods.empty(); }))
       tables.add(sentinel_key_row(study, mode));
 }
@@ -160,8 +160,7 @@ void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCe
   const race::Pace fastest = race::fastest_pace(race_cells);
   for (const auto& race_cell : race_cells)
     if (!race_cell.laps.empty()) add_race_cell(tables, study, race_cell, fastest);
-  for (const auto mode : suite::keys_of<suite::TimingKeys>(study).modes)
-    add_sentinel(tables, study, race_cells, mode, fastest);
+  for (const auto mode : study.modes) add_sentinel(tables, study, race_cells, mode, fastest);
 }
 
 }  // namespace bezierbench::studies

@@ -14,7 +14,8 @@
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/run/job_test.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/kind.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -102,7 +103,8 @@ suite::Study small_study() {
   calls = {};
   suite::Study study;
   study.id = "counted";
-  study.keys = suite::ArcLengthKeys{{0.5, 0.125}};
+  study.kind = &kind("arc_length");
+  study.tolerance = {0.5, 0.125};
   study.degree = {2, 5};
   study.methods = {"gauss_legendre_24", "adaptive_simpson38"};
   study.trials = 5;
@@ -155,7 +157,7 @@ TEST(TrialStudy, SaysWhatFailedAndWhereFirst) {
   study.trials = 20;
   study.replicates = 1;
   study.degree = {5};
-  study.keys = suite::ArcLengthKeys{{0.5}};
+  study.tolerance = {0.5};
   study.methods = {"gauss_legendre_24"};
   const auto job = trial_job<CountedProblem>(study, {1});
   for (std::size_t block = job->blocks(); block-- > 0;) job->add(0, job->run_block(block));  // in reverse order
@@ -222,10 +224,8 @@ TEST(TrialStudy, EndsABlockAtTheTrialInWhichItIsInterrupted) {
 /// The race draws the same trials and uses the same functions to solve and judge them.
 TEST(TrialStudy, ItsProblemIsTimedAsItStands) {
   auto study = small_study();
-  suite::TimingKeys keys;
-  keys.tolerance = suite::tolerances_of(study);
-  keys.modes = {suite::Mode::one_shot};
-  study.keys = keys;
+  study.kind = &kind("timing");
+  study.modes = {suite::Mode::one_shot};
   constexpr auto timed = race::timed_companion<CountedProblem>();
   const auto race_cells = timed.race_cells(study);
   ASSERT_EQ(race_cells.size(), 2U * 2);

@@ -11,7 +11,7 @@
 
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "experiments/suite/text/toml_value.hpp"
@@ -52,35 +52,36 @@ toml::array values_of(std::string_view key, std::string_view text) {
   return values;
 }
 
-/// The settable keys of all kinds, each once.
-std::vector<std::string> settable_keys() {
+/// The settable keys of the kinds, each once.
+std::vector<std::string> settable_keys(std::span<const Kind* const> kinds) {
   std::vector<std::string> keys;
-  for (const Kind* kind : kinds())
+  for (const Kind* kind : kinds)
     for (const Field* field : fields_of(*kind))
       if (field->settable && std::ranges::find(keys, field->key) == keys.end()) keys.emplace_back(field->key);
   return keys;
 }
 
-Setting parse_set(const std::string& text) {
+Setting parse_set(const std::string& text, const Vocabulary& known) {
   std::string option = "--set " + echo(text);
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) throw Failure(Exit::usage, option + ": write it as axis=v1,v2");
   const std::string key = text.substr(0, equals);
-  const auto keys = settable_keys();
+  const auto keys = settable_keys(known.kinds);
   if (std::ranges::find(keys, key) == keys.end())
     throw Failure(Exit::usage, fmt::format("{}: unknown axis \"{}\"{}", option, echo(key), suggestion(key, keys)));
   if (equals + 1 == text.size()) throw Failure(Exit::usage, option + ": no value; write it as axis=v1,v2");
   return {std::move(option), key, values_of(key, std::string_view(text).substr(equals + 1))};
 }
 
-void set(const Setting& setting, Study& study) {
+void set(const Setting& setting, Study& study, const Vocabulary& known) {
   const Kind& kind = kind_of(study);
   study.places.options[setting.key] = setting.option;
   const Field* field = find_field(kind, setting.key);
   if (field == nullptr)
-    refuse(
-        study,
-        {setting.key, Fault::key_itself, {}, foreign_key_problem(kind, setting.key) + "; choose studies with --only"});
+    refuse(study, {setting.key,
+                   Fault::key_itself,
+                   {},
+                   foreign_key_problem(kind, setting.key, known.kinds) + "; choose studies with --only"});
   const bool single = std::holds_alternative<std::int64_t*>(field->slot(study));
   if (single && setting.values.size() != 1)
     throw Failure(Exit::usage, fmt::format("{}: takes one value; write {}=N", setting.option, setting.key));
@@ -126,7 +127,7 @@ void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabul
     settings.push_back({"--trials " + trials, "trials", values_of("trials", trials)});
   }
   for (const std::string& text : overrides.set) {
-    Setting setting = parse_set(text);
+    Setting setting = parse_set(text, known);
     for (const Setting& other : settings) {
       if (other.key != setting.key) continue;
       throw Failure(Exit::usage, fmt::format("{}: {} sets this too; keep one of them", setting.option, other.option));
@@ -144,7 +145,7 @@ void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabul
   for (Suite& suite : changed) {
     if (overrides.seed) suite.seed = *overrides.seed;
     for (Study& study : suite.studies) {
-      for (const Setting& setting : settings) set(setting, study);
+      for (const Setting& setting : settings) set(setting, study, known);
       if (settings.empty()) continue;
       if (auto fault = validate(study, known)) refuse_setting(study, settings.front(), std::move(*fault));
     }

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/suite/test_vocabulary.hpp"
+#include "experiments/suite/vocabulary_test.hpp"
 
 namespace bezierbench::suite {
 namespace {
@@ -13,17 +13,17 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-Study study(const std::string& id, const KindKeys& keys) {
+Study study(const std::string& id, std::string_view kind) {
   Study made;
   made.id = id;
-  made.keys = keys;
+  made.kind = &studies::kind(kind);
   made.degree = {4, 8};
   return made;
 }
 
 std::vector<Suite> two_suites() {
-  return {{"one", "", 1, {study("a-1", AccuracyKeys()), study("t-1", TimingKeys())}},
-          {"two", "", 1, {study("a-2", AccuracyKeys())}}};
+  return {{"one", "", 1, {study("a-1", "accuracy"), study("t-1", "timing")}},
+          {"two", "", 1, {study("a-2", "accuracy")}}};
 }
 
 std::vector<Suite> applied(const Overrides& overrides) {
@@ -66,7 +66,7 @@ TEST(Overrides, SetsAxesInEveryStudy) {
 TEST(Overrides, SetsKeysOfAKindInStudiesOfThisKindAlone) {
   Overrides overrides = setting({"modes=batch,latency"});
   overrides.only = "t-*";
-  EXPECT_THAT(keys_of<TimingKeys>(applied(overrides)[0].studies[0]).modes, ElementsAre(Mode::batch, Mode::latency));
+  EXPECT_THAT(applied(overrides)[0].studies[0].modes, ElementsAre(Mode::batch, Mode::latency));
   EXPECT_EQ(
       refused(setting({"modes=batch"})),
       "--set modes=batch: study \"a-1\": kind \"accuracy\" does not have the key modes; kind timing has it; choose "

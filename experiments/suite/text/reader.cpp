@@ -18,7 +18,7 @@
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/fault.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/outside.hpp"
 #include "experiments/suite/text/toml_value.hpp"
@@ -123,7 +123,7 @@ class Reader {
     const toml::node* kind = table.get("kind");
     if (kind == nullptr) fail(table, "kind is missing; see `bezierbench list kinds`");
     Study out;
-    read({file_, "kind"}, *kind, out.keys);
+    read({file_, "kind", known_.kinds}, *kind, out.kind);
     check_keys_of(kind_of(out), table);
     out.places = places(table);
     for (const Field* field : fields_of(kind_of(out)))
@@ -148,7 +148,7 @@ class Reader {
     for (const Field* field : fields_of(kind)) allowed.emplace_back(field->key);
     for (const auto& [key, node] : table) {
       if (find_field(kind, key.str()) != nullptr) continue;
-      if (const auto foreign = foreign_key_problem(kind, key.str()); !foreign.empty())
+      if (const auto foreign = foreign_key_problem(kind, key.str(), known_.kinds); !foreign.empty())
         suite::fail(file_, key.source().begin, foreign + "; remove it");
     }
     check_keys(table, allowed);

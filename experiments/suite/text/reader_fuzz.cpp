@@ -2,9 +2,9 @@
 // Suite files: a text that can be read is written, and the written text reads as equal suites.
 #include "experiments/fuzzing/property.hpp"
 #include "experiments/suite/outside.hpp"
-#include "experiments/suite/test_vocabulary.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/text/writer.hpp"
+#include "experiments/suite/vocabulary_test.hpp"
 
 namespace bezierbench::suite {
 namespace {

@@ -8,8 +8,8 @@
 #include <ostream>
 #include <string>
 
-#include "experiments/suite/test_vocabulary.hpp"
 #include "experiments/suite/validate.hpp"
+#include "experiments/suite/vocabulary_test.hpp"
 
 namespace bezierbench::suite {
 namespace {
@@ -56,22 +56,22 @@ TEST(Reader, ReadsTheReportSuite) {
   ASSERT_EQ(suite.studies.size(), 11U);
   const Study& ranges = suite.studies[3];
   EXPECT_EQ(ranges.id, "2.3.2-bezier");
-  EXPECT_TRUE(is_kind<AccuracyKeys>(ranges));
+  EXPECT_TRUE(studies::is_kind(ranges, studies::accuracy_kind));
   EXPECT_THAT(ranges.degree, ElementsAre(20));
   EXPECT_THAT(ranges.coordinate_range, ElementsAre(1e-6, 1e-4, 1e-2, 1, 10, 1e2, 1e4, 1e6));
   EXPECT_THAT(ranges.generator, ElementsAre("report", "continuous"));
   EXPECT_THAT(ranges.baseline, ElementsAre("direct", "exact"));
   EXPECT_EQ(ranges.trials, 1000);
   EXPECT_EQ(ranges.replicates, 400);
-  EXPECT_EQ(keys_of<AccuracyKeys>(ranges).published, "report_tables.csv");
+  EXPECT_EQ(ranges.published, "report_tables.csv");
   EXPECT_THAT(suite.studies[5].t_interval,
               ElementsAre(Interval{0, 0.2}, Interval{0.4, 0.6}, Interval{0.2, 0.8}, Interval{0, 1}, Interval{0.8, 1}));
-  EXPECT_THAT(keys_of<TimingKeys>(suite.studies.back()).modes, ElementsAre(Mode::one_shot, Mode::point));
+  EXPECT_THAT(suite.studies.back().modes, ElementsAre(Mode::one_shot, Mode::point));
 }
 
 TEST(Reader, ReadsTheGoalsOfARoofline) {
   const std::string study = head + "kind = \"roofline\"\ndegree = [3]\n";
-  const auto goals = [](const std::string& text) { return keys_of<RooflineKeys>(parsed(text).studies.front()).goals; };
+  const auto goals = [](const std::string& text) { return parsed(text).studies.front().goals; };
   EXPECT_THAT(goals(study + "goals = [{ method = \"direct\", share = 0.6 }]\n"),
               ElementsAre(Goal{.method = "direct", .share = 0.6}));
   const std::string goal = study + "goals = [{ method = \"direct\", ";
@@ -109,13 +109,13 @@ TEST(Reader, LeftOutKeysHaveTheirDefaults) {
 
 TEST(Reader, ATimingStudyWithoutModesHasAll) {
   const Study study = parsed(head + "kind = \"timing\"\ndegree = [3]\n").studies.front();
-  EXPECT_EQ(keys_of<TimingKeys>(study).modes.size(), 4U);
+  EXPECT_EQ(study.modes.size(), 4U);
 }
 
 TEST(Reader, ATimingStudyMayHaveWhatItsProblemIsAsked) {
   EXPECT_TRUE(parsed(head + "kind = \"timing\"\npoints = [10]\n").studies.front().degree.empty());
   const Study study = parsed(head + "kind = \"timing\"\ndegree = [3]\norder = [1]\n").studies.front();
-  EXPECT_THAT(keys_of<TimingKeys>(study).order, ElementsAre(1));
+  EXPECT_THAT(study.order, ElementsAre(1));
   EXPECT_THAT(refused(head + "kind = \"timing\"\n"), HasSubstr("degree is missing"));
 }
 

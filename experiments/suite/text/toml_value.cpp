@@ -9,7 +9,7 @@
 
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 
 namespace bezierbench::suite {
 
@@ -66,17 +66,17 @@ void read(const Source& source, const toml::node& node, Interval& out) {
   read(source, *ends->get(1), out.max);
 }
 
-void read(const Source& source, const toml::node& node, KindKeys& out) {
+void read(const Source& source, const toml::node& node, const Kind*& out) {
   std::string word;
   read(source, node, word);
-  const Kind* kind = find_kind(word);
-  if (kind == nullptr) {
+  const auto found = std::ranges::find(source.kinds, word, &Kind::id);
+  if (found == source.kinds.end()) {
     std::vector<std::string> ids;
-    for (const Kind* known : kinds()) ids.emplace_back(known->id);
+    for (const Kind* known : source.kinds) ids.emplace_back(known->id);
     fail(source.name, node.source().begin,
          fmt::format("unknown {} \"{}\"{}", source.key, echo(word), suggestion(word, ids)));
   }
-  out = kind->keys();
+  out = *found;
 }
 
 std::string to_text(std::string_view value) {
@@ -105,7 +105,7 @@ std::string to_text(double value) {
   return text;
 }
 
-std::string to_text(const KindKeys& value) { return to_text(kinds()[value.index()]->id); }
+std::string to_text(const Kind* value) { return to_text(value->id); }
 
 std::string to_text(const Interval& value) { return fmt::format("[{}, {}]", to_text(value.min), to_text(value.max)); }
 

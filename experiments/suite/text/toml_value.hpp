@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +24,7 @@ namespace bezierbench::suite {
 struct Source {
   std::string_view name;  ///< a file, or the option that was given, e.g. `--set degree=4`
   std::string_view key;
+  std::span<const Kind* const> kinds = {};  ///< those that the key `kind` may name
 };
 
 /// Throws Failure(Exit::usage) with `NAME:LINE:COLUMN: what`, or `NAME: what` for a value that is not from a file.
@@ -40,10 +42,10 @@ void read(const Source& source, const toml::node& node, int& out);
 void read(const Source& source, const toml::node& node, double& out);
 void read(const Source& source, const toml::node& node, Interval& out);
 void read(const Source& source, const toml::node& node, Goal& out);
-/// Reads the id of a kind and sets the keys of that kind to their defaults.
-void read(const Source& source, const toml::node& node, KindKeys& out);
-/// Reads the value of the key `field` into the study; `source` is the file or option.
-void read(std::string_view source, const toml::node& node, const Field& field, Study& out);
+/// Reads the id of one of `source.kinds`.
+void read(const Source& source, const toml::node& node, const Kind*& out);
+/// Reads the value of the key `field` into the study; `name` is that of the file or option.
+void read(std::string_view name, const toml::node& node, const Field& field, Study& out);
 
 template <Worded Enum>
 void read(const Source& source, const toml::node& node, Enum& out) {
@@ -76,7 +78,7 @@ std::string to_text(std::int64_t value);
 std::string to_text(double value);
 std::string to_text(const Interval& value);
 std::string to_text(const Goal& value);
-std::string to_text(const KindKeys& value);
+std::string to_text(const Kind* value);
 inline std::string to_text(int value) { return to_text(static_cast<std::int64_t>(value)); }
 inline std::string to_text(const std::string& value) { return to_text(std::string_view(value)); }
 

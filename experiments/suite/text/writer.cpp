@@ -5,7 +5,7 @@
 
 #include <iterator>
 
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/text/toml_value.hpp"
 
 namespace bezierbench::suite {

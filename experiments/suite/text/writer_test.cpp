@@ -10,18 +10,17 @@
 #include <cstdint>
 #include <random>
 #include <set>
-#include <variant>
 
-#include "experiments/suite/kinds.hpp"
-#include "experiments/suite/test_vocabulary.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/text/reader.hpp"
+#include "experiments/suite/vocabulary_test.hpp"
 
 namespace bezierbench::suite {
 namespace {
 
 /// Whether the studies are of one kind and all its keys have equal text.
 bool equal(const Study& a, const Study& b) {
-  if (a.keys.index() != b.keys.index()) return false;
+  if (a.kind != b.kind) return false;
   return std::ranges::all_of(fields_of(kind_of(a)),
                              [&](const Field* field) { return to_text(*field, a) == to_text(*field, b); });
 }
@@ -55,7 +54,7 @@ class Random {
       // Whole numbers from 2^53 to 2^70 are among them: TOML's integers end at 2^63.
       const double x = below(3) == 0 ? std::floor(std::ldexp(static_cast<double>(bits_()), static_cast<int>(below(7))))
                                      : std::abs(std::bit_cast<double>(bits_()));
-      if (std::isfinite(x)) return x;
+      if (x <= 0x1p1020) return x;  // where ranges end; false for NaN
     }
   }
 
@@ -71,8 +70,8 @@ class Random {
     Study made;
     made.id = id;
     made.title = below(2) == 0 ? "plain" : "quote \" backslash \\ tab \t new\nline \x7f \u00e9 [x] # no = comment";
-    const Kind& kind = *kinds()[below(kinds().size())];
-    made.keys = kind.keys();
+    const Kind& kind = *studies::kinds()[below(studies::kinds().size())];
+    made.kind = &kind;
     made.curve = kind.inputs.forms[below(kind.inputs.forms.size())];
     made.degree = some<int>({1, 2, 20, 1023});
     if (kind.inputs.degree == DegreeUse::not_a_key) made.degree.clear();
@@ -88,32 +87,22 @@ class Random {
     made.trials = 1 + static_cast<std::int64_t>(bits_() >> 34U);
     made.replicates = 1 + static_cast<std::int64_t>(bits_() >> 45U);
     if (kind.has_baseline) made.baseline = some<std::string>({"exact", known.methods[0], known.methods[1]});
-    std::visit([&](auto& keys) { fill(keys); }, made.keys);
+    made.budget = 1 + static_cast<std::int64_t>(bits_() >> 1U);
+    made.decomposed_trials = static_cast<std::int64_t>(below(2) * (bits_() >> 1U));
+    made.points = some<int>({2, 3, 1025});
+    made.curves = some<std::string>({"css_ease", "glyph_*"});
+    made.order = some<int>({0, 1, 2, 20});
+    made.tolerance = some<double>({1e-3, 1e-12, 5e-324});
+    made.modes = some<Mode>({Mode::one_shot, Mode::latency, Mode::batch});
+    made.published = below(2) == 0 ? "" : known.published_files[0];
+    if (below(2) == 0)
+      made.goals = {{.method = known.methods[0], .share = 0x1p-3 * static_cast<double>(1 + below(9)), .from_degree = 3},
+                    {.method = known.methods[1],
+                     .no_slower_than = known.methods[0],
+                     .scalar = ScalarKind::float32,
+                     .to_degree = 20,
+                     .needs_additions_beside = true}};
     return made;
-  }
-
-  /// Fills in the keys of any kind, each by its name.
-  template <class Keys>
-  void fill(Keys& keys) {
-    const auto& known = test_vocabulary();
-    if constexpr (requires { keys.budget; }) keys.budget = 1 + static_cast<std::int64_t>(bits_() >> 1U);
-    if constexpr (requires { keys.decomposed_trials; })
-      keys.decomposed_trials = static_cast<std::int64_t>(below(2) * (bits_() >> 1U));
-    if constexpr (requires { keys.points; }) keys.points = some<int>({2, 3, 1025});
-    if constexpr (requires { keys.curves; }) keys.curves = some<std::string>({"css_ease", "glyph_*"});
-    if constexpr (requires { keys.order; }) keys.order = some<int>({0, 1, 2, 20});
-    if constexpr (requires { keys.tolerance; }) keys.tolerance = some<double>({1e-3, 1e-12, 5e-324});
-    if constexpr (requires { keys.modes; }) keys.modes = some<Mode>({Mode::one_shot, Mode::latency, Mode::batch});
-    if constexpr (requires { keys.published; }) keys.published = below(2) == 0 ? "" : known.published_files[0];
-    if constexpr (requires { keys.goals; })
-      if (below(2) == 0)
-        keys.goals = {
-            {.method = known.methods[0], .share = 0x1p-3 * static_cast<double>(1 + below(9)), .from_degree = 3},
-            {.method = known.methods[1],
-             .no_slower_than = known.methods[0],
-             .scalar = ScalarKind::float32,
-             .to_degree = 20,
-             .needs_additions_beside = true}};
   }
 
   std::vector<Suite> suites() {
@@ -154,6 +143,7 @@ TEST(Writer, ReportSuiteReadsBack) {
 TEST(Writer, OneSuiteIsWrittenAsPeopleWriteIt) {
   Study study;
   study.id = "a";
+  study.kind = &studies::accuracy_kind.asks;
   study.degree = {4};
   study.coordinate_range = {1e6};
   const std::vector<Suite> suites{{"s", "T", 1, {study}}};

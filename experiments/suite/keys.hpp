@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keys that several kinds have, and the checks of their values; internal to this folder.
+// Keys that several kinds have, and the checks of their values.
 #pragma once
 
 #include <bit>
@@ -18,7 +18,7 @@ namespace bezierbench::suite {
 inline constexpr Field order_key{.key = "order",
                                  .meaning = "orders of the derivatives, 0 to 1023",
                                  .example = "[1, 2]",
-                                 .needed = true,
+                                 .required = true,
                                  .axis = Axis::of_cases};
 static_assert(max_degree == 1023, "the meaning of order states it");
 
@@ -26,7 +26,7 @@ inline constexpr int most_points = 1000000;
 inline constexpr Field points_key{.key = "points",
                                   .meaning = "numbers of data points, 2 to 1000000",
                                   .example = "[10, 100]",
-                                  .needed = true,
+                                  .required = true,
                                   .axis = Axis::of_cases};
 static_assert(most_points == 1000000, "the meaning of points states it");
 
@@ -34,11 +34,12 @@ static_assert(most_points == 1000000, "the meaning of points states it");
 inline constexpr int most_grid_points = static_cast<int>(std::bit_floor(static_cast<unsigned>(most_points - 1))) + 1;
 
 constexpr Field tolerance_key(std::string_view meaning, std::string_view example) {
-  return {.key = "tolerance", .meaning = meaning, .example = example, .needed = true, .axis = Axis::of_cases};
+  return {.key = "tolerance", .meaning = meaning, .example = example, .required = true, .axis = Axis::of_cases};
 }
 
 constexpr Field budget_key(std::string_view meaning) {
-  return {.key = "budget", .meaning = meaning, .example = "20000", .left_out = "nothing: it is needed", .needed = true};
+  return {
+      .key = "budget", .meaning = meaning, .example = "20000", .left_out = "nothing: it is required", .required = true};
 }
 
 inline constexpr Field published_key{
@@ -48,9 +49,9 @@ inline constexpr Field published_key{
     .left_out = "none",
     .settable = false};
 
-/// A copy of `key` for a kind that does not need it. `left_out` says what applies without it.
+/// A copy of `key` for a kind that does not require it. `left_out` says what applies without it.
 constexpr Field optional(Field key, std::string_view left_out) {
-  key.needed = false;
+  key.required = false;
   key.left_out = left_out;
   return key;
 }

@@ -5,12 +5,14 @@
 #include <string>
 
 #include "experiments/failure.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/suite/vocabulary.hpp"
 
 namespace bezierbench::suite {
 
 inline const Vocabulary& test_vocabulary() {
-  static const Vocabulary known{{"direct",
+  static const Vocabulary known{studies::kinds(),
+                                {"direct",
                                  "direct_pow",
                                  "de_casteljau",
                                  "de_casteljau_lerp",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/kinds/key_checks.hpp"
+#include "experiments/suite/keys.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a kind of study declares: its keys, the curves that it takes, its checks.
+// What a kind of study declares to suites: its keys, the curves that it takes, its checks. Kinds themselves are in
+// experiments/studies, a folder each; the vocabulary holds all of them.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@ inline constexpr std::array polynomial_forms{Form::bernstein, Form::power};
 inline constexpr std::array forms_with_control_points{Form::bernstein, Form::rational};
 
 enum class DegreeUse {
-  needed,
+  required,
   not_a_key,
   optional  ///< the check of the kind decides when it may be left out
 };
@@ -37,7 +38,7 @@ struct Inputs {
   std::span<const Form> forms = given_forms;
   std::string_view forms_reason = {};  ///< why it does not take all forms
   bool double_only = false;
-  DegreeUse degree = DegreeUse::needed;
+  DegreeUse degree = DegreeUse::required;
   std::string_view degree_reason = {};  ///< what the degree is, where it is no key
   int least_degree = 0;
   std::string_view least_degree_reason = {};
@@ -54,26 +55,17 @@ struct Kind {
   Inputs inputs = {};
   std::span<const std::string_view> without = {};  ///< keys of every kind that this kind does not have
   std::string_view without_reason = {};
-  /// The companion problem that studies of this kind judge. A timing study of methods for this problem takes the same
-  /// inputs and needs the same axes.
-  std::optional<Problem> companion = {};
-  bool timed = false;            ///< the results are times
-  bool chains = false;           ///< `methods` are chains of conversions
-  bool has_baseline = false;     ///< errors may also be taken against other methods
-  KindKeys (*keys)() = nullptr;  ///< a set of keys with their defaults
+  /// The problem whose methods studies of this kind judge, if it is one that can be timed. A timing study of these
+  /// methods takes the same inputs and requires the same axes.
+  std::optional<Problem> problem = {};
+  bool timed = false;         ///< the results are times
+  bool chains = false;        ///< `methods` are chains of conversions
+  bool has_baseline = false;  ///< errors may also be taken against other methods
   /// The first fault in the kind's own keys, apart from missing ones. May be null.
   Finding (*check)(const Study& study, const Vocabulary& known) = nullptr;
 };
 
-template <class Keys>
-KindKeys default_keys() {
-  return Keys();
-}
-
-/// All kinds, in the order of KindKeys.
-std::span<const Kind* const> kinds();
-/// The kind of this id; null where there is none.
-const Kind* find_kind(std::string_view id);
+/// The kind of the study. Throws std::logic_error where it has none.
 const Kind& kind_of(const Study& study);
 
 /// The keys of every kind, in the order in which they are written; after them come those of the kind itself.
@@ -81,22 +73,16 @@ std::span<const Field> shared_fields();
 /// All keys of a kind, in the order in which they are written.
 std::vector<const Field*> fields_of(const Kind& kind);
 /// Whether every study of this kind must have the key.
-bool needs(const Kind& kind, const Field& field);
+bool is_required(const Kind& kind, const Field& field);
 /// The kind's field of this key; null where the kind does not have it.
 const Field* find_field(const Kind& kind, std::string_view key);
-/// Why a study of this kind cannot have `key`, with the kinds that can; empty where no kind has it.
-std::string foreign_key_problem(const Kind& kind, std::string_view key);
+/// Why a study of this kind cannot have `key`, with those of `kinds` that can; empty where none has it.
+std::string foreign_key_problem(const Kind& kind, std::string_view key, std::span<const Kind* const> kinds);
 
 /// The first fault in the inputs of a study: what its kind does not take.
 Finding check_inputs(const Study& study, std::span<const KnownGenerator> generators);
-/// The first fault in the inputs and axes of a timing study: what the problem of its methods does not take, or lacks.
-Finding check_timed(const Study& study, Problem problem, std::span<const KnownGenerator> generators);
-
-/// The file of printed values that a study names; empty where it names none.
-std::string_view published_of(const Study& study);
-/// The values on an axis of cases; empty where the study's kind does not have the axis.
-const std::vector<int>& orders_of(const Study& study);
-const std::vector<int>& points_of(const Study& study);
-const std::vector<double>& tolerances_of(const Study& study);
+/// The first fault in the inputs and axes of a timing study: what the problem of its methods, that of the kind `judged`,
+/// does not take, or lacks.
+Finding check_timed(const Study& study, const Kind& judged, std::span<const KnownGenerator> generators);
 
 }  // namespace bezierbench::suite

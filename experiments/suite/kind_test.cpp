@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/suite/kinds.hpp"
+#include "experiments/suite/kind.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
-#include "experiments/suite/test_vocabulary.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/text/writer.hpp"
+#include "experiments/suite/vocabulary_test.hpp"
 
 namespace bezierbench::suite {
 namespace {
@@ -24,11 +24,12 @@ std::string example_of(const Kind& kind, const Field& field) {
   return std::string(field.key == "methods" ? kind.methods_example : field.example);
 }
 
-/// A study with the keys that its kind needs, followed by `more`. A needed key that is in `more` is written only there.
+/// A study with the keys that its kind requires, followed by `more`. A required key that is in `more` is written only there.
 std::string study_of(const Kind& kind, const std::string& more = {}) {
   std::string text = head;
   for (const Field* field : fields_of(kind)) {
-    const bool wanted = needs(kind, *field) || (field->key == "degree" && kind.inputs.degree == DegreeUse::optional);
+    const bool wanted =
+        is_required(kind, *field) || (field->key == "degree" && kind.inputs.degree == DegreeUse::optional);
     if (wanted && !more.starts_with(std::string(field->key) + " ="))
       text += std::string(field->key) + " = " + example_of(kind, *field) + "\n";
   }
@@ -53,24 +54,24 @@ std::string line_of(const Kind& kind, const Field& field) {
 
 TEST(Kinds, HaveIdsAndDescriptions) {
   std::set<std::string_view> ids;
-  for (const Kind* kind : kinds()) {
+  for (const Kind* kind : studies::kinds()) {
     EXPECT_TRUE(ids.insert(kind->id).second) << kind->id;
-    EXPECT_EQ(find_kind(kind->id), kind);
+    EXPECT_EQ(&studies::kind(kind->id), kind);
     EXPECT_FALSE(kind->about.empty());
     EXPECT_EQ(&kind_of(parsed(study_of(*kind))), kind);
     for (const Field* field : fields_of(*kind)) {
       EXPECT_FALSE(field->meaning.empty()) << field->key;
       Study study;
-      study.keys = kind->keys();
+      study.kind = kind;
       const bool has_default = !to_text(*field, study).empty();
-      EXPECT_TRUE(has_default || needs(*kind, *field) || !field->left_out.empty()) << kind->id << " " << field->key;
+      EXPECT_TRUE(has_default || is_required(*kind, *field) || !field->left_out.empty())
+          << kind->id << " " << field->key;
     }
   }
-  EXPECT_EQ(find_kind("acuracy"), nullptr);
 }
 
 TEST(Kinds, TakeTheExamplesOfTheirKeysAndWriteThemBack) {
-  for (const Kind* kind : kinds())
+  for (const Kind* kind : studies::kinds())
     for (const Field* field : fields_of(*kind)) {
       const auto text = study_of(*kind, line_of(*kind, *field));
       SCOPED_TRACE(text);
@@ -87,8 +88,8 @@ TEST(Kinds, TakeTheExamplesOfTheirKeysAndWriteThemBack) {
 /// The refusal points to the key and names the kinds that have it.
 TEST(Kinds, RefuseKeysOfOtherKinds) {
   int refusals = 0;
-  for (const Kind* kind : kinds())
-    for (const Kind* other : kinds())
+  for (const Kind* kind : studies::kinds())
+    for (const Kind* other : studies::kinds())
       for (const Field* field : fields_of(*other)) {
         if (find_field(*kind, field->key) != nullptr) continue;
         const auto text = study_of(*kind, line_of(*other, *field));
@@ -104,9 +105,9 @@ TEST(Kinds, RefuseKeysOfOtherKinds) {
 
 /// The refusal points to the header of the study.
 TEST(Kinds, RefuseStudiesWithoutAKeyThatTheyNeed) {
-  for (const Kind* kind : kinds())
+  for (const Kind* kind : studies::kinds())
     for (const Field* field : fields_of(*kind)) {
-      if (!needs(*kind, *field)) continue;
+      if (!is_required(*kind, *field)) continue;
       auto text = study_of(*kind);
       const auto line = line_of(*kind, *field) + "\n";
       text.erase(text.find(line), line.size());
@@ -115,7 +116,7 @@ TEST(Kinds, RefuseStudiesWithoutAKeyThatTheyNeed) {
 }
 
 TEST(Kinds, RefuseValuesOfAnotherType) {
-  for (const Kind* kind : kinds())
+  for (const Kind* kind : studies::kinds())
     for (const Field* field : fields_of(*kind)) {
       const auto text = study_of(*kind, std::string(field->key) + " = true");
       EXPECT_THAT(refused(text), StartsWith(last_line(text, static_cast<int>(field->key.size()) + 4))) << kind->id;
@@ -123,7 +124,7 @@ TEST(Kinds, RefuseValuesOfAnotherType) {
 }
 
 struct Refusal {
-  const Kind& (*kind)();
+  std::string_view kind;
   std::string more;
   int column;
   const char* what;
@@ -131,41 +132,44 @@ struct Refusal {
 
 TEST(Kinds, RefuseInputsThatTheyDoNotTake) {
   for (const auto& [kind, more, column, what] :
-       {Refusal{DerivativeKeys::kind, "curve = \"rational\"", 9,
+       {Refusal{"derivative", "curve = \"rational\"", 9,
                 "derivatives are those of polynomial curves; write curve = "
                 "\"bezier\" or \"polynomial\""},
-        Refusal{ConversionKeys::kind, "curve = \"rational\"", 9, "conversions take polynomial curves"},
-        Refusal{ArcLengthKeys::kind, "curve = \"polynomial\"", 9, "write curve = \"bezier\""},
-        Refusal{SubdivisionKeys::kind, "curve = \"polynomial\"", 9, "what is split has control points"},
-        Refusal{ProjectionKeys::kind, "curve = \"polynomial\"", 9, "write curve = \"bezier\""},
-        Refusal{DerivativeKeys::kind, "scalar = [\"double\", \"float\"]", 21,
+        Refusal{"conversion", "curve = \"rational\"", 9, "conversions take polynomial curves"},
+        Refusal{"arc_length", "curve = \"polynomial\"", 9, "write curve = \"bezier\""},
+        Refusal{"subdivision", "curve = \"polynomial\"", 9, "what is split has control points"},
+        Refusal{"projection", "curve = \"polynomial\"", 9, "write curve = \"bezier\""},
+        Refusal{"derivative", "scalar = [\"double\", \"float\"]", 21,
                 "kind \"derivative\" is computed in double only; leave scalar out"},
-        Refusal{ConversionKeys::kind, "scalar = [\"float\"]", 11, "in double only"},
-        Refusal{InverseArcLengthKeys::kind, "t_interval = [[0, 1], [-1, 1]]", 23,
+        Refusal{"conversion", "scalar = [\"float\"]", 11, "in double only"},
+        Refusal{"inverse_arc_length", "t_interval = [[0, 1], [-1, 1]]", 23,
                 "t_interval -1:1 is the share of the length at which t is sought and must be within 0 and 1"},
-        Refusal{InterpolationKeys::kind, "t_interval = [[0, 0.5]]", 15,
-                "points are joined whole; leave t_interval out"},
-        Refusal{FittingKeys::kind, "t_interval = [[0, 0.5]]", 15, "whole curves; leave t_interval out"},
-        Refusal{FittingKeys::kind, "degree = [3, 0]", 14, "degree 1 or more; remove the degree 0"},
-        Refusal{ProjectionKeys::kind, "generator = [\"continuous\", \"multiple_root\"]", 28,
+        Refusal{"interpolation", "t_interval = [[0, 0.5]]", 15, "points are joined whole; leave t_interval out"},
+        Refusal{"fitting", "t_interval = [[0, 0.5]]", 15, "whole curves; leave t_interval out"},
+        Refusal{"fitting", "degree = [3, 0]", 14, "degree 1 or more; remove the degree 0"},
+        Refusal{"projection", "generator = [\"continuous\", \"multiple_root\"]", 28,
                 "draws a curve as a whole, not points"},
-        Refusal{FittingKeys::kind, "baseline = \"de_casteljau\"", 1, "measures against the exact value only"},
-        Refusal{FittingKeys::kind, "tolerance = [1e-3, 0]", 20, "finite and above 0"},
-        Refusal{DerivativeKeys::kind, "order = [1, 1]", 13, "twice"},
-        Refusal{AccuracyKeys::kind, "decomposed_trials = -1", 21, "not be negative"},
-        Refusal{HardCasesKeys::kind, "kept = 1001", 8, "kept must be 1 to 1000"},
-        Refusal{GuaranteesKeys::kind, "budget = -1", 10, "at least 1"},
-        Refusal{SearchKeys::kind, "budget = -1", 10, "at least 1"},
-        Refusal{TimingKeys::kind, "points = [1]", 11, "points must be 2 to"}}) {
-    const auto text = study_of(kind(), more);
+        Refusal{"fitting", "baseline = \"de_casteljau\"", 1, "measures against the exact value only"},
+        Refusal{"fitting", "tolerance = [1e-3, 0]", 20, "finite and above 0"},
+        Refusal{"derivative", "order = [1, 1]", 13, "twice"},
+        Refusal{"accuracy", "decomposed_trials = -1", 21, "not be negative"},
+        Refusal{"hard_cases", "kept = 1001", 8, "kept must be 1 to 1000"},
+        Refusal{"guarantees", "budget = -1", 10, "at least 1"},
+        Refusal{"search", "budget = -1", 10, "at least 1"},
+        Refusal{"timing", "points = [1]", 11, "points must be 2 to"}}) {
+    const auto text = study_of(studies::kind(kind), more);
     EXPECT_THAT(refused(text), StartsWith(last_line(text, column))) << more;
     EXPECT_THAT(refused(text), HasSubstr(what));
   }
 }
 
+const Kind& judged(Problem problem) {
+  return **std::ranges::find(studies::kinds(), std::optional(problem), &Kind::problem);
+}
+
 std::string timed(const std::string& more, Problem problem) {
   const Study study = parsed(head + "id = \"a\"\nkind = \"timing\"\n" + more);
-  const auto fault = check_timed(study, problem, test_vocabulary().generators);
+  const auto fault = check_timed(study, judged(problem), test_vocabulary().generators);
   return fault ? failure_of([&] { refuse(study, *fault); }) : "";
 }
 
@@ -177,7 +181,7 @@ TEST(Kinds, TimedProblemsNeedTheAxesOfTheirKindAndTakeItsInputs) {
   EXPECT_EQ(timed("degree = [3]\norder = [1]\n", Problem::evaluation),
             "x.toml:8:1: study \"a\": the problem evaluation does not have the key order; remove it");
   EXPECT_THAT(timed(one + "degree = [3]\n", Problem::derivative),
-              StartsWith("x.toml:4:1: study \"a\": the problem derivative needs the key order; add it"));
+              StartsWith("x.toml:4:1: study \"a\": the problem derivative requires the key order; add it"));
   EXPECT_THAT(timed(one + "degree = [3]\npoints = [10]\n", Problem::interpolation),
               StartsWith("x.toml:8:1: study \"a\": the problem interpolation does not have the key degree; remove it"));
   EXPECT_THAT(timed("degree = [3]\nmodes = [\"point\"]\n", Problem::projection),

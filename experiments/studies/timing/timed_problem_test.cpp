@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/studies/timing/timed_problems.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,9 +14,9 @@
 #include "experiments/studies/interpolation/problem.hpp"
 #include "experiments/studies/inverse_arc_length/problem.hpp"
 #include "experiments/studies/projection/problem.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/studies/subdivision/problem.hpp"
 #include "experiments/studies/timing/complexity_rows.hpp"
-#include "experiments/studies/timing/timing.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
 
 namespace bezierbench::studies {
@@ -26,46 +24,44 @@ namespace {
 
 using testing::ElementsAre;
 
-suite::TimingKeys& timing(suite::Study& study) { return suite::keys_of<suite::TimingKeys>(study); }
-
 suite::Study study_of(std::vector<std::string> methods) {
   suite::Study study;
   study.id = "race";
-  study.keys = suite::TimingKeys{};
+  study.kind = &kind("timing");
   study.degree = {3};
   study.methods = std::move(methods);
-  timing(study).modes = {suite::Mode::one_shot};
+  study.modes = {suite::Mode::one_shot};
   return study;
 }
 
 suite::Study derivatives(std::vector<std::string> methods, std::vector<int> order = {2}) {
   auto study = study_of(std::move(methods));
-  timing(study).order = std::move(order);
+  study.order = std::move(order);
   return study;
 }
 
 suite::Study lengths(std::vector<std::string> methods, std::vector<double> tolerance = {1e-6}) {
   auto study = study_of(std::move(methods));
-  timing(study).tolerance = std::move(tolerance);
+  study.tolerance = std::move(tolerance);
   return study;
 }
 
 suite::Study splines(std::vector<std::string> methods, std::vector<int> points = {12}) {
   auto study = study_of(std::move(methods));
   study.degree = {};
-  timing(study).points = std::move(points);
+  study.points = std::move(points);
   return study;
 }
 
 suite::Study fits(std::vector<std::string> methods, std::vector<double> tolerance = {1e-2}) {
   auto study = lengths(std::move(methods), std::move(tolerance));
-  timing(study).points = {10};
+  study.points = {10};
   return study;
 }
 
 suite::Study grids(std::vector<std::string> methods) {
   auto study = study_of(std::move(methods));
-  timing(study).points = {17};
+  study.points = {17};
   return study;
 }
 
@@ -97,22 +93,38 @@ std::vector<suite::Study> one_of_each() {
           study_of({"de_casteljau_split", "lerp_split", "matrix_split"})};
 }
 
+/// A study with the axes of the problem and these methods.
+suite::Study study_for(Problem problem, const std::string& methods) {
+  switch (problem) {
+    case Problem::derivative: return derivatives({methods});
+    case Problem::arc_length:
+    case Problem::inverse_arc_length: return lengths({methods});
+    case Problem::interpolation: return splines({methods});
+    case Problem::fitting: return fits({methods});
+    case Problem::grid: return grids({methods});
+    default: return study_of({methods});
+  }
+}
+
 TEST(TimedProblem, EveryCompanionHasOne) {
   for (const auto* info : judge::companion_infos())
-    EXPECT_EQ(timed_problem(study_of({std::string(info->id)})).problem, info->problem) << info->id;
+    EXPECT_EQ(timed_problem(study_for(info->problem, std::string(info->id))).problem, info->problem) << info->id;
 }
 
 TEST(TimedProblem, IsTheOneThatTheStudyNames) {
-  EXPECT_EQ(timed_problem(study_of({"chord_sum"})).problem, Problem::arc_length);
-  EXPECT_EQ(timed_problem(study_of({"schneider"})).problem, Problem::fitting);
-  EXPECT_EQ(timed_problem(study_of({"*_split"})).problem, Problem::subdivision);
-  EXPECT_EQ(timed_problem(study_of({"forward_d*"})).problem, Problem::grid);
-  EXPECT_EQ(timed_problem(study_of({"*_span"})).problem, Problem::bspline);
-  EXPECT_EQ(timed_problem(study_of({"de_casteljau"})).problem, Problem::evaluation);
-  EXPECT_EQ(timed_problem(study_of({"*"})).problem, Problem::evaluation);
-  EXPECT_EQ(timed_problem(study_of({"gauss_legendre_*"})).problem, Problem::arc_length);
+  const auto expect_named = [](Problem problem, const std::string& methods) {
+    EXPECT_EQ(timed_problem(study_for(problem, methods)).problem, problem) << methods;
+  };
+  expect_named(Problem::arc_length, "chord_sum");
+  expect_named(Problem::arc_length, "gauss_legendre_*");
+  expect_named(Problem::fitting, "schneider");
+  expect_named(Problem::subdivision, "*_split");
+  expect_named(Problem::grid, "forward_d*");
+  expect_named(Problem::bspline, "*_span");
+  expect_named(Problem::projection, "scan_?isect");
+  expect_named(Problem::evaluation, "de_casteljau");
+  expect_named(Problem::evaluation, "*");
   EXPECT_EQ(timed_problem(study_of({"*casteljau", "differences_*"})).problem, Problem::evaluation);
-  EXPECT_EQ(timed_problem(study_of({"scan_?isect"})).problem, Problem::projection);
 }
 
 TEST(TimedProblem, RivalsReproduceTheirResults) {
@@ -244,24 +256,24 @@ void toggle(std::vector<T>& key, T value) {
 }
 
 TEST(TimedProblem, RefusesWhatIsNotTimed) {
-  const auto refused = [](const suite::Study& study) { EXPECT_THROW(studies::timing_job(study, {1}), Failure); };
+  const auto refused = [](const suite::Study& study) { EXPECT_THROW(studies::make_job(study, {1}), Failure); };
   for (const auto& good : one_of_each()) {
-    EXPECT_NO_THROW(studies::timing_job(good, {1})) << good.methods[0];
+    EXPECT_NO_THROW(studies::make_job(good, {1})) << good.methods[0];
     auto study = good;
-    toggle(timing(study).tolerance, 1e-3);
+    toggle(study.tolerance, 1e-3);
     refused(study);
     study = good;
-    toggle(timing(study).order, 1);
+    toggle(study.order, 1);
     refused(study);
     study = good;
-    toggle(timing(study).points, 10);
+    toggle(study.points, 10);
     refused(study);
     study = good;
     toggle(study.degree, 3);
     refused(study);
     if (good.methods[0] == "de_casteljau") continue;
     study = good;
-    timing(study).modes = {suite::Mode::one_shot, suite::Mode::point};
+    study.modes = {suite::Mode::one_shot, suite::Mode::point};
     refused(study);
     study = good;
     study.scalar = {suite::ScalarKind::float32};
