@@ -93,6 +93,7 @@ void add_row(const bundle::CsvDocument& table, std::size_t row, const std::strin
   const bool is_new = std::ranges::find(of.studies, table.at(row, "study"), &suite::Study::id) == of.studies.end();
   auto& study = find_or_add(of.studies, table.at(row, "study"));
   if (is_new) {
+    study.kind = &studies::accuracy_kind.asks;
     study.title = "Inputs that were answered elsewhere";
     study.coordinate_range.clear();
     study.t_interval.clear();

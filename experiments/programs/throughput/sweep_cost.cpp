@@ -37,7 +37,7 @@ Comparison sweep_cost(const suite::Study& study) {
       }
   };
   const auto judged = [&] {
-    const auto job = studies::accuracy_job(study, {1, reference::Tier::certified});
+    const auto job = studies::make_job(study, {1, reference::Tier::certified});
     run::run_all(*job);
   };
   const auto fine = [&] { return sum != -1; };
