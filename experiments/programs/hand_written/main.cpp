@@ -1,81 +1,74 @@
 // SPDX-License-Identifier: MIT
-// Times every evaluator, one point at a time, against the same operations written by hand for one degree: both in one
-// race, both behind a function pointer, with the same bits in every round. Exit 1 where an evaluator takes more than
-// 1.15 times the time of the hand-written coding, by the whole interval of the ratio, or where their bits differ. A cell
-// that takes longer is raced once more at the end, since a disturbance may outlast a race; the second race counts.
-// bezierbench_hand_written [ID...]: races the evaluators with these ids, which may contain * and ?. Without an id it
-// races all evaluators.
+// Times one evaluator of each family, one point at a time, against the same operations written by hand for one degree:
+// both in one race, both behind a function pointer, with the same bits in every round. Exit 1 where an evaluator takes
+// more than 1.15 times the time of the hand-written coding, by the whole interval of the ratio, or where their bits
+// differ. A cell that takes longer is raced once more, since a disturbance may outlast a race; the second race counts.
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <new>
 #include <span>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "core/evaluate/compensated_horner.hpp"
+#include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/horner.hpp"
+#include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/prepared_state.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
-#include "experiments/programs/hand_written/cells.hpp"
+#include "experiments/programs/hand_written/codings.hpp"
 #include "experiments/programs/one_curve.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/repetition.hpp"
 #include "experiments/race/stack_offset.hpp"
-#include "experiments/suite/pattern.hpp"
 
 namespace {
 
 using namespace bezierbench;
-using programs::Cell;
-using programs::Cells;
 
 constexpr double most_ratio = 1.15;
 constexpr std::size_t points_of_batch = 256;
 
-enum class Outcome { met, missed, other_bits };
-
-constexpr std::string_view name(Outcome outcome) {
-  return outcome == Outcome::met ? "met" : outcome == Outcome::missed ? "MISSED" : "OTHER BITS";
+/// The coefficients that a method prepared: the curve itself, or the only part of its state.
+template <class State>
+const auto& coefficients_of(const State& state) {
+  if constexpr (requires { state.parts(); })
+    return std::get<0>(state.parts());
+  else
+    return state;
 }
 
-/// Races the evaluator of a cell against its hand-written coding and prints a line.
-template <class Scalar>
-Outcome race_of(const Cell<Scalar>& cell) {
-  const auto inputs =
-      programs::one_curve<Scalar>(cell.ours->info->form, cell.ours->dimension, cell.degree, points_of_batch);
-  const auto judged = programs::points_of(*cell.ours, inputs);
-  std::vector<double> ratios;
-  std::vector<double> times;
-  bool same_bits = true;
-  for (std::size_t repetition = 0; repetition < race::repetitions_per_race; ++repetition) {
-    const std::vector<race::Rival> rivals{race::kernel_rival(cell.by_hand, suite::Mode::point, inputs, judged),
-                                          race::kernel_rival(*cell.ours, suite::Mode::point, inputs, judged)};
-    const auto laps = race::with_stack_moved(
-        repetition, [&] { return race::race("hand_written", rivals, race::options_of_a_repetition()); });
-    ratios.push_back(race::median_ratio(laps[1], laps[0]));
-    times.push_back(race::median_ns(laps[1]));
-    same_bits = same_bits && laps[0].checked && laps[1].checked;
-  }
-  const auto interval = metric::median_interval(ratios, metric::timing_confidence);
-  const auto outcome = !same_bits ? Outcome::other_bits : interval.low <= most_ratio ? Outcome::met : Outcome::missed;
-  fmt::print("{:<27} {:<19} {:<6} {} {:>3} {:>8.2f} ns {:>6.2f} [{:.2f}, {:.2f}]  {}\n", cell.evaluator->id,
-             name(cell.evaluator->form), std::is_same_v<Scalar, double> ? "double" : "float", cell.ours->dimension,
-             cell.degree, metric::median(times), interval.median, interval.low, interval.high, name(outcome));
-  return outcome;
-}
-
-template <class Scalar>
-Cells<Scalar> all_cells() {
-  Cells<Scalar> cells;
-  programs::append_cells<Scalar, instantiate::Family::triangle>(cells);
-  programs::append_cells<Scalar, instantiate::Family::bernstein>(cells);
-  programs::append_cells<Scalar, instantiate::Family::power>(cells);
-  programs::append_cells<Scalar, instantiate::Family::rational>(cells);
-  return cells;
-}
-
-bool is_named(const MethodInfo& evaluator, std::span<const char* const> patterns) {
-  return patterns.empty() ||
-         std::ranges::any_of(patterns, [&](const char* pattern) { return suite::matches(pattern, evaluator.id); });
+/// The coding behind the interface of `ours`, whose prepared coefficients it takes.
+template <class Evaluator, class Coding, class Scalar, int Dimension, int Degree>
+Kernel<Scalar> coded_kernel(const Kernel<Scalar>& ours) {
+  using Points = hand_written::Points<Scalar, Dimension, Degree>;
+  Kernel<Scalar> kernel = ours;
+  kernel.prepared_size = sizeof(Points);
+  kernel.prepared_alignment = alignof(Points);
+  kernel.prepare = [](const CurveView<Scalar>& curve, void* prepared) {
+    const auto& own = *find_kernel<Scalar>(Evaluator::info.id, Evaluator::info.form, Dimension);
+    const PreparedState<Scalar> state(own, curve);
+    auto& points = *new (prepared) Points;
+    const auto& coefficients =
+        coefficients_of(*static_cast<const PreparedOf<Evaluator, Scalar, Dimension>*>(state.get()));
+    std::copy_n(coefficients.data(), points.values.size(), points.values.data());
+  };
+  kernel.evaluate_for = [](int /*degree*/) -> EvaluatePoints<Scalar> {
+    return [](const void* prepared, std::span<const Scalar> t, Scalar* to) {
+      const auto& points = *static_cast<const Points*>(prepared);
+      for (const Scalar at : t) {
+        hand_written::store<Dimension>(Coding::evaluate(at, points), to);
+        to += Dimension;
+      }
+    };
+  };
+  return kernel;
 }
 
 struct Counts {
@@ -83,37 +76,66 @@ struct Counts {
   int missed = 0;
 };
 
+/// Races both codings and prints a line. Returns whether the goal is met.
 template <class Scalar>
-Counts race_all(const Cells<Scalar>& cells, std::span<const char* const> patterns) {
-  Counts counts;
-  std::vector<const Cell<Scalar>*> again;
-  for (const auto& cell : cells.coded) {
-    if (!is_named(*cell.evaluator, patterns)) continue;
-    ++counts.cells;
-    if (race_of(cell) != Outcome::met) again.push_back(&cell);
+bool race_of(const Kernel<Scalar>& ours, const Kernel<Scalar>& by_hand, int degree) {
+  const auto inputs = programs::one_curve<Scalar>(ours.info->form, ours.dimension, degree, points_of_batch);
+  const auto judged = programs::points_of(ours, inputs);
+  std::vector<double> ratios;
+  std::vector<double> times;
+  bool same_bits = true;
+  for (std::size_t repetition = 0; repetition < race::repetitions_per_race; ++repetition) {
+    const std::vector<race::Rival> rivals{race::kernel_rival(by_hand, suite::Mode::point, inputs, judged),
+                                          race::kernel_rival(ours, suite::Mode::point, inputs, judged)};
+    const auto laps = race::with_stack_moved(
+        repetition, [&] { return race::race("hand_written", rivals, race::options_of_a_repetition()); });
+    ratios.push_back(race::median_ratio(laps[1], laps[0]));
+    times.push_back(race::median_ns(laps[1]));
+    same_bits = same_bits && laps[0].checked && laps[1].checked;
   }
-  if (!again.empty()) fmt::print("once more:\n");
-  for (const auto* cell : again)
-    if (race_of(*cell) != Outcome::met) ++counts.missed;
-  return counts;
+  const auto interval = metric::median_interval(ratios, metric::timing_confidence);
+  const bool met = same_bits && interval.low <= most_ratio;
+  fmt::print("{:<19} {:<6} {} {:>3} {:>8.2f} ns {:>6.2f} [{:.2f}, {:.2f}]  {}\n", ours.info->id,
+             std::is_same_v<Scalar, double> ? "double" : "float", ours.dimension, degree, metric::median(times),
+             interval.median, interval.low, interval.high,
+             !same_bits ? "OTHER BITS"
+             : met      ? "met"
+                        : "MISSED");
+  return met;
 }
 
-void print_without_coding(std::span<const MethodInfo* const> evaluators, std::span<const char* const> patterns) {
-  for (const auto* evaluator : evaluators)
-    if (is_named(*evaluator, patterns))
-      fmt::print("no hand-written coding: {} ({})\n", evaluator->id, name(evaluator->form));
+template <class Evaluator, class Coding, class Scalar, int Dimension, int... Degree>
+void race_degrees(Counts& counts, std::integer_sequence<int, Degree...> /*degrees*/) {
+  const auto& ours = *find_kernel<Scalar>(Evaluator::info.id, Evaluator::info.form, Dimension);
+  const auto count = [&](const Kernel<Scalar>& by_hand, int degree) {
+    ++counts.cells;
+    if (!race_of(ours, by_hand, degree) && !race_of(ours, by_hand, degree)) ++counts.missed;
+  };
+  (count(coded_kernel<Evaluator, Coding, Scalar, Dimension, Degree>(ours), Degree), ...);
+}
+
+template <class Evaluator, class Coding>
+void race_evaluator(Counts& counts) {
+  using Few = std::integer_sequence<int, 3, 10, 20>;
+  using More = std::integer_sequence<int, 1, 2, 3, 5, 10, 20>;
+  race_degrees<Evaluator, Coding, double, 1>(counts, Few());
+  race_degrees<Evaluator, Coding, double, 2>(counts, More());
+  race_degrees<Evaluator, Coding, double, 3>(counts, Few());
+  race_degrees<Evaluator, Coding, float, 1>(counts, Few());
+  race_degrees<Evaluator, Coding, float, 2>(counts, Few());
+  race_degrees<Evaluator, Coding, float, 3>(counts, Few());
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const std::span<const char* const> patterns(argv + 1, static_cast<std::size_t>(argc) - 1);
-  fmt::print("{:<27} {:<19} {:<6} d {:>3} {:>11} {:>6} {}\n", "evaluator", "form", "scalar", "n", "ours", "ratio",
+int main() {
+  fmt::print("{:<19} {:<6} d {:>3} {:>11} {:>6} {}\n", "evaluator", "scalar", "n", "ours", "ratio",
              "to the hand-written coding");
-  const auto doubles = all_cells<double>();
-  const auto of_double = race_all(doubles, patterns);
-  const auto of_float = race_all(all_cells<float>(), patterns);
-  print_without_coding(doubles.without_coding, patterns);
-  fmt::print("{} cells, {} missed\n", of_double.cells + of_float.cells, of_double.missed + of_float.missed);
-  return of_double.missed + of_float.missed == 0 ? 0 : 1;
+  Counts counts;
+  race_evaluator<HornerBernstein, hand_written::HornerBernstein>(counts);
+  race_evaluator<DeCasteljau, hand_written::DeCasteljau>(counts);
+  race_evaluator<Horner, hand_written::Horner>(counts);
+  race_evaluator<CompensatedHorner, hand_written::CompensatedHorner>(counts);
+  fmt::print("{} cells, {} missed\n", counts.cells, counts.missed);
+  return counts.missed == 0 ? 0 : 1;
 }

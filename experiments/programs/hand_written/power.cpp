@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "experiments/programs/hand_written/family_cells.hpp"
-
-namespace bezierbench::programs {
-
-template void append_cells<double, instantiate::Family::power>(Cells<double>&);
-template void append_cells<float, instantiate::Family::power>(Cells<float>&);
-
-}  // namespace bezierbench::programs
