@@ -2,7 +2,10 @@
 // One input of which a property can hold or not.
 #pragma once
 
+#include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 #include <vector>
 
@@ -32,5 +35,17 @@ struct Case {
     return static_cast<std::size_t>(i) * static_cast<std::size_t>(dimension) + static_cast<std::size_t>(axis);
   }
 };
+
+// The bits that a number takes.
+
+/// The exponent of the lowest bit that is set, for x != 0.
+inline int lowest_bit(double x) {
+  int exponent = 0;
+  const auto integer = static_cast<std::uint64_t>(std::ldexp(std::abs(std::frexp(x, &exponent)), 53));
+  return exponent - 53 + std::countr_zero(integer);
+}
+
+/// The bits from the highest to the lowest that is set; 0 for 0.
+inline int significant_bits(double x) { return x == 0 ? 0 : std::ilogb(x) - lowest_bit(x) + 1; }
 
 }  // namespace bezierbench::guarantees

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "experiments/guarantees/bits.hpp"
 #include "experiments/guarantees/case.hpp"
 
 namespace bezierbench::guarantees {

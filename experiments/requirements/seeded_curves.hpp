@@ -4,11 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <random>
 #include <vector>
 
 #include "core/evaluate/prepared_state.hpp"
+#include "core/method.hpp"
 
 namespace bezierbench::requirements {
 
@@ -46,6 +48,27 @@ std::vector<Scalar> evaluate(const Kernel<Scalar>& kernel, const CurveView<Scala
   std::vector<Scalar> points(t.size() * static_cast<std::size_t>(curve.dimension));
   PreparedState<Scalar>(kernel, curve).evaluate(t, points.data());
   return points;
+}
+
+// The parameters and degrees at which properties are decided.
+
+/// The ends, their neighbours, the middle, and both sides of [0, 1].
+inline std::vector<double> parameters() { return {0, 1, 0.5, 0.3, 0x1p-30, 1 - 0x1p-53, 0.9, -0.25, 1.5}; }
+
+/// Those at which the method has a value: outside [0, 1] sums of weights may vanish, and some methods end there.
+inline std::vector<double> parameters_for(const MethodInfo& info) {
+  auto ts = parameters();
+  if (info.form == Form::rational || info.unit_interval_only)
+    std::erase_if(ts, [](double t) { return t < 0 || t > 1; });
+  return ts;
+}
+
+/// Those of `degrees` that the method takes.
+template <class Scalar = double>
+std::vector<int> degrees_for(const MethodInfo& info, std::initializer_list<int> degrees) {
+  std::vector<int> taken = degrees;
+  std::erase_if(taken, [&](int degree) { return !info.supports<Scalar>(degree); });
+  return taken;
 }
 
 }  // namespace bezierbench::requirements
