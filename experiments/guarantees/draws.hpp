@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "experiments/guarantees/case.hpp"
-#include "experiments/sample/continuous.hpp"
+#include "experiments/sample/independent_points.hpp"
 #include "experiments/sample/words.hpp"
 
 namespace bezierbench::guarantees {

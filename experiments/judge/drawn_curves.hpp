@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/sample/draw.hpp"
 
 namespace bezierbench::judge {

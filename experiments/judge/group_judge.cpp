@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/judge/error_sources.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/metric/error_units.hpp"

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "core/basis/amplification.hpp"
-#include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/suite/fault.hpp"

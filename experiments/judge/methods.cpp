@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/judge/methods.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <span>
 #include <type_traits>
 #include <vector>
 
+#include "core/arc_length/inverse/kernel.hpp"
+#include "core/arc_length/kernel.hpp"
+#include "core/bspline/kernel.hpp"
+#include "core/derivative/kernel.hpp"
+#include "core/fit/kernel.hpp"
+#include "core/grid/kernel.hpp"
+#include "core/interpolate/kernel.hpp"
+#include "core/project/kernel.hpp"
+#include "core/subdivide/kernel.hpp"
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/peers/peers.hpp"
+#include "experiments/suite/fault.hpp"
+#include "experiments/suite/names.hpp"
+#include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::judge {
+
 namespace {
 
 constexpr int max_dimension = 3;
@@ -79,5 +96,91 @@ std::span<const MethodInfo* const> companion_peer_infos() {
   }();
   return infos;
 }
+
+namespace {
+
+/// One entry for each problem's roster, and one for the methods of other libraries.
+constexpr std::array rosters{derivative_infos,    arc_length_infos,    inverse_arc_length_infos,
+                             projection_infos,    interpolation_infos, fitting_infos,
+                             split_infos,         grid_infos,          bspline_infos,
+                             companion_peer_infos};
+
+}  // namespace
+
+std::vector<const MethodInfo*> companion_infos() {
+  std::vector<const MethodInfo*> all;
+  for (const auto& infos : rosters)
+    for (const auto* info : infos()) all.push_back(info);
+  return all;
+}
+
+std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Problem problem) {
+  auto infos = companion_infos();
+  std::erase_if(infos, [&](const MethodInfo* info) { return info->problem != problem; });
+  if (study.methods.empty()) {
+    std::erase_if(infos, [](const MethodInfo* info) { return suite::is_peer(info->id); });
+    return infos;
+  }
+  const auto means = [](const MethodInfo* info) {
+    return [info](const std::string& pattern) { return suite::means(pattern, info->id); };
+  };
+  for (std::size_t k = 0; k < study.methods.size(); ++k)
+    if (std::ranges::none_of(infos, [&](const MethodInfo* info) { return suite::means(study.methods[k], info->id); }))
+      suite::refuse(study, {"methods",
+                            k,
+                            {},
+                            fmt::format("\"{}\" is no method for the problem {}; see `list methods`", study.methods[k],
+                                        name(problem))});
+  std::erase_if(infos, [&](const MethodInfo* info) { return std::ranges::none_of(study.methods, means(info)); });
+  return infos;
+}
+
+void require_form(const suite::Study& study, bool any_method) {
+  if (any_method) return;
+  suite::refuse(study,
+                {study.methods.empty() ? "curve" : "methods", 0, "curve",
+                 fmt::format("none of its methods takes curves in {} form; see `list methods`", name(study.curve))});
+}
+
+bool takes(const MethodInfo& info, const suite::Interval& t_interval) {
+  return !info.unit_interval_only || (t_interval.min >= 0 && t_interval.max <= 1);
+}
+
+template <class Scalar>
+std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, const sample::Cell& cell) {
+  const Form form = study.curve;
+  const int dimension = cell.dimension;
+  for (std::size_t k = 0; k < study.methods.size(); ++k) {
+    const std::string& pattern = study.methods[k];
+    const MethodInfo* named = nullptr;
+    bool somewhere = false;
+    for (const auto& kernel : methods<Scalar>(dimension)) {
+      if (kernel.info->form != form || !suite::means(pattern, kernel.info->id)) continue;
+      named = kernel.info;
+      somewhere = somewhere || std::ranges::any_of(study.t_interval, [&](const auto& t) { return takes(*named, t); });
+    }
+    if (named != nullptr && !somewhere)
+      suite::refuse(study,
+                    {"methods", k, "t_interval",
+                     fmt::format("method \"{}\" takes t in [0,1] only; narrow t_interval or leave it out", pattern)});
+    if (named == nullptr)
+      suite::refuse(study, {"methods", k, "curve",
+                            fmt::format("method \"{}\" does not take curves in {} form, {} with {} axes; see `list "
+                                        "methods`",
+                                        pattern, name(form), suite::name(ScalarFacts<Scalar>::kind), dimension)});
+  }
+  std::vector<const Kernel<Scalar>*> chosen;
+  const std::vector<std::string> all{"*"};
+  for (const auto& kernel : methods<Scalar>(dimension)) {
+    if (kernel.info->form != form || !takes(*kernel.info, cell.t_interval)) continue;
+    const bool named = std::ranges::any_of(study.methods.empty() ? all : study.methods,
+                                           [&](const auto& pattern) { return suite::means(pattern, kernel.info->id); });
+    if (named) chosen.push_back(&kernel);
+  }
+  return chosen;
+}
+
+template std::vector<const Kernel<float>*> chosen_kernels<float>(const suite::Study&, const sample::Cell&);
+template std::vector<const Kernel<double>*> chosen_kernels<double>(const suite::Study&, const sample::Cell&);
 
 }  // namespace bezierbench::judge

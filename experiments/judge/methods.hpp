@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
-// All methods of the problems that peers solve as well: our own methods and, in a build with peers, those of other
-// libraries.
+// The methods that there are: evaluators, conversions and those of companion problems, our own and, in a build with peers,
+// those of other libraries; and those of them that a study names.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/arc_length/kernel.hpp"
 #include "core/evaluate/kernel.hpp"
+#include "core/method.hpp"
 #include "core/project/kernel.hpp"
+#include "experiments/sample/cell.hpp"
+#include "experiments/suite/suite.hpp"
 
 namespace bezierbench::judge {
 
@@ -30,5 +35,26 @@ const Kernel<Scalar>* find_method(std::string_view id, Form form, int dimension)
     if (kernel.info->id == id && kernel.info->form == form) return &kernel;
   return nullptr;
 }
+
+// The methods of the companion problems: derivative, arc length, projection, interpolation, fitting.
+
+/// The info of every method of every companion problem, problem by problem in roster order.
+std::vector<const MethodInfo*> companion_infos();
+
+/// The methods of one problem that `study.methods` names, in roster order; all of them where it names none. Throws
+/// Failure(usage) for an entry that names no method of this problem.
+std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Problem problem);
+
+/// Throws Failure(usage) where no method that was chosen takes curves of the study's form.
+void require_form(const suite::Study& study, bool any_method);
+
+/// True where the method has points at every t of the interval.
+bool takes(const MethodInfo& info, const suite::Interval& t_interval);
+
+/// Every method that `study.methods` names and that takes curves of the study's form at the t of the cell, in roster
+/// order; all of them when it names none. Other libraries' methods must be named. Throws Failure(usage) for an id that
+/// exists only for another form, scalar or dimension, or for none of the t of the study.
+template <class Scalar>
+std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, const sample::Cell& cell);
 
 }  // namespace bezierbench::judge

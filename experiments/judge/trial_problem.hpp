@@ -12,8 +12,7 @@
 
 #include "core/method.hpp"
 #include "experiments/judge/case_axes.hpp"
-#include "experiments/judge/companions.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/sample/cell.hpp"
 
 namespace bezierbench::judge {

@@ -7,8 +7,8 @@
 
 #include "core/basis/falling_factorial.hpp"
 #include "core/basis/integer_power.hpp"
-#include "experiments/metric/all_finite.hpp"
 #include "experiments/metric/error_units.hpp"
+#include "experiments/metric/norm.hpp"
 #include "reference/exact_point.hpp"
 
 namespace bezierbench::metric {

@@ -3,11 +3,17 @@
 // double.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/basis/lane_choice.hpp"
 
 namespace bezierbench::metric {
+
+[[nodiscard]] inline bool all_finite(std::span<const double> values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
 
 /// The larger of two numbers.
 template <class Real>

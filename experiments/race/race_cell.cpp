@@ -12,8 +12,8 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
-#include "experiments/race/judged_race.hpp"
-#include "experiments/race/stack_offset.hpp"
+#include "experiments/race/repetition.hpp"
+#include "experiments/race/timed_problem.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
 

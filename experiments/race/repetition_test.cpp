@@ -9,7 +9,7 @@
 
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
-#include "experiments/sample/philox.hpp"
+#include "experiments/sample/words.hpp"
 
 namespace bezierbench::race {
 namespace {

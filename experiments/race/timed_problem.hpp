@@ -4,6 +4,7 @@
 // problem.hpp states (race/timed_companion.hpp).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -42,5 +43,11 @@ struct TimedProblem {
   JudgedRivals (*rivals)(const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,
                          std::shared_ptr<const void>& trials);
 };
+
+// One repetition of a race among rivals that were judged beforehand.
+
+/// Races all rivals and the sentinels against each other. A rival whose results were wrong is not `checked`.
+RaceCellLaps race_of(const RaceCell& race_cell, const suite::Study& study, JudgedRivals judged, std::size_t repetition,
+                     const RaceOptions& options);
 
 }  // namespace bezierbench::race

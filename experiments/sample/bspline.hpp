@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "experiments/sample/continuous.hpp"
+#include "experiments/sample/independent_points.hpp"
 #include "experiments/sample/knot_kind.hpp"
 
 namespace bezierbench::sample {

@@ -25,7 +25,7 @@
 #include <numeric>
 #include <utility>
 
-#include "experiments/sample/continuous.hpp"
+#include "experiments/sample/independent_points.hpp"
 
 namespace bezierbench::sample {
 

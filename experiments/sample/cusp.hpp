@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/sample/continuous.hpp"
+#include "experiments/sample/independent_points.hpp"
 
 namespace bezierbench::sample {
 

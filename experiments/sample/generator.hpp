@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "experiments/sample/words.hpp"
-#include "experiments/suite/generator_limits.hpp"
 #include "experiments/suite/suite.hpp"
+#include "experiments/suite/vocabulary.hpp"
 
 namespace bezierbench::sample {
 

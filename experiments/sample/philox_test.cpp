@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/sample/philox.hpp"
 
 #include <gtest/gtest.h>
 

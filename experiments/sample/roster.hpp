@@ -6,17 +6,11 @@
 
 #include "experiments/sample/bspline.hpp"
 #include "experiments/sample/clustered_roots.hpp"
-#include "experiments/sample/continuous.hpp"
 #include "experiments/sample/cusp.hpp"
-#include "experiments/sample/distant.hpp"
-#include "experiments/sample/dyadic.hpp"
-#include "experiments/sample/graded.hpp"
-#include "experiments/sample/integer.hpp"
+#include "experiments/sample/independent_points.hpp"
 #include "experiments/sample/multiple_root.hpp"
-#include "experiments/sample/report.hpp"
 #include "experiments/sample/thin.hpp"
-#include "experiments/sample/weights_mild.hpp"
-#include "experiments/sample/weights_wild.hpp"
+#include "experiments/sample/weights.hpp"
 
 namespace bezierbench::sample {
 

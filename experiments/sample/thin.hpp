@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "experiments/sample/continuous.hpp"
+#include "experiments/sample/independent_points.hpp"
 
 namespace bezierbench::sample {
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "experiments/sample/weights.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,8 +8,6 @@
 #include <map>
 
 #include "experiments/sample/draw.hpp"
-#include "experiments/sample/weights_mild.hpp"
-#include "experiments/sample/weights_wild.hpp"
 
 namespace bezierbench::sample {
 namespace {

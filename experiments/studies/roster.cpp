@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "experiments/judge/companions.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/study_inputs.hpp"
 #include "experiments/suite/pattern.hpp"

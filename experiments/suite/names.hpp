@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/curve_view.hpp"
-#include "experiments/suite/values.hpp"
+#include "experiments/suite/suite.hpp"
 
 namespace bezierbench::suite {
 

@@ -2,15 +2,63 @@
 // The values in a suite file: which studies, over which axes.
 #pragma once
 
+#include <compare>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "core/curve_view.hpp"
-#include "experiments/suite/places.hpp"
-#include "experiments/suite/values.hpp"
 
 namespace bezierbench::suite {
+
+// Where a study and its keys are written, for messages about faults.
+
+/// A place in a file; line and column count from 1.
+struct Position {
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+};
+
+struct KeyPlace {
+  Position key;
+  Position value;
+  std::vector<Position> elements;  ///< for a value that is an array
+};
+
+struct Places {
+  std::string file;  ///< empty for a study that was not read from a file
+  Position header;   ///< place of the [[study]] line
+  std::map<std::string, KeyPlace, std::less<>> keys;
+  std::map<std::string, std::string, std::less<>> options;  ///< by key: the option that has set it
+};
+
+// Types of the values of a suite's keys, other than numbers, texts and forms of curves.
+
+enum class ScalarKind { float32, float64 };
+
+/// What one timed call does: prepare and one point; one prepared point; a dependent chain of points; one curve at many
+/// t.
+enum class Mode { one_shot, point, latency, batch };
+
+struct Interval {
+  double min = 0;
+  double max = 1;
+  friend auto operator<=>(const Interval&, const Interval&) = default;
+};
+
+/// A goal for a method's batch kernel: a share of the peak, or the time of another method, in every row that it applies
+/// to.
+struct Goal {
+  std::string method = {};                  ///< id of the method
+  double share = 0;                         ///< least share of the target's peak; 0: no such goal
+  std::string no_slower_than = {};          ///< id of a method, timed by its scalar kernel; empty: no such goal
+  ScalarKind scalar = ScalarKind::float64;  ///< scalar of the rows; degrees likewise
+  int from_degree = 0;
+  int to_degree = max_degree;
+  bool needs_additions_beside = false;  ///< only on targets whose peak rises with additions beside multiply-adds
+  friend auto operator<=>(const Goal&, const Goal&) = default;
+};
 
 struct Kind;
 

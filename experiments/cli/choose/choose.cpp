@@ -17,7 +17,7 @@
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/echo.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/choices.hpp"

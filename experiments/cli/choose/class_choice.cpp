@@ -9,7 +9,6 @@
 #include <map>
 #include <set>
 
-#include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/number/number.hpp"

@@ -16,7 +16,6 @@
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/judge/error_sources.hpp"
-#include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/number/number.hpp"

@@ -13,7 +13,7 @@
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/judge/input_fields.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"

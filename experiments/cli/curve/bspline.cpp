@@ -16,7 +16,7 @@
 #include "experiments/cli/curve/judged_coordinate.hpp"
 #include "experiments/cli/curve/point_file.hpp"
 #include "experiments/cli/startup/known_values.hpp"
-#include "experiments/metric/bspline_bound_at.hpp"
+#include "experiments/metric/bound_at.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/companion/exact_bspline.hpp"
 

@@ -13,7 +13,7 @@
 #include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/judged_coordinate.hpp"
 #include "experiments/cli/startup/known_values.hpp"
-#include "experiments/metric/grid_bound_at.hpp"
+#include "experiments/metric/bound_at.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/exact_curve.hpp"
 

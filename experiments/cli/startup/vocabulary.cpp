@@ -10,7 +10,6 @@
 #include "build_facts.hpp"
 #include "core/evaluate/guarantees.hpp"
 #include "core/evaluate/kernel.hpp"
-#include "experiments/judge/companions.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/sample/draw.hpp"

@@ -26,7 +26,6 @@
 #include "experiments/programs/one_curve.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/repetition.hpp"
-#include "experiments/race/stack_offset.hpp"
 
 namespace {
 

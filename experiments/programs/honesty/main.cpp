@@ -16,7 +16,6 @@
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/repetition.hpp"
 #include "experiments/race/sentinel.hpp"
-#include "experiments/race/stack_offset.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/sample/draw.hpp"

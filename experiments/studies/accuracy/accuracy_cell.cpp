@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "experiments/judge/input_fields.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/number/number.hpp"

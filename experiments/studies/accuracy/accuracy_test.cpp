@@ -12,7 +12,7 @@
 #include "core/batch/batch.hpp"
 #include "core/evaluate/kernel.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/sample/draw.hpp"

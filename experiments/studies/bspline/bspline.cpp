@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "experiments/metric/all_finite.hpp"
-#include "experiments/metric/bspline_bound_at.hpp"
+#include "experiments/metric/bound_at.hpp"
 #include "experiments/metric/norm.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "experiments/race/timed_companion.hpp"

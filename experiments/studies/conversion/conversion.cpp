@@ -12,10 +12,10 @@
 #include <map>
 
 #include "core/evaluate/kernel.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/judge/study_inputs.hpp"
-#include "experiments/metric/all_finite.hpp"
 #include "experiments/metric/counts.hpp"
+#include "experiments/metric/norm.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"

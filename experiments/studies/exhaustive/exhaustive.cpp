@@ -16,7 +16,7 @@
 
 #include "core/batch/batch.hpp"
 #include "core/evaluate/prepared_state.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/exhaustive/float_range.hpp"

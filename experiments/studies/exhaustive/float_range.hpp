@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "experiments/suite/values.hpp"
+#include "experiments/suite/suite.hpp"
 
 namespace bezierbench::studies {
 

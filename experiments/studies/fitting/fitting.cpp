@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/judge/companions.hpp"
-#include "experiments/metric/all_finite.hpp"
+#include "experiments/judge/methods.hpp"
+#include "experiments/metric/norm.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/fitting/problem.hpp"
 #include "experiments/studies/roster.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/metric/grid_bound_at.hpp"
+#include "experiments/metric/bound_at.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/grid/problem.hpp"
 #include "experiments/studies/roster.hpp"

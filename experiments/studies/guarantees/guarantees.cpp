@@ -13,7 +13,7 @@
 
 #include "experiments/echo.hpp"
 #include "experiments/judge/input_fields.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"

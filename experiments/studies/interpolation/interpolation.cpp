@@ -3,7 +3,7 @@
 // control points are judged against the exact ones and by the conditions that they must meet. Writes interpolation.csv,
 // with a row for each number of points and method.
 
-#include "experiments/judge/companions.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/interpolation/problem.hpp"
 #include "experiments/studies/roster.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/interpolate/interpolation.hpp"
-#include "experiments/metric/all_finite.hpp"
+#include "experiments/metric/norm.hpp"
 
 namespace bezierbench::studies {
 namespace {

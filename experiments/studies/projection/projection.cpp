@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/judge/companions.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/projection/problem.hpp"
 #include "experiments/studies/roster.hpp"

@@ -2,7 +2,7 @@
 // Studies of kind `roofline`: batch kernels against the peak of each target, measured in the same rounds.
 
 #include "experiments/race/clock.hpp"
-#include "experiments/race/timed_inputs.hpp"
+#include "experiments/race/timed_check.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/roofline/roofline_race.hpp"
 #include "experiments/studies/roofline/roofline_rows.hpp"

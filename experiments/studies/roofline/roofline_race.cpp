@@ -5,13 +5,11 @@
 
 #include <map>
 
-#include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/observed_error.hpp"
 #include "experiments/race/peak_rival.hpp"
 #include "experiments/race/timed_check.hpp"
-#include "experiments/race/timed_inputs.hpp"
 
 namespace bezierbench::studies {
 namespace {

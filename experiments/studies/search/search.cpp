@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "experiments/judge/input_fields.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/number/number.hpp"

@@ -3,7 +3,7 @@
 
 #include "core/evaluate/kernel.hpp"
 #include "experiments/judge/input_fields.hpp"
-#include "experiments/judge/method_choice.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/roster.hpp"

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "experiments/metric/all_finite.hpp"
+#include "experiments/metric/norm.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "experiments/studies/subdivision/problem.hpp"
 

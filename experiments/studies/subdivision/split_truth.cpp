@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "experiments/metric/all_finite.hpp"
+#include "experiments/metric/norm.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/timing/timed_evaluation.hpp"
 
-#include "experiments/judge/method_choice.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/timed_check.hpp"
-#include "experiments/race/timed_inputs.hpp"
 
 namespace bezierbench::studies {
 namespace {

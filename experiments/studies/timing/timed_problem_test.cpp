@@ -4,7 +4,7 @@
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/judge/companions.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/arc_length/problem.hpp"
 #include "experiments/studies/bspline/problem.hpp"

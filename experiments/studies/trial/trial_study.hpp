@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "experiments/failure.hpp"
-#include "experiments/judge/companions.hpp"
+#include "experiments/judge/methods.hpp"
 #include "experiments/judge/study_inputs.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"

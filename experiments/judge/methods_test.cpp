@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/judge/method_choice.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "experiments/failure.hpp"
+#include "experiments/judge/methods.hpp"
 
 namespace bezierbench::judge {
 namespace {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The bound of one point of a grid, for TrialScale.
+// Bounds of companion problems at one point of their answer.
 #pragma once
 
 #include <cmath>
+#include <limits>
 
+#include "core/basis/bspline_bound.hpp"
 #include "core/basis/grid_bound.hpp"
 #include "experiments/metric/trial_scale.hpp"
 
@@ -21,6 +23,25 @@ inline BoundAtDegree bound_at(const GridBound& bound, int degree, int k, int ste
   at.underflow = std::ceil(bound.underflow(degree, steps));
   at.growth = bound.growth(degree, steps);
   return at;
+}
+
+// The bound of a point of a B-spline curve, or of a control point of a knot span in Bernstein form, in coordinate
+// units.
+
+/// The sizes in a bound: on one axis or, with Euclidean norms as magnitudes, on all axes at once (see TrialScale).
+struct BsplineSizes {
+  int degree;
+  int axes;
+  double p_tilde;
+  double largest;  ///< max |d_i|
+};
+
+/// Infinite where a result on the way may overflow.
+inline double bound_at(const BsplineBound::Part& bound, const BsplineSizes& sizes, const Arithmetic& arithmetic) {
+  const double u = arithmetic.unit_roundoff;
+  if (!stays_in_range(sizes.largest, sizes.degree, u)) return std::numeric_limits<double>::infinity();
+  const double lost = std::ceil(bound.underflow(sizes.degree)) * sizes.axes * (1 + sizes.largest);
+  return bound.factor(sizes.degree, u) * u * sizes.p_tilde + lost * arithmetic.smallest_subnormal;
 }
 
 }  // namespace bezierbench::metric
