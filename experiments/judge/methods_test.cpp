@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "experiments/judge/methods.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "experiments/failure.hpp"
-#include "experiments/judge/methods.hpp"
 
 namespace bezierbench::judge {
 namespace {
