@@ -41,6 +41,14 @@ int main(void) {
   MEMBER(bb_length, error_estimate);
   MEMBER(bb_length, evaluations);
   MEMBER(bb_length, converged);
+  STRUCT(bb_parameter);
+  MEMBER(bb_parameter, t);
+  MEMBER(bb_parameter, error_estimate);
+  MEMBER(bb_parameter, iterations);
+  MEMBER(bb_parameter, converged);
+  STRUCT(bb_half);
+  MEMBER(bb_half, points);
+  MEMBER(bb_half, weights);
   STRUCT(bb_foot);
   MEMBER(bb_foot, t);
   MEMBER(bb_foot, distance);

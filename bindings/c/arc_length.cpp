@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Arc lengths by a method, true ones, and errors.
+// Arc lengths by a method, true ones, and errors; parameters at a length.
+#include <algorithm>
 #include <cmath>
 
 #include "bindings/c/chosen.hpp"
+#include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "reference/length/true_length.hpp"
 
@@ -13,6 +15,16 @@ namespace {
 /// Throws Refused unless these are parameters of a part of the curve; NaN is none.
 void require_part(double from, double to) { c::require(0 <= from && from <= to && to <= 1, BB_ERROR_PARAMETER); }
 
+void require_tolerance(double tolerance) { c::require(std::isfinite(tolerance) && tolerance > 0, BB_ERROR_TOLERANCE); }
+
+/// The length of the curve by the method that is best at it.
+double whole_length(const CurveView<double>& curve) {
+  constexpr double tolerance = 1e-15;
+  return c::chosen(arc_length_kernels(curve.dimension), "gauss_legendre_adaptive", curve)
+      .measure(curve, 0, 1, tolerance)
+      .length;
+}
+
 }  // namespace
 
 int bb_arc_length(const char* method, const bb_curve* curve, double from, double to, double tolerance,
@@ -21,7 +33,7 @@ int bb_arc_length(const char* method, const bb_curve* curve, double from, double
     const auto view = c::curve_of(curve);
     const auto& kernel = c::chosen(arc_length_kernels(view.dimension), method, view);
     require_part(from, to);
-    c::require(std::isfinite(tolerance) && tolerance > 0, BB_ERROR_TOLERANCE);
+    require_tolerance(tolerance);
     c::require_pointers(length);
     const auto found = kernel.measure(view, from, to, tolerance);
     *length = {found.length, found.error_estimate, found.evaluations, found.converged ? 1 : 0};
@@ -43,5 +55,18 @@ int bb_arc_length_error(const bb_curve* curve, double from, double to, double le
     require_part(from, to);
     c::require_pointers(error);
     *error = reference::TrueLength(view, from, to).error_of(length);
+  });
+}
+
+int bb_at_length(const char* method, const bb_curve* curve, double length, double tolerance, bb_parameter* found) {
+  return c::guarded([&] {
+    const auto view = c::curve_of(curve);
+    const auto& kernel = c::chosen(inverse_arc_length_kernels(view.dimension), method, view);
+    require_tolerance(tolerance);
+    const double whole = whole_length(view);
+    c::require(0 <= length && length <= whole + tolerance * whole, BB_ERROR_PARAMETER);
+    c::require_pointers(found);
+    const auto result = kernel.solve(view, std::min(length, whole), tolerance);
+    *found = {result.t, result.error_estimate, result.iterations, result.converged ? 1 : 0};
   });
 }

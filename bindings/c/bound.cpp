@@ -11,26 +11,47 @@
 
 using namespace bezierbench;
 
+namespace {
+
+/// The bounds at every t of a curve in double, whose values may be those of floats. Throws Refused where there are none.
+template <class Scalar>
+void write_bounds(const MethodInfo& info, const CurveView<double>& curve, std::span<const Scalar> ts,
+                  const metric::Arithmetic& arithmetic, bb_bound* bounds) {
+  c::require(info.bound.has_value(), BB_ERROR_NO_BOUND);
+  if (ts.empty()) return;
+  c::require_pointers(bounds);
+  reference::ExactCurve exact;
+  std::vector<bb_bound> result;
+  for (const double at : ts) {
+    const auto truth = exact.point(curve, at);  // a copy: the next call changes the original
+    c::require(truth.exists(), BB_ERROR_NO_POINT);
+    const auto& p_tilde = exact.p_tilde(curve, at);
+    for (int axis = 0; axis < curve.dimension; ++axis) {
+      const double bound = metric::coordinate_bound(*info.bound, curve, axis, at, truth.coordinate(axis), arithmetic);
+      const auto units = metric::bound_units(bound, p_tilde.coordinate(axis), arithmetic);
+      result.push_back({bound, units.value_or(std::numeric_limits<double>::infinity())});
+    }
+  }
+  std::ranges::copy(result, bounds);
+}
+
+}  // namespace
+
 int bb_curve_bound(const char* method, const bb_curve* curve, const double* t, std::size_t count, bb_bound* bounds) {
   return c::guarded([&] {
     const auto view = c::curve_of(curve);
     const auto& info = *c::chosen(kernels<double>(view.dimension), method, view).info;
-    const auto ts = c::parameters(info, t, count);
-    c::require(info.bound.has_value(), BB_ERROR_NO_BOUND);
-    if (ts.empty()) return;
-    c::require_pointers(bounds);
-    reference::ExactCurve exact;
-    std::vector<bb_bound> result;
-    for (const double at : ts) {
-      const auto truth = exact.point(view, at);  // a copy: the next call changes the original
-      c::require(truth.exists(), BB_ERROR_NO_POINT);
-      const auto& p_tilde = exact.p_tilde(view, at);
-      for (int axis = 0; axis < view.dimension; ++axis) {
-        const double bound = metric::coordinate_bound(*info.bound, view, axis, at, truth.coordinate(axis));
-        const auto units = metric::bound_units(bound, p_tilde.coordinate(axis));
-        result.push_back({bound, units.value_or(std::numeric_limits<double>::infinity())});
-      }
-    }
-    std::ranges::copy(result, bounds);
+    write_bounds(info, view, c::parameters(info, t, count), metric::double_arithmetic, bounds);
+  });
+}
+
+int bb_bound_float(const char* method, int dimension, int degree, const float* points, const float* t,
+                   std::size_t count, bb_bound* bounds) {
+  return c::guarded([&] {
+    const auto view = c::bezier_curve(dimension, degree, points);
+    const auto& info = *c::chosen(kernels<float>(dimension), method, view).info;
+    const std::vector<double> values(view.coefficients.begin(), view.coefficients.end());
+    write_bounds(info, {Form::bernstein, dimension, degree, values}, c::parameters(info, t, count),
+                 metric::float_arithmetic, bounds);
   });
 }

@@ -254,6 +254,120 @@ TEST(C, ASplineThatCannotBeIsRefused) {
   EXPECT_EQ(status({BB_UNIFORM, BB_NATURAL, 1, nullptr, nullptr}), BB_OK);  // monotone stays within the points
 }
 
+/// x = 2t + t^2, x' = 2 + 2t, x'' = 2.
+TEST(C, DerivativesAndGridsAreThoseOfTheCurve) {
+  for (const auto& method : methods("derivative")) {
+    if (method.form != BB_BERNSTEIN || std::string(method.id) == "seed_000")
+      continue;  // which is wrong from order 2 on
+    std::array<double, 2 * count> out{};
+    for (const int order : {0, 1, 2, 3}) {
+      ASSERT_EQ(bb_derivative(method.id, &parabola, order, parameters.data(), count, out.data()), BB_OK) << method.id;
+      for (std::size_t k = 0; k < count; ++k) {
+        const double t = parameters[k];
+        const double expected = order == 0 ? 2 * t + t * t : order == 1 ? 2 + 2 * t : order == 2 ? 2 : 0;
+        EXPECT_NEAR(out[2 * k], expected, 1e-14) << method.id << ", order " << order;
+      }
+    }
+  }
+  for (const auto& method : methods("grid")) {
+    if (method.form != BB_BERNSTEIN) continue;
+    std::array<double, 10> out{};
+    ASSERT_EQ(bb_grid(method.id, &parabola, 4, out.data()), BB_OK) << method.id;
+    for (const int k : {0, 1, 2, 3, 4}) {
+      const double t = k / 4.0;
+      EXPECT_EQ(out[2 * static_cast<std::size_t>(k)], 2 * t + t * t) << method.id;
+    }
+  }
+  double out = 7;
+  const double t = 0.5;
+  EXPECT_EQ(bb_derivative("differences_horner", &parabola, -1, &t, 1, &out), BB_ERROR_PARAMETER);
+  EXPECT_EQ(bb_derivative("differences_horner", &rational, 1, &t, 1, &out), BB_ERROR_FORM);
+  EXPECT_EQ(bb_derivative("de_casteljau", &parabola, 1, &t, 1, &out), BB_ERROR_METHOD);
+  EXPECT_EQ(bb_grid("pointwise_de_casteljau", &parabola, 5, &out), BB_ERROR_COUNT);
+  EXPECT_EQ(bb_grid("pointwise_de_casteljau", &parabola, 4, nullptr), BB_ERROR_NULL);
+  EXPECT_EQ(out, 7);
+}
+
+/// The weights 1, 1/2, 1 become 1, 3/4, 3/4 and 3/4, 3/4, 1; the second point is (b_0 + b_1 / 2) / (3/2), the third
+/// (b_0 / 4 + b_1 / 4 + b_2 / 4) / (3/4).
+TEST(C, HalvesAreThoseOfTheCurve) {
+  std::array<double, 6> left{};
+  std::array<double, 6> right{};
+  std::array<double, 3> left_weights{};
+  std::array<double, 3> right_weights{};
+  const bb_half first{left.data(), left_weights.data()};
+  const bb_half second{right.data(), right_weights.data()};
+  for (const auto& method : methods("subdivision")) {
+    const bool weighted = method.form == BB_RATIONAL;
+    ASSERT_EQ(bb_split(method.id, weighted ? &rational : &parabola, 0.5, &first, &second), BB_OK) << method.id;
+    const std::array<double, 5> x =
+        weighted ? std::array{0.0, 1.0 / 3, 4.0 / 3, 7.0 / 3, 3.0} : std::array{0.0, 0.5, 1.25, 2.0, 3.0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(left[2 * i], x[i], 1e-15) << method.id;
+      EXPECT_NEAR(right[2 * i], x[2 + i], 1e-15) << method.id;
+    }
+    if (!weighted) continue;
+    EXPECT_EQ(left_weights, (std::array{1.0, 0.75, 0.75}));
+    EXPECT_EQ(right_weights, (std::array{0.75, 0.75, 1.0}));
+  }
+  const std::array opposite{1.0, 0.0, -1.0};  // whose weights at 1/2 sum to 0
+  const bb_curve pole{BB_RATIONAL, 2, 2, points.data(), opposite.data()};
+  EXPECT_EQ(bb_split("de_casteljau_split", &pole, 0.5, &first, &second), BB_ERROR_NO_POINT);
+  const bb_half unweighted{left.data(), nullptr};
+  EXPECT_EQ(bb_split("de_casteljau_split", &rational, 0.5, &unweighted, &second), BB_ERROR_NULL);
+  EXPECT_EQ(bb_split("de_casteljau_split", &parabola, infinity, &first, &second), BB_ERROR_NOT_FINITE);
+}
+
+/// The length of t^3 up to t is t^3.
+TEST(C, ParametersAreThoseOfTheLength) {
+  const std::array<double, 4> cube{0, 0, 0, 1};
+  const bb_curve curve{BB_BERNSTEIN, 1, 3, cube.data(), nullptr};
+  bb_parameter found{};
+  for (const auto& method : methods("inverse_arc_length")) {
+    ASSERT_EQ(bb_at_length(method.id, &curve, 0.125, 1e-9, &found), BB_OK);
+    if (found.converged == 0) continue;
+    EXPECT_NEAR(found.t * found.t * found.t, 0.125, 1e-9) << method.id;
+  }
+  bb_length length{};
+  ASSERT_EQ(bb_arc_length("gauss_legendre_adaptive", &parabola, 0, 1, 1e-9, &length), BB_OK);
+  ASSERT_EQ(bb_at_length("bracketed_newton", &parabola, length.length, 1e-9, &found), BB_OK);  // as it was computed
+  EXPECT_NEAR(found.t, 1, 1e-8);
+  ASSERT_EQ(bb_at_length("bracketed_newton", &curve, 1 + 1e-10, 1e-9, &found), BB_OK);
+  EXPECT_EQ(found.t, 1);
+  EXPECT_EQ(found.converged, 1);
+  for (const double outside : {1.1, -1e-12, not_a_number})
+    EXPECT_EQ(bb_at_length("bracketed_newton", &curve, outside, 1e-9, &found), BB_ERROR_PARAMETER);
+  EXPECT_EQ(bb_at_length("bracketed_newton", &curve, 0.5, 0, &found), BB_ERROR_TOLERANCE);
+}
+
+/// Against the true errors of points in float.
+TEST(C, BoundsInFloatHoldThere) {
+  const std::array<float, 6> b{0.1F, 0.3F, 1.7F, 2.1F, 3.3F, 0.7F};
+  const std::array<double, 6> same({b[0], b[1], b[2], b[3], b[4], b[5]});
+  const bb_curve curve{BB_BERNSTEIN, 2, 2, same.data(), nullptr};
+  const std::array<float, 3> t{0.125F, 0.3F, 0.9F};
+  const std::array<double, 3> at{t[0], t[1], t[2]};
+  int judged = 0;
+  for (const auto& method : methods("evaluation")) {
+    if (method.form != BB_BERNSTEIN) continue;
+    std::array<bb_bound, 6> in_float{};
+    const int status = bb_bound_float(method.id, 2, 2, b.data(), t.data(), 3, in_float.data());
+    ASSERT_EQ(status, std::string(method.bound).empty() ? BB_ERROR_NO_BOUND : BB_OK) << method.id;
+    if (status != BB_OK) continue;
+    std::array<float, 6> points_in_float{};
+    ASSERT_EQ(bb_evaluate_float(method.id, 2, 2, b.data(), t.data(), 3, points_in_float.data()), BB_OK);
+    const std::vector<double> values(points_in_float.begin(), points_in_float.end());
+    std::array<bb_error, 6> errors{};
+    ASSERT_EQ(bb_curve_error(&curve, at.data(), 3, values.data(), errors.data()), BB_OK);
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      EXPECT_LE(errors[k].error, in_float[k].bound) << method.id;
+      EXPECT_LE(in_float[k].bound, 1e-3) << method.id;
+      ++judged;
+    }
+  }
+  EXPECT_GT(judged, 60);
+}
+
 TEST(C, WhatIsWrongIsRefusedAndNothingIsWritten) {
   const double t = 0.5;
   double out = 7;
@@ -325,6 +439,9 @@ std::vector<int> statuses() {
   bb_length length;
   bb_foot foot;
   std::array<double, 16> segments;
+  bb_parameter found;
+  const bb_half half{segments.data(), nullptr};
+  constexpr std::array<float, 6> single{0, 0, 1, 2, 3, 1};
   bb_fitted* fitted = nullptr;
   bb_prepared* prepared = nullptr;
   return {bb_evaluate("horner_bernstein", 2, 2, points.data(), &t, 1, out.data()),
@@ -333,6 +450,11 @@ std::vector<int> statuses() {
           bb_curve_bound("de_casteljau", &parabola, &t, 1, bound),
           bb_arc_length("gauss_legendre_24", &parabola, 0, 1, 1e-9, &length),
           bb_exact_arc_length(&parabola, 0, 1, out.data()),
+          bb_at_length("halley", &parabola, 1, 1e-9, &found),
+          bb_derivative("differences_horner", &parabola, 1, &t, 1, out.data()),
+          bb_grid("pointwise_de_casteljau", &parabola, 2, segments.data()),
+          bb_split("de_casteljau_split", &parabola, t, &half, &half),
+          bb_bound_float("de_casteljau", 2, 2, single.data(), single.data(), 1, bound),
           bb_project("scan_refine", &parabola, points.data(), &foot),
           bb_interpolate(nullptr, 2, points.data(), 3, segments.data()),
           bb_prepare("de_casteljau", &parabola, &prepared) == BB_OK ? (bb_prepared_free(prepared), BB_OK)

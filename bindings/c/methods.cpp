@@ -5,10 +5,14 @@
 #include <vector>
 
 #include "bindings/c/curve.hpp"
+#include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
+#include "core/derivative/kernel.hpp"
 #include "core/evaluate/kernel.hpp"
 #include "core/fit/kernel.hpp"
+#include "core/grid/kernel.hpp"
 #include "core/project/kernel.hpp"
+#include "core/subdivide/kernel.hpp"
 
 using namespace bezierbench;
 
@@ -19,7 +23,11 @@ class Methods {
  public:
   Methods() {
     for (const auto& kernel : kernels<double>(1)) add(*kernel.info);
+    for (const auto* info : derivative_infos()) add(*info);
+    for (const auto* info : grid_infos()) add(*info);
+    for (const auto* info : split_infos()) add(*info);
     for (const auto* info : arc_length_infos()) add(*info);
+    for (const auto* info : inverse_arc_length_infos()) add(*info);
     for (const auto* info : projection_infos()) add(*info);
     for (const auto* info : fitting_infos()) add(*info);
   }

@@ -90,9 +90,48 @@ class Points(unittest.TestCase):
     def test_what_is_in_double_only_refuses_float(self):
         points = np.array(CURVE, dtype=np.float32)
         self.assertGreater(bezierbench.error(points, 0.7, bezierbench.evaluate(points, 0.7)).error.max(), 1e-9)
-        for call in (lambda: bezierbench.bound(points, 0.7), lambda: bezierbench.Prepared(points)):
+        for call in (lambda: bezierbench.derivative(points, 0.7), lambda: bezierbench.grid(points, 3),
+                     lambda: bezierbench.split(points, 0.7), lambda: bezierbench.Prepared(points)):
             with self.assertRaisesRegex(ValueError, "give float64"):
                 call()
+
+    def test_bounds_of_float_hold_in_float(self):
+        points, t = np.array(CURVE, dtype=np.float32), np.array([0.1, 0.7, 0.9], dtype=np.float32)
+        for method in bezierbench.methods("evaluation", "bernstein"):
+            if not method.bound:
+                continue
+            proved = bezierbench.bound(points, t, method.id)
+            errors = bezierbench.error(points, t, bezierbench.evaluate(points, t, method.id))
+            self.assertTrue((errors.error <= proved.bound).all(), method.id)
+            self.assertTrue((errors.error_u <= proved.bound_u).all(), method.id)
+        self.assertGreater(bezierbench.bound(points, 0.7).bound.max(), 2**20 * bezierbench.bound(CURVE, 0.7).bound.max())
+
+    def test_derivatives_grids_and_halves(self):
+        # x = 2t + t^2, and with t^2 for the second coefficient of the power form x' = 2t
+        np.testing.assert_allclose(bezierbench.derivative(CURVE, T)[:, 0], [2 + 2 * t for t in T], rtol=1e-15)
+        self.assertEqual(bezierbench.derivative(CURVE, 0.5, 2)[0], 2)
+        self.assertEqual(bezierbench.derivative([0, 0, 1], 0.5, form="power").tolist(), [1])
+        self.assertTrue(np.isnan(bezierbench.derivative(CURVE, [0.5, math.nan])[1]).all())
+        np.testing.assert_array_equal(bezierbench.grid(CURVE, 5)[:, 0], [0, 0.5625, 1.25, 2.0625, 3])
+        halves = bezierbench.split(CURVE, 0.5)
+        self.assertEqual((halves.left[:, 0].tolist(), halves.right[:, 0].tolist()), ([0, 0.5, 1.25], [1.25, 2, 3]))
+        self.assertIsNone(halves.left_weights)
+        weighted = bezierbench.split(CURVE, 0.5, weights=[1, 0.5, 1])
+        self.assertEqual((weighted.left_weights.tolist(), weighted.right_weights.tolist()), ([1, 0.75, 0.75], [0.75, 0.75, 1]))
+        for call, message in ((lambda: bezierbench.grid(CURVE, 4), "power of two and one"),
+                              (lambda: bezierbench.derivative(CURVE, 0.5, -1), "domain"),
+                              (lambda: bezierbench.derivative(CURVE, 0.5, form="rational"), "weights")):
+            with self.assertRaisesRegex(ValueError, message):
+                call()
+
+    def test_a_computed_length_is_one_of_the_curve(self):
+        whole = bezierbench.arc_length(CURVE).length
+        self.assertAlmostEqual(bezierbench.at_length(CURVE, whole).t, 1, places=8)
+        half = bezierbench.at_length(CURVE, whole / 2)
+        self.assertAlmostEqual(bezierbench.exact_arc_length(CURVE, stop=half.t), whole / 2, places=8)
+        self.assertAlmostEqual(bezierbench.at_length([0, 0, 0, 1], 0.125, tolerance=1e-15).t, 0.5, places=14)
+        with self.assertRaises(bezierbench.Error):
+            bezierbench.at_length(CURVE, 1.1 * whole)
 
     def test_a_prepared_curve(self):
         prepared = bezierbench.Prepared(CURVE, "wozny_chudy")
@@ -267,7 +306,16 @@ class Problems(unittest.TestCase):
 
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}
-        self.assertEqual(problems, {"evaluation", "arc_length", "projection", "fitting"})
+        self.assertEqual(problems, {"evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length", "projection",
+                                    "fitting"})
+        for method in bezierbench.methods("derivative", "bernstein"):
+            bezierbench.derivative(CURVE, 0.5, 1, method.id)
+        for method in bezierbench.methods("grid", "bernstein"):
+            bezierbench.grid(CURVE, 5, method.id)
+        for method in bezierbench.methods("subdivision", "bernstein"):
+            bezierbench.split(CURVE, 0.5, method.id)
+        for method in bezierbench.methods("inverse_arc_length"):
+            bezierbench.at_length(CURVE, 1, method.id)
         for method in bezierbench.methods("evaluation", "bernstein"):
             bezierbench.evaluate(CURVE, 0.5, method.id)
         for method in bezierbench.methods("arc_length"):

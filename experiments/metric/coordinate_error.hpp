@@ -6,6 +6,7 @@
 
 #include "core/basis/error_bound.hpp"
 #include "core/curve_view.hpp"
+#include "experiments/metric/trial_scale.hpp"
 #include "reference/rational.hpp"
 
 namespace bezierbench::metric {
@@ -24,9 +25,10 @@ CoordinateError coordinate_error(double value, const reference::Rational& truth,
 /// The bound of a method for coordinate `axis` of the point at t, in coordinate units; infinite where nothing is
 /// proved. `truth` is the true coordinate.
 double coordinate_bound(const ErrorBound& bound, const CurveView<double>& curve, int axis, double t,
-                        const reference::Rational& truth);
+                        const reference::Rational& truth, const Arithmetic& arithmetic = double_arithmetic);
 
 /// bound / (u p~), rounded once; empty where the bound is infinite or p~ is 0.
-std::optional<double> bound_units(double bound, const reference::Rational& p_tilde);
+std::optional<double> bound_units(double bound, const reference::Rational& p_tilde,
+                                  const Arithmetic& arithmetic = double_arithmetic);
 
 }  // namespace bezierbench::metric

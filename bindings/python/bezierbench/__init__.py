@@ -12,14 +12,16 @@ threads at once; the library runs without the interpreter's lock.
 from ._library import Error
 from .bundles import Bundle, BundleError, numbers, read
 from .listing import Method, methods, version
-from .points import Bounds, Errors, Prepared, bound, error, evaluate, exact, exact_fractions
+from .points import Bounds, Errors, Halves, Prepared, bound, derivative, error, evaluate, exact, exact_fractions, grid, split
 from .problems import (
     ExactFoot,
     Fit,
     Foot,
     Length,
+    Parameter,
     arc_length,
     arc_length_error,
+    at_length,
     exact_arc_length,
     exact_project,
     fit,
@@ -28,6 +30,7 @@ from .problems import (
     project_error,
 )
 
-__all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "Fit", "Foot", "Length", "Method", "Prepared",
-           "arc_length", "arc_length_error", "bound", "error", "evaluate", "exact", "exact_arc_length", "exact_fractions",
-           "exact_project", "fit", "interpolate", "methods", "numbers", "project", "project_error", "read", "version"]
+__all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "Fit", "Foot", "Halves", "Length", "Method",
+           "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "derivative", "error", "evaluate", "exact",
+           "exact_arc_length", "exact_fractions", "exact_project", "fit", "grid", "interpolate", "methods", "numbers", "project",
+           "project_error", "read", "split", "version"]

@@ -39,6 +39,14 @@ class FootEntry(ctypes.Structure):
     _fields_ = [("t", c_double), ("distance", c_double), ("candidates", c_int), ("converged", c_int)]
 
 
+class ParameterEntry(ctypes.Structure):
+    _fields_ = [("t", c_double), ("error_estimate", c_double), ("iterations", c_int64), ("converged", c_int)]
+
+
+class HalfEntry(ctypes.Structure):
+    _fields_ = [("points", c_void_p), ("weights", c_void_p)]
+
+
 class SplineEntry(ctypes.Structure):
     _fields_ = [("parameters", c_int), ("ends", c_int), ("monotone", c_int), ("start_derivative", c_void_p),
                 ("end_derivative", c_void_p)]
@@ -63,6 +71,11 @@ _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
     "bb_curve_exact_text": (c_int, [_CURVE, c_double, c_int, c_char_p, c_size_t, POINTER(c_size_t)]),
     "bb_curve_error": (c_int, [_CURVE, _ARRAY, c_size_t, _ARRAY, _ARRAY]),
     "bb_curve_bound": (c_int, [c_char_p, _CURVE, _ARRAY, c_size_t, _ARRAY]),
+    "bb_bound_float": (c_int, [c_char_p, c_int, c_int, _ARRAY, _ARRAY, c_size_t, _ARRAY]),
+    "bb_derivative": (c_int, [c_char_p, _CURVE, c_int, _ARRAY, c_size_t, _ARRAY]),
+    "bb_grid": (c_int, [c_char_p, _CURVE, c_int, _ARRAY]),
+    "bb_split": (c_int, [c_char_p, _CURVE, c_double, POINTER(HalfEntry), POINTER(HalfEntry)]),
+    "bb_at_length": (c_int, [c_char_p, _CURVE, c_double, c_double, POINTER(ParameterEntry)]),
     "bb_arc_length": (c_int, [c_char_p, _CURVE, c_double, c_double, c_double, POINTER(LengthEntry)]),
     "bb_exact_arc_length": (c_int, [_CURVE, c_double, c_double, _DOUBLE]),
     "bb_arc_length_error": (c_int, [_CURVE, c_double, c_double, c_double, _DOUBLE]),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Points of curves by any method, the true ones, and errors and bounds."""
+"""Points of curves by any method, the true ones, and errors and bounds; derivatives, points of a grid, and halves."""
 
 from __future__ import annotations
 
@@ -12,10 +12,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Array, GivenCurve, address, array_of, is_float, parameters, point_rows
-from ._library import check, library
+from ._library import HalfEntry, check, library
 
 # For every degree, and t inside or outside of [0,1]; evaluate() says why.
 _DEFAULTS = {"bernstein": "de_casteljau", "power": "horner", "rational": "de_casteljau"}
+
+
+_DERIVATIVES = {"bernstein": "differences_de_casteljau", "power": "power_derivative"}
+_GRIDS = {"bernstein": "pointwise_de_casteljau", "power": "pointwise_horner"}
+
+
+class Halves(NamedTuple):
+    """The control points of both halves, not premultiplied, and their weights, None for a curve without."""
+
+    left: Array
+    right: Array
+    left_weights: Array | None
+    right_weights: Array | None
 
 
 class Errors(NamedTuple):
@@ -39,10 +52,12 @@ def _require_double(points: ArrayLike, why: str) -> None:
         raise ValueError(f"{why}; give float64")
 
 
-def _name(method: str | None, form: str) -> bytes:
+def _name(method: str | None, form: str, defaults: dict[str, str] = _DEFAULTS) -> bytes:
     """The method as the library takes it; the default of the form for None."""
     if method is None:
-        return _DEFAULTS[form].encode()
+        if form not in defaults:
+            raise ValueError(f"nothing takes curves of the form {form!r} here")
+        return defaults[form].encode()
     if not isinstance(method, str):
         raise TypeError(f"method is a {type(method).__name__}; give the id of a method, see methods()")
     if not method or "\0" in method:
@@ -181,15 +196,54 @@ def bound(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form: s
           weights: ArrayLike | None = None) -> Bounds:
     """The proved bounds of a method for its points at `t`; the default method is that of `evaluate`.
 
-    Raises Error for a method that has no proved bound, and ValueError for float32, which `evaluate` computes in float.
+    For points of float32 the bounds are those of `evaluate` in float, with u = 2^-24. Raises Error for a method that has no
+    proved bound.
     """
-    _require_double(points, "bounds are those of methods in double")
+    if is_float(points):
+        rows, some = _float_curve(points, t, form, weights)
+        name = _name(method, form)
+        out = _answered(some, np.empty((*some.shape, rows.shape[1], 2)), lambda at, out: library.bb_bound_float(
+            name, rows.shape[1], rows.shape[0] - 1, address(rows), address(at), at.size, address(out)))
+        return Bounds(out[..., 0], out[..., 1])
     curve = GivenCurve(points, form, weights)
     at = parameters(t)
     name = _name(method, curve.form)
     out = _answered(at, np.empty((*at.shape, curve.dimension, 2)), lambda some, out: library.bb_curve_bound(
         name, curve.pointer, address(some), some.size, address(out)))
     return Bounds(out[..., 0], out[..., 1])
+
+
+def derivative(points: ArrayLike, t: ArrayLike, order: int = 1, method: str | None = None, *, form: str = "bernstein") -> Array:
+    """The derivative of an order >= 0 in t at `t`, in the shape that `evaluate` returns; `form` is "bernstein" or "power"."""
+    _require_double(points, "derivatives are computed in double")
+    curve = GivenCurve(points, form)
+    name = _name(method, curve.form, _DERIVATIVES)
+    at = parameters(t)
+    return _answered(at, _result(at, curve.dimension), lambda some, out: library.bb_derivative(
+        name, curve.pointer, order, address(some), some.size, address(out)))
+
+
+def grid(points: ArrayLike, count: int, method: str | None = None, *, form: str = "bernstein") -> Array:
+    """The points at t = k / (count - 1), of shape (count, dimension); `count` is a power of two and one, up to 524289."""
+    _require_double(points, "grids are computed in double")
+    curve = GivenCurve(points, form)
+    steps = count - 1
+    if not 1 <= steps <= 524288 or steps & (steps - 1):
+        raise ValueError(f"count is {count}; give a power of two and one, 2 to 524289")
+    out = np.empty((count, curve.dimension))
+    check(library.bb_grid(_name(method, curve.form, _GRIDS), curve.pointer, steps, address(out)))
+    return out
+
+
+def split(points: ArrayLike, t: float, method: str = "de_casteljau_split", *, weights: ArrayLike | None = None) -> Halves:
+    """Both halves of a curve that is split at t, which are curves of its degree: the left one ends where the right begins."""
+    _require_double(points, "curves are split in double")
+    curve = GivenCurve(points, weights=weights)
+    halves = [(np.empty(curve.points.shape), None if curve.weights is None else np.empty(len(curve.points))) for _ in range(2)]
+    entries = [HalfEntry(address(half), None if own is None else address(own)) for half, own in halves]
+    check(library.bb_split(_name(method, "bernstein"), curve.pointer, t, ctypes.byref(entries[0]), ctypes.byref(entries[1])))
+    (left, left_weights), (right, right_weights) = halves
+    return Halves(left, right, left_weights, right_weights)
 
 
 class _PreparedOwner:

@@ -11,13 +11,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Array, GivenCurve, address, array_of, point_rows
-from ._library import FootEntry, LengthEntry, SplineEntry, check, interruptible, library
+from ._library import FootEntry, LengthEntry, ParameterEntry, SplineEntry, check, interruptible, library
 
 
 class Length(NamedTuple):
     length: float
     error_estimate: float  # of the method, absolute; NaN where it has none
     evaluations: int  # of the speed or, for chords, of the curve
+    converged: bool
+
+
+class Parameter(NamedTuple):
+    t: float
+    error_estimate: float  # of the method, of the length up to t, absolute
+    iterations: int
     converged: bool
 
 
@@ -51,6 +58,15 @@ def arc_length(points: ArrayLike, method: str = "gauss_legendre_adaptive", *, st
     found = LengthEntry()
     check(library.bb_arc_length(method.encode(), curve.pointer, start, stop, tolerance, ctypes.byref(found)))
     return Length(found.length, found.error_estimate, found.evaluations, bool(found.converged))
+
+
+def at_length(points: ArrayLike, length: float, method: str = "bracketed_newton", *, tolerance: float = 1e-9) -> Parameter:
+    """The parameter at which the length from the beginning of a Bezier curve is `length`, up to `tolerance` times the length
+    of the curve. A length beyond that of the curve by no more than this, as a computed one may be, is that of the curve."""
+    curve = GivenCurve(points)
+    found = ParameterEntry()
+    check(library.bb_at_length(method.encode(), curve.pointer, length, tolerance, ctypes.byref(found)))
+    return Parameter(found.t, found.error_estimate, found.iterations, bool(found.converged))
 
 
 def exact_arc_length(points: ArrayLike, *, start: float = 0, stop: float = 1) -> float:

@@ -88,7 +88,8 @@ BB_API void bb_stop_when(const volatile int* flag);
 typedef struct bb_method {
   const char* id;         /* for example "de_casteljau" */
   const char* label;      /* for people */
-  const char* problem;    /* "evaluation", "arc_length", "projection" or "fitting" */
+  const char* problem;    /* "evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length",
+                             "projection" or "fitting" */
   const char* bound;      /* the proved bound in words; empty where there is none */
   const char* flops;      /* per point, in the degree n and the dimension d */
   const char* citation;   /* the source of the method */
@@ -127,6 +128,28 @@ BB_API int bb_prepare(const char* method, const bb_curve* curve, bb_prepared** p
 BB_API int bb_prepared_evaluate(const bb_prepared* prepared, const double* t, size_t count, double* out);
 BB_API void bb_prepared_free(bb_prepared* prepared); /* null is allowed */
 
+/* ---- Derivatives, points of a grid and halves of a curve ---- */
+
+/* The derivative of `order` >= 0 in t at t[0] to t[count - 1], `dimension` values each, of a curve that is not rational. */
+BB_API int bb_derivative(const char* method, const bb_curve* curve, int order, const double* t, size_t count,
+                         double* out);
+
+/* The steps + 1 points at t = k / steps of a curve that is not rational; `steps` is a power of two up to 524288. */
+BB_API int bb_grid(const char* method, const bb_curve* curve, int steps, double* out);
+
+/* Where the control points of a half are written: (degree + 1) * dimension values, not premultiplied, and degree + 1
+ * weights for BB_RATIONAL, otherwise null. */
+typedef struct bb_half {
+  double* points;
+  double* weights;
+} bb_half;
+
+/* Splits a curve with control points at t. The last point of the left half and the first of the right one are the point
+ * at t. BB_ERROR_NO_POINT where a weight of a half would be 0. */
+BB_API int bb_split(const char* method, const bb_curve* curve, double t, const bb_half* left, const bb_half* right);
+
+/* ---- True points without any rounding ---- */
+
 /* The true coordinate `axis` of the point at t as text, "numerator" or "numerator/denominator" in lowest terms, with a
  * final zero. `needed` (may be null) gets the bytes that this takes, also where the result is BB_ERROR_COUNT because
  * `size` bytes are too few. */
@@ -154,6 +177,10 @@ BB_API int bb_curve_error(const bb_curve* curve, const double* t, size_t count, 
 /* The bounds of a method for its points at each t; bounds[k * dimension + axis]. */
 BB_API int bb_curve_bound(const char* method, const bb_curve* curve, const double* t, size_t count, bb_bound* bounds);
 
+/* The same for the points of bb_evaluate_float, with u = 2^-24. */
+BB_API int bb_bound_float(const char* method, int dimension, int degree, const float* points, const float* t,
+                          size_t count, bb_bound* bounds);
+
 /* ---- Arc length of a Bezier curve (BB_BERNSTEIN) ---- */
 
 typedef struct bb_length {
@@ -171,6 +198,18 @@ BB_API int bb_arc_length(const char* method, const bb_curve* curve, double from,
  * within 1e-30 of the length. */
 BB_API int bb_exact_arc_length(const bb_curve* curve, double from, double to, double* length);
 BB_API int bb_arc_length_error(const bb_curve* curve, double from, double to, double length, double* error);
+
+typedef struct bb_parameter {
+  double t;
+  double error_estimate; /* of the method, of the length up to t, absolute */
+  int64_t iterations;
+  int converged; /* 1 where error_estimate is at most tolerance times the length of the curve */
+} bb_parameter;
+
+/* The parameter at which the length from the beginning is `length`, up to `tolerance` > 0 times the length of the curve.
+ * A length that exceeds that of the curve by no more than the tolerance, as a computed one may, is that of the curve. */
+BB_API int bb_at_length(const char* method, const bb_curve* curve, double length, double tolerance,
+                        bb_parameter* found);
 
 /* ---- Projection of a point on a Bezier curve (BB_BERNSTEIN, degree at least 1) ---- */
 
