@@ -58,6 +58,19 @@ void check_order(const CsvDocument& table, const std::vector<std::string>& colum
   }
 }
 
+/// Numbers above their limits; both are known to a relative 2^-20 only.
+void check_limit(const CsvDocument& table, const Column& column, FewLines& lines) {
+  const Limit& limit = *column.at_most;
+  if (!table.has_column(limit.column) || (!limit.unless.empty() && !table.has_column(limit.unless))) return;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    if (!limit.unless.empty() && table.at(row, limit.unless) != "0") continue;
+    const auto number = number::parse_number(table.at(row, column.name));
+    const auto most = number::parse_number(table.at(row, limit.column));
+    if (number && most && *number > *most * (1 + 0x1p-20))
+      lines.add(fmt::format("{}:{}: {} is above {}", table.file_name(), table.line(row), column.name, limit.column));
+  }
+}
+
 bool is_innocent(const std::string& field) { return field.empty() || field == "0" || field == "yes"; }
 
 }  // namespace
@@ -75,6 +88,7 @@ std::vector<std::string> row_faults(const std::string& file, const CsvDocument& 
   std::vector<std::string> faults;
   FewLines lines(table.file_name());
   for (const auto& column : declared.columns) {
+    if (column.at_most && table.has_column(column.name)) check_limit(table, column, lines);
     if (column.accuses.empty() || !table.has_column(column.name)) continue;
     for (std::size_t row = 0; row < table.row_count(); ++row) {
       const auto& field = table.at(row, column.name);

@@ -66,6 +66,8 @@ Column column_of(const std::string& name, const Json& part, bool of_deterministi
                 .is_of_machine = declared.value("of_machine", false),
                 .accuses = declared.value("accuses", std::string()),
                 .is_of_promise = declared.value("of_promise", false)};
+  if (const Json* limit = declared.find("at_most"))
+    column.at_most = Limit{.column = limit->at("column"), .unless = limit->value("unless", std::string())};
   column.is_digested = of_deterministic && !column.is_deprecated && declared.value("digested", true);
   return column;
 }

@@ -10,6 +10,12 @@
 
 namespace bezierbench::bundle {
 
+/// A number in a row that another one is never above.
+struct Limit {
+  std::string column;
+  std::string unless;  ///< a count; where it is above 0, the limit may not hold
+};
+
 struct Column {
   std::string name;
   bool is_key = false;         ///< one of the columns that identify a row
@@ -21,6 +27,7 @@ struct Column {
   /// What a count above 0, or a `no`, says against a row, for `verify`; empty where it says nothing.
   std::string accuses = {};
   bool is_of_promise = false;  ///< it accuses only methods for which methods.csv states a bound or promise
+  std::optional<Limit> at_most = std::nullopt;
 };
 
 /// The rows of a table that another one has a row for.
