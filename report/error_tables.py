@@ -2,7 +2,7 @@
 """Mean and largest error of a study as tables: methods down, one axis across, a line for each kind of inputs."""
 
 from .document import Cell, Text
-from .findings.bounds_hold import in_part
+from .findings.conclusions import in_part
 from .methods import form
 from .tables import axis_value, by_axis
 from .wording import count, general, interval, large, shortest

@@ -8,7 +8,7 @@ import unittest
 from . import fixture
 from .bundle import Bundle, Row
 from .chapters import roofline, timing
-from .findings import time_order
+from .findings.conclusions import time_order
 from .limits import nearness, orders, reading_limits, reading_load
 
 
@@ -74,7 +74,7 @@ class Page(unittest.TestCase):
             bundle = Bundle(fixture.seal(folder))
             if machine is not None:
                 bundle.machine = machine
-            return [b.text for b in timing.blocks(bundle, None) if b.kind == "text"], time_order.find(bundle)
+            return [b.text for b in timing.blocks(bundle, None) if b.kind == "text"], time_order(bundle)
 
     def test_says_it_of_each_table(self):
         texts, _ = self.blocks()
@@ -115,9 +115,9 @@ class Page(unittest.TestCase):
             base = bundle["timing.csv"].select(study="2.4-bezier", degree=4)[0]
             for method, ns in (("de_casteljau", 2.0), ("factorial:power_sum", 1.5)):
                 bundle["timing.csv"].rows.append(Row("timing.csv", 2, {**base.values, "method": method, "limit_ns": ns}, {}))
-            self.assertIn("At the limits of this processor it would hold at 0 of 1 when prepared once.", " ".join(time_order.find(bundle).detail))
+            self.assertIn("At the limits of this processor it would hold at 0 of 1 when prepared once.", " ".join(time_order(bundle).detail))
             bundle["timing.csv"].rows[-1].values["limit_ns"] = 3.0
-            self.assertIn("At the limits of this processor it would hold at 1 of 1 when prepared once.", " ".join(time_order.find(bundle).detail))
+            self.assertIn("At the limits of this processor it would hold at 1 of 1 when prepared once.", " ".join(time_order(bundle).detail))
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ import math
 
 from .document import Cell, Group, Table
 from .error_tables import NAMES, named
-from .findings.searched import exceeding, gain
+from .findings.evaluators import exceeding, gain
 from .methods import form
 from .wording import factor, general, large
 

@@ -2,7 +2,7 @@
 """Relative error against the condition number: where the digits go near multiple and clustered roots."""
 
 from ..bundle import Missing
-from ..findings.conditioning import UNIT
+from ..findings.evaluators import UNIT
 from ..methods import FORM
 from ..wording import general
 from .canvas import DOTTED, FAINT, INK, finish, panels, styled

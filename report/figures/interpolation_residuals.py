@@ -2,7 +2,7 @@
 """C2 natural splines: the jump of second differences against the number of points."""
 
 from ..bundle import Missing
-from ..findings.interpolation_residuals import GOAL
+from ..findings.splines import GOAL
 from ..wording import general
 from .canvas import DOTTED, finish, panels, styled
 from .method_lines import degree_axis, draw_methods, ends, error_axis, looks, series

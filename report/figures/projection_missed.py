@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Missed foot points and the largest error of the distance, method by method."""
 
-from ..findings.projection import by_method
+from ..findings.curves import by_method
 from ..wording import general, percent
 from .canvas import COLOURS, finish, panels, styled
 

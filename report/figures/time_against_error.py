@@ -5,7 +5,7 @@ import math
 
 from ..answer import useful
 from ..bundle import Missing
-from ..findings.choosing import ON, race_cell
+from ..findings.times import ON, race_cell
 from ..methods import FORM
 from ..wording import general
 from .canvas import COLOURS, FAINT, belongs, finish, panels, styled

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What the bundle says about the source report. One file per finding; roster.py lists them."""
+"""What a bundle says about the source report, and what its suites show: a function for each finding."""

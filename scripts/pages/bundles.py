@@ -12,8 +12,7 @@ from pathlib import Path
 
 from report.bundle import Bundle, Comparison
 from report.chapters.scorecard import VERDICTS, counts
-from report.findings.cells_inside import verdicts
-from report.findings.printed import events
+from report.findings.printed_tables import events, verdicts
 from report.wording import listing
 from scripts.digests import Agreement
 from scripts.pages import printed_times

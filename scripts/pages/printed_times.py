@@ -6,7 +6,7 @@ milliseconds, leaves any: a reading of k ms is of a time between k - 1 and k + 1
 """
 import csv
 
-from report.findings.time_order import ORDERS
+from report.findings.conclusions import ORDERS
 from report.wording import general, listing
 from scripts.pages.markdown import ROOT, table
 
