@@ -373,6 +373,19 @@ TEST(Fitting, BeginsAndEndsInGivenDirections) {
       }
 }
 
+/// Handles across the chord leave it by at least 4/9 of their length, so at a tolerance of 2^-40 of the chord none that is
+/// halved 30 times is short enough: the tolerance comes before the direction, and the segment is straight.
+TEST(Fitting, IsStraightWhereNoHandleKeepsTheTolerance) {
+  for (const auto& kernel : fitting_kernels(2)) {
+    const auto fit = kernel.fit(Data{0, 0, 3, 0}, 0x1p-40, {Data{0, 1}, Data{0, -1}});
+    ASSERT_EQ(fit.control_points.size(), 8U) << kernel.info->id;
+    for (std::size_t j = 0; j < 4; ++j) {
+      EXPECT_NEAR(fit.control_points[2 * j], static_cast<double>(j), 1e-15) << kernel.info->id;
+      EXPECT_EQ(fit.control_points[2 * j + 1], 0) << kernel.info->id;
+    }
+  }
+}
+
 const Data gentle{0, 0, 1, 2, 3, 3, 4, 0};
 
 /// Samples of a cubic give that cubic: what users expect first of a fit.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Formula: the nearest of 26 samples, then bisection between its neighbours: the middle k moves towards the nearer of
 //   k - e and k + e until the interval is no longer than e.
-// Source: [Document 004], first snippet (closestPoint and localMinimum). Three things differ: k +- e stay in
-//   [0, 1], e is 2^-26, and k is polished. The snippet's e of 1e-4 leaves an error of this size in t; with an e below
+// Source: [Document 004], first answer (closestPoint and localMinimum). Three things differ: k +- e stay in
+//   [0, 1], e is 2^-26, and k is polished. The answer's e of 1e-4 leaves an error of this size in t; with an e below
 //   about 1e-8 the two distances agree in all digits, so that their comparison is decided by rounding.
 // Cost: 26 + 2 22 points by de Casteljau.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
