@@ -89,11 +89,14 @@ std::vector<double> limits_of(const std::vector<Vector>& points, double toleranc
     bends.front() = sum(2, bends[1], -1, bends[2]);
     bends.back() = sum(2, bends[count - 1], -1, bends[count - 2]);
   }
+  double largest = 0;
+  for (const Vector& point : points) largest = std::max(largest, length(point));
   std::vector<double> limits;
   for (std::size_t i = 0; i < count; ++i) {
     const double bend = std::max(length(bends[i]), length(bends[i + 1]));
     const double neighbour = std::max(reach_back[i], reach_ahead[i + 1]);
-    limits.push_back(2.5 * tolerance + std::min({bend, 2 * length(steps[i + 1]), 2 * neighbour}) / 8);
+    limits.push_back(2.5 * tolerance + std::min({bend, 2 * length(steps[i + 1]), 2 * neighbour}) / 8 +
+                     0x1p-50 * largest);
   }
   return limits;
 }

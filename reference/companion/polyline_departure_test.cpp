@@ -36,6 +36,19 @@ TEST(Departure, ComparesWithTheLimit) {
   EXPECT_NEAR(found.handle, 1. / 3, 1e-12);
 }
 
+/// Between integers of 2^52 a third of the way is rounded by 1/3 or so, however small the tolerance is.
+TEST(Departure, AllowsTheRoundingsOfControlPoints) {
+  const double far = 0x1p+52;
+  const Data points{far, far, far + 2, far + 1};
+  const Data curve{far, far, far + 1, far, far + 1, far + 1, far + 2, far + 1};
+  const auto found = departure_from_polyline(2, points, curve, Places{{0, 0}, {0, 1}}, 1e-9);
+  EXPECT_GT(found.distance, 0.1);
+  EXPECT_LE(found.over_limit, 1);
+  const Data near{0, 0, 2, 1};
+  const Data bent{0, 0, 1, 0, 1, 1, 2, 1};
+  EXPECT_GT(departure_from_polyline(2, near, bent, Places{{0, 0}, {0, 1}}, 1e-9).over_limit, 1);
+}
+
 /// The straight curve stays on the polyline. The data run back on it; a curve that passes the points in another order
 /// than given is one away from those that it does not pass in turn.
 TEST(Departure, SeesTheOrderOfThePoints) {
