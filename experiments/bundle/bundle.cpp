@@ -113,15 +113,11 @@ void BundleDirectory::write_if_different(std::string_view name, std::string_view
 }
 
 void BundleDirectory::finish(Manifest manifest) const {
-  if (manifest.schema_version == 1) {
-    manifest.accuracy_digest = accuracy_digest(path_, 1);
-  } else {  // tables of a partial bundle are not digested: a later run writes them anew
-    const auto digests =
-        manifest.state == partial ? std::vector<MethodDigest>() : digests_of(path_, manifest.schema_version);
-    const std::string text = digests_csv(digests);
-    manifest.accuracy_digest = sha256_hex(text);
-    if (manifest.state != partial) write_if_different(digests_name, text);
-  }
+  // Tables of a partial bundle are not digested: a later run writes them anew.
+  const auto digests = manifest.state == partial ? std::vector<MethodDigest>() : digests_of(path_);
+  const std::string text = digests_csv(digests);
+  manifest.accuracy_digest = sha256_hex(text);
+  if (manifest.state != partial) write_if_different(digests_name, text);
   const std::string manifest_text = manifest_json(manifest);
   (void)parse_manifest(manifest_text, (path_ / manifest_name).string());  // never write what could not be read again
 

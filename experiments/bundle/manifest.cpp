@@ -13,6 +13,9 @@
 namespace bezierbench::bundle {
 namespace {
 
+/// The last commit whose program reads bundles of earlier schema versions.
+constexpr std::string_view last_commit_before = "261ca64f9cdf";
+
 using Json = nlohmann::ordered_json;
 
 // Reads typed values out of one object. Errors name the file and the key.
@@ -67,7 +70,7 @@ class Keys {
 
 std::string manifest_json(const Manifest& manifest) {
   Json json;
-  json["schema_version"] = manifest.schema_version;
+  json["schema_version"] = written_version();
   json["suites"] = {{"ids", manifest.suites}, {"digest", manifest.suite_digest}};
   json["seed"] = manifest.seed;
   json["state"] = manifest.state;
@@ -83,18 +86,21 @@ Manifest parse_manifest(std::string_view text, std::string_view file_name) {
   const Json json = parse_json_object(text, file_name);
   const Keys keys(json, file_name);
   const auto version = keys.unsigned_integer("schema_version");
-  const auto newest = written_version();
-  if (version < 1 || version > static_cast<std::uint64_t>(newest)) {
-    throw Failure(Exit::input_output,
-                  fmt::format("{}: schema_version is {}, this program reads 1 to {}; use the program that wrote it",
-                              file_name, version, newest));
-  }
+  const auto ours = static_cast<std::uint64_t>(written_version());
+  if (version < ours)
+    throw Failure(Exit::usage,
+                  fmt::format("{}: schema_version is {}, this program reads {}; run the suite again, or use "
+                              "the program of commit {}, the last that reads it",
+                              file_name, version, ours, last_commit_before));
+  if (version > ours)
+    throw Failure(
+        Exit::input_output,
+        fmt::format("{}: schema_version is {}, this program reads {}; use a newer program", file_name, version, ours));
   const Json& suites = keys.value("suites");
   if (!suites.is_object()) keys.fail("'suites' must be an object");
   const Keys suite_keys(suites, file_name);
 
   Manifest manifest;
-  manifest.schema_version = static_cast<int>(version);
   manifest.suites = suite_keys.texts("ids");
   manifest.suite_digest = suite_keys.text("digest");
   manifest.seed = keys.unsigned_integer("seed");

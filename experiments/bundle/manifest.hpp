@@ -13,7 +13,6 @@ inline constexpr std::string_view complete = "complete";
 inline constexpr std::string_view partial = "partial";
 
 struct Manifest {
-  int schema_version = 1;           ///< of the bundle's layout; written_version() for a new bundle
   std::vector<std::string> suites;  ///< ids, in the order on the command line
   std::string suite_digest;         ///< digest of the resolved suites
   std::uint64_t seed = 0;

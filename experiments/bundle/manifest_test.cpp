@@ -18,8 +18,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 Manifest example() {
-  return {.schema_version = 1,
-          .suites = {"report", "extra"},
+  return {.suites = {"report", "extra"},
           .suite_digest = "d1",
           .seed = std::numeric_limits<std::uint64_t>::max(),
           .state = "partial",
@@ -30,11 +29,11 @@ Manifest example() {
           .fp_flags = "-ffp-contract=off"};
 }
 
-std::string refusal(std::string_view text) {
+std::string refusal(std::string_view text, Exit exit = Exit::input_output) {
   try {
     (void)parse_manifest(text, "B/bundle.json");
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit(), Exit::input_output);
+    EXPECT_EQ(failure.exit(), exit);
     EXPECT_EQ(std::string(failure.what()).find('\n'), std::string::npos);
     return failure.what();
   }
@@ -43,7 +42,7 @@ std::string refusal(std::string_view text) {
 
 TEST(Manifest, TextIsFixedToTheByte) {
   EXPECT_EQ(manifest_json(example()), R"({
-  "schema_version": 1,
+  "schema_version": 2,
   "suites": {
     "ids": [
       "report",
@@ -96,15 +95,18 @@ TEST(Manifest, EveryKeyIsNeededAndTyped) {
 }
 
 TEST(Manifest, RefusesWrongValues) {
-  const auto with = [](const char* key, nlohmann::ordered_json value) {
+  const auto with = [](const char* key, nlohmann::ordered_json value, Exit exit = Exit::input_output) {
     auto json = nlohmann::ordered_json::parse(manifest_json(example()));
     json[key] = std::move(value);
-    return refusal(json.dump());
+    return refusal(json.dump(), exit);
   };
   EXPECT_THAT(with("state", "finished"), HasSubstr("complete or partial"));
   EXPECT_THAT(with("seed", -1), HasSubstr("unsigned 64-bit"));
   EXPECT_THAT(with("seed", "1"), HasSubstr("unsigned 64-bit"));
-  EXPECT_THAT(with("schema_version", 3), HasSubstr("schema_version is 3, this program reads 1 to 2; "));
+  EXPECT_THAT(with("schema_version", 3), HasSubstr("schema_version is 3, this program reads 2; use a newer program"));
+  EXPECT_THAT(
+      with("schema_version", 1, Exit::usage),
+      HasSubstr("schema_version is 1, this program reads 2; run the suite again, or use the program of commit "));
   std::string text = manifest_json(example());
   text.replace(text.find("18446744073709551615"), 20, "18446744073709551616");
   EXPECT_THAT(refusal(text), HasSubstr("unsigned 64-bit"));

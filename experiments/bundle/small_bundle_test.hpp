@@ -2,8 +2,6 @@
 // A bundle with two tables of a committed one, for this folder's tests only.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <string>
 
 #include "experiments/bundle/atomic_file.hpp"
@@ -13,15 +11,14 @@
 
 namespace bezierbench::bundle {
 
-/// A file of the committed bundle of a schema version.
-inline std::string committed(const std::string& name, int version = 1) {
-  return read_file(fmt::format(BEZIERBENCH_SOURCE_DIR "/experiments/bundle/fixtures/schema-{}/{}", version, name));
+/// A file of the committed bundle.
+inline std::string committed(const std::string& name) {
+  return read_file(BEZIERBENCH_SOURCE_DIR "/experiments/bundle/fixture/" + name);
 }
 
-inline Manifest with_state(const char* state, int version = 1) {
-  return {.schema_version = version,
-          .suites = {"fixture"},
-          .suite_digest = sha256_hex(committed("suite.toml", version)),
+inline Manifest with_state(const char* state) {
+  return {.suites = {"fixture"},
+          .suite_digest = sha256_hex(committed("suite.toml")),
           .seed = 1,
           .state = state,
           .accuracy_digest = "",
@@ -31,10 +28,10 @@ inline Manifest with_state(const char* state, int version = 1) {
           .fp_flags = "-f"};
 }
 
-inline BundleDirectory filled(const std::filesystem::path& path, int version = 1) {
+inline BundleDirectory filled(const std::filesystem::path& path) {
   BundleDirectory bundle = BundleDirectory::create(path);
   for (const char* name : {"suite.toml", "machine.json", "accuracy.csv", "timing.csv"})
-    bundle.write(name, committed(name, version));
+    bundle.write(name, committed(name));
   return bundle;
 }
 

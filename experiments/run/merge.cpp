@@ -148,7 +148,7 @@ const Source& with_machine(const std::vector<Source>& sources, const Jobs& jobs)
 /// A table that cannot be read is not what was written.
 bool has_its_digest(const Source& source) {
   try {
-    return bundle::accuracy_digest(source.path, source.manifest.schema_version) == source.manifest.accuracy_digest;
+    return bundle::accuracy_digest(source.path) == source.manifest.accuracy_digest;
   } catch (const Failure&) {
     return false;
   }

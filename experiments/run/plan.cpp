@@ -34,7 +34,6 @@ std::vector<suite::Study> studies_of(const RunRequest& request) {
 
 bundle::Manifest manifest_of(const RunRequest& request, const std::string& suite_text) {
   bundle::Manifest manifest;
-  manifest.schema_version = bundle::written_version();
   for (const auto& one : request.suites) manifest.suites.push_back(one.id);
   manifest.suite_digest = bundle::sha256_hex(suite_text);
   manifest.seed = request.suites.front().seed;
@@ -177,8 +176,6 @@ std::optional<std::string> difference(const bundle::Manifest& theirs, const bund
   const auto suites = [](const bundle::Manifest& manifest) {
     return fmt::format("{} ({})", fmt::join(manifest.suites, "+"), manifest.suite_digest.substr(0, 12));
   };
-  if (theirs.schema_version != ours.schema_version)
-    return both("schema version", theirs.schema_version, ours.schema_version);
   if (theirs.seed != ours.seed) return both("seed", theirs.seed, ours.seed);
   if (theirs.suite_digest != ours.suite_digest) return both("resolved suite", suites(theirs), suites(ours));
   if (theirs.program_version != ours.program_version)

@@ -70,14 +70,13 @@ std::vector<MethodDigest> method_digests(const DeclaredTable& declared, const Cs
   return digests;
 }
 
-std::vector<MethodDigest> digests_of(const fs::path& bundle, int version) {
+std::vector<MethodDigest> digests_of(const fs::path& bundle) {
   std::vector<MethodDigest> all;
   for (const auto& file : deterministic_tables_in(bundle)) {
     const auto& declared = *declared_table(file);
     const auto path = bundle / file;
-    std::ranges::move(
-        method_digests(declared, parse_csv(read_bundle_file(path), path.string()), declared.digested(version)),
-        std::back_inserter(all));
+    std::ranges::move(method_digests(declared, parse_csv(read_bundle_file(path), path.string()), declared.digested()),
+                      std::back_inserter(all));
   }
   return all;
 }
@@ -103,9 +102,6 @@ std::vector<MethodDigest> parse_digests(const CsvDocument& table) {
   return digests;
 }
 
-std::string accuracy_digest(const fs::path& bundle, int version) {
-  if (version == 1) return sha256_hex(sha256sums(bundle, deterministic_tables_in(bundle)));
-  return sha256_hex(digests_csv(digests_of(bundle, version)));
-}
+std::string accuracy_digest(const fs::path& bundle) { return sha256_hex(digests_csv(digests_of(bundle))); }
 
 }  // namespace bezierbench::bundle

@@ -40,17 +40,17 @@ struct MethodDigest {
                                                        const std::vector<std::string>& columns);
 
 /// The digests of all deterministic tables in the folder `bundle`, sorted by table, as digests.csv lists them.
-/// `version` is the schema version of the bundle. Throws Failure(Exit::input_output) where a table cannot be read or
+/// Throws Failure(Exit::input_output) where a table cannot be read or
 /// lacks a column.
-[[nodiscard]] std::vector<MethodDigest> digests_of(const std::filesystem::path& bundle, int version);
+[[nodiscard]] std::vector<MethodDigest> digests_of(const std::filesystem::path& bundle);
 [[nodiscard]] std::string digests_csv(const std::vector<MethodDigest>& digests);
 
 /// The digests that a digests.csv states. Throws Failure(Exit::input_output) for a table without the columns, and for a
 /// number of rows that is not a count.
 [[nodiscard]] std::vector<MethodDigest> parse_digests(const CsvDocument& table);
 
-/// The digest by which two bundles agree bit for bit or not: the SHA-256 of digests.csv; in schema version 1, of the
-/// sha256sum lines of the deterministic tables, sorted by name. Throws as digests_of() does.
-[[nodiscard]] std::string accuracy_digest(const std::filesystem::path& bundle, int version);
+/// The digest by which two bundles agree bit for bit or not: the SHA-256 of digests.csv.
+/// Throws as digests_of() does.
+[[nodiscard]] std::string accuracy_digest(const std::filesystem::path& bundle);
 
 }  // namespace bezierbench::bundle

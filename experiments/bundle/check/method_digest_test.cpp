@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/scratch_folder_test.hpp"
@@ -17,10 +16,6 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 using testing::IsSupersetOf;
-
-// FIPS 180-4 examples.
-constexpr std::string_view of_nothing = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
-constexpr std::string_view of_abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
 
 const DeclaredTable& accuracy() { return *declared_table("accuracy.csv"); }
 
@@ -57,10 +52,9 @@ TEST(MethodDigest, OfAMethodThatIsAddedChangesNoOther) {
   EXPECT_THAT(after, IsSupersetOf(before));
 }
 
-TEST(MethodDigest, OfColumnsOfThatVersionOnlyAndOfNoNumbersOfRows) {
-  EXPECT_THAT(accuracy().digested(2), Contains("unbounded_trials"));
-  EXPECT_THAT(accuracy().digested(1), testing::Not(Contains("unbounded_trials")));
-  EXPECT_THAT(declared_table("worst.csv")->digested(2), testing::Not(Contains("worst_id")));
+TEST(MethodDigest, OfDigestedColumnsOnly) {
+  EXPECT_THAT(accuracy().digested(), Contains("unbounded_trials"));
+  EXPECT_THAT(declared_table("worst.csv")->digested(), testing::Not(Contains("worst_id")));
   EXPECT_THROW((void)digests(three_rows, {"unbounded_trials"}), Failure);
 }
 
@@ -88,7 +82,7 @@ TEST(MethodDigest, OfABundleAreOfItsDeterministicTablesSortedByName) {
   }
   std::ranges::sort(expected);
   std::vector<std::string> found;
-  for (const auto& [rows_of, count, digest] : digests_of(folder.path(), 2)) {
+  for (const auto& [rows_of, count, digest] : digests_of(folder.path())) {
     EXPECT_EQ(rows_of.study, "s");
     EXPECT_EQ(rows_of.method, "m");
     found.push_back(rows_of.table);
@@ -96,30 +90,10 @@ TEST(MethodDigest, OfABundleAreOfItsDeterministicTablesSortedByName) {
   EXPECT_EQ(found, expected);
 }
 
-TEST(AccuracyDigest, OfSchemaVersion1CoversTheDeterministicFilesAndNoOther) {
-  const ScratchFolder folder;
-  EXPECT_EQ(accuracy_digest(folder.path(), 1), of_nothing);
-  folder.put("worst.csv", "");
-  folder.put("accuracy.csv", "abc");
-  const std::string digest = accuracy_digest(folder.path(), 1);
-  EXPECT_EQ(digest, sha256_hex(std::string(of_abc) + "  accuracy.csv\n" + std::string(of_nothing) + "  worst.csv\n"));
-  for (const char* noisy : {"timing.csv", "audit.csv", "unstable.csv", "bundle.json", "machine.json"}) {
-    folder.put(noisy, "noise");
-  }
-  EXPECT_EQ(accuracy_digest(folder.path(), 1), digest);
-
-  std::set<std::string> seen{digest};
-  for (const auto& table : declared_tables()) {
-    folder.put(table.file, "changed " + table.file);
-    EXPECT_EQ(seen.insert(accuracy_digest(folder.path(), 1)).second, table.is_deterministic) << table.file;
-  }
-}
-
 TEST(AccuracyDigest, UnreadableDeterministicFileDoesNotCountAsAbsent) {
   const ScratchFolder folder;
   std::filesystem::create_symlink("nowhere", folder.path() / "accuracy.csv");
-  EXPECT_THROW((void)accuracy_digest(folder.path(), 1), Failure);
-  EXPECT_THROW((void)accuracy_digest(folder.path(), 2), Failure);
+  EXPECT_THROW((void)accuracy_digest(folder.path()), Failure);
 }
 
 }  // namespace

@@ -85,12 +85,11 @@ void check_column(const Json& column, std::size_t place, const CsvDocument& tabl
 
 bool is_table_name(std::string_view name) { return declared_table(name) != nullptr; }
 
-std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table, int version) {
+std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table) {
   const Json& rows = row_schema(name);
   const Json& columns = rows.at("properties");
   FewLines of_header(table.file_name());
-  const auto digested = version == 1 ? std::vector<std::string>() : declared_table(name)->digested(version);
-  check_header(rows, digested, table, of_header);
+  check_header(rows, declared_table(name)->digested(), table, of_header);
   FewLines of_fields(table.file_name());
   for (std::size_t place = 0; place < table.header().size(); ++place)
     if (const auto column = columns.find(table.header()[place]); column != columns.end())

@@ -14,8 +14,7 @@ namespace bezierbench::bundle {
 /// Whether a bundle can have a table of this name.
 [[nodiscard]] bool is_table_name(std::string_view name);
 
-/// What is wrong with the table `name`: a few lines, each with file and line, and the number of further ones. `version`
-/// is the schema version of the bundle: in a table of version 1 digested columns may be missing.
-[[nodiscard]] std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table, int version);
+/// What is wrong with the table `name`: a few lines, each with file and line, and the number of further ones.
+[[nodiscard]] std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table);
 
 }  // namespace bezierbench::bundle

@@ -58,7 +58,6 @@ class Verification {
   Verification(const fs::path& path, Folder folder) : path_(path), folder_(std::move(folder)) {}
 
   Findings findings(const SuiteReader& read_suites) {
-    version_ = version_of_manifest();
     if (folder_has(suite_name)) check_suites(read_suites);
     for (const auto& name : folder_.files) check_file(name);
     check_rows();
@@ -67,7 +66,7 @@ class Verification {
     for (const std::string_view name : required_files)
       if (!folder_has(name)) add(all, name, "is missing");
     if (complete_) check_tables_there(all);
-    if (complete_ && version_ > 1) check_method_digests(all);
+    if (complete_) check_method_digests(all);
     if (folder_has(sums_name))
       check_sums(all);
     else
@@ -90,16 +89,6 @@ class Verification {
     return contains(required_files, name) || name == sums_name || is_table_name(name);
   }
 
-  /// The schema version that bundle.json states. 1, which requires the least, if it states none; that is reported
-  /// elsewhere.
-  [[nodiscard]] int version_of_manifest() const {
-    try {
-      return parse_manifest(read_bundle_file(path_ / manifest_name), place(manifest_name)).schema_version;
-    } catch (const Failure&) {
-      return 1;
-    }
-  }
-
   void check_suites(const SuiteReader& read_suites) {
     or_finding(suite_findings_, [&] {
       const std::string text = read_bundle_file(path_ / suite_name);
@@ -115,7 +104,7 @@ class Verification {
     if (is_table_name(name))
       or_finding(table_findings_, [&] {
         const auto table = parse_csv(bytes, place(name));
-        append(table_findings_, table_faults(name, table, version_));
+        append(table_findings_, table_faults(name, table));
         proved_.read(name, table);
         note_method_digests(name, table);
         tables_.emplace(name, table);
@@ -149,8 +138,8 @@ class Verification {
   void note_method_digests(std::string_view name, const CsvDocument& table) {
     if (name == digests_name) listed_ = parse_digests(table);
     const auto& declared = *declared_table(name);
-    if (!declared.is_deterministic || version_ == 1) return;
-    const auto columns = declared.digested(version_);
+    if (!declared.is_deterministic) return;
+    const auto columns = declared.digested();
     if (std::ranges::all_of(columns, [&](const auto& column) { return table.has_column(column); }))
       std::ranges::move(method_digests(declared, table, columns), std::back_inserter(computed_));
   }
@@ -200,18 +189,10 @@ class Verification {
     if (expected_->suites != manifest.suites) add(all, manifest_name, "its suites are not those of suite.toml");
   }
 
-  /// The accuracy digest that the files give; since schema version 2, empty for a partial bundle and without
-  /// digests.csv.
+  /// The accuracy digest that the files give; empty for a partial bundle and without digests.csv.
   [[nodiscard]] std::optional<std::string> accuracy_digest_of_files() const {
-    if (version_ > 1) {
-      const auto found = digests_.find(digests_name);
-      return complete_ && found != digests_.end() ? std::optional(found->second) : std::nullopt;
-    }
-    std::string lines;
-    for (const auto& [name, digest] : digests_)  // a map is sorted by name
-      if (const auto* table = declared_table(name); table != nullptr && table->is_deterministic)
-        lines += fmt::format("{}  {}\n", digest, name);
-    return sha256_hex(lines);
+    const auto found = digests_.find(digests_name);
+    return complete_ && found != digests_.end() ? std::optional(found->second) : std::nullopt;
   }
 
   /// Looks for the tables and rows that the suites ask for.
@@ -276,7 +257,6 @@ class Verification {
   bool complete_ = false;
   std::optional<Expected> expected_;
   std::optional<std::string> suite_digest_;
-  int version_ = 1;
   std::map<std::string, std::string, std::less<>> digests_;  ///< by file name
   std::vector<MethodDigest> computed_;                       ///< from the rows of the tables
   std::vector<MethodDigest> listed_;                         ///< from digests.csv

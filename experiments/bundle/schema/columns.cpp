@@ -62,7 +62,6 @@ Column column_of(const std::string& name, const Json& part, bool of_deterministi
                 .is_number = holds_numbers(part),
                 .is_digested = false,
                 .is_deprecated = declared.value("deprecated", false),
-                .since = declared.value("since", 1),
                 .is_of_machine = declared.value("of_machine", false),
                 .accuses = declared.value("accuses", std::string()),
                 .is_of_promise = declared.value("of_promise", false)};
@@ -110,8 +109,8 @@ std::vector<std::string> DeclaredTable::header() const {
   return names(columns, [](const Column& column) { return !column.is_deprecated; });
 }
 
-std::vector<std::string> DeclaredTable::digested(int version) const {
-  return names(columns, [version](const Column& column) { return column.is_digested && column.since <= version; });
+std::vector<std::string> DeclaredTable::digested() const {
+  return names(columns, [](const Column& column) { return column.is_digested; });
 }
 
 const std::vector<DeclaredTable>& declared_tables() {

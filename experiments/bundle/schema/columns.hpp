@@ -22,7 +22,6 @@ struct Column {
   bool is_number = false;      ///< every field is a number or empty; else fields are text
   bool is_digested = false;    ///< part of the table's digests
   bool is_deprecated = false;  ///< written by earlier programs only
-  int since = 1;               ///< first schema version in which it is digested
   bool is_of_machine = false;  ///< a key that the suite does not determine
   /// What a count above 0, or a `no`, says against a row, for `verify`; empty where it says nothing.
   std::string accuses = {};
@@ -49,8 +48,8 @@ struct DeclaredTable {
   [[nodiscard]] const Column* column(std::string_view name) const;
   /// The columns that are written, in their order.
   [[nodiscard]] std::vector<std::string> header() const;
-  /// The names of the columns that a bundle of this schema version digests, in their order.
-  [[nodiscard]] std::vector<std::string> digested(int version) const;
+  /// The names of the columns that are digested, in their order.
+  [[nodiscard]] std::vector<std::string> digested() const;
 };
 
 /// All tables, in the order of the schema.
@@ -63,7 +62,7 @@ struct DeclaredTable {
 /// a list; a column that a table does not have is left out.
 [[nodiscard]] std::vector<std::vector<std::string>> ascending_columns();
 
-/// The schema version of the bundles that this program writes. It reads bundles of every version from 1 on.
+/// The schema version of the bundles that this program writes and reads.
 [[nodiscard]] int written_version();
 
 }  // namespace bezierbench::bundle

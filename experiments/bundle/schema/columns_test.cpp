@@ -29,7 +29,7 @@ TEST(Columns, OfATableThatIsAsAnotherOne) {
   const auto* unstable = declared_table("unstable.csv");
   EXPECT_EQ(unstable->header(), declared_table("accuracy.csv")->header());
   EXPECT_FALSE(unstable->is_deterministic);
-  EXPECT_TRUE(unstable->digested(written_version()).empty());
+  EXPECT_TRUE(unstable->digested().empty());
 }
 
 TEST(Columns, SayWhetherTheyHoldNumbersAndWhatARowIsAbout) {
@@ -60,14 +60,6 @@ TEST(Columns, OfDeterministicTablesNameStudyAndMethod) {
     EXPECT_TRUE(table.column(table.study)->is_key) << table.file;
     EXPECT_TRUE(table.column(table.method)->is_key) << table.file;
   }
-}
-
-TEST(Columns, AreOfNoVersionThatIsNotWrittenYet) {
-  for (const auto& table : declared_tables())
-    for (const auto& column : table.columns) {
-      EXPECT_GE(column.since, 1) << table.file << ' ' << column.name;
-      EXPECT_LE(column.since, written_version()) << table.file << ' ' << column.name;
-    }
 }
 
 /// Keys of the same name identify the same thing in different tables.
