@@ -1,9 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """The command line from outside: help, lists, one-line messages. Usage: cli_test.py BEZIERBENCH"""
+import shutil
+import subprocess
 import unittest
 
-from program_case import BERNSTEIN, METHOD_COLUMNS, POWER, TIMING, TO_BERNSTEIN, TO_POWER, USAGE, Case, rows
+from program_case import BERNSTEIN, CODE, ENVIRONMENT, METHOD_COLUMNS, POWER, PROGRAM, TIMING, TO_BERNSTEIN, TO_POWER, USAGE, Case, rows
 
 
 class CommandLine(Case):
@@ -78,6 +80,13 @@ class CommandLine(Case):
                          ["arithmetic", "clock", "governor", "boost", "load", "virtualised", "counters"])
         for aspect, text in lines:
             self.assertIn(text.split()[0], ("fine", "warning"), aspect)
+
+    @unittest.skipUnless(shutil.which("qemu-x86_64") and b"-DBEZIERBENCH_X86_64_V3=OFF" in CODE,
+                         "qemu-user is not installed, or the program runs on any processor")
+    def test_lesser_processor(self):
+        result = subprocess.run(["qemu-x86_64", "-cpu", "Nehalem", PROGRAM, "doctor"], capture_output=True, check=False)
+        self.assertEqual((result.returncode, result.stdout), (ENVIRONMENT, b""))
+        self.assertIn(b"this processor lacks AVX2 or FMA", result.stderr)
 
     def test_help_and_version(self):
         self.assertIn("run", self.fine("--help"))
