@@ -14,7 +14,6 @@ enum class Exit : int {
   usage = 2,          ///< command line or suite file
   environment = 3,    ///< processor, floating-point environment, missing package
   input_output = 4,   ///< no space, no permission, unreadable or malformed data file
-  stopped_early = 5,  ///< resumable
   interrupted = 130,  ///< resumable
 };
 

@@ -1,9 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """The command line from outside: help, lists, one-line messages. Usage: cli_test.py BEZIERBENCH"""
+import re
+import shutil
+import subprocess
 import unittest
 
-from program_case import BERNSTEIN, METHOD_COLUMNS, POWER, TIMING, TO_BERNSTEIN, TO_POWER, USAGE, Case, rows
+from program_case import (BERNSTEIN, CODE, ENVIRONMENT, FINDING, INPUT_OUTPUT, INTERRUPTED, METHOD_COLUMNS, POWER, PROGRAM, ROOT, TIMING, TO_BERNSTEIN,
+                          TO_POWER, USAGE, Case, rows)
 
 
 class CommandLine(Case):
@@ -13,8 +17,8 @@ class CommandLine(Case):
                 (["rnu"], "rnu: unknown command; did you mean \"run\"?"), (["list"], "subcommand"),
                 (["list", "method"], "did you mean \"methods\"?"), (["curve"], "subcommand"),
                 (["curve", "evl"], "did you mean \"eval\"?"), (["curve", "lenght", "--curve", "c"], "lenght: unknown command; did you mean \"length\"?"), (["rnu", "--out", "b"], "rnu: unknown command; did you mean \"run\"?"), (["--nonsense"], "--help"),
-                (["run"], "run needs SUITE..., --out FOLDER"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
-                (["run", "--out", "b"], "run needs SUITE...;"), (["run", suite, "--out", "b", "--nonsense"], "--nonsense"),
+                (["run"], "SUITE is required; see bezierbench run --help"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
+                (["run", "--out", "b"], "SUITE is required"), (["run", suite, "--out", "b", "--nonsense"], "--nonsense"),
                 (["run", suite, "--oot", "b"], "--oot: unknown option; did you mean \"--out\"?"),
                 (["run", suite, "--oot=b"], "--oot: unknown option; did you mean \"--out\"?"),
                 (["list", "methods", "--fromat", "csv"], "did you mean \"--format\"?"),
@@ -22,7 +26,7 @@ class CommandLine(Case):
                 (["rnu", "--help"], "rnu: unknown command; did you mean \"run\"?"), (["--help", "rnu"], "rnu: unknown command"),
                 (["curve", "evl", "--help"], "did you mean \"eval\"?"), (["run", "--oot", "b", "--help"], "--oot"),
                 (["run", suite, "--out", ""], "--out"), (["run", suite, "--out", "b", "--out", "c"], "--out"),
-                (["verify"], "verify needs BUNDLE;"), (["verify", "b", "c"], "c: is one argument too many"), (["curve", "eval", "--t", "0"], "--curve"),
+                (["verify"], "BUNDLE is required"), (["verify", "b", "c"], "c: is one argument too many"), (["curve", "eval", "--t", "0"], "--curve"),
                 (["curve", "eval", "--curve", "c"], "--t"), (["curve", "convert", "--curve", "c"], "--method"),
                 (["curve", "eval", "--curve", "c", "--t", "0", "--form", "beta"], "beta"),
                 (["list", "methods", "--format", "xml"], "xml must be one of text, csv"),
@@ -79,11 +83,24 @@ class CommandLine(Case):
         for aspect, text in lines:
             self.assertIn(text.split()[0], ("fine", "warning"), aspect)
 
+    @unittest.skipUnless(shutil.which("qemu-x86_64") and b"-DBEZIERBENCH_X86_64_V3=OFF" in CODE,
+                         "qemu-user is not installed, or the program runs on any processor")
+    def test_lesser_processor(self):
+        result = subprocess.run(["qemu-x86_64", "-cpu", "Nehalem", PROGRAM, "doctor"], capture_output=True, check=False)
+        self.assertEqual((result.returncode, result.stdout), (ENVIRONMENT, b""))
+        self.assertIn(b"this processor lacks AVX2 or FMA", result.stderr)
+
     def test_help_and_version(self):
         self.assertIn("run", self.fine("--help"))
         self.assertIn("--out", self.fine("run", "--help"))
-        self.assertRegex(self.fine("choose", "--help"), r"--mode one_shot\|point\|latency\|batch\n +of the times; default point\n")
+        self.assertRegex(self.fine("choose", "--help"), r"--mode one_shot\|point\|latency\|batch\n +[^\n]*default point\n")
         self.assertTrue(self.fine("--version").startswith("bezierbench "))
+
+    def test_exit_codes_are_those_of_the_documentation(self):
+        printed = dict(re.findall(r"(?m)^  (\d+) +(.*)$", self.fine("--help")))
+        documented = dict(re.findall(r"(?m)^\| (\d+) \| (.*) \|$", (ROOT / "docs/terminal.md").read_text(encoding="utf-8")))
+        self.assertEqual(printed, documented)
+        self.assertEqual(list(map(int, printed)), [0, FINDING, USAGE, ENVIRONMENT, INPUT_OUTPUT, INTERRUPTED])
 
 
 class Lists(Case):
@@ -119,7 +136,6 @@ class Lists(Case):
         self.assertLessEqual({"weights_mild", "weights_wild"}, {k for k, row in generators.items() if row["weights"]})
         for topic in ("methods", "suites", "studies", "generators"):
             self.assertNotEqual(self.fine("list", topic), self.fine("list", topic, "--format", "csv"))
-            self.assertEqual(self.fine("list", "--format", "csv", topic), self.fine("list", topic, "--format", "csv"))
 
 
 if __name__ == "__main__":

@@ -2,19 +2,23 @@
 #include "experiments/cli/command.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <sstream>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
-#include "experiments/cli/terminal/help.hpp"
+#include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/nearest.hpp"
+#include "experiments/terminal.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -25,13 +29,13 @@ const CLI::App& chosen_command(const CLI::App& app) {
   return *command;
 }
 
-/// Option groups are commands without a name; hidden commands have no group.
+/// Option groups are commands without a name.
 bool is_group(const CLI::App* app) { return app->get_name().empty(); }
-bool is_shown(const CLI::App* app) { return !is_group(app) && !app->get_group().empty(); }
+bool is_command(const CLI::App* app) { return !is_group(app); }
 
-std::vector<std::string> shown_commands(const CLI::App& command) {
+std::vector<std::string> commands_of(const CLI::App& command) {
   std::vector<std::string> names;
-  for (const auto* subcommand : command.get_subcommands(is_shown)) names.push_back(subcommand->get_name());
+  for (const auto* subcommand : command.get_subcommands(is_command)) names.push_back(subcommand->get_name());
   return names;
 }
 
@@ -41,16 +45,13 @@ std::string full_name(const CLI::App& command) {
   return parent == nullptr ? command.get_name() : full_name(*parent) + ' ' + command.get_name();
 }
 
-/// The options that `command` takes, with those of its groups and parents.
-std::vector<std::string> options_of(const CLI::App& command) {
-  std::vector<std::string> known;
-  const auto add = [&known](const CLI::App& app) {
-    for (const auto* option : app.get_options())
-      if (option->nonpositional()) known.push_back(option->get_name());
-  };
-  for (const auto* app = &command; app != nullptr; app = app->get_parent()) add(*app);
-  for (const auto* group : command.get_subcommands(is_group)) add(*group);
-  return known;
+/// The options that `command` takes, with those of its groups, which have the help option of their command once more.
+std::vector<const CLI::Option*> options_of(const CLI::App& command) {
+  auto all = command.get_options();
+  for (const auto* group : command.get_subcommands(is_group))
+    for (const auto* option : group->get_options())
+      if (option != command.get_help_ptr()) all.push_back(option);
+  return {all.begin(), all.end()};
 }
 
 /// The message about the first word that the parser did not recognise, or about a command that is missing. Empty where
@@ -61,65 +62,60 @@ std::string misplaced_word(const CLI::App& app) {
   const bool lacks_command = command.get_require_subcommand_min() > 0;
   if (lacks_command && !words.empty() &&
       !words.front().starts_with('-'))  // what follows belongs to the mistyped command
-    return fmt::format("{}: unknown command{}", words.front(),
-                       suite::suggestion(words.front(), shown_commands(command)));
+    return fmt::format("{}: unknown command{}", words.front(), suite::suggestion(words.front(), commands_of(command)));
   const auto option = std::ranges::find_if(words, [](const auto& word) { return word.starts_with('-'); });
   if (option != words.end()) {
     const auto name = option->substr(0, option->find('='));
-    return fmt::format("{}: unknown option{}", name, suite::suggestion(name, options_of(command)));
+    std::vector<std::string> known;
+    for (const auto* one : options_of(command))
+      if (one->nonpositional()) known.push_back(one->get_name());
+    return fmt::format("{}: unknown option{}", name, suite::suggestion(name, known));
   }
   if (lacks_command)
     return fmt::format("{}: must be followed by a subcommand: {}", command.get_name(),
-                       fmt::join(shown_commands(command), ", "));
+                       fmt::join(commands_of(command), ", "));
   return words.empty() ? "" : fmt::format("{}: is one argument too many", words.front());
 }
 
-OptionNode node_of(const CLI::Option& option, const ValueNotes& notes, int alternative) {
-  OptionNode node;
-  if (option.nonpositional()) node.name = option.get_name();
-  const bool is_flag = option.get_expected_max() == 0;
-  if (const auto note = notes.find(&option); note != notes.end()) {
-    node.value = note->second.name;
-    node.values = note->second.values;
-  } else if (!is_flag) {
-    for (const char c : option.get_name().substr(option.nonpositional() ? 2 : 0))  // --degree takes a DEGREE
-      node.value += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+/// CLI11's help, with descriptions broken at the width of the terminal.
+class Help : public CLI::Formatter {
+ public:
+  Help() {
+    constexpr std::size_t indent = 24;  // of descriptions
+    column_width(indent);
+    label("Positionals", "Arguments");
+    label("SUBCOMMAND", "COMMAND");
   }
-  node.help = option.get_description();
-  node.required = option.get_required();
-  const auto& left_out = option.get_default_str();
-  const bool says_it = node.help.find("default") != std::string::npos;
-  if (!node.required && !says_it && !left_out.empty()) node.help += "; default " + left_out;
-  node.several = !is_flag && option.get_items_expected_max() > 1;
-  node.alternative = alternative;
-  return node;
-}
 
-void add_options(const CLI::App& app, const ValueNotes& notes, int alternative, std::vector<OptionNode>& options) {
-  const bool is_command = alternative < 0;  // a group has the help option of its command once more
-  for (const auto* option : app.get_options())
-    if (is_command || option != app.get_help_ptr()) options.push_back(node_of(*option, notes, alternative));
-}
+ protected:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const auto name = option->get_positional() ? "" : ' ' + option->get_type_name();
+    const bool several = option->get_type_size() > 0 && option->get_items_expected_max() > 1;
+    return (name == " " ? "" : name) + (several ? "..." : "");
+  }
 
-CommandNode tree_of(const CLI::App& app, const ValueNotes& notes) {
-  CommandNode node{full_name(app), app.get_description(), app.get_footer(), {}, {}};
-  add_options(app, notes, -1, node.options);
-  int alternative = 0;
-  for (const auto* group : app.get_subcommands(is_group)) add_options(*group, notes, alternative++, node.options);
-  if (app.get_fallthrough())
-    for (const auto* option : app.get_parent()->get_options())
-      if (option != app.get_parent()->get_help_ptr()) node.options.push_back(node_of(*option, notes, -1));
-  for (const auto* command : app.get_subcommands(is_shown)) node.commands.push_back(tree_of(*command, notes));
-  return node;
-}
+  std::string make_option_desc(const CLI::Option* option) const override {
+    auto text = option->get_description();
+    const bool has_default = !option->get_required() && !option->get_default_str().empty();
+    if (has_default && text.find("default") == std::string::npos) text += "; default " + option->get_default_str();
+    return in_column(text + (option->get_required() ? " (required)" : ""));
+  }
 
-/// What the chosen command needs and did not get: "choose needs BUNDLE, --degree DEGREE". Empty where it has all.
-std::string missing_words(const CLI::App& command, const ValueNotes& notes) {
-  std::vector<std::string> missing;
-  for (const auto* option : command.get_options())
-    if (option->get_required() && option->count() == 0) missing.push_back(spelling(node_of(*option, notes, -1)));
-  return missing.empty() ? "" : fmt::format("{} needs {}", command.get_name(), fmt::join(missing, ", "));
-}
+  std::string make_subcommand(const CLI::App* command) const override {
+    std::ostringstream text;
+    CLI::detail::format_help(text, command->get_name(), in_column(command->get_description()), get_column_width());
+    return text.str();
+  }
+
+ private:
+  [[nodiscard]] std::string in_column(const std::string& text) const {
+    constexpr std::size_t usual = 80;
+    constexpr std::size_t most_readable = 100;  // longer lines of text are hard to read
+    const auto taken = get_column_width() + 2;  // CLI11 indents the options of a group by 2
+    const auto width = std::min(terminal_width(STDOUT_FILENO).value_or(usual), most_readable);
+    return fmt::format("{}", fmt::join(lines_of(text, width - std::min(width, taken)), "\n"));
+  }
+};
 
 [[noreturn]] void refuse(const CLI::App& app, const std::string& what) {
   throw Failure(Exit::usage, fmt::format("{}; see {} --help", what, full_name(chosen_command(app))));
@@ -134,7 +130,8 @@ void refuse_mistyped(const CLI::App& app) {
 }  // namespace
 
 Option Option::takes(const std::string& name, KnownValues values) {
-  (*notes_)[option_] = {name, std::move(values)};
+  if (option_->nonpositional()) option_->type_name(name);
+  if (values) (*values_)[option_] = std::move(values);
   return *this;
 }
 
@@ -173,24 +170,22 @@ Option Option::within(int least, int most) {
 }
 
 Command Command::command(const std::string& name, const std::string& help) {
-  return {*app_->add_subcommand(name, help), *notes_};
-}
-
-void Command::hidden_command(const std::string& name, std::function<void(const std::vector<std::string>&)> action) {
-  auto* command = app_->add_subcommand(name)->group("")->prefix_command();
-  command->set_help_flag();  // --help is one of its words
-  command->callback([command, run = std::move(action)] { run(command->remaining()); });
+  return {*app_->add_subcommand(name, help), *values_};
 }
 
 template <class Value>
 Option Command::option(const std::string& name, Value& value, const std::string& help) {
   auto* option = app_->add_option(name, value, help);
+  std::string type;
+  for (const char c : name.substr(option->nonpositional() ? 2 : 0))  // --degree takes a DEGREE
+    type += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  option->type_name(type);
   if constexpr (std::is_same_v<Value, int> || std::is_same_v<Value, std::string>) option->capture_default_str();
   if constexpr (std::is_same_v<Value, int>)
     option->check([](const std::string& word) {
       return number::parse_integer(word) ? std::string() : fmt::format("{} must be a whole number", echo(word));
     });
-  return {*option, *notes_};
+  return {*option, *values_};
 }
 
 template Option Command::option(const std::string&, std::string&, const std::string&);
@@ -199,43 +194,78 @@ template Option Command::option(const std::string&, std::vector<std::string>&, c
 template Option Command::option(const std::string&, int&, const std::string&);
 
 Option Command::flag(const std::string& name, bool& value, const std::string& help) {
-  return {*app_->add_flag(name, value, help), *notes_};
+  return {*app_->add_flag(name, value, help), *values_};
 }
 
 Command Command::alternatives(const std::string& name, const std::string& help) {
   auto* group = app_->add_option_group(name, help);
   group->require_option(1);
-  return {*group, *notes_};
+  return {*group, *values_};
 }
 
 void Command::footer(const std::string& text) { app_->footer(text); }
 void Command::needs_command() { app_->require_subcommand(1); }
-void Command::takes_options_of_its_parent() { app_->fallthrough(); }
 void Command::action(std::function<void()> what) { app_->callback(std::move(what)); }
 
 Program::Program(const std::string& name, const std::string& help, const std::string& version)
     : app_(std::make_unique<CLI::App>(help, name)) {
-  app_->set_help_flag("--help,-h", "say what the command does and takes");
-  app_->set_version_flag("--version", version, "say version, compiler and commit");
+  app_->formatter(std::make_shared<Help>());
+  app_->set_help_flag("--help,-h", "print this help and exit");
+  app_->set_version_flag("--version", version, "print version, compiler and commit, and exit");
 }
 
 Program::~Program() = default;
 
-CommandNode Program::tree() const { return tree_of(*app_, notes_); }
+std::vector<std::string> Program::completions(std::span<const std::string> words) const {
+  std::vector<std::string> lines;
+  if (words.empty()) return lines;
+  const auto& begun = words.back();
+  const auto add = [&](const std::string& word, const std::string& meaning) {
+    if (word.starts_with(begun)) lines.push_back(meaning.empty() ? word : word + '\t' + meaning);
+  };
+  const auto add_values = [&](const CLI::Option* option, const std::string& before) {
+    if (const auto known = values_.find(option); known != values_.end())
+      for (const auto& value : known->second()) add(before + value, "");
+  };
+  const CLI::App* command = app_.get();
+  const CLI::Option* open = nullptr;  // the option whose value comes next
+  for (const auto& word : words.first(words.size() - 1)) {
+    const auto* option = open == nullptr && word.starts_with('-') ? command->get_option_no_throw(word) : nullptr;
+    const auto next =
+        command->get_subcommands([&](const CLI::App* one) { return is_command(one) && one->get_name() == word; });
+    if (open == nullptr && !next.empty()) command = next.front();
+    open = option != nullptr && option->get_type_size() > 0 ? option : nullptr;
+  }
+  const auto equals = begun.find('=');
+  if (open != nullptr) {
+    add_values(open, "");
+  } else if (begun.starts_with("--") && equals != std::string::npos) {
+    add_values(command->get_option_no_throw(begun.substr(0, equals)), begun.substr(0, equals + 1));
+  } else if (begun.starts_with('-')) {
+    for (const auto* option : options_of(*command))
+      if (option->nonpositional()) add(option->get_name(), option->get_description());
+  } else {
+    for (const auto* one : command->get_subcommands(is_command)) add(one->get_name(), one->get_description());
+    for (const auto* option : command->get_options())
+      if (option->get_positional()) add_values(option, "");
+  }
+  return lines;
+}
 
 void Program::run(int argc, const char* const* argv) {
+  if (argc > 1 && argv[1] == std::string_view("complete")) {
+    const std::vector<std::string> words(argv + 2, argv + argc);
+    for (const auto& line : completions(words)) fmt::print("{}\n", line);
+    return;
+  }
   try {
     app_->parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     refuse_mistyped(*app_);
-    fmt::print("{}", help_text(tree_of(chosen_command(*app_), notes_)));
+    fmt::print("{}", app_->help());
   } catch (const CLI::CallForVersion& version) {
     refuse_mistyped(*app_);
     fmt::print("{}\n", version.what());
-  } catch (const CLI::RequiredError& error) {
-    auto what = misplaced_word(*app_);
-    if (what.empty()) what = missing_words(chosen_command(*app_), notes_);
-    refuse(*app_, what.empty() ? error.what() : what);
   } catch (const CLI::ParseError& error) {
     const auto what = misplaced_word(*app_);
     refuse(*app_, what.empty() ? error.what() : what);

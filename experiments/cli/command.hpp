@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The interface of the subcommands to the command line. Only command.cpp includes CLI11, whose header takes 4 s to
-// compile.
+// compile. Help and completions come from CLI11's tree of commands.
 #pragma once
 
 #include <functional>
@@ -8,10 +8,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
-
-#include "experiments/cli/terminal/command_tree.hpp"
 
 namespace CLI {
 class App;
@@ -20,19 +19,25 @@ class Option;
 
 namespace bezierbench::cli {
 
-/// What help and completions say of the value of an option, beside what the parser knows.
-struct ValueNote {
-  std::string name;
-  KnownValues values;
-};
-using ValueNotes = std::map<const CLI::Option*, ValueNote>;
+/// The values that an option can take, where they can be listed, for completions. Called only when a shell asks.
+using KnownValues = std::function<std::vector<std::string>()>;
+using ValuesOfOptions = std::map<const CLI::Option*, KnownValues>;
+
+/// Names of values in help.
+inline constexpr const char* file_value = "FILE";
+inline constexpr const char* folder_value = "FOLDER";
+inline constexpr const char* bundle_value = "BUNDLE";    ///< the folder of one
+inline constexpr const char* suite_value = "SUITE";      ///< an id or a file
+inline constexpr const char* command_value = "COMMAND";  ///< a program, with arguments
+inline constexpr const char* against_value = "PROGRAM|COMMIT|BUNDLE";
 
 /// An option or argument of a command, with the checks of its value.
 class Option {
  public:
-  Option(CLI::Option& option, ValueNotes& notes) : option_(&option), notes_(&notes) {}
+  Option(CLI::Option& option, ValuesOfOptions& values) : option_(&option), values_(&values) {}
 
-  /// Names the value, for help (`--out FOLDER`), and says which values there are, for completions.
+  /// Names the value, for help (`--out FOLDER`), and lists the values, for completions. A positional argument is named by
+  /// Command::option.
   Option takes(const std::string& name, KnownValues values = {});
   Option required();
   Option once();           ///< one value only, of an option that could take several
@@ -42,21 +47,18 @@ class Option {
 
  private:
   CLI::Option* option_;
-  ValueNotes* notes_;
+  ValuesOfOptions* values_;
 };
 
 /// A command, to which options and commands can be added. The program owns it.
 class Command {
  public:
-  Command(CLI::App& app, ValueNotes& notes) : app_(&app), notes_(&notes) {}
+  Command(CLI::App& app, ValuesOfOptions& values) : app_(&app), values_(&values) {}
 
   Command command(const std::string& name, const std::string& help);
 
-  /// Adds a command for other programs, which no help shows. `action` gets all words that follow its name.
-  void hidden_command(const std::string& name, std::function<void(const std::vector<std::string>&)> action);
-
   /// Adds an option. Its value is written to `value` before the action runs; the value before that is the default. A
-  /// name without -- is that of a positional argument. All numbers except small integers are read as text, for
+  /// name without -- is that of a positional argument, as help prints it. All numbers except small integers are read as text, for
   /// experiments/number to parse, because the parser would accept nan, and 1e-999 as 0.
   template <class Value>
   Option option(const std::string& name, Value& value, const std::string& help);
@@ -68,12 +70,11 @@ class Command {
   /// Text below the options in the help of this command.
   void footer(const std::string& text);
   void needs_command();
-  void takes_options_of_its_parent();
   void action(std::function<void()> what);  ///< runs when the command is chosen
 
  private:
   CLI::App* app_;
-  ValueNotes* notes_;
+  ValuesOfOptions* values_;
 };
 
 extern template Option Command::option(const std::string&, std::string&, const std::string&);
@@ -89,16 +90,20 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  [[nodiscard]] Command command() { return {*app_, notes_}; }
-  [[nodiscard]] CommandNode tree() const;
+  [[nodiscard]] Command command() { return {*app_, values_}; }
 
-  /// Runs the action of the chosen command, or prints help or version to standard output. Throws Failure(Exit::usage)
-  /// for a wrong command line, and whatever the action throws.
+  /// What can stand in place of the last of `words`, which may be empty; the words before it are complete, and the name of
+  /// the program is not among them. Each entry is `WORD` or `WORD<tab>MEANING`. Where there is none, shells offer files.
+  [[nodiscard]] std::vector<std::string> completions(std::span<const std::string> words) const;
+
+  /// Runs the action of the chosen command, or prints help or version to standard output. `complete WORDS...`, which the
+  /// functions of the shells call, prints completions(). Throws Failure(Exit::usage) for a wrong command line, and
+  /// whatever the action throws.
   void run(int argc, const char* const* argv);
 
  private:
   std::unique_ptr<CLI::App> app_;
-  ValueNotes notes_;
+  ValuesOfOptions values_;
 };
 
 }  // namespace bezierbench::cli

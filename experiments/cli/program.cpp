@@ -1,57 +1,79 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/program.hpp"
-
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <stdexcept>
+#include <new>
 #include <string>
-#include <typeinfo>
-#include <vector>
+#include <string_view>
+#include <utility>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/startup/limits.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/cli/startup/welcome.hpp"
-#include "experiments/cli/terminal/completion.hpp"
-#include "experiments/cli/terminal/manual.hpp"
+#include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/number/floating_point.hpp"
+#include "experiments/outside/harness.hpp"
 #include "experiments/run/interruption.hpp"
+#include "experiments/terminal.hpp"
+#include "reference/exhausted_memory.hpp"
 
 namespace bezierbench::cli {
 namespace {
+
+/// The end of the program's help and manual page. docs/terminal.md has the same codes, which a test compares.
+constexpr std::string_view exit_codes =
+    "Exit codes:\n"
+    "  0    success\n"
+    "  1    a finding: a gate failed, bytes differ, a bound was violated\n"
+    "  2    wrong usage or configuration\n"
+    "  3    this machine or build is unfit, or memory is exhausted\n"
+    "  4    input or output failed: no space, no permission, an unreadable or malformed file\n"
+    "  130  interrupted; the same command continues the run\n"
+    "\n"
+    "Environment:\n"
+    "  COLUMNS   the width of help and tables, if it is not that of the terminal\n"
+    "  NO_COLOR  if not empty, no colours are used";
+
+/// What the program prints when it is called without arguments: examples, one line each, two on a narrow terminal.
+std::string welcome() {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> examples{{
+      {"bezierbench list suites", "list the suites and their cost"},
+      {"bezierbench run report --out b", "repeat the source report"},
+      {"bezierbench choose b --degree 4 --tolerance 10", "rank its methods"},
+      {"bezierbench curve eval --curve c.csv --t 0.5", "one curve and its true errors"},
+      {"bezierbench --help", "list all commands"},
+  }};
+  constexpr std::size_t indent = 48;
+  constexpr std::size_t narrow = 80;
+  std::string text;
+  for (const auto& [command, meaning] : examples)
+    text += styled(STDOUT_FILENO, fmt::emphasis::bold, command) +
+            (output_width() < narrow ? "\n    " : std::string(indent - command.size(), ' ')) + std::string(meaning) +
+            '\n';
+  return text;
+}
 
 int fail(Exit exit, const std::string& line) {
   say(line);
   return static_cast<int>(exit);
 }
 
-/// Opens descriptors in place of standard streams that are closed. Otherwise the next file that is opened, perhaps a
-/// result, would get the number of a standard stream. Reading and writing fail on these descriptors, too.
-void occupy_closed_streams() {
-  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(number, F_GETFD) == -1) open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+/// Writes one line without allocating memory, and ends the program with all its threads.
+[[noreturn]] void end_without_memory() {
+  constexpr std::string_view line =
+      "bezierbench: memory is exhausted; raise its limit (ulimit -v), or use fewer --jobs\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
+  _exit(static_cast<int>(Exit::environment));
 }
 
 int standard_output_failed() {
   return fail(Exit::input_output, "standard output: cannot be written; free space or choose another place");
-}
-
-/// Commands for the build and the shells, which no help shows.
-void add_hidden(Program& program, Command& root) {
-  root.hidden_command("complete", [&program](const std::vector<std::string>& words) {
-    for (const auto& line : completions(program.tree(), words)) fmt::print("{}\n", line);
-  });
-  root.hidden_command("manual", [&program](const std::vector<std::string>& words) {
-    if (words.size() != 1) throw Failure(Exit::usage, "manual: must be followed by a folder");
-    write_manual(program.tree(), words.front());
-  });
 }
 
 int run_program(int argc, char** argv, std::span<const outside::OwnMethod> own) {
@@ -59,7 +81,8 @@ int run_program(int argc, char** argv, std::span<const outside::OwnMethod> own) 
     fmt::print("{}", welcome());
     return std::fflush(stdout) == 0 ? static_cast<int>(Exit::fine) : standard_output_failed();
   }
-  Program program("bezierbench", "How wrong is each way of evaluating a Bezier curve, and how fast is it here?",
+  Program program("bezierbench",
+                  "Compares ways of evaluating Bezier curves, and companion problems, with an exact reference.",
                   version_line());
   Exit exit = Exit::fine;
   Command root = program.command();
@@ -77,20 +100,21 @@ int run_program(int argc, char** argv, std::span<const outside::OwnMethod> own) 
   add_inputs(root, exit);
   add_judge(root, exit);
   add_curve(root, exit);
-  add_hidden(program, root);
+  root.footer(std::string(exit_codes));  // commands that are added later would inherit it
   program.run(argc, argv);
   if (!std::cout.flush() || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return standard_output_failed();
   return static_cast<int>(exit);
 }
 
 }  // namespace
+}  // namespace bezierbench::cli
 
-int main(int argc, char** argv, std::span<const outside::OwnMethod> own) {
+namespace bezierbench::harness {
+
+int run(int argc, char** argv, std::span<const outside::OwnMethod> own) {
+  using namespace cli;
   try {
-    occupy_closed_streams();
-    require_stack();
-    require_memory();
-    report_exhausted_memory();
+    reference::on_exhausted_memory([] { end_without_memory(); });  // no exception can pass through GMP
     bundle::ignore_file_size_signal();
     run::watch_for_interruption();
     const auto faults = number::floating_point_faults();
@@ -105,10 +129,8 @@ int main(int argc, char** argv, std::span<const outside::OwnMethod> own) {
     end_without_memory();
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) return standard_output_failed();
-    // Failures, and errors of files and formats, have their own types; a plain runtime_error comes from a library.
-    if (typeid(error) == typeid(std::runtime_error)) end_without_resource(error.what());
     return fail(Exit::input_output, error.what());
   }
 }
 
-}  // namespace bezierbench::cli
+}  // namespace bezierbench::harness

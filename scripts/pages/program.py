@@ -69,8 +69,8 @@ def kinds(_page, program):
 
 def subcommands(text):
     """The names under the heading of commands in the text of a help."""
-    _, heading, listed = text.partition("\ncommands\n")
-    return [found[1] for line in listed.splitlines() if (found := COMMAND.match(line))] if heading else []
+    _, heading, listed = text.partition("\nSubcommands:\n")
+    return [found[1] for line in listed.split("\n\n")[0].splitlines() if (found := COMMAND.match(line))] if heading else []
 
 
 def commands(_page, program):
@@ -80,7 +80,7 @@ def commands(_page, program):
     def visit(path):
         text = output(program, *path, "--help")
         name = " ".join(["bezierbench", *path])
-        shown = text.partition("\nWhat a [[study]]")[0].strip()  # docs/suites.md has the keys of studies
+        shown = text.partition("\nThe keys of a [[study]]")[0].strip()  # docs/suites.md has the keys of studies
         parts.append(f"## {name}\n\n```text\n{shown}\n```")
         found = subcommands(text)
         if not path and not found:

@@ -194,7 +194,7 @@ Exit check(const CheckOptions& options) {
 void add_check(Command program, Exit& exit) {
   auto options = std::make_shared<CheckOptions>();
   auto command = program.command("check", "a method that was changed: properties, bound, errors; against what it was");
-  command.option("method", options->method, "its id; see list methods").required().takes("METHOD", all_methods());
+  command.option("METHOD", options->method, "its id; see list methods").required().takes("METHOD", all_methods());
   command
       .option("--against", options->against,
               "a program or a commit, which is built: errors and times; or a bundle: errors")

@@ -197,7 +197,7 @@ class Check(Case):
     # What it refuses.
 
     def test_refusals(self):
-        self.refused(USAGE, ["check"], "check needs METHOD")
+        self.refused(USAGE, ["check"], "METHOD is required")
         self.refused(USAGE, ["check", "de_castlejau"], 'did you mean "de_casteljau"?')
         self.refused(USAGE, ["check", "direct", "--against", "nothing"], "--against nothing", env=self.environment)
         self.refused(USAGE, ["check", "direct", "--out", "cache"], "--out cache: exists")

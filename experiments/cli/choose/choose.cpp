@@ -185,7 +185,7 @@ std::vector<std::string> words_of_forms() {
 void add_choose(Command program, Exit& exit) {
   auto wish = std::make_shared<Wish>();
   auto command = program.command("choose", "the methods of a bundle that are right enough, fastest first");
-  command.option("bundle", wish->bundle, "folder of the bundle").required();
+  command.option("BUNDLE", wish->bundle, "folder of the bundle").required();
   command.option("--degree", wish->degree, "degree of the curves").required();
   command.option("--tolerance", wish->tolerance_text, "largest error that is accepted").required();
   command.option("--unit", wish->unit, "of the tolerance: u (units of u p~) or coordinate").one_of({"u", "coordinate"});

@@ -154,7 +154,7 @@ Exit run_compare(const CompareOptions& options) {
 void add_compare(Command program, Exit& exit) {
   auto options = std::make_shared<CompareOptions>();
   auto command = program.command("compare", "machines, accuracy and times of bundles, against the first");
-  command.option("bundles", options->bundles, "folders that run wrote; two or more").required().takes(bundle_value);
+  command.option("BUNDLE", options->bundles, "folders that run wrote; two or more").required().takes(bundle_value);
   command.option("--format", options->format, "text or csv").one_of({"text", "csv"});
   command
       .option("--fail-on", options->fail_on, "slower: exit 1 where a method is, in all repetitions and at quality ok")

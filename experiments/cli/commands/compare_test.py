@@ -281,7 +281,7 @@ class Compare(Case):
 
     def test_refusals(self):
         self.refused(USAGE, ["compare", "a"], "two bundles")
-        self.refused(USAGE, ["compare"], "compare needs BUNDLE...")
+        self.refused(USAGE, ["compare"], "BUNDLE is required")
         self.refused(USAGE, ["compare", "a", "b", "--fail-on", "faster"], "--fail-on")
         self.refused(USAGE, ["compare", "a", "b", "--out", "a"], "is a bundle itself")
         self.refused(INPUT_OUTPUT, ["compare", "a", "nowhere"], "nowhere: is not a bundle")

@@ -5,14 +5,14 @@
 namespace bezierbench::cli {
 
 void CurveOptions::add_to(Command command) {
-  command.option("--curve", file, "curve file (CSV); FILE#ID is one of its curves, by id or number from 0")
+  command.option("--curve", file, "curve file (CSV); FILE#ID selects a curve by its id or its number from 0")
       .required()
       .takes(file_value);
   command.option("--form", form, "form of the file").one_of({"bernstein", "power"});
 }
 
 void add_curve(Command program, Exit& /*exit*/) {
-  auto curve = program.command("curve", "one curve, any method, against the truth");
+  auto curve = program.command("curve", "solve one problem by any method, with its true error");
   curve.needs_command();
   add_curve_eval(curve);
   add_curve_convert(curve);

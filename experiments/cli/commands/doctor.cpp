@@ -29,7 +29,7 @@ void print(std::string_view aspect, std::string_view state, std::string_view tex
 }  // namespace
 
 void add_doctor(Command program, Exit& exit) {
-  program.command("doctor", "is this machine fit to measure on?").action([&exit] {
+  program.command("doctor", "check whether this machine is fit for measurements").action([&exit] {
     const auto faults = number::floating_point_faults();
     for (const auto& fault : faults) print("floating point", "unfit", fault);
     if (faults.empty()) print("floating point", "fine", "IEEE 754 double, to nearest, no contraction, subnormals kept");
@@ -38,7 +38,7 @@ void add_doctor(Command program, Exit& exit) {
     const auto clock_fault = race::clock_fault(race::steady_ns);
     for (const auto& concern : bundle::timing_fitness(machine)) {
       if (concern.aspect == bundle::clock_aspect && clock_fault)
-        print(concern.aspect, "unfit", *clock_fault + "; no times can be taken here");
+        print(concern.aspect, "unfit", *clock_fault + "; nothing can be timed here");
       else
         print(concern.aspect, concern.warning ? "warning" : "fine", concern.text);
     }

@@ -35,13 +35,13 @@ std::string words_of() {
 /// A description of the values that may be written, by the type of the slot that a field points to.
 struct TypeText {
   std::string operator()(const suite::Kind* const* /*type*/) const { return "the id of a kind"; }
-  std::string operator()(const std::string* /*type*/) const { return "a text"; }
+  std::string operator()(const std::string* /*type*/) const { return "a string"; }
   std::string operator()(const Form* /*type*/) const { return "one of " + words_of<Form>(); }
   std::string operator()(const std::int64_t* /*type*/) const { return "a whole number"; }
   std::string operator()(const std::vector<int>* /*type*/) const { return "whole numbers"; }
   std::string operator()(const std::vector<double>* /*type*/) const { return "numbers"; }
   std::string operator()(const std::vector<suite::Interval>* /*type*/) const { return "pairs of numbers"; }
-  std::string operator()(const std::vector<std::string>* /*type*/) const { return "texts"; }
+  std::string operator()(const std::vector<std::string>* /*type*/) const { return "strings"; }
   std::string operator()(const std::vector<suite::ScalarKind>* /*type*/) const {
     return "some of " + words_of<suite::ScalarKind>();
   }

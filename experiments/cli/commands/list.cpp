@@ -81,7 +81,7 @@ std::string fitted_csv(const std::string& csv, const std::vector<std::string>& f
 void add_topic(Command list, const std::string& topic, const std::string& help, const std::function<std::string()>& csv,
                const std::shared_ptr<std::string>& format, const std::vector<std::string>& for_programs = {}) {
   auto command = list.command(topic, help);
-  command.takes_options_of_its_parent();
+  command.option("--format", *format, "text fits the terminal, csv is for programs").one_of({"text", "csv"});
   command.action([csv, format, for_programs] {
     const auto text = csv();
     fmt::print("{}", *format == "csv" ? text : fitted_csv(text, for_programs));
@@ -101,9 +101,9 @@ void add_kinds(Command list) {
     bool schema = false;
   };
   auto options = std::make_shared<Options>();
-  auto command = list.command("kinds", "the kinds of studies and the keys that each of them has in a suite");
-  command.option("kind", options->kind, "only this kind, with an example").takes("KIND", ids_of_kinds);
-  command.flag("--json-schema", options->schema, "a JSON Schema of suite files instead, for editors");
+  auto command = list.command("kinds", "the kinds of studies, with their keys in a suite");
+  command.option("KIND", options->kind, "print this kind only, with an example").takes("KIND", ids_of_kinds);
+  command.flag("--json-schema", options->schema, "print a JSON Schema of suite files instead, for editors");
   command.action([options] {
     fmt::print("{}", options->schema ? suite_schema() : options->kind ? kind_text(*options->kind) : kinds_text());
   });
@@ -113,8 +113,7 @@ void add_kinds(Command list) {
 
 void add_list(Command program, Exit& /*exit*/, std::span<const outside::OwnMethod> own) {
   auto format = std::make_shared<std::string>("text");
-  auto list = program.command("list", "what there is to run");
-  list.option("--format", *format, "text, in the width of the terminal, or csv, for programs").one_of({"text", "csv"});
+  auto list = program.command("list", "list methods, suites, studies, kinds of studies, generators");
   list.needs_command();
   const auto methods = [own] {
     std::vector<suite::OutsideMethod> records;
@@ -122,9 +121,9 @@ void add_list(Command program, Exit& /*exit*/, std::span<const outside::OwnMetho
     return methods_csv(records);
   };
   add_topic(list, "methods", "evaluators, converted paths and conversions", methods, format);
-  add_topic(list, "suites", "the suites that come with the program, and the processor time that each takes, in seconds",
-            suites_csv, format, {"file", "seed"});
-  add_topic(list, "studies", "their studies", studies_csv, format);
+  add_topic(list, "suites", "the shipped suites, with the processor time that each takes in seconds", suites_csv,
+            format, {"file", "seed"});
+  add_topic(list, "studies", "the studies of the shipped suites", studies_csv, format);
   add_kinds(list);
   add_topic(list, "generators", "how random inputs are drawn", generators_csv, format);
 }

@@ -47,9 +47,9 @@ Exit merge(const MergeOptions& options) {
 void add_merge(Command program, Exit& exit) {
   auto options = std::make_shared<MergeOptions>();
   auto command = program.command("merge", "join the shards of a run");
-  command.option("bundles", options->bundles, "folders that run --shard wrote").required().takes(bundle_value);
-  command.option("--out", options->out, "folder of the whole bundle").required().takes(folder_value);
-  command.flag("--quiet", options->quiet, "say nothing but what is wrong");
+  command.option("BUNDLE", options->bundles, "bundles that run --shard wrote").required().takes(bundle_value);
+  command.option("--out", options->out, "folder of the complete bundle").required().takes(folder_value);
+  command.flag("--quiet", options->quiet, "print errors only");
   command.action([options, &exit] { exit = merge(*options); });
 }
 

@@ -105,7 +105,7 @@ class Replay(Case):
 
     def test_refusals(self):
         self.refused(USAGE, ["replay", "b", "w0"], "w0: no such id")
-        self.refused(USAGE, ["replay", "b"], "replay needs ID")
+        self.refused(USAGE, ["replay", "b"], "ID is required")
         (self.folder / "empty").mkdir()
         self.refused(INPUT_OUTPUT, ["replay", "empty", "w1"], "empty: is not a bundle")
         path = self.folder / "b/worst.csv"

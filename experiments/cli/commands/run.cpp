@@ -41,13 +41,14 @@ std::chrono::milliseconds pause(const std::string& text) {
   constexpr double milliseconds = 1000;
   const auto seconds = number::parse_number(text);
   if (!seconds || !(*seconds >= 0 && *seconds <= day))
-    throw Failure(Exit::usage, fmt::format("--checkpoint {}: must be seconds, a number from 0 to {}", text, day));
+    throw Failure(Exit::usage, fmt::format("--checkpoint {}: must be a number of seconds from 0 to {}", text, day));
   return std::chrono::milliseconds(std::llround(*seconds * milliseconds));
 }
 
 run::Telling telling_of(const RunOptions& options) {
   if (options.quiet && options.progress)
-    throw Failure(Exit::usage, fmt::format("--progress {}: must not stand beside --quiet", *options.progress));
+    throw Failure(Exit::usage,
+                  fmt::format("--progress {}: cannot be combined with --quiet; remove one of them", *options.progress));
   if (options.quiet) return run::Telling::nothing;
   return options.progress == "json" ? run::Telling::json : run::Telling::text;
 }
@@ -83,21 +84,20 @@ void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> ow
   auto command = program.command("run", "run suites into a bundle");
   options->suites.add_suites(command);
   command.option("--out", options->out, "folder of the bundle").required().takes(folder_value);
-  command.option("--jobs", options->jobs, "threads; default: all cores").within(1, 4096);
+  command.option("--jobs", options->jobs, "number of threads; default: all cores").within(1, 4096);
   options->suites.add_changes(command);
-  command.option("--reference", options->reference, "how the truth is computed").one_of({"certified", "exact"});
-  command.option("--shard", options->shard, "do one part of N; auto: ask Open MPI, PMI or Slurm which")
+  command.option("--reference", options->reference, "how the exact values are computed").one_of({"certified", "exact"});
+  command.option("--shard", options->shard, "run part I of N; auto: taken from Open MPI, PMI or Slurm")
       .takes("I/N|auto", [] { return std::vector<std::string>{"auto"}; });
-  command
-      .option("--checkpoint", options->checkpoint, "between two files of finished blocks; default: by cost, 2 at most")
+  command.option("--checkpoint", options->checkpoint, "time between two checkpoints; default: adaptive, 2 at most")
       .takes("SECONDS");
-  command.flag("--dry-run", options->dry_run, "say what would be done");
+  command.flag("--dry-run", options->dry_run, "print what would be done, with a rough estimate");
   options->suites.add_no_timing(command);
-  command.flag("--host-name", options->host_name, "let machine.json say the host's name");
-  command.flag("--quiet", options->quiet, "say nothing but what is wrong");
-  command.option("--progress", options->progress, "on standard error: lines for people, or JSON, an object per line")
+  command.flag("--host-name", options->host_name, "record the name of the host in machine.json");
+  command.flag("--quiet", options->quiet, "print errors only");
+  command.option("--progress", options->progress, "progress on standard error: text, or one JSON object per line")
       .one_of({"text", "json"});
-  command.footer("\nWhat a [[study]] of a suite file says:\n\n" + kinds_text());
+  command.footer("The keys of a [[study]] in a suite file:\n\n" + kinds_text());
   outside->add(command);
   command.action([options, outside, &exit] { exit = run(*options, *outside); });
 }

@@ -165,7 +165,7 @@ class Merge(ShardCase):
         self.bundle(self.everything)
         self.refused(FINDING, ["merge", "b", "--out", "m"], "b: is complete already")
         self.refused(INPUT_OUTPUT, ["merge", "absent", "--out", "m"], "absent")
-        self.refused(USAGE, ["merge", "--out", "m"], "merge needs BUNDLE...")
+        self.refused(USAGE, ["merge", "--out", "m"], "BUNDLE is required")
         self.refused(USAGE, ["merge", "s1", "s2"], "--out")
         shutil.copytree(self.folder / "s2", self.folder / "m")
         self.refused(FINDING, ["merge", "s1", "s2", "--out", "m"], "m: holds blocks of its own")

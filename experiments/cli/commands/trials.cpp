@@ -179,11 +179,13 @@ void print_trials(const Chosen& from, const std::string& method) {
 
 void add_trials(Command program, Exit& exit) {
   auto options = std::make_shared<TrialsOptions>();
-  auto command = program.command("trials", "every trial of one cell of a bundle, as CSV");
-  command.option("bundle", options->bundle, "folder of the bundle").required();
-  command.option("--study", options->study, "its study, of kind accuracy").required();
-  command.option("--method", options->method, "its method").required().takes("METHOD", methods_of(Problem::evaluation));
-  command.option("--set", options->set, "axis=value, where the study has several; intervals as 0:0.2")
+  auto command = program.command("trials", "recompute every trial of one cell of a bundle, as CSV");
+  command.option("BUNDLE", options->bundle, "folder of the bundle").required();
+  command.option("--study", options->study, "id of a study of kind accuracy").required();
+  command.option("--method", options->method, "id of a method of the study")
+      .required()
+      .takes("METHOD", methods_of(Problem::evaluation));
+  command.option("--set", options->set, "the value of an axis that has several; an interval is written 0:0.2")
       .takes("AXIS=VALUE", known_settings);
   add_damaged(command, options->damaged);
   command.action([options, &exit] {

@@ -131,12 +131,12 @@ void find(const AtLengthOptions& options, const CurveFile& curve, CurveTable& ta
 
 void add_curve_at_length(Command curve) {
   auto options = std::make_shared<AtLengthOptions>();
-  auto command = curve.command("at-length", "the parameter at a length from the beginning of a curve");
+  auto command = curve.command("at-length", "find the parameter at a given length from the start of a curve");
   options->curve.add_to(command);
-  auto target = command.alternatives("target", "where");
-  target.option("--length", options->length, "length from the beginning, in coordinate units");
-  target.option("--fraction", options->fraction, "of the length of the curve, from 0 to 1");
-  command.option("--tolerance", options->tolerance, "relative to the length of the curve; default: 1e-9");
+  auto target = command.alternatives("position", "the position, by length or by fraction");
+  target.option("--length", options->length, "length from the start, in coordinate units");
+  target.option("--fraction", options->fraction, "fraction of the length of the curve, from 0 to 1");
+  command.option("--tolerance", options->tolerance, "tolerance relative to the length of the curve; default: 1e-9");
   command.option("--method", options->methods, "method id; may be repeated; default: all")
       .takes("METHOD", methods_of(Problem::inverse_arc_length));
   options->truth.add_to(command);

@@ -13,7 +13,7 @@
 #include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
-#include "experiments/cli/curve/judged_coordinate.hpp"
+#include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/point_file.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/metric/bound_at.hpp"
@@ -148,7 +148,7 @@ void run_bspline(const BsplineOptions& options) {
 
 void add_curve_bspline(Command curve) {
   auto options = std::make_shared<BsplineOptions>();
-  auto command = curve.command("bspline", "a B-spline curve, and a knot span of it in Bernstein form");
+  auto command = curve.command("bspline", "evaluate a B-spline curve, and convert a knot span to Bernstein form");
   command.option("--points", options->points, "control points (CSV)").required().takes(file_value);
   command.option("--knots", options->knots, "all knots, separated by commas; degree + 1 more than points")
       .required()

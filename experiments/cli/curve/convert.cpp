@@ -69,9 +69,9 @@ void convert_all(const ConvertOptions& options) {
 
 void add_curve_convert(Command curve) {
   auto options = std::make_shared<ConvertOptions>();
-  auto command = curve.command("convert", "coefficients in the other form");
+  auto command = curve.command("convert", "convert the coefficients to the other form");
   options->curve.add_to(command);
-  command.option("--method", options->methods, "conversion id")
+  command.option("--method", options->methods, "id of a conversion")
       .required()
       .once()
       .takes("METHOD", methods_of(Problem::conversion));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The table that a `curve` command prints: of one curve, or of every curve of a file, one after the other.
+// The table that a `curve` command prints, of one curve or of every curve of a file, and the fields of a judged coordinate
+// in it.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,8 +14,17 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
 #include "experiments/echo.hpp"
+#include "reference/rational.hpp"
 
 namespace bezierbench::cli {
+
+/// The fields of the columns value,exact,error,error_ulp,error_u. Errors are infinite where `value` is not finite;
+/// error_u is infinite where p~ is 0 and the error is not.
+std::vector<std::string> judged_coordinate(double value, const reference::Rational& truth,
+                                           const reference::Rational& p_tilde);
+
+/// The field of the column bound_u: bound / (u p~); empty where the bound is infinite or p~ is 0.
+std::string bound_field(double bound, const reference::Rational& p_tilde);
 
 /// A table whose rows begin with the id of their curve if there are several.
 class CurveTable {

@@ -9,7 +9,6 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/curve_table.hpp"
-#include "experiments/cli/curve/judged_coordinate.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/metric/derivative_scale.hpp"
 #include "experiments/number/number.hpp"
@@ -77,10 +76,10 @@ void differentiate(const DerivativeOptions& options, const CurveFile& curve, Cur
 
 void add_curve_derivative(Command curve) {
   auto options = std::make_shared<DerivativeOptions>();
-  auto command = curve.command("derivative", "a derivative of a curve");
+  auto command = curve.command("derivative", "evaluate a derivative of a curve");
   options->curve.add_to(command);
   command.option("--t", options->t, "parameter; may be repeated").required().takes("T");
-  command.option("--order", options->order, "0 is the point itself").required().within(0);
+  command.option("--order", options->order, "order of the derivative; 0 is the point itself").required().within(0);
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
       .takes("METHOD", methods_of(Problem::derivative));
   command.action([options] {

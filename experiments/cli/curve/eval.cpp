@@ -9,7 +9,6 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/curve_table.hpp"
-#include "experiments/cli/curve/judged_coordinate.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/judge/methods.hpp"
@@ -87,7 +86,7 @@ void evaluate(const EvalOptions& options, const CurveFile& curve, CurveTable& ta
 
 void add_curve_eval(Command curve) {
   auto options = std::make_shared<EvalOptions>();
-  auto command = curve.command("eval", "points of a curve");
+  auto command = curve.command("eval", "evaluate points of a curve");
   options->curve.add_to(command);
   command.option("--t", options->t, "parameter; may be repeated").required().takes("T");
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")

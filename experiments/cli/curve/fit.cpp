@@ -13,7 +13,6 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/point_file.hpp"
-#include "experiments/cli/curve/segment_rows.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/number/number.hpp"
 
@@ -90,15 +89,15 @@ void fit(const FitOptions& options) {
 
 void add_curve_fit(Command curve) {
   auto options = std::make_shared<FitOptions>();
-  auto command = curve.command("fit", "a piecewise cubic near points");
+  auto command = curve.command("fit", "fit a piecewise cubic curve to points");
   command.option("--points", options->points, "point file (CSV)").required().takes(file_value);
-  command.option("--tolerance", options->tolerance, "largest distance of a point from the curve, in its units")
+  command.option("--tolerance", options->tolerance, "largest distance of a point from the curve, in coordinate units")
       .required();
   command.option("--method", options->method, fmt::format("method id; default {}", default_method))
       .takes("METHOD", methods_of(Problem::fitting));
-  command.option("--start-direction", options->start_direction, "direction in which the curve begins").takes("X,Y[,Z]");
-  command.option("--end-direction", options->end_direction, "direction in which the curve ends").takes("X,Y[,Z]");
-  command.flag("--closed", options->closed, "the points go on from the last to the first");
+  command.option("--start-direction", options->start_direction, "tangent direction at the start").takes("X,Y[,Z]");
+  command.option("--end-direction", options->end_direction, "tangent direction at the end").takes("X,Y[,Z]");
+  command.flag("--closed", options->closed, "fit a closed curve, from the last point back to the first");
   command.action([options] { fit(*options); });
 }
 

@@ -11,7 +11,6 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/curve_table.hpp"
-#include "experiments/cli/curve/judged_coordinate.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/metric/bound_at.hpp"
 #include "experiments/number/number.hpp"
@@ -71,9 +70,11 @@ void run_grid(const GridOptions& options, const CurveFile& curve, CurveTable& ta
 
 void add_curve_grid(Command curve) {
   auto options = std::make_shared<GridOptions>();
-  auto command = curve.command("grid", "the points of a curve at k/m, k = 0..m");
+  auto command = curve.command("grid", "evaluate a curve at k/m, k = 0..m");
   options->curve.add_to(command);
-  command.option("--points", options->points, "m + 1, where m is a power of two").required().within(2);
+  command.option("--points", options->points, "number of points, m + 1, where m is a power of two")
+      .required()
+      .within(2);
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
       .takes("METHOD", methods_of(Problem::grid));
   command.action([options] {

@@ -16,7 +16,6 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/point_file.hpp"
-#include "experiments/cli/curve/segment_rows.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 
 namespace bezierbench::cli {
@@ -122,7 +121,7 @@ void interpolate(const InterpolateOptions& options) {
 
 void add_curve_interpolate(Command curve) {
   auto options = std::make_shared<InterpolateOptions>();
-  auto command = curve.command("interpolate", "a cubic spline through points, C2 in its parameter");
+  auto command = curve.command("interpolate", "interpolate points by a C2 cubic spline");
   command.option("--points", options->points, "point file (CSV)").required().takes(file_value);
   command
       .option(
@@ -131,15 +130,22 @@ void add_curve_interpolate(Command curve) {
                       "default {}, which does not run back between points that are unevenly spaced on a line",
                       parameters_names.front()))
       .one_of(words(parameters_names));
-  command.option("--ends", options->ends, "second derivative 0, given derivatives, or one cubic over two segments")
+  command
+      .option("--ends", options->ends,
+              "end conditions: second derivative 0, given derivatives, or one cubic over two segments")
       .one_of(words(spline_ends_names));
-  command.option("--start-derivative", options->start_derivative, "of clamped ends: 3 (P1 - P0) of the first segment")
+  command
+      .option("--start-derivative", options->start_derivative,
+              "derivative at a clamped start: 3 (P1 - P0) of the first segment")
       .takes("X,Y[,Z]");
-  command.option("--end-derivative", options->end_derivative, "of clamped ends: 3 (P3 - P2) of the last segment")
+  command
+      .option("--end-derivative", options->end_derivative,
+              "derivative at a clamped end: 3 (P3 - P2) of the last segment")
       .takes("X,Y[,Z]");
-  command.flag("--closed", options->closed, "the spline goes on from the last point to the first, C2 there, too");
+  command.flag("--closed", options->closed,
+               "close the spline from the last point to the first; it is C2 there as well");
   command.flag("--monotone", options->monotone,
-               "each coordinate is monotone between neighbouring points, and second derivatives jump");
+               "make each coordinate monotone between neighbouring points; second derivatives then jump");
   command
       .option("--method", options->method,
               fmt::format("method id, for uniform parameters and natural ends; default there {}",

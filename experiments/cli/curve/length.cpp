@@ -86,11 +86,11 @@ void measure(const LengthOptions& options, const CurveFile& curve, CurveTable& t
 
 void add_curve_length(Command curve) {
   auto options = std::make_shared<LengthOptions>();
-  auto command = curve.command("length", "the arc length of a curve or of a part of it");
+  auto command = curve.command("length", "compute the arc length of a curve or of a part of it");
   options->curve.add_to(command);
-  command.option("--from", options->from, "parameter of the beginning; default: 0").takes("T");
-  command.option("--to", options->to, "parameter of the end; default: 1").takes("T");
-  command.option("--tolerance", options->tolerance, "relative to the length; default: 1e-9");
+  command.option("--from", options->from, "parameter where the part starts; default: 0").takes("T");
+  command.option("--to", options->to, "parameter where the part ends; default: 1").takes("T");
+  command.option("--tolerance", options->tolerance, "tolerance relative to the length; default: 1e-9");
   command.option("--method", options->methods, "method id; may be repeated; default: all")
       .takes("METHOD", methods_of(Problem::arc_length));
   options->truth.add_to(command);

@@ -63,7 +63,7 @@ void project(const ProjectOptions& options, const CurveFile& curve, CurveTable& 
 
 void add_curve_project(Command curve) {
   auto options = std::make_shared<ProjectOptions>();
-  auto command = curve.command("project", "the point of a curve that is nearest to a point");
+  auto command = curve.command("project", "find the point of a curve nearest to a given point");
   options->curve.add_to(command);
   command.option("--point", options->point, "coordinates, separated by commas").required().takes("X,Y[,Z]");
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")

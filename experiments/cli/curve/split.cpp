@@ -11,7 +11,6 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/curve_table.hpp"
-#include "experiments/cli/curve/judged_coordinate.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/subdivision/split_truth.hpp"
@@ -115,9 +114,9 @@ void split(const SplitOptions& options, const CurveFile& curve, CurveTable& tabl
 
 void add_curve_split(Command curve) {
   auto options = std::make_shared<SplitOptions>();
-  auto command = curve.command("split", "both halves of a curve");
+  auto command = curve.command("split", "split a curve into two halves");
   options->curve.add_to(command);
-  command.option("--t", options->t, "where the curve is split").required().takes("T");
+  command.option("--t", options->t, "parameter at which the curve is split").required().takes("T");
   command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
       .takes("METHOD", methods_of(Problem::subdivision));
   command.action([options] {

@@ -21,7 +21,7 @@ constexpr std::chrono::seconds without_a_word{3};
 }  // namespace
 
 void TruthOption::add_to(Command command) {
-  command.flag("--truth", wanted_, "wait for the exact result; default: above degree 20, for a second only");
+  command.flag("--truth", wanted_, "wait for the exact result; default: for at most a second above degree 20");
 }
 
 bool TruthOption::finishes(const std::string& file, int degree, const std::function<void()>& compute) const {

@@ -8,7 +8,7 @@
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/outside/input_table.hpp"
+#include "experiments/cli/outside/inputs.hpp"
 #include "experiments/cli/outside/outside_options.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/this_build.hpp"
@@ -60,12 +60,12 @@ Exit judge(const JudgeOptions& options) {
 
 void add_judge(Command program, Exit& exit) {
   auto options = std::make_shared<JudgeOptions>();
-  auto command = program.command("judge", "the errors of answers to inputs, from anywhere");
-  command.option("file", options->file, "what `inputs` wrote, with the answers in columns x, y and z")
+  auto command = program.command("judge", "judge answers that were computed elsewhere");
+  command.option("FILE", options->file, "the file that `inputs` wrote, with the answers in the columns x, y and z")
       .required()
       .takes(file_value);
-  command.option("--id", options->id, "of the method, answers_NAME; default: after the file");
-  command.option("--out", options->out, "folder of a bundle; without it the rows of accuracy.csv are printed")
+  command.option("--id", options->id, "id of the method, answers_NAME; default: from the name of the file");
+  command.option("--out", options->out, "write a bundle to this folder; default: print the rows of accuracy.csv")
       .takes(folder_value);
   command.action([options, &exit] { exit = judge(*options); });
 }

@@ -26,15 +26,15 @@ double positive(std::string_view option, const std::string& text, double most) {
 }  // namespace
 
 void OutsideOptions::add(Command& command) {
-  command
-      .option("--plugin", plugins_, "shared object with a method of yours (docs/own_method.md), for errors and times")
+  command.option("--plugin", plugins_, "shared object with a method of your own (docs/own_method.md), judged and timed")
       .one_each_time()
       .takes(file_value);
-  command.option("--program", programs_, "command that is a method of yours, for errors")
+  command.option("--program", programs_, "command that is a method of your own, judged but not timed")
       .one_each_time()
       .takes(command_value);
-  command.option("--outside-seconds", seconds_, "a method from outside may take for 1024 inputs; default 10");
-  command.option("--outside-memory", megabytes_, "MiB that it may take; default 1024");
+  command.option("--outside-seconds", seconds_, "time limit of an external method per 1024 inputs; default 10")
+      .takes("SECONDS");
+  command.option("--outside-memory", megabytes_, "memory limit of an external method; default 1024").takes("MIB");
 }
 
 outside::Methods OutsideOptions::methods() const {
@@ -49,8 +49,7 @@ outside::Methods OutsideOptions::methods() const {
   for (const auto& command : programs_) methods.push_back(outside::program(command, limits, run::interrupted));
   for (const auto& method : methods)
     if (outside::find(methods, method->record().id) != method.get())
-      throw Failure(Exit::usage,
-                    fmt::format("two methods from outside have the id {}; change one", method->record().id));
+      throw Failure(Exit::usage, fmt::format("two external methods have the id {}; change one", method->record().id));
   return methods;
 }
 

@@ -11,7 +11,7 @@
 namespace bezierbench::cli {
 
 inline void add_damaged(Command& command, bool& asked) {
-  command.flag("--damaged", asked, "use files that are not as SHA256SUMS lists them, and say so in the first line");
+  command.flag("--damaged", asked, "use files that differ from SHA256SUMS, and name them in the first line");
 }
 
 inline bundle::Damage damage_of(bool asked) { return asked ? bundle::Damage::told : bundle::Damage::refused; }

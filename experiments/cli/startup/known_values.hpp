@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/method.hpp"
-#include "experiments/cli/terminal/command_tree.hpp"
+#include "experiments/cli/command.hpp"
 
 namespace bezierbench::cli {
 

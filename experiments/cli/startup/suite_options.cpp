@@ -1,34 +1,51 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/cli/startup/suite_options.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string_view>
 #include <utility>
 
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
-#include "experiments/cli/terminal/whole_number.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/validate.hpp"
 
 namespace bezierbench::cli {
+namespace {
+
+/// The number in an option, from 0 on. CLI11 would turn a number beyond the range of the type into the largest one of the
+/// type. Throws Failure(Exit::usage).
+std::int64_t whole_number(std::string_view option, const std::string& text) {
+  const auto number = number::parse_integer(text);
+  if (!number || *number < 0)
+    throw Failure(Exit::usage, fmt::format("{} {}: must be a whole number from 0 to 2^63-1", option, text));
+  return *number;
+}
+
+}  // namespace
 
 void SuiteOptions::add_suites(Command& command) {
-  command.option("suites", words_, "ids of suites that come with the program, or files: words with a / or .toml")
+  command.option("SUITE", words_, "id of a shipped suite, or a file: a word with / or ending in .toml")
       .required()
       .takes(suite_value, shipped_suites);
 }
 
 void SuiteOptions::add_changes(Command& command) {
-  command.option("--seed", seed_, "another seed than the suite's");
+  command.option("--seed", seed_, "seed; default: that of the suite");
   command.option("--trials", trials_, "trials per cell and replicate").takes("N");
   command
       .option("--set", overrides_.set,
-              "for every study; intervals as 0:0.2; a key that one of them does not have is refused")
+              "set an axis or key of every study, which each must have; an interval is written 0:0.2")
       .takes("KEY=V1,V2", known_settings);
-  command.option("--only", overrides_.only, "only studies whose id matches this glob").takes("GLOB");
+  command.option("--only", overrides_.only, "run only studies whose id matches this pattern").takes("GLOB");
 }
 
 void SuiteOptions::add_no_timing(Command& command) {
-  command.flag("--no-timing", overrides_.no_timing, "leave timing studies out");
+  command.flag("--no-timing", overrides_.no_timing, "skip timing studies");
 }
 
 std::vector<std::filesystem::path> SuiteOptions::files() const {

@@ -37,7 +37,7 @@ fs::path suites_folder() {
   const auto installed = folder_of_program().parent_path() / "share/bezierbench/suites";
   for (const auto& folder : {installed, link_of_build()})
     if (fs::is_directory(folder, ignored)) return folder;
-  throw Failure(Exit::environment, fmt::format("{}: the suites of the program are not there; install it with cmake "
+  throw Failure(Exit::environment, fmt::format("{}: the shipped suites are missing; install the program with cmake "
                                                "--install, or name suites by their files",
                                                installed.string()));
 }
@@ -59,8 +59,8 @@ fs::path suite_file(const std::string& word) {
   if (word.find('/') != std::string::npos || word.ends_with(extension)) return word;
   const auto ids = shipped_suites();
   if (std::ranges::find(ids, word) == ids.end())
-    throw Failure(Exit::usage, fmt::format("{}: is no suite that comes with the program{}; for a file write ./{}",
-                                           echo(word), suite::suggestion(word, ids), echo(word)));
+    throw Failure(Exit::usage, fmt::format("{}: unknown suite{}; for a file, write ./{}", echo(word),
+                                           suite::suggestion(word, ids), echo(word)));
   return suites_folder() / (word + extension);
 }
 

@@ -51,21 +51,12 @@ class Shells(Case):
         self.assertEqual(self.bash("bezierbench cu"), ["curve"])
         self.assertEqual(self.bash("bezierbench --help"), ["--help"])
         self.assertEqual(self.bash("bezierbench run --tri"), ["--trials"])
-        self.assertEqual(self.bash("bezierbench run report --out b"), ["bundle"])
-        self.assertEqual(self.bash("bezierbench run report --out=b"), ["bundle"])
-        self.assertEqual(self.bash("bezierbench compare bundle b"), ["bundle"])
-        self.assertEqual(self.bash("bezierbench compare bundle bundle --out b"), ["bundle"])
-        self.assertEqual(self.bash("bezierbench check horner --against "), ["bundle", "curve.csv"])
+        for files in ("run report --out b", "compare bundle b", "curve eval --curve c", "judge c", "run report --set x"):
+            self.assertEqual(self.bash(f"bezierbench {files}"), [])  # for which bash offers files
         self.assertEqual(self.bash("bezierbench check horner_b"), self.bash("bezierbench curve eval --method horner_b"))
-        self.assertEqual(self.bash("bezierbench curve eval --curve c"), ["curve.csv"])
         self.assertEqual(self.bash("bezierbench list methods --format "), ["text", "csv"])
         self.assertEqual(self.bash("bezierbench list methods --format=c"), ["csv"])
-        self.assertEqual(self.bash("bezierbench run report --plugin c"), ["curve.csv"])
-        self.assertEqual(self.bash("bezierbench run report --program c"), ["curve.csv"])
-        self.assertEqual(self.bash("bezierbench inputs report --out c"), ["curve.csv"])
-        self.assertEqual(self.bash("bezierbench judge c"), ["curve.csv"])
-        self.assertEqual(self.bash("bezierbench judge curve.csv --out "), ["bundle"])
-        self.assertEqual(self.bash(f"{PROGRAM} verify b"), ["bundle"])
+        self.assertEqual(self.bash(f"{PROGRAM} verif"), ["verify"])
 
     def test_bash_knows_all_ids(self):
         self.assertLessEqual(set(self.ids("suites")), set(self.bash("bezierbench run ")))
@@ -79,7 +70,6 @@ class Shells(Case):
         self.assertEqual(self.bash("bezierbench curve eval --method=exact_dd:"), ["horner_dd"])
         self.assertEqual(self.bash("bezierbench run x --set degr"), ["degree="])
         self.assertEqual(self.bash("bezierbench run x --set generator=dy"), ["dyadic"])
-        self.assertEqual(self.bash("bezierbench run x --set scalar=float,d"), ["float,double"])
 
     @unittest.skipUnless(shutil.which("fish"), "fish is not installed")
     def test_fish(self):

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """What `cmake --install` installs of the program works there. Usage: install_test.py BEZIERBENCH, in its build folder"""
+import re
 import shutil
 import subprocess
 import sys
@@ -41,7 +42,21 @@ class Installed(Case):
                               ("_bezierbench", "zsh/site-functions/_bezierbench"),
                               ("bezierbench.fish", "fish/vendor_completions.d/bezierbench.fish")):
             self.assertEqual((share / place).read_bytes(), (SCRIPTS / source).read_bytes())
-        self.assertIn("bezierbench-curve-eval.1", [page.name for page in (share / "man/man1").iterdir()])
+
+    @unittest.skipUnless(shutil.which("help2man") and shutil.which("groff"), "help2man or groff is not installed")
+    def test_manual_page(self):
+        """It names every command and every exit code, and groff finds no fault in it."""
+        page = self.prefix / "share/man/man1/bezierbench.1"
+        result = subprocess.run(["groff", "-ww", "-man", "-Tutf8", "-P-cbou", page], check=True, capture_output=True)
+        self.assertEqual(result.stderr, b"")
+        text = result.stdout.decode()
+        listed = self.fine("--help").partition("Subcommands:\n")[2].split("\n\n")[0]
+        names = re.findall(r"^  (\w+)", listed, re.MULTILINE)
+        self.assertIn("curve", names)
+        for name in names:
+            self.assertRegex(text, rf"(?m)^ +{name}\b")
+        for code in (0, 1, 2, 3, 4, 130):
+            self.assertRegex(text, rf"(?m)^ +{code}  ")
 
     def test_its_suites_are_those_beside_it(self):
         (self.prefix / "share/bezierbench/suites/report.toml").unlink()

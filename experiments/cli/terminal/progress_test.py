@@ -53,7 +53,7 @@ class Terminal(Case):
         self.assertRegex(text, r"b: complete in .*: 1 cell, no bound violated\r\nnext: ")
 
     def test_colours(self):
-        for arguments in (["list", "suites"], ["rnu"], [], ["--help"]):
+        for arguments in (["list", "suites"], ["rnu"], []):
             with self.subTest(arguments=arguments):
                 coloured = self.on_terminal(*arguments)[1]
                 self.assertIn("\x1b[", coloured)
@@ -81,8 +81,10 @@ class Terminal(Case):
     def test_help_fits(self):
         for arguments in (["--help"], ["run", "--help"], ["curve", "at-length", "--help"], ["compare", "--help"]):
             for columns in (60, 80, 120):
-                text = self.fine(*arguments, env={**os.environ, "COLUMNS": str(columns)}).split("\nWhat a [[study]]")[0]
-                self.assertLessEqual(max(map(len, text.splitlines())), columns, arguments)
+                text = self.fine(*arguments, env={**os.environ, "COLUMNS": str(columns)})
+                lines = re.split("\n(?:Exit codes:|The keys of)", text)[0].splitlines()[2:]  # below description and usage
+                self.assertGreater(len(lines), 3)
+                self.assertLessEqual(max(map(len, lines)), columns, arguments)
 
 
 class WithoutWords(Case):

@@ -10,11 +10,7 @@
 
 namespace bezierbench::cli {
 
-/// A row for each trial of the first replicate of each cell in double of the accuracy studies, with empty answers.
-/// Throws Failure(usage) where there is no such study, and for more inputs than a file should have.
-bundle::CsvTable input_table(const std::vector<suite::Suite>& suites);
-
-/// The suites that such a table is of, with one replicate of each study and `method` as its only method. Throws
+/// The suites that a table of inputs is of, with one replicate of each study and `method` as its only method. Throws
 /// Failure(input_output) for a table that is none.
 std::vector<suite::Suite> suites_of(const bundle::CsvDocument& table, const std::string& method);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/curve/judged_coordinate.hpp"
+#include "experiments/cli/curve/curve_table.hpp"
 
 #include "experiments/metric/coordinate_error.hpp"
 #include "experiments/number/number.hpp"
