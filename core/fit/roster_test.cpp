@@ -373,8 +373,8 @@ TEST(Fitting, BeginsAndEndsInGivenDirections) {
       }
 }
 
-/// Handles across the chord leave it by at least 4/9 of their length, so at a tolerance of 2^-40 of the chord none that is
-/// halved 30 times is short enough: the tolerance comes before the direction, and the segment is straight.
+/// Handles across the chord leave it by at least 4/9 of their length, so at a tolerance of 2^-40 of the chord none that
+/// is halved 30 times is short enough: the tolerance comes before the direction, and the segment is straight.
 TEST(Fitting, IsStraightWhereNoHandleKeepsTheTolerance) {
   for (const auto& kernel : fitting_kernels(2)) {
     const auto fit = kernel.fit(Data{0, 0, 3, 0}, 0x1p-40, {Data{0, 1}, Data{0, -1}});
