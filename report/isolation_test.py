@@ -54,7 +54,7 @@ class Isolation(unittest.TestCase):
             target = clone / part
             target.parent.mkdir(parents=True, exist_ok=True)
             if (ROOT / part).is_dir():
-                shutil.copytree(ROOT / part, target, ignore=shutil.ignore_patterns("baseline", "*_test.py", "__pycache__"))
+                shutil.copytree(ROOT / part, target, ignore=shutil.ignore_patterns("*_test.py", "__pycache__"))
             else:
                 shutil.copy(ROOT / part, target)
         (self.place / "link").symlink_to(clone / "scripts/report")
@@ -65,7 +65,7 @@ class Isolation(unittest.TestCase):
         """A file run by its path has its own folder first on the module path; -c, -m and standard input have the current one."""
         starts = re.compile(r"(?:python3?\b\"?|_PYTHON\}|_EXECUTABLE\})\s+(-\S*|\")")
         texts = [path for folder in ("scripts", "report", "experiments", "core", "cmake", ".ci") for path in (ROOT / folder).rglob("*")
-                 if path.is_file() and (path.name == "CMakeLists.txt" or path.suffix in (".cmake", ".sbatch", "")) and "baseline" not in path.parts]
+                 if path.is_file() and (path.name == "CMakeLists.txt" or path.suffix in (".cmake", ".sbatch", ""))]
         self.assertGreater(len(texts), 20)
         loose, found = [], 0
         for path in texts:
