@@ -50,7 +50,7 @@ class Isolation(unittest.TestCase):
     def test_any_character_may_be_in_the_path(self):
         bundle = fixture.write(self.place / "bundle", without=[f for f in fixture.FILES if f != "scorecard.csv"])
         clone = self.place / "a b:c'd\"e$f\\g%h\ni;*é"
-        for part in ("report", "scripts/report", "experiments/bundle/schema"):
+        for part in ("report", "scripts/report", "experiments/bundle/schema", "bindings/python/bezierbench"):
             target = clone / part
             target.parent.mkdir(parents=True, exist_ok=True)
             if (ROOT / part).is_dir():

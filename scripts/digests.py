@@ -4,7 +4,6 @@
 import csv
 import hashlib
 import io
-import json
 from collections import Counter
 from typing import NamedTuple
 
@@ -46,12 +45,12 @@ def of_table(file, text, columns):
     return {at: (counts[at], hashlib.sha256("".join(lines).encode()).hexdigest()) for at, lines in texts.items()}
 
 
-def of_bundle(bundle, version):
-    """The text of digests.csv for the tables of a bundle, by the rule of schema version `version`."""
+def of_bundle(bundle):
+    """The text of digests.csv for the tables of a bundle."""
     lines = [line(schema.written(NAME))]
     for file in schema.deterministic():
         if (bundle / file).exists():
-            found = of_table(file, _text(bundle / file), schema.digested(file, version))
+            found = of_table(file, _text(bundle / file), schema.digested(file))
             lines += [line([*at, str(count), digest]) for at, (count, digest) in found.items()]
     return "".join(lines)
 
@@ -72,7 +71,7 @@ class Agreement:
         for file in schema.deterministic():
             a, b = (_text(bundle / file) if (bundle / file).exists() else None for bundle in (base, other))
             headers = [set(next(csv.reader([text.split("\n", 1)[0]]))) for text in (a, b) if text is not None]
-            columns = [column for column in schema.digested(file, schema.version()) if all(column in one for one in headers)]
+            columns = [column for column in schema.digested(file) if all(column in one for one in headers)]
             yield tuple(of_table(file, text, columns) if text is not None else {} for text in (a, b))
 
     def _sort_in(self, at, ours, theirs):
@@ -97,11 +96,10 @@ class Agreement:
 
 
 class AgreementWithDigests(Agreement):
-    """The same where bundle.json and digests.csv are all that was kept of the base: over the columns that it digested."""
+    """The same where digests.csv is all that was kept of the base: over the columns that it digested."""
 
     def _tables(self, base, other):
-        version = json.loads(_text(base / "bundle.json"))["schema_version"]
-        yield _listed(_text(base / NAME)), _listed(of_bundle(other, version))
+        yield _listed(_text(base / NAME)), _listed(of_bundle(other))
 
 
 def _listed(text):
