@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""One data set of each kind with its fits, as they stand in the bundle."""
+"""Curves in the plane as a bundle has them."""
 
 from matplotlib.lines import Line2D
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from ..bundle import Missing
-from ..wording import scientific
-from .canvas import COLOURS, INK, finish, panels, styled
+from ..wording import scientific, span
+from .canvas import COLOURS, FAINT, INK, figure, finish, panels
 
-ID = "fitting-example"
 STUDY = "fitting-cubics"
 COLUMNS = 3
+SPACED = {"inverse_arc_length-tolerance": "random curve", "inverse_arc_length-cusp": "curve that stops inside"}
+SPACINGS = {"parameter": "equal steps of t", "arc_length": "equal steps of the length"}
 
 
-@styled
-def draw(bundle):
+@figure
+def fitting_example(bundle):
     """A panel for each kind of data: the points, each method's curve, and where its segments join."""
     rows = bundle["fitting_example.csv"].some(study=STUDY)
     kinds = list(dict.fromkeys(r["data"] for r in rows))
@@ -36,7 +37,7 @@ def draw(bundle):
     handles = [Line2D([], [], color=COLOURS[i], marker="o", markerfacecolor="none", label=m) for i, m in enumerate(methods)]
     canvas.legend(handles=[*handles, Line2D([], [], color=INK, linestyle="none", marker=".", label="data")], loc="lower center",
                   ncol=len(methods) + 1, fontsize=9)
-    return finish(canvas, ID, f"Data of cubics and their fits, tolerance {scientific(rows[0]['tolerance'])}; circles are joints; below, "
+    return finish(canvas, "fitting-example", f"Data of cubics and their fits, tolerance {scientific(rows[0]['tolerance'])}; circles are joints; below, "
                   "the numbers of segments", "数据与分段拟合", "Segments by kind of data and method. " + "; ".join(texts) + ".",
                   bottom=0.35)
 
@@ -52,3 +53,27 @@ def _draw_fit(ax, rows, i):
     ax.plot(*zip(*joints), linestyle="none", marker="o", markersize=7 - 2.5 * i, markerfacecolor="none",
             markeredgecolor=COLOURS[i], zorder=4)
     return len(points) // 4
+
+
+@figure
+def spacing(bundle):
+    """A row for each curve: its outline, with points of the one and of the other spacing."""
+    table = bundle["spacing.csv"]
+    studies = [s for s in SPACED if table.select(study=s, dimension=2)]
+    if not studies:
+        raise Missing("`spacing.csv` has no planar curve of the studies that a figure shows")
+    canvas, axes = panels(len(studies), len(SPACINGS), height=2.9)
+    texts = []
+    for row, study in zip(axes, studies):
+        outline = table.select(study=study, spacing="outline")
+        for ax, (spacing, words), colour in zip(row, SPACINGS.items(), COLOURS):
+            points = table.select(study=study, spacing=spacing)
+            gaps = [p["gap"] for p in points if p["gap"] is not None]
+            ax.plot([p["x"] for p in outline], [p["y"] for p in outline], color=FAINT, linewidth=1)
+            ax.plot([p["x"] for p in points], [p["y"] for p in points], color=colour, linestyle="none", marker="o", markersize=4)
+            ax.set_aspect("equal", adjustable="datalim")
+            ax.set_title(f"{SPACED[study][0].upper()}{SPACED[study][1:]}, {words}", loc="left")
+            if gaps:
+                texts.append(f"{SPACED[study]}, {words}: gaps of {span(min(gaps), max(gaps), lambda gap: f'{gap:.2f}')} of the mean")
+    return finish(canvas, "spacing", "Points at equal steps of t, left, and at equal steps of the length, right",
+                  "等参数步长（左）与等弧长（右）取点", "; ".join(texts) + ".", bottom=0.1)

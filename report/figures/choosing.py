@@ -3,21 +3,44 @@
 
 import math
 
-from ..answer import useful
+from ..answer import FORMS, NO_TIME, candidates, default_cell, useful
 from ..bundle import Missing
 from ..findings.choosing import ON, race_cell
 from ..methods import FORM
-from ..wording import general
-from .canvas import COLOURS, FAINT, belongs, finish, panels, styled
-from .method_lines import beside
+from ..wording import general, shortest
+from .canvas import COLOURS, FAINT, belongs, figure, finish, panels
+from .lines import beside
 
-ID = "time-against-error"
 MARKS = ("o", "s", "^", "D", "v", "P", "X")
 PANELS = 3
 
 
-@styled
-def draw(bundle):
+@figure
+def answer_cell(bundle):
+    """One panel; useless methods are left out, so that they do not stretch the axis."""
+    cells = candidates(bundle)
+    cell = default_cell(cells) if cells else None
+    members = [one for one in cells.get(cell, ()) if useful(one.error_u, cell.scalar)]
+    if not members or cell.mode == NO_TIME:
+        raise Missing("`pareto.csv` has no times")
+    canvas, axes = panels(1, 1, height=max(3.4, 0.17 * len(members)))
+    ax = axes[0][0]
+    for index, one in enumerate(members):
+        _mark(ax, one.timed, index)
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.axhline(1, color=FAINT, linewidth=0.9)
+    ax.set_xlabel("ns per point")
+    ax.set_ylabel("largest error seen, u p~")
+    beside(ax)
+    words = "; ".join(f"{one.method}: {general(one.ns)} ns, {general(one.error_u)} u p~" for one in members)
+    return finish(canvas, "answer-figure", f"Time against the largest error seen, {FORMS.get(cell.form, cell.form)}, degree {shortest(cell.degree)}; "
+                  "the thin line upwards ends at the proved bound, filled marks are worth choosing", "用时与最大误差",
+                  f"Doubly logarithmic. {words}.", bottom=0.1)
+
+
+@figure
+def time_against_error(bundle):
     """A panel for the lowest, a middle and the highest degree of the first form; filled marks are on the front."""
     rows = bundle["pareto.csv"].rows
     curve = rows[0]["curve"] if rows else None
@@ -31,7 +54,7 @@ def draw(bundle):
     words = []
     for ax, n in zip(axes[:, 0], shown):
         for row in degrees[n]:
-            mark(ax, row, methods.index(row["method"]))
+            _mark(ax, row, methods.index(row["method"]))
             words.append(f"degree {n:g}, {row['method']}: {general(row['ns'])} ns, {general(row['observed_max_u'])} u p~"
                          + (" (on the front)" if row["pareto"] == ON else ""))
         ax.set_xscale("log")
@@ -41,11 +64,11 @@ def draw(bundle):
         ax.set_ylabel("largest error, u p~")
         beside(ax)
     axes[-1][0].set_xlabel(f"ns per point, {FORM.get(curve, (curve,))[0]}, one point at a time, double")
-    return finish(canvas, ID, "Time per point against the largest error seen; the thin line upwards ends at the proved bound, "
+    return finish(canvas, "time-against-error", "Time per point against the largest error seen; the thin line upwards ends at the proved bound, "
                   "filled marks are worth choosing, useless methods are left out", "每点用时与最大误差", "Doubly logarithmic. " + "; ".join(words) + ".", bottom=0.1)
 
 
-def mark(ax, row, index):
+def _mark(ax, row, index):
     """A method: its error, the interval of its time, and its bound."""
     time, error = row["ns"], row["observed_max_u"]
     if not (isinstance(error, float) and math.isfinite(error) and error > 0):

@@ -7,8 +7,8 @@ from ..bundle import Missing
 from ..chapters.kinds import KINDS, rows_of
 from ..tables import AXIS, axis_label, axis_value
 from ..wording import general, listing
-from .canvas import finish, panels, styled
-from .method_lines import degree_axis, draw_methods, draw_paths, error_axis, looks, path_colours, point_of, positive
+from .canvas import figure, finish, panels
+from .lines import degree_axis, draw_methods, draw_paths, looks, path_colours, point_of, positive
 
 APART = ("curve", "scalar", "mode", "target")  # a panel for each value
 BESIDE = ("degree", "dimension", "order", "coordinate_range", "interval", "generator", "tolerance", "points", "data", "placement",
@@ -67,8 +67,8 @@ def _apart(lines):
     return [("the better methods", near), ("the others", far)]
 
 
-@styled
-def draw(bundle, study):
+@figure
+def study_lines(bundle, study):
     """A panel for each measure and, side by side under each other, each form, scalar type and mode."""
     kind = KINDS[bundle.studies[study].kind]
     rows = [r for r in rows_of(bundle, study) if r["method"] != "sentinel"]
@@ -87,14 +87,14 @@ def draw(bundle, study):
     canvas, axes = panels(len(drawn), 1, height=max(2.6, 0.17 * min(max(len(lines) for *_, lines in drawn), MOST)))
     words = []
     methods = dict.fromkeys(method for *_, lines in drawn for method in lines)
-    look = {m: {**style, "marker": style["marker"] or "o"} for m, style in looks(list(methods)).items()}  # the same in every panel
+    look = looks(list(methods), "o")  # the same in every panel
     colours = path_colours(methods)
     for ax, (label, what, lines) in zip(axes[:, 0], drawn):
         if len(lines) <= MOST:
             draw_methods(ax, lines, look)
         else:
             draw_paths(ax, lines, colours)
-        error_axis(ax)
+        ax.set_yscale("log")
         if side_by_side:
             aslant = axis == "curve_id" and max(map(len, values)) > LONG
             named = values if aslant else values[::-(-len(values) // MOST_TICKS)]
