@@ -11,9 +11,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
 from . import files
-from .columns import ID
 from .files import BundleError, shown
-from .folder import Folder
+from .folder import ID, Folder
 from .foreign import literal
 from .rows import Missing, Row, Table
 

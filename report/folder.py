@@ -5,7 +5,6 @@ import re
 from pathlib import Path
 
 from . import files, schema
-from .columns import COMPARISON, ID, IDS, MIXED, MOST_DEGREE, NAME, NAMES, WORDS
 from .files import BundleError, shown
 from .foreign import literal, literal_json
 from .rows import Row, Table
@@ -13,6 +12,24 @@ from .rows import Row, Table
 LARGEST = 64 << 20  # bytes of a file; the tables of the shipped suites are smaller by a factor of ten
 MOST_ROWS = 200_000
 MOST_STUDIES = 1000  # of a table; each has tables and lines of its own on the page
+# What `bezierbench compare` writes: the columns that the report reads, and those that are words, even where a value looks like
+# a number (study 2.2). In MIXED it depends on the row which columns apply and whether they hold a number.
+COMPARISON = {
+    "comparison.csv": ("kind study method degree mode a b ratio ratio_low ratio_high verdict against bundle file column "
+                       "quality normalised normalised_low normalised_high normalised_verdict rank_a rank_b").split(),
+    "facts.csv": "against bundle fact a b".split(),
+    "standings.csv": "rank bundle cpu compiler machine accuracy_rows_differing timings mean_ratio mean_normalised".split(),
+}
+WORDS = frozenset("kind study table curve method scalar mode generator baseline verdict against bundle file column quality "
+                  "normalised_verdict fact cpu compiler machine".split())
+MIXED = frozenset({"comparison.csv", "facts.csv"})
+
+# Ids of studies and suites as a suite has to write them, and of what it names: a path is `conversion:evaluator`.
+ID = re.compile(r"[A-Za-z0-9._-]+")
+NAME = re.compile(r"[A-Za-z0-9._:+-]+")
+IDS = frozenset("study accuracy_study worst_id search_id guarantee_id".split())
+NAMES = frozenset("method conversion curve scalar generator mode".split())
+MOST_DEGREE = 1023  # of a suite
 _SPAN = re.compile(r"\d{1,4}\.\.\d{1,4}", re.ASCII)  # of degrees: a count of table 2.2 is over all of them
 
 
