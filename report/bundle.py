@@ -10,10 +10,10 @@ import tomllib
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
-from . import schema, sums
-from .columns import ID
-from .folder import BundleError, Folder
-from .foreign import literal, shown
+from . import files
+from .files import BundleError, shown
+from .folder import ID, Folder
+from .foreign import literal
 from .rows import Missing, Row, Table
 
 __all__ = ["Bundle", "BundleError", "Comparison", "Missing", "Row", "Study", "Table", "decided_by", "made_of"]
@@ -51,6 +51,8 @@ def made_of(bundle, part):
     """Around what computes a part of the report: fields that make no sense end in one line."""
     try:
         yield
+    except BundleError:
+        raise
     except UNUSABLE as error:
         raise BundleError(f"{bundle.path}: {part} cannot be made of its values ({type(error).__name__}: {shown(str(error))}); "
                           f"{bundle.advice()}") from error
@@ -114,27 +116,28 @@ class Bundle(Folder):
         if super()._bytes("bundle.json") is None:
             raise BundleError(f"{self.path / 'bundle.json'}: missing; this directory is not a bundle, or its run never "
                               "started: run `bezierbench run SUITE --out BUNDLE`")
-        text = self._text(sums.NAME)
-        if text is None:
-            self._damaged(sums.NAME, "is missing")
+        data = self._bytes(files.SUMS)
+        if data is None:
+            self._damaged(files.SUMS, "is missing")
             return {}
         try:
-            return sums.parse(text)
-        except sums.Malformed as error:
-            line, what = error.args
-            self._damaged(sums.NAME, f"line {line} {what}")
+            return files.checksums(self.path / files.SUMS, data)
+        except BundleError as error:
+            if not self._take_damage:
+                raise BundleError(f"{error}, or read the bundle as it is with --damaged") from None
+            self._damaged(files.SUMS, "is not a list of checksums")
             return {}
 
     def _bytes(self, name):
         data = super()._bytes(name)
-        if name == sums.NAME or self.damage[:1] and not self._listed:  # no sums to check by: said once
+        if name == files.SUMS or self.damage[:1] and not self._listed:  # no sums to check by: said once
             return data
         if data is None and name in self._listed:
             self._damaged(name, "is missing")
         elif data is not None and name not in self._listed:
-            self._damaged(name, f"is not in {sums.NAME}")
-        elif data is not None and not sums.fits(self._listed[name], data):
-            self._damaged(name, f"is not what {sums.NAME} lists")
+            self._damaged(name, f"is not in {files.SUMS}")
+        elif data is not None and not files.fits(self._listed[name], data):
+            self._damaged(name, f"is not what {files.SUMS} lists")
         return data
 
     def _tables(self):
@@ -148,10 +151,7 @@ class Bundle(Folder):
         return sorted(present)
 
     def _check_info(self):
-        version = self.info.get("schema_version")
-        if type(version) is not int or not 1 <= version <= schema.version():
-            raise BundleError(f"{self.path / 'bundle.json'}: schema_version is {shown(repr(version))}, this report reads 1 to "
-                              f"{schema.version()}; run the bundle again or use the report of its program version")
+        files.check_version(self.path / "bundle.json", self.info)
         suites = self.info.setdefault("suites", {})
         ids = suites.setdefault("ids", []) if isinstance(suites, dict) else None
         if not isinstance(ids, list) or not all(isinstance(one, str) and ID.fullmatch(one) for one in ids):
@@ -220,6 +220,8 @@ class Bundle(Folder):
                 self.fail("suite.toml", "the kind of a study is no word")
         except tomllib.TOMLDecodeError as error:
             self.fail("suite.toml", str(error))
+        except BundleError:
+            raise
         except UNUSABLE:
             self.fail("suite.toml", "its studies are no tables with an id")
         return ({name: literal(title) or name for name, title in titles.items()},

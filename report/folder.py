@@ -1,23 +1,36 @@
 # SPDX-License-Identifier: MIT
 """A directory of data files, as some command wrote it: the files read, decoded and taken apart, or one line about what is wrong."""
 
-import csv
-import json
 import re
 from pathlib import Path
 
-from . import regular_file, schema
-from .columns import COMPARISON, ID, IDS, MIXED, MOST_DEGREE, NAME, NAMES, WORDS
-from .foreign import literal, literal_json, shown
-from .rows import Row, Table, parse_number
+from . import files, schema
+from .files import BundleError, shown
+from .foreign import literal, literal_json
+from .rows import Row, Table
 
+LARGEST = 64 << 20  # bytes of a file; the tables of the shipped suites are smaller by a factor of ten
 MOST_ROWS = 200_000
 MOST_STUDIES = 1000  # of a table; each has tables and lines of its own on the page
+# What `bezierbench compare` writes: the columns that the report reads, and those that are words, even where a value looks like
+# a number (study 2.2). In MIXED it depends on the row which columns apply and whether they hold a number.
+COMPARISON = {
+    "comparison.csv": ("kind study method degree mode a b ratio ratio_low ratio_high verdict against bundle file column "
+                       "quality normalised normalised_low normalised_high normalised_verdict rank_a rank_b").split(),
+    "facts.csv": "against bundle fact a b".split(),
+    "standings.csv": "rank bundle cpu compiler machine accuracy_rows_differing timings mean_ratio mean_normalised".split(),
+}
+WORDS = frozenset("kind study table curve method scalar mode generator baseline verdict against bundle file column quality "
+                  "normalised_verdict fact cpu compiler machine".split())
+MIXED = frozenset({"comparison.csv", "facts.csv"})
+
+# Ids of studies and suites as a suite has to write them, and of what it names: a path is `conversion:evaluator`.
+ID = re.compile(r"[A-Za-z0-9._-]+")
+NAME = re.compile(r"[A-Za-z0-9._:+-]+")
+IDS = frozenset("study accuracy_study worst_id search_id guarantee_id".split())
+NAMES = frozenset("method conversion curve scalar generator mode".split())
+MOST_DEGREE = 1023  # of a suite
 _SPAN = re.compile(r"\d{1,4}\.\.\d{1,4}", re.ASCII)  # of degrees: a count of table 2.2 is over all of them
-
-
-class BundleError(Exception):
-    """The bundle cannot be read; the message is the one line that the user sees."""
 
 
 class Folder:
@@ -42,64 +55,33 @@ class Folder:
 
     def _bytes(self, name):
         """None where there is no such file."""
-        path = self.path / name
         try:
-            return regular_file.read(path)
-        except FileNotFoundError:
+            return files.content(self.path / name, LARGEST)
+        except files.NoFile:
             return None
-        except regular_file.Refused as error:
-            raise BundleError(f"{path}: {error.strerror}") from None
-        except OSError as error:
-            raise BundleError(f"{path}: {error.strerror}; check that it is a readable file") from None
 
     def _text(self, name):
         data = self._bytes(name)
-        try:
-            return None if data is None else data.decode("utf-8")
-        except UnicodeDecodeError as error:
-            self.fail(name, f"byte {error.start} is not UTF-8")
+        return None if data is None else files.text(self.path / name, data)
 
     def _json(self, name):
-        text = self._text(name)
-        if text is None:
-            return None
-        try:
-            value = json.loads(text)
-        except json.JSONDecodeError as error:
-            self.fail(name, error.msg, f"{error.lineno}:{error.colno}")
-        except (ValueError, RecursionError):  # a number of thousands of digits, brackets thousands deep
-            self.fail(name, "a number or a nesting beyond all use")
-        if not isinstance(value, dict):
-            self.fail(name, "not a JSON object")
-        return literal_json(value)
+        data = self._bytes(name)
+        return None if data is None else literal_json(files.document(self.path / name, data))
 
     def _csv(self, name):
         """The table of a file that is there."""
-        text = self._text(name)
-        if "\0" in text:
-            self.fail(name, "holds a NUL byte")
-        reader = csv.reader(text.splitlines(keepends=True), strict=True)
+        columns, fields_of = files.table(self.path / name, self._bytes(name))
+        self._check_header(name, columns)
         rows = []
-        try:
-            columns = next(reader, None)
-            self._check_header(name, columns)
-            for fields in reader:
-                if len(fields) != len(columns):
-                    self.fail(name, f"{len(fields)} fields where the header has {len(columns)}", reader.line_num)
-                if len(rows) == MOST_ROWS:
-                    self.fail(name, f"more than {MOST_ROWS} rows", reader.line_num)
-                rows.append(self._row(name, reader.line_num, dict(zip(columns, fields))))
-        except csv.Error as error:
-            self.fail(name, str(error), reader.line_num)
+        for line, fields in fields_of:
+            if len(rows) == MOST_ROWS:
+                self.fail(name, f"more than {MOST_ROWS} rows", line)
+            rows.append(self._row(name, line, dict(zip(columns, fields))))
         if len({row["study"] for row in rows}) > MOST_STUDIES:
             self.fail(name, f"more than {MOST_STUDIES} studies")
         return Table(name, columns, rows)
 
     def _check_header(self, name, columns):
-        if not columns:
-            self.fail(name, "empty, a header line was expected", 1)
-        if len(set(columns)) != len(columns):
-            self.fail(name, "a column stands twice in the header", 1)
         for column in schema.required(name) if schema.is_declared(name) else COMPARISON.get(name, ()):
             if column not in columns:
                 raise BundleError(f"{self.path / name}:1: no column `{column}`; run the suite again with this program version")
@@ -130,7 +112,7 @@ class Folder:
 
     def _number(self, name, line, column, text, strict):
         """The number, or the text where the column may hold words."""
-        value = parse_number(text)
+        value = files.number(text)
         if value is None:
             if strict and not (column == "degree" and _SPAN.fullmatch(text)):
                 self.fail(name, f"`{column}` is '{shown(text)}', a number was expected", line)

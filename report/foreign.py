@@ -14,7 +14,6 @@ _BACK = str.maketrans({private: own for own, private in _STAND_INS.items()})
 _ACTING = re.compile("[\0-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ud800-\udfff\ue000-\uf8ff\ufeff"
                      "\ufff9-\uffff\U000e0000-\U0010ffff]")
 _MARKS = re.compile("[`*]")
-SHOWN = 60  # characters of a field that an error message repeats
 
 
 def visible(text):
@@ -39,11 +38,6 @@ def literal_json(value):
 def restored(text):
     """The text with the bundle's own backticks and asterisks again."""
     return text.translate(_BACK)
-
-
-def shown(text):
-    """The beginning of a field, as an error message repeats it."""
-    return text if len(text) <= SHOWN else f"{text[:SHOWN]}…"
 
 
 def one_line(text):

@@ -50,11 +50,11 @@ class Isolation(unittest.TestCase):
     def test_any_character_may_be_in_the_path(self):
         bundle = fixture.write(self.place / "bundle", without=[f for f in fixture.FILES if f != "scorecard.csv"])
         clone = self.place / "a b:c'd\"e$f\\g%h\ni;*é"
-        for part in ("report", "scripts/report", "experiments/bundle/schema"):
+        for part in ("report", "scripts/report", "experiments/bundle/schema", "bindings/python/bezierbench"):
             target = clone / part
             target.parent.mkdir(parents=True, exist_ok=True)
             if (ROOT / part).is_dir():
-                shutil.copytree(ROOT / part, target, ignore=shutil.ignore_patterns("baseline", "*_test.py", "__pycache__"))
+                shutil.copytree(ROOT / part, target, ignore=shutil.ignore_patterns("*_test.py", "__pycache__"))
             else:
                 shutil.copy(ROOT / part, target)
         (self.place / "link").symlink_to(clone / "scripts/report")
@@ -65,7 +65,7 @@ class Isolation(unittest.TestCase):
         """A file run by its path has its own folder first on the module path; -c, -m and standard input have the current one."""
         starts = re.compile(r"(?:python3?\b\"?|_PYTHON\}|_EXECUTABLE\})\s+(-\S*|\")")
         texts = [path for folder in ("scripts", "report", "experiments", "core", "cmake", ".ci") for path in (ROOT / folder).rglob("*")
-                 if path.is_file() and (path.name == "CMakeLists.txt" or path.suffix in (".cmake", ".sbatch", "")) and "baseline" not in path.parts]
+                 if path.is_file() and (path.name == "CMakeLists.txt" or path.suffix in (".cmake", ".sbatch", ""))]
         self.assertGreater(len(texts), 20)
         loose, found = [], 0
         for path in texts:

@@ -13,8 +13,7 @@ from unittest import mock
 from . import fixture, output
 from .bundle import Bundle, BundleError
 from .chapters.roster import build_all
-from .document import Chapter, Table
-from .file_names import SAFE, unique, with_unique_ids
+from .document import SAFE, Chapter, Table, unique, with_unique_ids
 
 ROOT = Path(__file__).resolve().parent.parent
 # Writes many files, says so, and is killed before it is done.

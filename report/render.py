@@ -13,7 +13,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 from . import latex, script
-from .file_names import SAFE
+from .document import SAFE
 from .foreign import restored
 from .inline import Markdown, to_html, to_markdown, to_plain
 

@@ -2,27 +2,11 @@
 """Rows of a CSV file, read by column name: numbers as floats, words as text, empty fields as None."""
 
 import math
-import re
 from dataclasses import dataclass, field
-
-_DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?inf|nan", re.ASCII)
-_HEX = re.compile(r"[+-]?0[xX][0-9a-fA-F]*\.?[0-9a-fA-F]*([pP][+-]?\d+)?", re.ASCII)
 
 
 class Missing(Exception):
     """The bundle is sound but does not hold the rows that a finding, figure or chapter needs."""
-
-
-def parse_number(text):
-    """A float from decimal or C hexadecimal notation; None where `text` is neither."""
-    if _DECIMAL.fullmatch(text):
-        return float(text)
-    if _HEX.fullmatch(text):
-        try:
-            return float.fromhex(text)
-        except (ValueError, OverflowError):
-            return None
-    return None
 
 
 @dataclass(frozen=True)

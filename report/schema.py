@@ -31,11 +31,6 @@ def columns(file):
     return {name: _resolved(one) for name, one in _resolved(declared)["items"]["properties"].items()}
 
 
-def version():
-    """The newest schema version of a bundle."""
-    return _whole()["version"]
-
-
 @functools.cache
 def table(file):
     """What is declared of a table beside its columns."""
@@ -62,10 +57,9 @@ def required(file):
     return table(file)["items"]["required"]
 
 
-def digested(file, of_version):
-    """The columns that the digests of a bundle of this schema version are of, in their order."""
-    return [name for name in written(file)
-            if columns(file)[name].get("digested", True) and columns(file)[name].get("since", 1) <= of_version]
+def digested(file):
+    """The columns that the digests of a bundle are of, in their order."""
+    return [name for name in written(file) if columns(file)[name].get("digested", True)]
 
 
 def description(file, column):

@@ -1,6 +1,6 @@
 #!/usr/bin/python3 -I
 # SPDX-License-Identifier: MIT
-"""The record of what the shipped suites found: a bundle of each in results/atlas, its page in report/atlas.
+"""The record of what the shipped suites found: a bundle of each in results/atlas, its page in results/pages/atlas.
 
 atlas.py suites PROGRAM        prints the ids of the suites that belong here
 atlas.py keep BUNDLE ...       keeps a bundle of one suite and its page; of a bundle above 2 MiB its page and the digests of its rows
@@ -34,9 +34,9 @@ from scripts.digests import Agreement, AgreementWithDigests  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
 BUNDLES = ROOT / "results/atlas"
-PAGES = ROOT / "report/atlas"
+PAGES = ROOT / "results/pages/atlas"
 INDEX = PAGES / "README.md"
-ELSEWHERE = {"report": "../baseline/report.md", "answers": "../../results/answers", "hard_cases": "../../results/hard_cases/README.md"}
+ELSEWHERE = {"report": "../baseline/report.md", "answers": "../../answers", "hard_cases": "../../hard_cases/README.md"}
 MOST_SECONDS = 120  # of a suite that is run again to be compared
 MOST_OF_A_BUNDLE = 2 * 2**20
 OF_A_LARGE_BUNDLE = ("bundle.json", "digests.csv")
@@ -79,7 +79,7 @@ def size_of(folder):
 
 def keep(bundle):
     suite = bundle.name
-    render(suite, bundle)
+    render(bundle, PAGES / suite)
     shutil.rmtree(BUNDLES / suite, ignore_errors=True)
     if size_of(bundle) <= MOST_OF_A_BUNDLE:
         shutil.copytree(bundle, BUNDLES / suite)
@@ -89,12 +89,11 @@ def keep(bundle):
             shutil.copy(bundle / name, BUNDLES / suite)
 
 
-def render(suite, bundle):
-    """The page and figures of a suite's bundle, and nothing else, in report/atlas."""
+def render(bundle, page):
+    """The page and figures of a suite's bundle, and nothing else."""
     with tempfile.TemporaryDirectory() as place:
         out = Path(place) / "page"
         subprocess.run([ROOT / "scripts/report", bundle, "--out", out], check=True, stdout=subprocess.DEVNULL)
-        page = PAGES / suite
         shutil.rmtree(page, ignore_errors=True)
         (page / "figures").mkdir(parents=True)
         shutil.copy(out / "report.md", page / "README.md")
@@ -125,14 +124,14 @@ def index():
         if suite not in recorded():
             lines += [f"## [{toml_of(suite)['suite']['title']}]({suite}/README.md)", "",
                       f"Suite `{suite}`: its bundle has more than {MOST_OF_A_BUNDLE // 2**20} MiB; "
-                      f"[the digests of its rows](../../results/atlas/{suite}/digests.csv) are kept.", ""]
+                      f"[the digests of its rows](../../atlas/{suite}/digests.csv) are kept.", ""]
             continue
         bundle = Bundle(BUNDLES / suite)
         tiles = {tile.label: tile for block in opening.blocks(bundle, None) for tile in getattr(block, "items", ())}
         title = bundle.suites.get(suite) or suite
         lines += [f"## [{title}]({suite}/README.md)", "",
                   f"Suite `{suite}`: {tiles['judged'].value} {tiles['judged'].note}; violations: {tiles['violations'].value}; "
-                  f"noise: {tiles['noise'].value}. [Bundle](../../results/atlas/{suite}).", ""]
+                  f"noise: {tiles['noise'].value}. [Bundle](../../atlas/{suite}).", ""]
         found, _ = find_all(bundle)
         lines += [f"- {to_plain(finding.headline)}" for finding in found if finding.suite == suite]
         lines.append("")
@@ -147,7 +146,7 @@ def faults(program):
         if suite in shown() and suite not in (*here, *digested()):
             yield f"results/atlas/{suite}: neither the bundle nor its digests; make it with scripts/check atlas --update {suite}"
         if suite not in shown() and seconds:  # those of other libraries state none; they need a build of the preset peers
-            yield f"suite {suite}: no page in report/atlas; make it with scripts/check atlas --update {suite}"
+            yield f"suite {suite}: no page in results/pages/atlas; make it with scripts/check atlas --update {suite}"
     for suite in here:
         verified = subprocess.run([program, "verify", BUNDLES / suite], capture_output=True, text=True)
         # That a method is wrong on an input of a race is a result, which the page tells.
@@ -155,12 +154,12 @@ def faults(program):
         if verified.returncode not in (0, 1) or (verified.returncode == 1 and found):
             yield f"results/atlas/{suite}: {(verified.stdout + verified.stderr).strip()}"
         if not (PAGES / suite / "README.md").exists():
-            yield f"report/atlas/{suite}: no page; make it with scripts/atlas.py pages {suite}"
+            yield f"results/pages/atlas/{suite}: no page; make it with scripts/atlas.py pages {suite}"
     if shown() and INDEX.read_text(encoding="utf-8") != index():
-        yield "report/atlas/README.md is not what the bundles say; make it anew with scripts/atlas.py pages"
+        yield "results/pages/atlas/README.md is not what the bundles say; make it anew with scripts/atlas.py pages"
     size = size_of(BUNDLES) + size_of(PAGES)
     if size > MOST_BYTES:
-        yield f"results/atlas and report/atlas hold {size / 2**20:.1f} MiB, more than {MOST_BYTES / 2**20:g}"
+        yield f"results/atlas and results/pages/atlas hold {size / 2**20:.1f} MiB, more than {MOST_BYTES / 2**20:g}"
 
 
 def sampled_study(bundle):
@@ -213,7 +212,7 @@ def main(arguments):
                 if what == "keep":
                     keep(Path(name).resolve())
                 else:
-                    render(name, BUNDLES / name)
+                    render(BUNDLES / name, PAGES / name)
             INDEX.write_text(index(), encoding="utf-8")
         case ["check", program]:
             found = list(faults(Path(program).resolve()))

@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Digests of a bundle's rows, method by method, computed from its tables as the program computes them for digests.csv."""
 
-import csv
 import hashlib
-import io
-import json
 from collections import Counter
 from typing import NamedTuple
 
-from report import schema
+from report import files, schema
 
 NAME = "digests.csv"
 
@@ -32,26 +29,26 @@ def line(fields):
     return ",".join(quoted) + "\n"
 
 
-def of_table(file, text, columns):
-    """{Rows: (number of rows, digest)} of a table's text, in the order of their first rows; the digests are over
-    `columns`."""
-    header, *rows = csv.reader(io.StringIO(text, newline=""), strict=True)
+def of_table(path, columns):
+    """{Rows: (number of rows, digest)} of a table, in the order of their first rows; the digests are over `columns`."""
+    file = path.name
+    header, rows = _table(path)
     study, method = (header.index(schema.table(file).get(key, key)) for key in ("study", "method"))
     places = [header.index(column) for column in columns]
     texts, counts = {}, Counter()
-    for row in rows:
+    for _, row in rows:
         at = Rows(file, row[study], row[method])
         texts.setdefault(at, [line(columns)]).append(line([row[place] for place in places]))
         counts[at] += 1
     return {at: (counts[at], hashlib.sha256("".join(lines).encode()).hexdigest()) for at, lines in texts.items()}
 
 
-def of_bundle(bundle, version):
-    """The text of digests.csv for the tables of a bundle, by the rule of schema version `version`."""
+def of_bundle(bundle):
+    """The text of digests.csv for the tables of a bundle."""
     lines = [line(schema.written(NAME))]
     for file in schema.deterministic():
         if (bundle / file).exists():
-            found = of_table(file, _text(bundle / file), schema.digested(file, version))
+            found = of_table(bundle / file, schema.digested(file))
             lines += [line([*at, str(count), digest]) for at, (count, digest) in found.items()]
     return "".join(lines)
 
@@ -70,10 +67,10 @@ class Agreement:
     def _tables(self, base, other):
         """Of each table {Rows: (number of rows, digest)} of both."""
         for file in schema.deterministic():
-            a, b = (_text(bundle / file) if (bundle / file).exists() else None for bundle in (base, other))
-            headers = [set(next(csv.reader([text.split("\n", 1)[0]]))) for text in (a, b) if text is not None]
-            columns = [column for column in schema.digested(file, schema.version()) if all(column in one for one in headers)]
-            yield tuple(of_table(file, text, columns) if text is not None else {} for text in (a, b))
+            paths = [bundle / file for bundle in (base, other)]
+            headers = [_table(path)[0] for path in paths if path.exists()]
+            columns = [column for column in schema.digested(file) if all(column in one for one in headers)]
+            yield tuple(of_table(path, columns) if path.exists() else {} for path in paths)
 
     def _sort_in(self, at, ours, theirs):
         kind = self.only_base if theirs is None else self.only_other if ours is None else self.agreeing if ours == theirs else self.differing
@@ -97,18 +94,19 @@ class Agreement:
 
 
 class AgreementWithDigests(Agreement):
-    """The same where bundle.json and digests.csv are all that was kept of the base: over the columns that it digested."""
+    """The same where digests.csv is all that was kept of the base: over the columns that it digested."""
 
     def _tables(self, base, other):
-        version = json.loads(_text(base / "bundle.json"))["schema_version"]
-        yield _listed(_text(base / NAME)), _listed(of_bundle(other, version))
+        yield _listed(base / NAME, files.content(base / NAME)), _listed(other / NAME, of_bundle(other).encode())
 
 
-def _listed(text):
-    """{Rows: (number of rows, digest)} of the text of digests.csv."""
-    return {Rows(row["table"], row["study"], row["method"]): (int(row["rows"]), row["digest"]) for row in csv.DictReader(io.StringIO(text))}
+def _listed(path, data):
+    """{Rows: (number of rows, digest)} of digests.csv."""
+    header, rows = files.table(path, data)
+    columns = [header.index(name) for name in ("table", "study", "method", "rows", "digest")]
+    found = ([row[at] for at in columns] for _, row in rows)
+    return {Rows(*at): (int(count), digest) for *at, count, digest in found}
 
 
-def _text(path):
-    with open(path, newline="", encoding="utf-8") as file:
-        return file.read()
+def _table(path):
+    return files.table(path, files.content(path))

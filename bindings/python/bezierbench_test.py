@@ -7,6 +7,7 @@ import gc
 import hashlib
 import math
 import os
+import random
 import shutil
 import signal
 import sys
@@ -22,8 +23,12 @@ import numpy as np
 if len(sys.argv) > 1:  # the installed package, instead of the one beside this file
     sys.path.insert(0, sys.argv.pop())
 import bezierbench
+from bezierbench import files
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT))
+from scripts.hostile_bundle import damaged  # noqa: E402
+
 CURVE = [[0.0, 0.0], [1.0, 2.0], [3.0, 0.1]]
 T = [0.0, 0.1, 0.7, 1.0]
 
@@ -408,6 +413,40 @@ class Bundles(unittest.TestCase):
                     bezierbench.read(bundle, frames=False)
                 self.assertIn(str(bundle), str(caught.exception))
                 self.assertLess(len(str(caught.exception)), 500 + len(str(bundle)))
+
+    def test_bundles_as_an_enemy_or_a_bad_disk_would_leave_them(self):
+        """Each is read, or refused by the one exception; one that is not what its checksums say is refused."""
+        listed = {line.split()[1] for line in (ROOT / "results/atlas/grid/SHA256SUMS").read_text().splitlines()}
+        outcomes = []
+        for seed in range(200):
+            with self.subTest(seed=seed), tempfile.TemporaryDirectory() as folder:
+                bundle = Path(folder) / "bundle"
+                shutil.copytree(ROOT / "results/atlas/grid", bundle)
+                changed, signed = damaged(bundle, random.Random(seed))
+                try:
+                    bezierbench.read(bundle, frames=False)
+                    refused = False
+                except bezierbench.BundleError as error:
+                    refused = True
+                    self.assertIn(str(bundle), str(error))
+                    self.assertLess(len(str(error)), 500 + len(str(bundle)))
+                if not signed and changed & {"SHA256SUMS", *listed}:
+                    self.assertTrue(refused)
+                outcomes.append((signed, refused))
+        self.assertLessEqual({(True, True), (True, False), (False, True)}, set(outcomes))
+
+    def test_numbers_are_those_of_the_program(self):
+        """Python's float() takes more: 1_0, infinity, blanks, digits of other scripts."""
+        for word, value in (("1.5", 1.5), ("-0x1.8p+1", -3.0), ("inf", math.inf), ("1_0", None), ("infinity", None), (" 1", None), ("٣", None),
+                            ("0x1p99999", None)):
+            self.assertEqual(files.number(word), value)
+        with self.assertRaisesRegex(ValueError, "is not a number"):
+            bezierbench.numbers("1 1_0")
+
+    def test_a_schema_version_that_is_not_read(self):
+        for version, words in ((1, "f316236, the last that does"), (9, "use a newer bezierbench")):
+            with self.assertRaisesRegex(bezierbench.BundleError, words):
+                files.check_version(Path("bundle.json"), {"schema_version": version})
 
     def test_fields_are_as_they_were_written(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -4,8 +4,7 @@
 from importlib import import_module
 
 from ..bundle import Missing, decided_by, made_of
-from ..document import Chapter
-from ..file_names import safe, with_unique_ids
+from ..document import Chapter, safe, with_unique_ids
 from . import studies
 from .suite_parts import COMPANION_PEERS
 

@@ -2,10 +2,10 @@
 """What the chapters of the suites have in common: findings first, figures where there are rows, times, how to replay."""
 
 import functools
-import importlib
 
 from ..bundle import Missing
 from ..document import Heading, Text
+from ..figures import drawn
 from ..time_tables import reading_times, time_tables, times
 from ..wording import general, interval, large, shortest
 
@@ -19,10 +19,9 @@ def of_suite(findings, suite):
 
 
 def figure(name, bundle):
-    """The figure of that file as a list, empty where the bundle has no rows for it."""
-    module = importlib.import_module(f"..figures.{name}", __package__)  # needs matplotlib, which --summary does without
+    """The figure of that name as a list, empty where the bundle has no rows for it."""
     try:
-        return [module.draw(bundle)]
+        return [drawn(name, bundle)]
     except Missing:
         return []
 
@@ -30,11 +29,9 @@ def figure(name, bundle):
 def study_figure(bundle, study):
     """The figure of one study, as a list, empty where there is nothing to draw: that of its kind, else lines along the axis that it
     varies."""
-    from ..figures import guarantee_matrix, hard_case_distances, study_lines
-
-    drawn = {"guarantees": guarantee_matrix, "hard_cases": hard_case_distances}.get(bundle.studies[study].kind, study_lines)
+    name = {"guarantees": "guarantee_matrix", "hard_cases": "hard_case_distances"}.get(bundle.studies[study].kind, "study_lines")
     try:
-        return [drawn.draw(bundle, study)]
+        return [drawn(name, bundle, study)]
     except Missing:
         return []
 

@@ -56,6 +56,15 @@ def styled(draw):
     return with_style
 
 
+FIGURES = {}  # by the name of the function
+
+
+def figure(draw):
+    """A function that draws a figure of a bundle, which chapters ask for by its name."""
+    FIGURES[draw.__name__] = styled(draw)
+    return FIGURES[draw.__name__]
+
+
 def panels(rows, columns, height=3.1, **more):
     """A figure with its axes as a grid."""
     canvas = Canvas(figsize=(9.2, height * rows + 1.1))

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: MIT
 """The parts of the documents that are numbers of committed bundles."""
-import csv
-import io
-import json
 import subprocess
 import sys
 import tempfile
@@ -10,6 +7,7 @@ import textwrap
 from collections import Counter
 from pathlib import Path
 
+from report import files
 from report.bundle import Bundle, Comparison
 from report.chapters.scorecard import VERDICTS, counts
 from report.findings.printed_tables import events, verdicts
@@ -59,8 +57,12 @@ def committed_bundles():
     return sorted(path.parent for path in RESULTS.glob("*/bundle.json"))
 
 
+def document(bundle, name):
+    return files.document(bundle / name, files.content(bundle / name))
+
+
 def information(bundle):
-    return json.loads((bundle / "bundle.json").read_text(encoding="utf-8"))
+    return document(bundle, "bundle.json")
 
 
 def of_the_report(bundle):
@@ -72,7 +74,8 @@ def timings(bundle):
     path = bundle / "timing.csv"
     if not path.exists():
         return "none"
-    found = [row["quality"] for row in csv.DictReader(io.StringIO(path.read_text(encoding="utf-8")))]
+    header, rows = files.table(path, files.content(path))
+    found = [row[header.index("quality")] for _, row in rows]
     noisy = sum(quality != "ok" for quality in found)
     return f"{len(found)}, {noisy} of them noisy" if noisy else str(len(found))
 
@@ -91,7 +94,7 @@ def digest(page):
     """The baseline's digest, then a table of the bundles of its suites: where each was made and how many methods agree."""
     body = []
     for bundle in filter(of_the_report, committed_bundles()):
-        machine = json.loads((bundle / "machine.json").read_text(encoding="utf-8"))
+        machine = document(bundle, "machine.json")
         body.append([link(page, bundle), machine["build"]["compiler"], machine["system"]["libc"], machine["cpu"]["model_name"],
                      timings(bundle), agreement(bundle)])
     heads = ["bundle", "compiler", "C library", "processor", "timings", "methods in studies"]

@@ -11,7 +11,7 @@ from scripts.pages.bundles import ROOT
 
 DEGREE = 12
 MOST_ERROR = 50  # in u p~; above it nobody would choose a method
-FILE = ROOT / "report/answers/time-and-error.svg"
+FILE = ROOT / "results/pages/answers/time-and-error.svg"
 DARK = {"#1b1f24": "#e6e9ec", "#fefefe": "#14171a"}  # ink and paper where the reader's screen is dark
 STUDY = NEEDS[0].times
 
@@ -90,5 +90,5 @@ def described(path=FILE):
 
 
 def write(bundle):
-    FILE.parent.mkdir(exist_ok=True)
+    FILE.parent.mkdir(parents=True, exist_ok=True)
     FILE.write_text(draw(bundle), encoding="utf-8")

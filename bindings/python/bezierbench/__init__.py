@@ -10,7 +10,8 @@ threads at once; the library runs without the interpreter's lock.
 """
 
 from ._library import Error
-from .bundles import Bundle, BundleError, numbers, read
+from .bundles import Bundle, numbers, read
+from .files import BundleError
 from .listing import Method, methods, version
 from .points import Bounds, Errors, Halves, Prepared, bound, derivative, error, evaluate, exact, exact_fractions, grid, split
 from .problems import (

@@ -3,33 +3,21 @@
 
 from __future__ import annotations
 
-import csv
-import hashlib
 import importlib
-import io
-import json
 import math
-import os
 import re
-import stat
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from . import files
 from ._arrays import Array
+from .files import BundleError
 
-NEWEST_SCHEMA = 2
 _TEXT = {"coefficients", "weights"}  # several numbers in one field: see numbers()
-_LARGEST = 1 << 30  # bytes of a file
-_LONGEST_FIELD = 1 << 26  # bytes; a field of coefficients of degree 1023 has some 80,000
 _WHOLE = re.compile(r"-?[0-9]{1,19}", re.ASCII)
-_SUMS_LINE = re.compile(r"([0-9a-f]{64})  ([A-Za-z0-9][A-Za-z0-9._-]*)")
-
-
-class BundleError(ValueError):
-    """A directory that is not a bundle, or not as it was written; the message names the file and says what to do."""
 
 
 class Bundle(Mapping[str, Any]):
@@ -61,116 +49,52 @@ def read(bundle: str | Path, *, frames: bool | None = None) -> Bundle:
     followed. `bezierbench verify` says more.
     """
     path = Path(bundle)
-    sums = _sums(path)
-    files = {name: _checked(path, name, digest) for name, digest in sums.items()}
-    info = _json(path, "bundle.json", files)
-    schema = info.get("schema_version")
-    if type(schema) is not int or not 1 <= schema <= NEWEST_SCHEMA:
-        raise BundleError(f"{path / 'bundle.json'}: schema_version is {schema!r:.20} instead of 1 to {NEWEST_SCHEMA}; use a newer "
-                          "bezierbench")
+    sums = files.checksums(path / files.SUMS, files.content(path / files.SUMS))
+    found = {name: _checked(path, name, digest) for name, digest in sums.items()}
+    info, machine = (_document(path, name, found) for name in ("bundle.json", "machine.json"))
+    files.check_version(path / "bundle.json", info)
     if info.get("state") != "complete":
         raise BundleError(f"{path / 'bundle.json'}: the run is not complete; continue it with `bezierbench run`")
-    machine = _json(path, "machine.json", files)
     make = _maker(frames)
-    tables = {name.removesuffix(".csv"): make(_columns(path / name, _text(path / name, data)))
-              for name, data in sorted(files.items()) if name.endswith(".csv")}
+    tables = {name.removesuffix(".csv"): make(_columns(path / name, data)) for name, data in sorted(found.items()) if name.endswith(".csv")}
     return Bundle(path, info, machine, tables)
 
 
 def numbers(field: str) -> Array:
-    """The numbers in a field such as `coefficients` of the table `worst`, decimal or hexadecimal."""
-    return np.array([_number(word) for word in field.split()], dtype=np.float64)
-
-
-def _bytes(path: Path) -> bytes:
-    """The bytes of a regular file. A pipe would be waited for, a device has no end, and a link may lead anywhere."""
-    try:
-        # O_NONBLOCK: opening a pipe to which nobody writes returns at once.
-        handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
-        with open(handle, "rb") as file:
-            if not stat.S_ISREG(os.fstat(handle).st_mode):
-                raise BundleError(f"{path}: is not a regular file; put the file that was written there")
-            data = file.read(_LARGEST + 1)
-    except (OSError, ValueError) as error:  # ValueError: a NUL in the name, or a BundleError
-        if isinstance(error, BundleError):
-            raise
-        raise BundleError(f"{path}: cannot be read: {getattr(error, 'strerror', error)}; give the directory that `bezierbench run` "
-                          "wrote") from None
-    if len(data) > _LARGEST:
-        raise BundleError(f"{path}: is larger than {_LARGEST >> 30} GiB; run fewer studies into one bundle")
-    return data
-
-
-def _text(file: Path, data: bytes) -> str:
-    try:
-        text = data.decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise BundleError(f"{file}: byte {error.start} is not UTF-8; restore the file") from None
-    if "\0" in text:
-        raise BundleError(f"{file}: holds a NUL byte; restore the file")
-    return text
-
-
-def _sums(path: Path) -> dict[str, str]:
-    file = path / "SHA256SUMS"
-    sums: dict[str, str] = {}
-    for number, line in enumerate(_text(file, _bytes(file)).removesuffix("\n").split("\n"), 1):
-        found = _SUMS_LINE.fullmatch(line)
-        if not found or found[2] in sums:
-            raise BundleError(f"{file}:{number}: is not a line of sha256sum, or lists a file twice; restore the file")
-        sums[found[2]] = found[1]
-    return sums
+    """The numbers in a field such as `coefficients` of the table `worst`, decimal or hexadecimal. Raises ValueError for a word that is
+    not a number."""
+    values = [files.number(word) for word in field.split()]
+    if None in values:
+        raise ValueError(f"{files.shown(field)!r} holds a word that is not a number")
+    return np.array(values, dtype=np.float64)
 
 
 def _checked(path: Path, name: str, digest: str) -> bytes:
-    data = _bytes(path / name)
-    if hashlib.sha256(data).hexdigest() != digest:
-        raise BundleError(f"{path / name}: is not what SHA256SUMS lists; run `bezierbench verify` on the bundle")
+    data = files.content(path / name)
+    if not files.fits(digest, data):
+        raise BundleError(f"{path / name}: is not what {files.SUMS} lists; run `bezierbench verify` on the bundle")
     return data
 
 
-def _json(path: Path, name: str, files: dict[str, bytes]) -> dict[str, Any]:
-    if name not in files:
-        raise BundleError(f"{path / name}: is not in SHA256SUMS; restore the bundle")
-    try:
-        value = json.loads(_text(path / name, files[name]))
-    except BundleError:
-        raise
-    except (ValueError, RecursionError) as error:  # a number of thousands of digits, brackets thousands deep
-        raise BundleError(f"{path / name}: is not JSON ({str(error)[:80]}); restore the file") from None
-    if not isinstance(value, dict):
-        raise BundleError(f"{path / name}: is not a JSON object; restore the file")
-    return value
+def _document(path: Path, name: str, found: dict[str, bytes]) -> dict[str, Any]:
+    if name not in found:
+        raise BundleError(f"{path / name}: is not in {files.SUMS}; restore the bundle")
+    return files.document(path / name, found[name])
 
 
-def _columns(file: Path, text: str) -> dict[str, Array]:
-    limit = csv.field_size_limit(_LONGEST_FIELD)
-    try:
-        # Lines end at \n only, as they were written; splitlines() would cut at U+2028, too.
-        rows = list(csv.reader(io.StringIO(text, newline=""), strict=True))
-    except csv.Error as error:
-        raise BundleError(f"{file}: is not CSV ({error}); restore the file") from None
-    finally:
-        csv.field_size_limit(limit)
-    if not rows or any(len(row) != len(rows[0]) for row in rows) or len(set(rows[0])) != len(rows[0]):
-        raise BundleError(f"{file}: has rows of different lengths, or a column twice; restore the file")
-    return {name: _column(name, [row[k] for row in rows[1:]]) for k, name in enumerate(rows[0])}
+def _columns(file: Path, data: bytes) -> dict[str, Array]:
+    header, rows = files.table(file, data)
+    whole = [row for _, row in rows]
+    return {name: _column(name, [row[at] for row in whole]) for at, name in enumerate(header)}
 
 
 def _column(name: str, fields: list[str]) -> Array:
-    if name in _TEXT or not any(fields):
+    values = [files.number(field) if field else math.nan for field in fields]
+    if name in _TEXT or not any(fields) or None in values:
         return np.array(fields, dtype=object)
-    try:
-        values = [_number(field) if field else math.nan for field in fields]
-        if all(_WHOLE.fullmatch(field) and abs(int(field)) < 2**63 for field in fields):
-            return np.array([int(field) for field in fields], dtype=np.int64)
-        return np.array(values, dtype=np.float64)
-    except (ValueError, OverflowError):  # OverflowError: 0x1p99999
-        return np.array(fields, dtype=object)
-
-
-def _number(field: str) -> float:
-    return float.fromhex(field) if "x" in field else float(field)
+    if all(_WHOLE.fullmatch(field) and abs(int(field)) < 2**63 for field in fields):
+        return np.array([int(field) for field in fields], dtype=np.int64)
+    return np.array(values, dtype=np.float64)
 
 
 def _maker(frames: bool | None) -> Any:

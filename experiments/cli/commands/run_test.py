@@ -135,7 +135,7 @@ class Bundles(Case):
     def test_digest_is_that_of_the_contract(self):
         self.bundle(self.suite(STUDY, CONVERSION))
         text = (self.folder / "b/digests.csv").read_bytes()
-        self.assertEqual(text.decode(), of_bundle(self.folder / "b", 2))
+        self.assertEqual(text.decode(), of_bundle(self.folder / "b"))
         self.assertEqual({row["table"] for row in rows(text.decode())}, {"accuracy.csv", "conversion.csv", "worst.csv"})
         self.assertEqual(self.manifest("b")["accuracy_digest"], hashlib.sha256(text).hexdigest())
 

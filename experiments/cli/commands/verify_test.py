@@ -9,9 +9,9 @@ import sys
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [os.path.join(HERE, ".."), os.path.join(HERE, "../faults")]
+sys.path[:0] = [os.path.join(HERE, ".."), os.path.join(HERE, "../../..")]
 from program_case import CONVERSION, FINDING, FINE, PROGRAM, STUDY, Case, rows  # noqa: E402
-from hostile_bundle import sign  # noqa: E402
+from scripts.hostile_bundle import sign  # noqa: E402
 
 ONE = {"curve": '"bezier"', "degree": "[3]", "coordinate_range": "[1]", "trials": "5"}
 STUDIES = [

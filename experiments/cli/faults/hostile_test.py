@@ -14,13 +14,15 @@ import shutil
 import subprocess
 import sys
 import unittest
-from hostile_bundle import damaged, deterministic
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from program_case import (CONVERSION, FINE, HAS_SANITIZER, IN_MEMORY, INPUT_OUTPUT, PROGRAM, ROOT, STUDY,  # noqa: E402
                           TIMING, Case, rows)
-from resume_case import SEARCH
+from resume_case import SEARCH  # noqa: E402
+
+sys.path.append(str(ROOT))
+from scripts.hostile_bundle import damaged, deterministic, sign  # noqa: E402
 
 LONGEST = 60  # seconds for any command: all take less than one
 MEMORY = 6 * 2**30
@@ -224,7 +226,6 @@ class Named(Case):
 
     def test_schema_and_required_tables(self):
         """With checksums that are right."""
-        from hostile_bundle import sign
         for name, change, needle in [
                 ("accuracy.csv", lambda text: re.sub(",exact,ok,", ",exact,fine,", text, count=1), "status is"),
                 ("accuracy.csv", lambda text: text.replace("p50_error", "median"), "column 'median'"),

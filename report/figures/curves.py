@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""Curves in the plane as a bundle has them."""
+
+from matplotlib.lines import Line2D
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+
+from ..bundle import Missing
+from ..wording import scientific, span
+from .canvas import COLOURS, FAINT, INK, figure, finish, panels
+
+STUDY = "fitting-cubics"
+COLUMNS = 3
+SPACED = {"inverse_arc_length-tolerance": "random curve", "inverse_arc_length-cusp": "curve that stops inside"}
+SPACINGS = {"parameter": "equal steps of t", "arc_length": "equal steps of the length"}
+
+
+@figure
+def fitting_example(bundle):
+    """A panel for each kind of data: the points, each method's curve, and where its segments join."""
+    rows = bundle["fitting_example.csv"].some(study=STUDY)
+    kinds = list(dict.fromkeys(r["data"] for r in rows))
+    methods = [m for m in dict.fromkeys(r["method"] for r in rows) if m]
+    canvas, axes = panels(-(-len(kinds) // COLUMNS), COLUMNS, height=2.6)
+    texts = []
+    for ax, kind in zip(axes.flat, kinds):
+        ax.set_title(kind, loc="left")
+        counts = [f"{method} {_draw_fit(ax, [r for r in rows if r['data'] == kind and r['method'] == method], i)}"
+                  for i, method in enumerate(methods)]
+        data = [r for r in rows if r["data"] == kind and not r["method"]]
+        ax.plot([r["x"] for r in data], [r["y"] for r in data], linestyle="none", marker=".", markersize=3.5, color=INK, zorder=3)
+        ax.set_xlabel(", ".join(counts), fontsize=8)
+        ax.tick_params(labelsize=7)
+        texts.append(f"{kind}: {', '.join(counts)}")
+    for ax in axes.flat[len(kinds):]:
+        ax.set_axis_off()
+    handles = [Line2D([], [], color=COLOURS[i], marker="o", markerfacecolor="none", label=m) for i, m in enumerate(methods)]
+    canvas.legend(handles=[*handles, Line2D([], [], color=INK, linestyle="none", marker=".", label="data")], loc="lower center",
+                  ncol=len(methods) + 1, fontsize=9)
+    return finish(canvas, "fitting-example", f"Data of cubics and their fits, tolerance {scientific(rows[0]['tolerance'])}; circles are joints; below, "
+                  "the numbers of segments", "数据与分段拟合", "Segments by kind of data and method. " + "; ".join(texts) + ".",
+                  bottom=0.35)
+
+
+def _draw_fit(ax, rows, i):
+    """Draws the segments by their control points; returns how many there are."""
+    if not rows:
+        raise Missing(f"`fitting_example.csv` has data of `{STUDY}` without a fit")
+    points = [(r["x"], r["y"]) for r in rows]
+    codes = [Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4] * (len(points) // 4)
+    ax.add_patch(PathPatch(Path(points, codes), fill=False, edgecolor=COLOURS[i], linewidth=2.6 - 1.2 * i, zorder=1 + i))
+    joints = points[0::4] + points[-1:]
+    ax.plot(*zip(*joints), linestyle="none", marker="o", markersize=7 - 2.5 * i, markerfacecolor="none",
+            markeredgecolor=COLOURS[i], zorder=4)
+    return len(points) // 4
+
+
+@figure
+def spacing(bundle):
+    """A row for each curve: its outline, with points of the one and of the other spacing."""
+    table = bundle["spacing.csv"]
+    studies = [s for s in SPACED if table.select(study=s, dimension=2)]
+    if not studies:
+        raise Missing("`spacing.csv` has no planar curve of the studies that a figure shows")
+    canvas, axes = panels(len(studies), len(SPACINGS), height=2.9)
+    texts = []
+    for row, study in zip(axes, studies):
+        outline = table.select(study=study, spacing="outline")
+        for ax, (spacing, words), colour in zip(row, SPACINGS.items(), COLOURS):
+            points = table.select(study=study, spacing=spacing)
+            gaps = [p["gap"] for p in points if p["gap"] is not None]
+            ax.plot([p["x"] for p in outline], [p["y"] for p in outline], color=FAINT, linewidth=1)
+            ax.plot([p["x"] for p in points], [p["y"] for p in points], color=colour, linestyle="none", marker="o", markersize=4)
+            ax.set_aspect("equal", adjustable="datalim")
+            ax.set_title(f"{SPACED[study][0].upper()}{SPACED[study][1:]}, {words}", loc="left")
+            if gaps:
+                texts.append(f"{SPACED[study]}, {words}: gaps of {span(min(gaps), max(gaps), lambda gap: f'{gap:.2f}')} of the mean")
+    return finish(canvas, "spacing", "Points at equal steps of t, left, and at equal steps of the length, right",
+                  "等参数步长（左）与等弧长（右）取点", "; ".join(texts) + ".", bottom=0.1)
