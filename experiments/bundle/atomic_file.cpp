@@ -14,7 +14,6 @@
 #include <limits>
 #include <system_error>
 
-#include "experiments/bundle/uninterrupted.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {

@@ -2,10 +2,12 @@
 // Whole files, read and written such that a reader sees either the old bytes or the new ones.
 #pragma once
 
+#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace bezierbench::bundle {
 
@@ -36,5 +38,27 @@ void ignore_file_size_signal();
 
 /// Whether `name` is that of a temporary file of write_file. Such files remain only where the program was killed.
 [[nodiscard]] bool is_temporary_name(std::string_view name);
+
+// Calls of system functions, repeated where a signal interrupts them. On network file systems this happens to many
+// functions.
+
+/// The result of `call()`, which returns -1 and sets errno where it fails.
+template <class Call>
+auto uninterrupted(Call call) {
+  auto result = call();
+  while (result == -1 && errno == EINTR) result = call();
+  return result;
+}
+
+/// The error that `call(error)` sets, as functions of std::filesystem do.
+template <class Call>
+std::error_code uninterrupted_error(Call call) {
+  std::error_code error;
+  do {
+    error.clear();
+    call(error);
+  } while (error == std::errc::interrupted);
+  return error;
+}
 
 }  // namespace bezierbench::bundle

@@ -12,7 +12,6 @@
 #include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
-#include "experiments/bundle/uninterrupted.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {

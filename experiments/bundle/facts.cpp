@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/bundle/json_object.hpp"
+#include "experiments/bundle/manifest.hpp"
 
 namespace bezierbench::bundle {
 

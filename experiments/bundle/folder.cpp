@@ -7,7 +7,6 @@
 #include <system_error>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/bundle/uninterrupted.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/bundle/uninterrupted.hpp"
+#include "experiments/bundle/atomic_file.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {

@@ -3,14 +3,64 @@
 // or lines of JSON.
 #pragma once
 
+#include <array>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "experiments/run/notes.hpp"
-#include "experiments/run/progress_state.hpp"
 
 namespace bezierbench::run {
+
+// How far a run is, and how long it will take, from the work that is done and the time that it took.
+
+/// The work that is left of a study when a run begins.
+struct StudyWork {
+  std::string id;
+  std::uint64_t blocks = 0;
+  double cost = 0;     ///< Job::cost of these blocks: nanoseconds of one thread, to an order of magnitude
+  bool alone = false;  ///< for timings, which run after all other studies and one at a time
+};
+
+struct ProgressView {
+  std::string study;       ///< of the last block
+  double study_share = 0;  ///< of its work that is done
+  double share = 0;        ///< of all work
+  std::size_t studies_done = 0;
+  std::size_t studies = 0;
+  double elapsed = 0;  ///< seconds
+  double left = 0;     ///< seconds, estimated
+};
+
+class ProgressState {
+ public:
+  explicit ProgressState(std::vector<StudyWork> studies);
+
+  /// A block of this study, of this cost, was done `elapsed` seconds after the beginning.
+  void add(std::size_t study, double cost, double elapsed);
+  [[nodiscard]] ProgressView view() const;
+
+ private:
+  /// Studies that run together. Their costs are compared with the time that they took, each phase with its own, since
+  /// one has all threads and the other a single one.
+  struct Phase {
+    double total = 0;
+    double done = 0;
+    double seconds = 0;
+  };
+
+  [[nodiscard]] double left() const;
+
+  std::vector<StudyWork> studies_;
+  std::vector<StudyWork> done_;
+  std::array<Phase, 2> phases_;  ///< all threads, then alone
+  std::size_t last_ = 0;
+  std::size_t studies_done_ = 0;
+  double elapsed_ = 0;
+};
 
 class Progress {
  public:

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "experiments/run/progress.hpp"
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/run/progress_state.hpp"
 #include "experiments/run/progress_text.hpp"
 
 namespace bezierbench::run {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/run/outcome.hpp"
-#include "experiments/run/progress_state.hpp"
+#include "experiments/run/progress.hpp"
+#include "experiments/run/run.hpp"
 
 namespace bezierbench::run {
 

@@ -3,20 +3,59 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/bundle/machine.hpp"
 #include "experiments/run/blocks/shard.hpp"
-#include "experiments/run/kinds.hpp"
+#include "experiments/run/job.hpp"
 #include "experiments/run/notes.hpp"
-#include "experiments/run/outcome.hpp"
+#include "experiments/suite/outside.hpp"
 #include "experiments/suite/suite.hpp"
 #include "reference/true_point.hpp"
 
 namespace bezierbench::run {
+
+/// The findings of a run, lines for the user; any of them makes the exit code 1.
+using Findings = std::vector<std::string>;
+
+/// What this process did.
+enum class Ending { complete, partial, nothing_to_do };
+
+struct Outcome {
+  Findings findings;
+  Ending ending = Ending::nothing_to_do;
+  std::size_t cells = 0;              ///< of the whole bundle
+  std::uint64_t violations = 0;       ///< trials beyond a proved bound
+  std::uint64_t broken_promises = 0;  ///< trials in which a method said what does not hold
+  std::uint64_t refuted_proofs = 0;   ///< properties that are stated as proved and do not hold
+  std::size_t times = 0;              ///< rows of timing.csv
+  std::size_t noisy = 0;              ///< those of them that are noisy
+  double seconds = 0;                 ///< since the first block
+};
+
+// The functions by which the engine uses kinds of studies. It knows no kind by name; the roster in studies/ passes
+// them.
+
+struct Kinds {
+  /// The work of one study. Throws Failure(usage) where its methods do not fit.
+  std::unique_ptr<Job> (*make_job)(const suite::Study& study, const JobContext& context) = nullptr;
+  /// The tables that the study writes wherever it has rows, by file name: one of each list.
+  std::vector<std::vector<std::string>> (*tables_of)(const suite::Study& study) = nullptr;
+  /// The work of one study on a method from outside; null where studies of this kind take none, or not this one. A
+  /// method that is not at hand can be written and merged, but not run.
+  std::function<std::unique_ptr<Job>(const suite::Study& study, const suite::OutsideMethod& method,
+                                     const JobContext& context)>
+      make_outside_job = nullptr;
+  /// Why there is no such job, a sentence about the study; empty where there is one.
+  std::string (*why_unasked)(const suite::Study& study, const suite::OutsideMethod& method) = nullptr;
+};
 
 struct RunRequest {
   Kinds kinds;                                ///< the roster of studies/

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/bundle/check/sums.hpp"
+#include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/manifest.hpp"
 
 namespace bezierbench::bundle {

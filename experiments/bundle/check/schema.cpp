@@ -2,18 +2,53 @@
 #include "experiments/bundle/check/schema.hpp"
 
 #include <fmt/format.h>
+#include <regex.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 
-#include "experiments/bundle/check/pattern.hpp"
-#include "experiments/bundle/json_object.hpp"
+#include "experiments/bundle/manifest.hpp"
 #include "experiments/failure.hpp"
 #include "schemas.hpp"
 
 namespace bezierbench::bundle {
+
+namespace {
+
+class Pattern {
+ public:
+  explicit Pattern(const std::string& text) {
+    if (regcomp(&compiled_, text.c_str(), REG_EXTENDED | REG_NOSUB) != 0)
+      throw std::invalid_argument("no regular expression: " + text);
+  }
+  ~Pattern() { regfree(&compiled_); }
+  Pattern(const Pattern&) = delete;
+  Pattern& operator=(const Pattern&) = delete;
+
+  [[nodiscard]] bool matches(const std::string& text) const {
+    return text.find('\0') == std::string::npos && regexec(&compiled_, text.c_str(), 0, nullptr, 0) == 0;
+  }
+
+ private:
+  regex_t compiled_{};
+};
+
+}  // namespace
+
+bool matches(const std::string& pattern, const std::string& text) {
+  static std::mutex mutex;
+  static std::map<std::string, std::unique_ptr<Pattern>> patterns;
+  const std::lock_guard lock(mutex);
+  auto& compiled = patterns[pattern];
+  if (!compiled) compiled = std::make_unique<Pattern>(pattern);
+  return compiled->matches(text);
+}
+
 namespace {
 
 using Json = Schema::Json;

@@ -10,6 +10,12 @@
 
 namespace bezierbench::bundle {
 
+// Regular expressions whose memory and time grow only with the text, even for a stranger's text.
+
+/// Whether some part of `text` matches `pattern`, a POSIX extended regular expression, which is compiled once. A text
+/// with a NUL byte never matches. Throws std::invalid_argument for an invalid pattern.
+[[nodiscard]] bool matches(const std::string& pattern, const std::string& text);
+
 /// A schema to check values with: keywords of draft 2020-12, `$ref` only within the same document.
 class Schema {
  public:

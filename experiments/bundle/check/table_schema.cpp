@@ -9,7 +9,6 @@
 #include <set>
 
 #include "experiments/bundle/check/few_lines.hpp"
-#include "experiments/bundle/check/pattern.hpp"
 #include "experiments/bundle/check/schema.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/number/number.hpp"

@@ -14,15 +14,12 @@
 #include "experiments/bundle/check/coverage.hpp"
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
-#include "experiments/bundle/check/proved_properties.hpp"
 #include "experiments/bundle/check/row_rules.hpp"
 #include "experiments/bundle/check/schema.hpp"
-#include "experiments/bundle/check/sums.hpp"
 #include "experiments/bundle/check/table_schema.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
-#include "experiments/bundle/json_object.hpp"
 #include "experiments/bundle/manifest.hpp"
 #include "experiments/failure.hpp"
 
@@ -34,7 +31,6 @@ using Findings = std::vector<std::string>;
 
 constexpr std::string_view machine_name = "machine.json";
 constexpr std::string_view suite_name = "suite.toml";
-constexpr std::string_view methods_name = "methods.csv";
 
 // Files that every bundle has, whatever its suites.
 constexpr std::array<std::string_view, 3> required_files{manifest_name, suite_name, machine_name};

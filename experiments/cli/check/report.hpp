@@ -10,7 +10,7 @@
 #include "experiments/cli/check/judged_cells.hpp"
 #include "experiments/cli/check/paired_times.hpp"
 #include "experiments/compare/side.hpp"
-#include "experiments/run/outcome.hpp"
+#include "experiments/run/run.hpp"
 
 namespace bezierbench::cli {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/run/notes.hpp"
-#include "experiments/run/outcome.hpp"
+#include "experiments/run/run.hpp"
 
 namespace bezierbench::cli {
 
