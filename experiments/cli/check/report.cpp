@@ -9,9 +9,9 @@
 
 #include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/bundle/schema/columns.hpp"
-#include "experiments/cli/commands/row_words.hpp"
+#include "experiments/cli/commands/comparison_text.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/compare/changes.hpp"
+#include "experiments/compare/accuracy.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/requirements/requirements.hpp"
@@ -125,16 +125,15 @@ void Report::add_changes(const std::string& name, const compare::Side& before, c
       accuracy.rows, [&](const compare::AccuracyRow& row) { return row.inputs.field("method") == method; });
   for (const auto& change : compare::method_changes(accuracy)) {
     if (change.method != method) continue;
-    for (const auto* row : change.differing) {
-      const auto result = compare::shown_change(*row);
-      section.details.push_back(fmt::format("{} {} -> {} at {}", result.column, printable(result.a),
-                                            printable(result.b), row_words(row->inputs)));
-    }
+    for (const auto* row : change.differing)
+      section.details.push_back(fmt::format("{} {} -> {} at {}", row->shown.column, printable(row->shown.a),
+                                            printable(row->shown.b), row_words(row->inputs)));
   }
   const auto changed = section.details.size();
-  for (const auto* others : {&accuracy.methods.other_rows, &accuracy.methods.only_a, &accuracy.methods.only_b})
-    for (const auto& one : *others)
-      if (one.method == method) section.details.push_back("rows on one side only: " + printable(one.words()));
+  for (const auto& [others, count] : accuracy.methods)
+    if (others.method == method && count.only_a + count.only_b > 0)
+      section.details.push_back(
+          fmt::format("{} rows are missing and {} are new: {}", count.only_a, count.only_b, printable(others.words())));
   if (rows > 0 || !section.details.empty())
     section.head = fmt::format("the same bits in {} of {} rows", static_cast<std::size_t>(rows) - changed, rows);
   if (changed > 0)
