@@ -59,6 +59,7 @@ TEST(Accuracy, RowsOfOneSideAreCountedNotJudged) {
   EXPECT_EQ(comparison.differing(), 0U);
   EXPECT_EQ(comparison.only_a, 0U);
   EXPECT_EQ(comparison.only_b, 2U);
+  EXPECT_EQ(comparison.methods.at({"conversion.csv", "c", "exact"}).only_b, 1U) << "of a table that a lacks";
   EXPECT_EQ(recorded_input(a, comparison.rows.front().inputs), "");
 }
 
