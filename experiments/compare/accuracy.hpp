@@ -3,17 +3,17 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "experiments/bundle/check/method_digest.hpp"
-#include "experiments/compare/row_match.hpp"
+#include "experiments/compare/rows.hpp"
 #include "experiments/compare/side.hpp"
 
 namespace bezierbench::compare {
 
-/// One result of two rows, as the files say it.
+/// One result of two rows, as in the files.
 struct ResultPair {
   std::string column;
   std::string a;
@@ -25,30 +25,31 @@ struct AccuracyRow {
   std::string file;
   Inputs inputs;
   bool identical;
-  std::string column;  ///< the first that differs; for identical rows the largest error or, without one, the first
-  std::string a;       ///< the text in the file
-  std::string b;
+  ResultPair first;  ///< the first result that differs; for identical rows the largest error or, without one, the first
+  ResultPair shown;  ///< the largest error, in units of u p~ where both have it, if it differs; else `first`
   std::size_t line_a;
   std::size_t line_b;
-  std::optional<ResultPair> largest = std::nullopt;  ///< the largest error, in units of u p~ where both tables have it
+
+  /// b over a of the shown result; infinite where that is not a ratio of numbers.
+  [[nodiscard]] double growth() const;
 };
 
-/// How the rows of each method in each study compare, by the digest of the columns that are digested in both bundles.
-struct MethodComparison {
-  std::vector<bundle::Rows> agreeing;
-  std::vector<bundle::Rows> differing;   ///< the same inputs, but other results
-  std::vector<bundle::Rows> other_rows;  ///< other cells or other numbers of trials; rows that were paired agree
-  std::vector<bundle::Rows> only_a;
-  std::vector<bundle::Rows> only_b;
+/// How many rows of one method in one study have a partner, differ from it, or are in one bundle only.
+struct RowCounts {
+  std::size_t pairs = 0;
+  std::size_t differing = 0;
+  std::size_t only_a = 0;
+  std::size_t only_b = 0;
 };
 
 struct AccuracyComparison {
-  std::vector<AccuracyRow> rows;  ///< by file, and in a file in a's order
-  std::size_t differing = 0;
-  std::size_t only_a = 0;  ///< rows without a partner
+  std::vector<AccuracyRow> rows;  ///< by file, and within a file in a's order
+  std::size_t only_a = 0;         ///< rows without a partner
   std::size_t only_b = 0;
-  std::vector<std::string> left_out;  ///< files of both bundles whose rows do not say enough about their inputs
-  MethodComparison methods;           ///< of all deterministic files, also those left out; empty where the seeds differ
+  std::map<bundle::Rows, RowCounts> methods;
+  std::vector<std::string> left_out;  ///< files of both bundles whose rows do not determine their inputs
+
+  [[nodiscard]] std::size_t differing() const;
 };
 
 /// Compares the deterministic tables. Bundles with different seeds have different inputs, so that no row has a partner.
@@ -56,15 +57,17 @@ struct AccuracyComparison {
 /// many trials they are about.
 [[nodiscard]] AccuracyComparison compare_accuracy(const Side& a, const Side& b);
 
-/// A recorded input that can be replayed.
-struct RecordedInput {
-  std::string id;  ///< worst_id
-  std::string trial;
-  std::string t;
-  std::string coefficients;
+/// How the results of one method changed.
+struct MethodChange {
+  std::string method;                         ///< empty for rows without a method
+  std::size_t rows = 0;                       ///< pairs of rows
+  std::vector<const AccuracyRow*> differing;  ///< those that differ, by descending growth; never empty
 };
 
-/// The worst input that `side` recorded for the cell and method of `inputs`; empty where it recorded none.
-[[nodiscard]] std::optional<RecordedInput> recorded_input(const Side& side, const Inputs& inputs);
+/// The methods whose results differ, the one with the largest growth first. The rows are those of `accuracy`.
+[[nodiscard]] std::vector<MethodChange> method_changes(const AccuracyComparison& accuracy);
+
+/// The worst_id of the input that `side` recorded for the cell and method of `inputs`, which can be replayed; empty where none was recorded.
+[[nodiscard]] std::string recorded_input(const Side& side, const Inputs& inputs);
 
 }  // namespace bezierbench::compare

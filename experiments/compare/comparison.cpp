@@ -1,60 +1,77 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/compare/comparison.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <set>
 
 #include "experiments/number/number.hpp"
 
 namespace bezierbench::compare {
 namespace {
 
-/// The names of inputs as columns of comparison.csv; the first array has those that the contract lists, in its order.
+using Fields = std::vector<std::string>;
+
+// The columns of comparison.csv; the contract lists `kind` and those of the first two arrays.
 constexpr std::array<std::string_view, 6> leading_inputs{"study", "method", "scalar", "dimension", "degree", "mode"};
+constexpr std::array<std::string_view, 6> results{"a", "b", "ratio", "ratio_low", "ratio_high", "verdict"};
 constexpr std::array<std::string_view, 8> further_inputs{"table", "curve",     "coordinate_range", "t_min",
                                                          "t_max", "generator", "trials",           "baseline"};
+constexpr std::array<std::string_view, 11> explanations{"against",        "bundle",          "file",
+                                                        "column",         "quality",         "normalised",
+                                                        "normalised_low", "normalised_high", "normalised_verdict",
+                                                        "rank_a",         "rank_b"};
 
-void append(std::vector<std::string>& fields, std::initializer_list<std::string> more) {
-  fields.insert(fields.end(), more);
-}
-
-template <class Names>
-void append_inputs(std::vector<std::string>& fields, const Inputs& inputs, const Names& names) {
-  for (const auto name : names) fields.push_back(inputs.field(name));
-}
-
-void append_ratio(std::vector<std::string>& fields, const TimeRatio& of) {
-  append(fields, {number::decimal(of.ratio.median), number::decimal(of.ratio.low), number::decimal(of.ratio.high),
-                  std::string(metric::name(of.verdict))});
-}
-
-std::vector<std::string> accuracy_fields(const Pair& pair, const AccuracyRow& row) {
-  std::vector<std::string> fields{"accuracy"};
-  append_inputs(fields, row.inputs, leading_inputs);
-  const auto a = number::parse_number(row.a);
-  const auto b = number::parse_number(row.b);
-  append(fields, {row.a, row.b, a && b && *a != 0 ? number::decimal(*b / *a) : "", "", "",
-                  row.identical ? "identical" : "different"});
-  append_inputs(fields, row.inputs, further_inputs);
-  append(fields, {pair.against, pair.bundle, row.file, row.column, "", "", "", "", "", "", ""});
+/// A line of comparison.csv. `of_results` are the fields of `results`, `of_explanations` those that follow `bundle`; fields that are left out at the end are empty.
+Fields line(std::string_view kind, const Pair& pair, const Inputs& inputs, const Fields& of_results,
+            const Fields& of_explanations) {
+  Fields fields{std::string(kind)};
+  for (const auto name : leading_inputs) fields.push_back(inputs.field(name));
+  fields.insert(fields.end(), of_results.begin(), of_results.end());
+  for (const auto name : further_inputs) fields.push_back(inputs.field(name));
+  fields.insert(fields.end(), {pair.against, pair.bundle});
+  fields.insert(fields.end(), of_explanations.begin(), of_explanations.end());
+  fields.resize(1 + leading_inputs.size() + results.size() + further_inputs.size() + explanations.size());
   return fields;
 }
 
-std::vector<std::string> timing_fields(const Pair& pair, const TimingRow& row) {
-  std::vector<std::string> fields{"timing"};
-  append_inputs(fields, row.inputs, leading_inputs);
-  append(fields, {number::decimal(row.a.median), number::decimal(row.b.median)});
-  append_ratio(fields, row.raw);
-  append_inputs(fields, row.inputs, further_inputs);
-  append(fields, {pair.against, pair.bundle, timing_file, "median_ns", row.quality});
-  if (row.normalised)
-    append_ratio(fields, *row.normalised);
-  else
-    append(fields, {"", "", "", ""});
-  if (row.rank_a == 0)
-    append(fields, {"", ""});
-  else
-    append(fields, {std::to_string(row.rank_a), std::to_string(row.rank_b)});
-  return fields;
+Fields accuracy_line(const Pair& pair, const AccuracyRow& row) {
+  const auto a = number::parse_number(row.first.a);
+  const auto b = number::parse_number(row.first.b);
+  const auto ratio = a && b && *a != 0 ? number::decimal(*b / *a) : "";
+  return line("accuracy", pair, row.inputs,
+              {row.first.a, row.first.b, ratio, "", "", row.identical ? "identical" : "different"},
+              {row.file, row.first.column});
+}
+
+/// The fields of a ratio, its interval and its verdict; empty without one.
+Fields ratio_fields(const std::optional<TimeRatio>& of) {
+  if (!of) return {"", "", "", ""};
+  return {number::decimal(of->ratio.median), number::decimal(of->ratio.low), number::decimal(of->ratio.high),
+          std::string(metric::name(of->verdict))};
+}
+
+Fields timing_line(const Pair& pair, const TimingRow& row) {
+  Fields of_results{number::decimal(row.a.median), number::decimal(row.b.median)};
+  for (auto& field : ratio_fields(row.raw)) of_results.push_back(std::move(field));
+  Fields of_explanations{timing_file, "median_ns", row.quality};
+  for (auto& field : ratio_fields(row.normalised)) of_explanations.push_back(std::move(field));
+  if (row.rank_a > 0)
+    of_explanations.insert(of_explanations.end(), {std::to_string(row.rank_a), std::to_string(row.rank_b)});
+  return line("timing", pair, row.inputs, of_results, of_explanations);
+}
+
+/// The timings that all bundles have in common; a bundle that has none in common with the first is not counted.
+std::set<Inputs> common_timings(const std::vector<Pair>& pairs) {
+  std::optional<std::set<Inputs>> common;
+  for (const auto& pair : pairs) {
+    const auto here = timed_methods(pair.timing);
+    if (here.empty()) continue;
+    if (!common) common = here;
+    std::erase_if(*common, [&](const Inputs& inputs) { return !here.contains(inputs); });
+  }
+  return common.value_or(std::set<Inputs>{});
 }
 
 }  // namespace
@@ -63,17 +80,61 @@ Pair compare_pair(const Side& a, const Side& b) {
   return {a.name, b.name, fact_differences(a, b), same_machine(a, b), compare_accuracy(a, b), compare_timing(a, b)};
 }
 
+void rank_in_all(std::vector<Pair>& pairs) {
+  const auto common = common_timings(pairs);
+  for (auto& pair : pairs) rank(pair.timing, common);
+}
+
+std::vector<Standing> standings(const Side& base, const std::vector<Side>& others, const std::vector<Pair>& pairs) {
+  const auto common = common_timings(pairs);
+  std::vector<Standing> all;
+  const auto add = [&](const Side& side) -> Standing& {
+    Standing one;
+    one.bundle = side.name;
+    one.cpu = side.fact("cpu.model_name");
+    one.compiler = side.fact("build.compiler");
+    return all.emplace_back(std::move(one));
+  };
+  auto& first = add(base);
+  first.timings = common.size();
+  if (!common.empty()) first.mean_ratio = first.mean_normalised = 1;
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    auto& one = add(others[k]);
+    one.same_machine = pairs[k].same_machine;
+    one.differing = pairs[k].accuracy.differing();
+    double logarithms = 0;
+    double normalised = 0;
+    for (const auto& row : pairs[k].timing.rows) {
+      if (!common.contains(row.inputs)) continue;
+      ++one.timings;
+      logarithms += std::log(row.raw.ratio.median);
+      normalised += row.normalised ? std::log(row.normalised->ratio.median) : std::numeric_limits<double>::quiet_NaN();
+    }
+    if (one.timings == 0) continue;
+    one.mean_ratio = std::exp(logarithms / static_cast<double>(one.timings));
+    one.mean_normalised = std::exp(normalised / static_cast<double>(one.timings));
+  }
+  const auto ratio_or_last = [](const Standing& one) {
+    return one.timings > 0 ? one.mean_ratio : std::numeric_limits<double>::infinity();
+  };
+  std::ranges::stable_sort(all, {}, ratio_or_last);
+  for (auto& one : all)
+    if (one.timings > 0)
+      one.rank = 1 + std::ranges::count_if(
+                         all, [&](const Standing& rival) { return ratio_or_last(rival) < ratio_or_last(one); });
+  return all;
+}
+
 bundle::CsvTable comparison_table(const std::vector<Pair>& pairs) {
-  std::vector<std::string> columns{"kind"};
+  Fields columns{"kind"};
   columns.insert(columns.end(), leading_inputs.begin(), leading_inputs.end());
-  append(columns, {"a", "b", "ratio", "ratio_low", "ratio_high", "verdict"});
+  columns.insert(columns.end(), results.begin(), results.end());
   columns.insert(columns.end(), further_inputs.begin(), further_inputs.end());
-  append(columns, {"against", "bundle", "file", "column", "quality", "normalised", "normalised_low", "normalised_high",
-                   "normalised_verdict", "rank_a", "rank_b"});
+  columns.insert(columns.end(), explanations.begin(), explanations.end());
   bundle::CsvTable table(columns);
   for (const auto& pair : pairs) {
-    for (const auto& row : pair.accuracy.rows) table.add_row(accuracy_fields(pair, row));
-    for (const auto& row : pair.timing.rows) table.add_row(timing_fields(pair, row));
+    for (const auto& row : pair.accuracy.rows) table.add_row(accuracy_line(pair, row));
+    for (const auto& row : pair.timing.rows) table.add_row(timing_line(pair, row));
   }
   return table;
 }

@@ -2,6 +2,7 @@
 // Bundles compared with a first one: machines and builds, accuracy, times, and the rank of each bundle.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -35,7 +36,7 @@ void rank_in_all(std::vector<Pair>& pairs);
 /// The place of one bundle among all of them, over the timings that all bundles have in common. A bundle that has no
 /// timing in common with the first is not counted.
 struct Standing {
-  std::optional<int> rank;  ///< by mean_ratio; empty without a mean
+  std::optional<std::ptrdiff_t> rank;  ///< by mean_ratio; empty without a mean
   std::string bundle;
   std::string cpu;
   std::string compiler;
@@ -43,7 +44,7 @@ struct Standing {
   std::size_t differing = 0;                                     ///< accuracy rows that differ from the first bundle's
   std::size_t timings = 0;                                       ///< the number of common timings; 0 means no mean
   double mean_ratio = std::numeric_limits<double>::quiet_NaN();  ///< geometric mean of times over the first bundle's
-  double mean_normalised = std::numeric_limits<double>::quiet_NaN();  ///< the same in sentinel units; NaN without one
+  double mean_normalised = std::numeric_limits<double>::quiet_NaN();  ///< the same in units of the sentinel
 };
 
 /// The standing of every bundle, the fastest first and those without times last. `pairs` holds the comparison of `base`
@@ -60,7 +61,6 @@ struct Standing {
 /// against,bundle,fact,a,b: every fact in which a bundle differs from the first.
 [[nodiscard]] bundle::CsvTable facts_table(const std::vector<Pair>& pairs);
 
-/// The standings as a table.
 [[nodiscard]] bundle::CsvTable standings_table(const std::vector<Standing>& standings);
 
 }  // namespace bezierbench::compare

@@ -14,15 +14,23 @@
 // from one run to the next.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "experiments/metric/order_statistics.hpp"
 
 namespace bezierbench::compare {
 
-/// The ratio b / a with its interval. Medians and limits must be positive; the result is NaN where they are not.
-metric::Interval ratio(const metric::Interval& b, const metric::Interval& a);
-
-/// The same ratio with each time in units of another time of its own run: (b / b_unit) over (a / a_unit).
-metric::Interval ratio_in_units(const metric::Interval& b, const metric::Interval& b_unit, const metric::Interval& a,
-                                const metric::Interval& a_unit);
+/// The ratio b / a with its interval. Medians and limits must be positive; the interval is NaN where they are not.
+inline metric::Interval ratio(const metric::Interval& b, const metric::Interval& a) {
+  const auto distance = [](double low, double high) {
+    return low > 0 && low <= high ? std::log(high / low) : std::numeric_limits<double>::quiet_NaN();
+  };
+  const auto root_of_squares = [](double x, double y) { return std::sqrt(x * x + y * y); };
+  const double median = b.median / a.median;
+  const double below = root_of_squares(distance(b.low, b.median), distance(a.median, a.high));
+  const double above = root_of_squares(distance(b.median, b.high), distance(a.low, a.median));
+  return {median, median * std::exp(-below), median * std::exp(above)};
+}
 
 }  // namespace bezierbench::compare

@@ -47,24 +47,6 @@ TEST(Ratio, SwappingGivesTheReciprocal) {
   expect_close(ratio(a, b), inverse(ratio(b, a)));
 }
 
-TEST(Ratio, UnitsWithoutErrorCancel) {
-  const Interval a{31, 30, 37};
-  const Interval b{22, 21.5, 22.1};
-  expect_close(ratio_in_units(b, {3, 3, 3}, a, {3, 3, 3}), ratio(b, a));
-  expect_close(ratio_in_units(b, {6, 6, 6}, a, {3, 3, 3}), ratio(b, {62, 60, 74}));
-}
-
-TEST(Ratio, UnitsWithErrorWidenIt) {
-  const Interval a{31, 30, 37};
-  const Interval b{22, 21.5, 22.1};
-  const Interval unit{3, 2.9, 3.2};
-  const auto plain = ratio(b, a);
-  const auto wide = ratio_in_units(b, unit, a, unit);
-  EXPECT_DOUBLE_EQ(wide.median, plain.median);
-  EXPECT_LT(wide.low, plain.low);
-  EXPECT_GT(wide.high, plain.high);
-}
-
 TEST(Ratio, NoTimeIsUnresolved) {
   EXPECT_EQ(metric::verdict(ratio({1, 0, 2}, {1, 1, 1})), metric::Verdict::unresolved);
   EXPECT_EQ(metric::verdict(ratio({1, 1, 1}, {-1, -1, -1})), metric::Verdict::unresolved);
@@ -92,7 +74,8 @@ TEST(Ratio, CoversTheTruth) {
     if (found.low > 1.5 || found.high < 1.5) ++missed;
   }
   EXPECT_LE(missed, 40 + 3 * std::sqrt(40.0));
-  EXPECT_GT(missed, 0);  // an interval that is never wrong is too wide to be of use
+  EXPECT_GT(missed,
+            0);  // an interval that is never wrong is too wide to be of use
 }
 
 }  // namespace

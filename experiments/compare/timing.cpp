@@ -1,48 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/compare/timing.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 
 #include "experiments/compare/ratio.hpp"
-#include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "experiments/tables/table_row.hpp"
 
 namespace bezierbench::compare {
 namespace {
 
-constexpr std::string_view few_rounds = "few_rounds";
-constexpr std::string_view unchecked = "unchecked";
-constexpr std::string_view noisy = "noisy";
-constexpr std::array<std::string_view, 4> qualities{quality_ok, noisy, few_rounds, unchecked};  // best first
+constexpr std::array<std::string_view, 4> qualities{"ok", "noisy", "few_rounds", "unchecked"};  // best first
 
-double time(const bundle::CsvDocument& table, std::size_t row, std::string_view column) {
-  const auto value = number::parse_number(table.at(row, column));
-  if (!value)
-    throw Failure(Exit::input_output, fmt::format("{}:{}: {} is not a number; restore the file or run the suite again",
-                                                  table.file_name(), table.line(row), column));
-  return *value;
+/// The time in units of the sentinel of the same races; empty in the sentinel's own row.
+std::optional<metric::Interval> units(const tables::TableRow& row) {
+  if (!row.optional_number("sentinel_units")) return std::nullopt;
+  return metric::Interval{row.number("sentinel_units"), row.number("sentinel_units_low"),
+                          row.number("sentinel_units_high")};
 }
 
-metric::Interval interval(const bundle::CsvDocument& table, std::size_t row) {
-  return {time(table, row, "median_ns"), time(table, row, "low_ns"), time(table, row, "high_ns")};
+metric::Interval time(const tables::TableRow& row) {
+  return {row.number("median_ns"), row.number("low_ns"), row.number("high_ns")};
 }
 
-/// The time in units of the sentinel of the same races. Empty in the sentinel's own row and in bundles of earlier
-/// versions.
-std::optional<metric::Interval> units(const bundle::CsvDocument& table, std::size_t row) {
-  if (!table.has_column("sentinel_units") || table.at(row, "sentinel_units").empty()) return std::nullopt;
-  return metric::Interval{time(table, row, "sentinel_units"), time(table, row, "sentinel_units_low"),
-                          time(table, row, "sentinel_units_high")};
-}
-
-std::string_view quality(const bundle::CsvDocument& table, std::size_t row) {
-  if (table.has_column("checked") && table.at(row, "checked") != "yes") return unchecked;
-  return table.has_column("quality") ? std::string_view(table.at(row, "quality")) : quality_ok;
+std::string_view quality(const tables::TableRow& row) {
+  return row.text("checked") == "yes" ? std::string_view(row.text("quality")) : "unchecked";
 }
 
 /// The worse of two qualities. One that this program does not know is worse than every known one.
@@ -53,17 +36,12 @@ std::string worse(std::string_view a, std::string_view b) {
 /// Whether the times of fixed work (sentinel or sweep) beside these two rows differ by more than the tolerated drift.
 /// On the same machine with the same build this means that the machine was disturbed or ran at another speed, so that a
 /// difference between the rows says nothing about the methods.
-bool machine_changed(const bundle::CsvDocument& ours, const bundle::CsvDocument& theirs, const RowPair& pair) {
-  const auto differs = [&](std::string_view column) {
-    const auto has = [column](const bundle::CsvDocument& table, std::size_t row) {
-      return table.has_column(column) && !table.at(row, column).empty();
-    };
-    if (!has(ours, pair.a) || !has(theirs, pair.b)) return false;
-    const double a = time(ours, pair.a, column);
-    const double b = time(theirs, pair.b, column);
-    return std::max(a, b) > (1 + metric::tolerated_drift) * std::min(a, b);
-  };
-  return differs("sentinel_ns") || differs("sweep_ns");
+bool machine_changed(const tables::TableRow& ours, const tables::TableRow& theirs) {
+  return std::ranges::any_of(std::array{"sentinel_ns", "sweep_ns"}, [&](std::string_view column) {
+    const auto a = ours.optional_number(column);
+    const auto b = theirs.optional_number(column);
+    return a && b && std::max(*a, *b) > (1 + metric::tolerated_drift) * std::min(*a, *b);
+  });
 }
 
 /// Whether the sentinels of both sides are the same machine code on the same machine: another compiler or other flags
@@ -74,30 +52,7 @@ bool same_sentinels(const Side& a, const Side& b) {
 }
 
 TimeRatio judged(const metric::Interval& ratio, std::string_view quality) {
-  return {ratio, quality == few_rounds ? metric::Verdict::unresolved : metric::verdict(ratio)};
-}
-
-/// The key by which the sentinel's row of a race is found. It has no degree, since a sentinel's row has none.
-struct Race {
-  std::string study;
-  std::string curve;
-  std::string mode;
-  friend auto operator<=>(const Race&, const Race&) = default;
-};
-
-Race race_of(const Inputs& inputs) { return {inputs.field("study"), inputs.field("curve"), inputs.field("mode")}; }
-
-/// Fills in the times in units of the sentinel for bundles that do not record them: the unit is the sentinel's time
-/// over all races of the study in the same mode.
-void normalise(std::vector<TimingRow>& rows) {
-  std::map<Race, const TimingRow*> sentinels;
-  for (const auto& row : rows)
-    if (row.is_sentinel()) sentinels.emplace(race_of(row.inputs), &row);
-  for (auto& row : rows) {
-    const auto found = sentinels.find(race_of(row.inputs));
-    if (row.is_sentinel() || row.normalised || found == sentinels.end()) continue;
-    row.normalised = judged(ratio_in_units(row.b, found->second->b, row.a, found->second->a), row.quality);
-  }
+  return {ratio, quality == "few_rounds" ? metric::Verdict::unresolved : metric::verdict(ratio)};
 }
 
 /// Whether one side resolves x as the faster and the other side y.
@@ -142,34 +97,25 @@ bool TimingRow::is_certainly_slower() const {
 }
 
 TimingComparison compare_timing(const Side& a, const Side& b) {
-  TimingComparison comparison;
   const auto* ours = a.table(timing_file);
   const auto* theirs = b.table(timing_file);
-  if (ours == nullptr || theirs == nullptr) {
-    comparison.only_a = ours == nullptr ? 0 : ours->row_count();
-    comparison.only_b = theirs == nullptr ? 0 : theirs->row_count();
-    return comparison;
-  }
+  if (ours == nullptr || theirs == nullptr)
+    return {{}, ours == nullptr ? 0 : ours->row_count(), theirs == nullptr ? 0 : theirs->row_count()};
   const bool fixed_work_compares = same_sentinels(a, b);
-  auto match = match_rows(*bundle::declared_table(timing_file), *ours, *theirs);
-  for (auto& pair : match.pairs) {
-    const auto time_a = interval(*ours, pair.a);
-    const auto time_b = interval(*theirs, pair.b);
-    auto doubt = worse(quality(*ours, pair.a), quality(*theirs, pair.b));
-    if (fixed_work_compares && machine_changed(*ours, *theirs, pair)) doubt = worse(doubt, noisy);
-    const auto units_a = units(*ours, pair.a);
-    const auto units_b = units(*theirs, pair.b);
-    comparison.rows.push_back(
-        {.inputs = std::move(pair.inputs),
-         .a = time_a,
-         .b = time_b,
-         .raw = judged(ratio(time_b, time_a), doubt),
-         .normalised = units_a && units_b ? std::optional(judged(ratio(*units_b, *units_a), doubt)) : std::nullopt,
-         .quality = doubt});
+  const auto match = match_rows(*bundle::declared_table(timing_file), *ours, *theirs);
+  TimingComparison comparison{{}, match.only_a.size(), match.only_b.size()};
+  for (const auto& pair : match.pairs) {
+    const tables::TableRow row_a(*ours, pair.a);
+    const tables::TableRow row_b(*theirs, pair.b);
+    auto doubt = worse(quality(row_a), quality(row_b));
+    if (fixed_work_compares && machine_changed(row_a, row_b)) doubt = worse(doubt, "noisy");
+    TimingRow row{
+        .inputs = pair.inputs, .a = time(row_a), .b = time(row_b), .raw = {}, .normalised = {}, .quality = doubt};
+    row.raw = judged(ratio(row.b, row.a), doubt);
+    if (const auto units_a = units(row_a), units_b = units(row_b); units_a && units_b)
+      row.normalised = judged(ratio(*units_b, *units_a), doubt);
+    comparison.rows.push_back(std::move(row));
   }
-  comparison.only_a = match.only_a;
-  comparison.only_b = match.only_b;
-  normalise(comparison.rows);
   rank(comparison, timed_methods(comparison));
   return comparison;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/compare/row_match.hpp"
+#include "experiments/compare/rows.hpp"
 #include "experiments/compare/side.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
@@ -16,9 +16,6 @@ namespace bezierbench::compare {
 
 /// The method's name in timing.csv for the fixed work that runs beside every race.
 inline constexpr std::string_view sentinel = "sentinel";
-
-/// The quality of a row whose intervals can be believed.
-inline constexpr std::string_view quality_ok = "ok";
 
 /// A ratio of two times and the verdict on it.
 struct TimeRatio {
@@ -42,7 +39,7 @@ struct TimingRow {
   bool changed_place = false;
 
   [[nodiscard]] bool is_sentinel() const { return inputs.field("method") == sentinel; }
-  [[nodiscard]] bool is_ok() const { return quality == quality_ok; }
+  [[nodiscard]] bool is_ok() const { return quality == "ok"; }
   /// Whether b is slower by every measure: the interval of b lies above that of a, the verdict on the ratio is
   /// `slower`, in units of the sentinel too, and the quality is `ok`.
   [[nodiscard]] bool is_certainly_slower() const;

@@ -17,15 +17,22 @@ using metric::Verdict;
 
 /// One row whose interval extends by `spread` to either side of the median.
 std::string row(const std::string& method, double ns, double spread = 0.001, const std::string& quality = "ok",
-                const std::string& checked = "yes") {
-  return fmt::format("s,bezier,{},double,2,{},point,{},{},{},{},{}\n", method, method == sentinel ? "" : "4", ns,
-                     ns / (1 + spread), ns * (1 + spread), quality, checked);
+                const std::string& checked = "yes", const std::string& units = "") {
+  return fmt::format("s,bezier,{},double,2,{},point,{},{},{},{},{},{},{},{}\n", method, method == sentinel ? "" : "4",
+                     ns, ns / (1 + spread), ns * (1 + spread), quality, checked, units, units, units);
+}
+
+/// The same row with its time in units of the sentinel.
+std::string row_in_units(double ns, double units) {
+  return row("horner", ns, 0.001, "ok", "yes", fmt::to_string(units));
 }
 
 Side timed(const std::string& name, const std::string& rows) {
-  return side_of(
-      name, {{timing_file,
-              "study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,quality,checked\n" + rows}});
+  return side_of(name, {{timing_file,
+                         "study,curve,method,scalar,dimension,degree,mode,median_"
+                         "ns,low_ns,high_ns,quality,checked,"
+                         "sentinel_units,sentinel_units_low,sentinel_units_high\n" +
+                             rows}});
 }
 
 TimingRow only_row(const std::string& a, const std::string& b) {
@@ -42,36 +49,14 @@ TEST(Timing, VerdictsFollowTheInterval) {
   EXPECT_DOUBLE_EQ(only_row(row("horner", 10), row("horner", 11)).raw.ratio.median, 1.1);
 }
 
-// On a machine that takes 1.5 times as long for everything, methods are slower in nanoseconds and the same in sentinel
-// units.
+// On a machine that takes 1.5 times as long for everything, methods are slower in nanoseconds and the same in units of the sentinel.
 TEST(Timing, InSentinelsASlowMachineIsTheSame) {
-  const auto both = [](double scale) { return row("horner", 10 * scale) + row("sentinel", 1.5 * scale); };
-  const auto slower = only_row(both(1), both(1.5));
+  const auto slower = only_row(row_in_units(10, 10), row_in_units(15, 10.005));
   EXPECT_EQ(slower.raw.verdict, Verdict::slower);
   ASSERT_TRUE(slower.normalised);
   EXPECT_EQ(slower.normalised->verdict, Verdict::same);
-  EXPECT_DOUBLE_EQ(slower.normalised->ratio.median, 1);
-}
-
-// Where the bundle has sentinel_units, they are used: the sentinel of another degree's races is a worse unit.
-TEST(Timing, TheSentinelOfTheSameRaceIsTheUnitWhereTheBundleSaysIt) {
-  const auto side = [](const std::string& name, double ns, double units) {
-    return side_of(name, {{timing_file, fmt::format("study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,"
-                                                    "high_ns,sentinel_units,sentinel_units_low,sentinel_units_high\n"
-                                                    "s,bezier,horner,double,2,4,point,{0},{0},{0},{1},{1},{1}\n"
-                                                    "s,bezier,sentinel,double,,,point,1,1,1,,,\n",
-                                                    ns, units)}});
-  };
-  const auto comparison = compare_timing(side("a", 10, 10), side("b", 20, 10.005));
-  EXPECT_EQ(comparison.rows[0].raw.verdict, Verdict::slower);
-  ASSERT_TRUE(comparison.rows[0].normalised);
-  EXPECT_EQ(comparison.rows[0].normalised->verdict, Verdict::same);
-  EXPECT_DOUBLE_EQ(comparison.rows[0].normalised->ratio.median, 1.0005);
-  EXPECT_FALSE(comparison.rows[1].normalised);
-}
-
-TEST(Timing, WithoutASentinelOnBothSidesThereIsNoSuchUnit) {
-  EXPECT_FALSE(only_row(row("horner", 10) + row("sentinel", 1), row("horner", 10)).normalised);
+  EXPECT_DOUBLE_EQ(slower.normalised->ratio.median, 1.0005);
+  EXPECT_FALSE(only_row(row_in_units(10, 10), row("horner", 15)).normalised) << "one side has no such unit";
 }
 
 TEST(Timing, TheWorseQualityOfBothIsKept) {
@@ -87,11 +72,12 @@ TEST(Timing, TheWorseQualityOfBothIsKept) {
 
 /// A side with one time and the times of the two sentinels beside it, on one machine with one build.
 Side beside(const std::string& name, double chain_ns, double sweep_ns, const std::string& flags = "-O3") {
-  auto side = side_of(
-      name, {{timing_file, fmt::format("study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,"
-                                       "quality,checked,sentinel_ns,sweep_ns\n"
-                                       "s,bezier,horner,double,2,4,point,10,9.99,10.01,ok,yes,{},{}\n",
-                                       chain_ns, sweep_ns)}});
+  auto side =
+      side_of(name, {{timing_file, fmt::format("study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,"
+                                               "high_ns,"
+                                               "quality,checked,sentinel_ns,sweep_ns\n"
+                                               "s,bezier,horner,double,2,4,point,10,9.99,10.01,ok,yes,{},{}\n",
+                                               chain_ns, sweep_ns)}});
   side.facts = {{"cpu.model_name", "x"}, {"build.compiler", "y"}, {"build.flags", flags}};
   return side;
 }
@@ -116,23 +102,13 @@ TEST(Timing, CertainlySlowerIsWhatAllRepetitionsSay) {
   EXPECT_FALSE(of(0.001, 0.001, "noisy").is_certainly_slower());
   EXPECT_EQ(of(0.055, 0.055).raw.verdict, Verdict::slower);
   EXPECT_FALSE(of(0.055, 0.055).is_certainly_slower()) << "the intervals overlap";
-  const auto slow_machine = only_row(row("horner", 10) + row("sentinel", 1), row("horner", 11) + row("sentinel", 1.1));
+  const auto slow_machine = only_row(row_in_units(10, 10), row_in_units(11, 10));
   EXPECT_EQ(slow_machine.raw.verdict, Verdict::slower);
   EXPECT_FALSE(slow_machine.is_certainly_slower()) << "not in units of the sentinel";
 }
 
 TEST(Timing, TooFewRoundsDecideNothing) {
   EXPECT_EQ(only_row(row("horner", 10, 0.001, "few_rounds"), row("horner", 20)).raw.verdict, Verdict::unresolved);
-}
-
-// Files of older programs have neither column.
-TEST(Timing, ReadsFilesWithoutQualityAndCheck) {
-  const auto old = side_of(
-      "a", {{timing_file, "study,method,degree,mode,median_ns,low_ns,high_ns\ns,horner,4,point,10,9.99,10.01\n"}});
-  const auto comparison = compare_timing(old, timed("b", row("horner", 11)));
-  ASSERT_EQ(comparison.rows.size(), 1U);
-  EXPECT_TRUE(comparison.rows.front().is_ok());
-  EXPECT_EQ(comparison.rows.front().raw.verdict, Verdict::slower);
 }
 
 // A rank counts the methods that are certainly faster: neighbours with overlapping intervals share a rank.
@@ -176,9 +152,10 @@ TEST(Timing, RanksOfSeveralBundlesAreAmongWhatAllHave) {
   EXPECT_EQ(ranks, (std::vector<int>{2, 0, 1, 2, 1}));
 }
 
-TEST(Timing, ATimeThatIsNoNumberNamesItsLine) {
+TEST(Timing, ATimeThatIsNotANumberNamesItsLine) {
   try {
-    (void)compare_timing(timed("a", row("horner", 10)), timed("b", "s,bezier,horner,double,2,4,point,,1,1,ok,yes\n"));
+    (void)compare_timing(timed("a", row("horner", 10)),
+                         timed("b", "s,bezier,horner,double,2,4,point,,1,1,ok,yes,,,\n"));
     FAIL();
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.exit(), Exit::input_output);
@@ -207,8 +184,8 @@ TEST(Standings, AreByGeometricMeanOverWhatAllHave) {
 
 // A bundle without timing gets no rank, and the others keep the timings that they have in common.
 TEST(Standings, AreOfBundlesWithTimes) {
-  const auto a = timed("a", row("x", 10) + row("sentinel", 1));
-  const std::vector<Side> others{side_of("b", {}), timed("c", row("x", 5) + row("sentinel", 1))};
+  const auto a = timed("a", row("x", 10, 0.001, "ok", "yes", "10"));
+  const std::vector<Side> others{side_of("b", {}), timed("c", row("x", 5, 0.001, "ok", "yes", "5"))};
   const std::vector<Pair> pairs{compare_pair(a, others[0]), compare_pair(a, others[1])};
   const auto all = standings(a, others, pairs);
   ASSERT_EQ(all.size(), 3U);

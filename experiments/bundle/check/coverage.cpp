@@ -18,8 +18,6 @@ namespace {
 using Findings = std::vector<std::string>;
 using Fields = std::vector<std::string>;
 
-constexpr std::string_view methods_name = "methods.csv";
-
 Fields fields_of(const CsvDocument& table, std::size_t row, const Fields& columns) {
   Fields fields;
   for (const auto& column : columns) fields.push_back(table.at(row, column));

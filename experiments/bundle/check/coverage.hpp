@@ -5,11 +5,14 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
 
 namespace bezierbench::bundle {
+
+inline constexpr std::string_view methods_name = "methods.csv";
 
 /// The tables of a bundle, by file name.
 using TablesByName = std::map<std::string, CsvDocument, std::less<>>;

@@ -2,32 +2,108 @@
 #include "experiments/cli/check/against.hpp"
 
 #include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <system_error>
 
-#include "experiments/cli/check/commit_build.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/run/interruption.hpp"
 
 namespace bezierbench::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ended {
+  int code;  ///< as a shell gives it: 128 + the number of the signal that ended the process
+  std::string output;
+};
+
+/// Runs a command line of the shell.
+Ended run_line(const std::string& line) {
+  std::FILE* const pipe = popen(line.c_str(), "re");
+  if (pipe == nullptr) throw std::system_error(errno, std::generic_category(), "popen");
+  Ended ended{0, ""};
+  std::array<char, 4096> piece{};
+  while (const auto count = std::fread(piece.data(), 1, piece.size(), pipe)) ended.output.append(piece.data(), count);
+  const int status = pclose(pipe);
+  ended.code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  if (run::interrupted() || ended.code == static_cast<int>(Exit::interrupted))
+    throw Failure(Exit::interrupted, "check: interrupted; run the same command again");
+  return ended;
+}
+
+/// The line that git prints; empty where it fails.
+std::string git(const std::string& arguments) {
+  const auto ended = run_line("git " + arguments + " 2>/dev/null");
+  return ended.code == 0 ? ended.output.substr(0, ended.output.find('\n')) : "";
+}
+
+fs::path cache_folder() {
+  for (const auto& [name, below] :
+       {std::pair("XDG_CACHE_HOME", "bezierbench"), std::pair("HOME", ".cache/bezierbench")})
+    if (const char* folder = std::getenv(name); folder != nullptr && *folder != '\0') return fs::path(folder) / below;
+  throw Failure(Exit::environment, "neither XDG_CACHE_HOME nor HOME is set; set one, since a commit is built below it");
+}
+
+/// The program of a commit.
+Against build(const std::string& id, const std::string& repository, bool quiet) {
+  constexpr std::size_t enough_digits = 12;
+  const auto name = "commit " + id.substr(0, enough_digits);
+  const auto folder = cache_folder() / "commits" / id;
+  const auto log = folder.string() + ".log";
+  std::error_code error;
+  fs::create_directories(folder.parent_path(), error);
+  if (error)
+    throw Failure(Exit::input_output, fmt::format("{}: cannot be created: {}; set XDG_CACHE_HOME to another folder",
+                                                  folder.parent_path().string(), error.message()));
+  if (!quiet)
+    say(fmt::format("builds {} in {}, output in {}; the first build may take an hour", name, folder.string(), log));
+  const auto steps = fmt::format(
+      "exec >>{log} 2>&1; set -ex\n"
+      "test -d {folder} || git clone --quiet --no-checkout {repository} {folder}\n"
+      "cd {folder}; git checkout --quiet --detach {id}\n"
+      "cmake --preset release -DBEZIERBENCH_TESTS=OFF; cmake --build build/release --target bezierbench\n",
+      fmt::arg("log", shell_word(log)), fmt::arg("folder", shell_word(folder.string())),
+      fmt::arg("repository", shell_word(repository)), fmt::arg("id", id));
+  if (run_line(steps).code != 0)
+    throw Failure(Exit::environment, fmt::format("{}: cannot be built; see {}", name, log));
+  return {false, name, folder / "build/release/bezierbench"};
+}
+
+}  // namespace
 
 Against find_against(const std::string& word, bool quiet) {
   std::error_code error;
-  if (std::filesystem::is_directory(word, error)) return {Against::Kind::bundle, word, word};
-  if (std::filesystem::is_regular_file(word, error))
-    return {Against::Kind::program, word, std::filesystem::absolute(word)};
-  const auto commit = find_commit(word);
-  if (!commit)
+  if (fs::is_directory(word, error)) return {true, word, word};
+  if (fs::is_regular_file(word, error)) return {false, word, fs::absolute(word)};
+  const auto repository = git("rev-parse --show-toplevel");
+  const auto commit = word.starts_with('-') ? "" : git("rev-parse --verify --quiet " + shell_word(word + "^{commit}"));
+  if (repository.empty() || commit.empty())
+    throw Failure(Exit::usage, fmt::format("--against {}: is not a file, a folder or a commit of the repository here; "
+                                           "name a program, a bundle or a commit",
+                                           echo(word)));
+  return build(commit, repository, quiet);
+}
+
+void run_suite(const fs::path& program, const fs::path& suite, const fs::path& out) {
+  if (access(program.c_str(), X_OK) != 0)
     throw Failure(Exit::usage,
-                  fmt::format("--against {}: is no file, no folder and no commit of a repository here; name "
-                              "a program, a bundle or a commit",
-                              echo(word)));
-  constexpr std::size_t enough_digits = 12;
-  if (!quiet)
-    say(fmt::format("builds commit {} in {}, output in {}; the first time this may take an hour",
-                    commit->id.substr(0, enough_digits), folder_of(*commit).string(), log_of(*commit).string()));
-  return {Against::Kind::program, fmt::format("commit {}", commit->id.substr(0, enough_digits)), build(*commit)};
+                  fmt::format("{}: cannot be started; name a bezierbench, a bundle or a commit", program.string()));
+  const auto ended = run_line(fmt::format("exec {} run {} --out {} --quiet", shell_word(program.string()),
+                                          shell_word(suite.string()), shell_word(out.string())));
+  if (ended.code != static_cast<int>(Exit::fine) && ended.code != static_cast<int>(Exit::finding))
+    throw Failure(Exit::usage, fmt::format("{}: `run` of the method's cells ended with exit code {}; name a "
+                                           "bezierbench that has the method",
+                                           program.string(), ended.code));
 }
 
 }  // namespace bezierbench::cli

@@ -13,17 +13,13 @@
 #include "experiments/cli/check/against.hpp"
 #include "experiments/cli/check/method_studies.hpp"
 #include "experiments/cli/check/paired_times.hpp"
-#include "experiments/cli/check/program_run.hpp"
 #include "experiments/cli/check/report.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/commands/row_words.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/compare/changes.hpp"
 #include "experiments/race/repetition.hpp"
-#include "experiments/requirements/requirements.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/text/writer.hpp"
 
@@ -41,8 +37,8 @@ struct CheckOptions {
   bool quiet = false;
 };
 
-/// The folder of the bundles of a check: the user's, or one that is removed in the end. Also the user's is removed
-/// where the check fails, so that the same command can be given again.
+/// The folder of the bundles of a check: the user's, or a temporary one that is removed at the end. The user's is
+/// removed as well where the check fails, so that the same command can be given again.
 class Workplace {
  public:
   explicit Workplace(const std::optional<std::string>& out) : is_users_(out.has_value()) {
@@ -61,10 +57,10 @@ class Workplace {
   Workplace& operator=(const Workplace&) = delete;
   ~Workplace() {
     std::error_code ignored;
-    fs::remove_all(is_whole_ && is_users_ ? folder_ / "times" : folder_, ignored);
+    fs::remove_all(is_kept_ && is_users_ ? folder_ / "times" : folder_, ignored);
   }
 
-  void is_whole() { is_whole_ = true; }
+  void keep() { is_kept_ = true; }
 
   [[nodiscard]] fs::path operator/(const char* name) const { return folder_ / name; }
   [[nodiscard]] const fs::path& folder() const { return folder_; }
@@ -72,26 +68,8 @@ class Workplace {
  private:
   fs::path folder_;
   bool is_users_;
-  bool is_whole_ = false;
+  bool is_kept_ = false;
 };
-
-CheckedProperties checked_properties(const std::string& id) {
-  CheckedProperties all;
-  for (const auto& method : requirements::evaluators()) {
-    if (method.info().id != id) continue;
-    for (const auto& property : requirements::properties()) {
-      if (!property.concerns(method.info())) continue;
-      const auto outcome = property.decide(method);
-      ++all.count;
-      all.cases += outcome.cases();
-      if (outcome.broken() > 0)
-        all.lost.push_back({std::string(property.id), std::string(property.statement),
-                            fmt::format("{} form, {}", name(method.info().form), outcome.first()), outcome.broken(),
-                            outcome.cases()});
-    }
-  }
-  return all;
-}
 
 run::Outcome judge(const std::vector<suite::Suite>& suites, const fs::path& out) {
   auto request = request_of_this_build();
@@ -101,41 +79,24 @@ run::Outcome judge(const std::vector<suite::Suite>& suites, const fs::path& out)
   return run::run(request);
 }
 
-/// The accuracy of the method in two bundles of the same cells.
-void compare_accuracy(const std::string& method, const compare::Side& a, const compare::Side& b,
-                      Comparison& comparison) {
-  const auto accuracy = compare::compare_accuracy(a, b);
-  for (const auto& row : accuracy.rows) comparison.rows += row.inputs.field("method") == method ? 1 : 0;
-  for (const auto& change : compare::method_changes(accuracy)) {
-    if (change.method != method) continue;
-    for (const auto* row : change.differing) {
-      const auto result = compare::shown_change(*row);
-      comparison.changed.push_back({row_words(row->inputs), result.column, result.a, result.b});
-    }
-  }
-  for (const auto* rows : {&accuracy.methods.other_rows, &accuracy.methods.only_a, &accuracy.methods.only_b})
-    for (const auto& one : *rows)
-      if (one.method == method) comparison.other.push_back(one);
-  for (const std::string fact : {"build.compiler", "build.flags"})
-    if (a.fact(fact) != b.fact(fact)) comparison.builds.push_back({fact, a.fact(fact), b.fact(fact)});
-}
-
-void compare_with_program(const CheckOptions& options, const fs::path& program, const Workplace& place,
-                          const std::vector<suite::Suite>& judged, Comparison& comparison) {
+/// Runs the other program on the cells of the method, and both in turn for times.
+void compare_with_program(const CheckOptions& options, const Against& program, const Workplace& place,
+                          const std::vector<suite::Suite>& judged, Report& report) {
   bundle::write_file(place / "cells.toml", suite::to_toml(judged));
-  run_suite(program, place / "cells.toml", place / "before");
-  compare_accuracy(options.method, compare::read_side(place / "before"), compare::read_side(place / "after"),
-                   comparison);
+  run_suite(program.path, place / "cells.toml", place / "before");
+  report.add_changes(program.name, compare::read_side(place / "before"), compare::read_side(place / "after"));
   const auto timed = studies_that_time(quick_suite(), options.method);
   if (options.pairs == 0 || timed.empty()) {
-    comparison.not_timed = timed.empty() ? "no study of suite quick times such methods" : "not asked for";
+    report.sections.push_back(
+        {"  times", timed.empty() ? "none: no study of suite quick times such methods" : "none: not asked for"});
     return;
   }
-  if (!options.quiet) say(fmt::format("times it in both programs in turn, {} times each", options.pairs));
+  if (!options.quiet) say(fmt::format("times both programs in turn, {} times each", options.pairs));
   bundle::write_file(place / "times.toml", suite::to_toml(timed));
-  comparison.times = paired_times({program, fs::read_symlink("/proc/self/exe"), place / "times.toml", place.folder()},
-                                  options.method, options.pairs);
-  comparison.pairs = options.pairs;
+  report.add_times(
+      paired_times({program.path, fs::read_symlink("/proc/self/exe"), place / "times.toml", place.folder()},
+                   options.method, options.pairs),
+      options.pairs, options.all);
 }
 
 /// The suites whose cells a bundle has, as far as they judge the method.
@@ -145,7 +106,8 @@ std::vector<suite::Suite> judged_in_bundle(const fs::path& path, const std::stri
   const auto suites = suite::parse_suites(reader.read(file), reader.place(file), vocabulary_of_all_builds());
   auto judged = studies_that_judge(suites, method);
   if (judged.empty())
-    throw Failure(Exit::usage, fmt::format("{}: has no errors of {}; name another bundle", path.string(), method));
+    throw Failure(Exit::usage,
+                  fmt::format("{}: does not have errors of {}; name another bundle", path.string(), method));
   return judged;
 }
 
@@ -153,39 +115,31 @@ Exit check(const CheckOptions& options) {
   methods_named(options.method);  // before anything is built
   std::optional<Against> against;
   if (options.against) against = find_against(*options.against, options.quiet);
-  const bool has_bundle = against && against->kind == Against::Kind::bundle;
+  const bool has_bundle = against && against->is_bundle;
   const auto judged =
       has_bundle ? judged_in_bundle(against->path, options.method) : studies_that_judge(quick_suite(), options.method);
   if (judged.empty())
     throw Failure(Exit::usage,
-                  fmt::format("{}: is of another library, which no suite judges unless it names the method; "
-                              "see --against BUNDLE",
+                  fmt::format("{}: is a method of another library, which suites judge only where they name "
+                              "it; see --against BUNDLE",
                               options.method));
   std::optional<compare::Side> before;
-  if (has_bundle) before = compare::read_side(against->path);  // its faults are told before anything is judged
+  if (has_bundle) before = compare::read_side(against->path);  // a damaged bundle is refused before anything is judged
   Workplace place(options.out);
-  if (!options.quiet && has_bundle) say(fmt::format("judges again what {} has of {}", against->name, options.method));
-  CheckReport report{.method = options.method,
-                     .judged_in = has_bundle ? against->name : "suite quick",
-                     .properties = checked_properties(options.method),
-                     .cells = {},
-                     .judged = {},
-                     .against = {}};
-  report.judged = judge(judged, place / "after");
-  report.cells = judged_cells(place / "after", options.method);
-  if (against) {
-    auto& comparison = report.against.emplace();
-    comparison.name = against->name;
-    if (before)
-      compare_accuracy(options.method, *before, compare::read_side(place / "after"), comparison);
-    else
-      compare_with_program(options, against->path, place, judged, comparison);
-  }
-  place.is_whole();
+  if (!options.quiet && has_bundle)
+    say(fmt::format("judges the cells that {} has of {} again", against->name, options.method));
+  Report report{.method = options.method};
+  report.add_properties();
+  const auto outcome = judge(judged, place / "after");
+  report.add_errors(place / "after", has_bundle ? against->name : "suite quick", outcome);
+  if (before)
+    report.add_changes(against->name, *before, compare::read_side(place / "after"));
+  else if (against)
+    compare_with_program(options, *against, place, judged, report);
+  place.keep();
   fmt::print("{}", report.text(options.all));
-  const auto found = report.findings();
-  if (found.empty()) return Exit::fine;
-  say(fmt::format("{}: {}; see the lines below the verdict", options.method, fmt::join(found, "; ")));
+  if (report.findings.empty()) return Exit::fine;
+  say(fmt::format("{}: {}; see the lines below the verdict", options.method, fmt::join(report.findings, "; ")));
   return Exit::finding;
 }
 
@@ -193,7 +147,7 @@ Exit check(const CheckOptions& options) {
 
 void add_check(Command program, Exit& exit) {
   auto options = std::make_shared<CheckOptions>();
-  auto command = program.command("check", "a method that was changed: properties, bound, errors; against what it was");
+  auto command = program.command("check", "check a changed method: properties, bound, errors; against what it was");
   command.option("METHOD", options->method, "its id; see list methods").required().takes("METHOD", all_methods());
   command
       .option("--against", options->against,
@@ -204,7 +158,7 @@ void add_check(Command program, Exit& exit) {
       .within(0, 1000);
   command.option("--out", options->out, "new folder, to keep the bundles before and after").takes(folder_value);
   command.flag("--all", options->all, "every row that changed and every time, not only the worst");
-  command.flag("--quiet", options->quiet, "say nothing of what takes long");
+  command.flag("--quiet", options->quiet, "print no progress");
   command.action([options, &exit] { exit = check(*options); });
 }
 

@@ -84,11 +84,11 @@ class Check(Case):
 
     def test_a_right_method(self):
         lines = self.check(FINE, "de_casteljau")
-        self.assertEqual(lines[0], "verdict     de_casteljau: nothing wrong was found")
+        self.assertEqual(lines[0], "verdict     de_casteljau: no problem was found")
         self.assertLessEqual(len(lines), 10)
         self.assertRegex(lines[1], r"^properties  (\d+) of \1 hold, in \d+ cases$")
         self.assertRegex(lines[2], r"^accuracy    \d+ rows of suite quick, \d+ trials; largest error \S+ u p~ at quick-bezier, ")
-        self.assertRegex(lines[3], r"^bound       kept in every trial; the largest error is \S+ % of it$")
+        self.assertRegex(lines[3], r"^bound       holds in every trial; the largest error is \S+ % of it$")
 
     def test_fits_the_terminal(self):
         self.assert_fits("check", "c2_natural")
@@ -100,7 +100,7 @@ class Check(Case):
         self.assertGreater(len(problems), 10)
         for (problem, form), method in problems.items():
             with self.subTest(problem=problem, form=form, method=method):
-                self.assertIn("nothing wrong was found", self.check(FINE, method)[0])
+                self.assertIn("no problem was found", self.check(FINE, method)[0])
 
     # Against a bundle.
 
@@ -128,7 +128,7 @@ class Check(Case):
         self.judged()
         self.edit(lambda row: row["method"] != "direct" or row["degree"] != "8")
         lines = self.check(FINDING, "direct", "--against", "b")
-        self.assertIn("results are missing or new", lines[0])
+        self.assertIn("rows are missing or new", lines[0])
         self.assertIn("accuracy.csv, study a, method direct", "\n".join(lines))
 
     # Against a program.
@@ -203,7 +203,7 @@ class Check(Case):
         self.refused(USAGE, ["check", "direct", "--out", "cache"], "--out cache: exists")
         self.refused(INPUT_OUTPUT, ["check", "direct", "--against", "cache"], "cache: is not a bundle")
         self.bundle(self.suite(**{**STUDY, "methods": '["de_casteljau"]'}))
-        self.refused(USAGE, ["check", "direct", "--against", "b"], "b: has no errors of direct")
+        self.refused(USAGE, ["check", "direct", "--against", "b"], "b: does not have errors of direct")
         (self.folder / self.write("refuses", "#!/bin/sh\nexit 2\n")).chmod(0o755)
         self.refused(USAGE, ["check", "c2_natural", "--against", "refuses", "--quiet", "--out", "kept"], "exit code 2")
         self.write("no_program", "x")

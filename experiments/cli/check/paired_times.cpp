@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "experiments/bundle/check/checked_reader.hpp"
-#include "experiments/cli/check/program_run.hpp"
+#include "experiments/cli/check/against.hpp"
 #include "experiments/compare/timing.hpp"
 #include "experiments/tables/table_row.hpp"
 

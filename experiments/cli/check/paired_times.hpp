@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/compare/row_match.hpp"
+#include "experiments/compare/rows.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 

@@ -5,154 +5,180 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 
-#include "experiments/cli/check/sections.hpp"
-#include "experiments/cli/commands/row_words.hpp"
+#include "experiments/bundle/check/checked_reader.hpp"
+#include "experiments/bundle/schema/columns.hpp"
+#include "experiments/cli/commands/comparison_text.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
+#include "experiments/compare/accuracy.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/requirements/requirements.hpp"
+#include "experiments/tables/table_row.hpp"
 
 namespace bezierbench::cli {
 namespace {
 
 using metric::Verdict;
 
-constexpr std::size_t most_lines = 10;
+/// The errors of a method over all rows against the exact value.
+struct Errors {
+  std::size_t rows = 0;
+  double trials = 0;
+  double non_finite = 0;
+  std::optional<double> largest = {};     ///< empty where no row has one
+  std::string where = {};                 ///< the unit of `largest` and its row
+  std::optional<double> bound_used = {};  ///< the largest error over its bound; empty without a bound
 
-std::size_t count_of(const Comparison& against, Verdict verdict) {
-  return static_cast<std::size_t>(std::ranges::count(against.times, verdict, &PairedTime::verdict));
-}
+  void add(const tables::TableRow& row, const compare::Inputs& inputs) {
+    ++rows;
+    trials += row.optional_number("trials").value_or(0);
+    non_finite += row.optional_number("non_finite").value_or(0);
+    const bool in_u = row.has("max_error_u");
+    const auto error = row.optional_number(in_u ? "max_error_u" : "max_error");
+    if (!error) return;
+    if (!largest || *error > *largest) {
+      largest = error;
+      where = fmt::format("{} at {}", in_u ? "u p~" : "coordinate units", row_words(inputs));
+    }
+    if (const auto bound = row.optional_number("bound_u"); in_u && bound && *bound > 0)
+      bound_used = std::max(bound_used.value_or(0), *error / *bound);
+  }
+};
 
-std::size_t count_wrong(const Comparison& against) {
-  return static_cast<std::size_t>(std::ranges::count(against.times, false, &PairedTime::right));
-}
-
-Section properties_section(const CheckedProperties& properties) {
-  if (properties.count == 0)
-    return {.label = "properties", .head = "of evaluators only; the tests of this method have others", .details = {}};
-  Section section{.label = "properties",
-                  .head = fmt::format("{} of {} hold, in {} cases", properties.count - properties.lost.size(),
-                                      properties.count, properties.cases),
-                  .details = {},
-                  .is_finding = !properties.lost.empty()};
-  for (const auto& lost : properties.lost)
-    section.details.push_back(fmt::format("{}: {}; broken in {} of {} cases, first at {}", lost.name, lost.statement,
-                                          lost.broken, lost.cases, lost.first));
-  return section;
-}
-
-Section accuracy_section(const JudgedCells& cells, const std::string& judged_in) {
-  std::string head =
-      fmt::format("{} rows of {}, {} trials", cells.cells, printable(judged_in), number::decimal(cells.trials));
-  if (cells.worst)
-    head += fmt::format("; largest error {:.4g} {} at {}", *cells.worst, cells.in_u ? "u p~" : "coordinate units",
-                        cells.where);
-  if (cells.non_finite > 0) head += fmt::format("; {} not finite", number::decimal(cells.non_finite));
-  return {.label = "accuracy", .head = head, .details = {}};
-}
-
-std::string bound_words(const JudgedCells& cells, std::uint64_t violations) {
-  constexpr double percent = 100;
-  if (cells.violations > 0) return fmt::format("violated in {} trials", number::decimal(cells.violations));
-  if (violations > 0) return fmt::format("violated {} times", violations);
-  if (!cells.bound_used) return "none is stated in units of u p~";
-  return fmt::format("kept in every trial; the largest error is {:.2g} % of it", percent * *cells.bound_used);
-}
-
-/// What differs between the two sides and is no result.
-Section against_section(const Comparison& against) {
-  Section section{.label = "against", .head = printable(against.name), .details = {}};
-  for (const auto& build : against.builds)
-    section.details.push_back(
-        fmt::format("{} differs: {} before, {} now", build.name, printable(build.a), printable(build.b)));
-  return section;
-}
-
-Section same_accuracy_section(const Comparison& against) {
-  if (against.rows == 0 && against.other.empty())
-    return {.label = "  accuracy", .head = "no rows to compare", .details = {}};
-  Section section{
-      .label = "  accuracy",
-      .head = fmt::format("the same bits in {} of {} rows", against.rows - against.changed.size(), against.rows),
-      .details = {},
-      .is_finding = !against.changed.empty() || !against.other.empty()};
-  for (const auto& row : against.changed)
-    section.details.push_back(
-        fmt::format("{} {} -> {} at {}", row.column, printable(row.before), printable(row.after), row.where));
-  for (const auto& rows : against.other)
-    section.details.push_back(fmt::format("other rows: {}", printable(rows.words())));
-  return section;
-}
-
-std::string time_words(const PairedTime& time) {
-  return fmt::format("{:.3f} [{:.3f}, {:.3f}] {:<10}  {:.4g} -> {:.4g} ns  {}{}", time.ratio.median, time.ratio.low,
-                     time.ratio.high, metric::name(time.verdict), time.before.median, time.after.median,
-                     row_words(time.inputs), time.right ? "" : ", wrong results");
-}
-
-/// Whether a time is a finding by itself.
-bool is_decided(const PairedTime& time) {
-  return !time.right || time.verdict == Verdict::slower || time.verdict == Verdict::faster;
-}
-
-/// Lists times by descending ratio. Without `all` the verdict `same` is left out, and if no verdict is slower or faster,
-/// one time at most is shown.
-Section times_section(const Comparison& against, bool all) {
-  Section section{
-      .label = "  times",
-      .head = fmt::format("{} slower, {} faster, {} same, {} unresolved of {}; now over before, {} pairs of runs",
-                          count_of(against, Verdict::slower), count_of(against, Verdict::faster),
-                          count_of(against, Verdict::same), count_of(against, Verdict::unresolved),
-                          against.times.size(), against.pairs),
-      .details = {},
-      .is_finding = count_of(against, Verdict::slower) > 0 || count_wrong(against) > 0};
-  auto times = against.times;
-  std::erase_if(times, [&](const PairedTime& time) { return !all && time.right && time.verdict == Verdict::same; });
-  std::ranges::stable_sort(times, std::greater(), [](const PairedTime& time) { return time.ratio.median; });
-  if (std::ranges::none_of(times, is_decided)) section.most = 1;
-  for (const auto& time : times) section.details.push_back(time_words(time));
-  return section;
-}
-
-void add_comparison(const Comparison& against, bool all, std::vector<Section>& sections) {
-  sections.push_back(against_section(against));
-  sections.push_back(same_accuracy_section(against));
-  if (against.pairs > 0)
-    sections.push_back(times_section(against, all));
-  else if (!against.not_timed.empty())
-    sections.push_back({.label = "  times", .head = "none: " + against.not_timed, .details = {}});
+Errors errors_of(const std::string& method, const std::filesystem::path& bundle) {
+  Errors errors;
+  bundle::CheckedReader reader(bundle, bundle::Damage::refused);
+  for (const auto& declared : bundle::declared_tables()) {
+    if (declared.method.empty() || declared.column("status") == nullptr || !reader.has(declared.file)) continue;
+    const auto table = bundle::parse_csv(reader.read(declared.file), reader.place(declared.file));
+    for (std::size_t at = 0; at < table.row_count(); ++at) {
+      const tables::TableRow row(table, at);
+      const bool against_truth = !row.has("baseline") || row.text("baseline") == "exact";
+      if (row.text(declared.method) == method && row.text("status") == "ok" && against_truth)
+        errors.add(row, compare::Inputs(declared, table, at, table));
+    }
+  }
+  return errors;
 }
 
 }  // namespace
 
-std::vector<std::string> CheckReport::findings() const {
-  std::vector<std::string> all;
-  for (const auto& lost : properties.lost) all.push_back(fmt::format("property {} is lost", lost.name));
-  if (judged.violations > 0) all.emplace_back("the bound is violated");
-  if (judged.broken_promises > 0)
-    all.push_back(fmt::format("what it promises does not hold in {} trials", judged.broken_promises));
-  if (judged.refuted_proofs > 0) all.push_back(fmt::format("proofs refuted: {}", judged.refuted_proofs));
-  if (!against) return all;
-  if (const auto changed = against->changed.size(); changed > 0)
-    all.push_back(fmt::format("accuracy differs in {} of {} rows", changed, against->rows));
-  if (against->changed.empty() && !against->other.empty()) all.emplace_back("results are missing or new");
-  if (const auto slower = count_of(*against, Verdict::slower); slower > 0)
-    all.push_back(fmt::format("slower in {} of {} races", slower, against->times.size()));
-  if (count_wrong(*against) > 0) all.emplace_back("timed results are not the judged ones");
-  return all;
+void Report::add_properties() {
+  Section section{"properties", "apply to evaluators only"};
+  std::size_t decided = 0;
+  std::size_t cases = 0;
+  for (const auto& evaluator : requirements::evaluators())
+    for (const auto& property : requirements::properties()) {
+      if (evaluator.info().id != method || !property.concerns(evaluator.info())) continue;
+      const auto outcome = property.decide(evaluator);
+      ++decided;
+      cases += outcome.cases();
+      if (outcome.broken() == 0) continue;
+      section.details.push_back(fmt::format("{}: {}; broken in {} of {} cases, first in {} form, {}", property.id,
+                                            property.statement, outcome.broken(), outcome.cases(),
+                                            name(evaluator.info().form), outcome.first()));
+      findings.push_back(fmt::format("property {} does not hold", property.id));
+    }
+  if (decided > 0)
+    section.head = fmt::format("{} of {} hold, in {} cases", decided - section.details.size(), decided, cases);
+  sections.push_back(std::move(section));
 }
 
-std::string CheckReport::text(bool all) const {
-  const auto found = findings();
-  const auto verdict = found.empty() ? "nothing wrong was found" : fmt::format("{}", fmt::join(found, "; "));
-  std::vector<Section> sections{{.label = "verdict", .head = fmt::format("{}: {}", method, verdict), .details = {}},
-                                properties_section(properties),
-                                accuracy_section(cells, judged_in),
-                                {.label = "bound", .head = bound_words(cells, judged.violations), .details = {}}};
-  if (against) add_comparison(*against, all, sections);
-  return all ? whole_text_of(sections, output_width()) : text_of(sections, most_lines, output_width());
+void Report::add_errors(const std::filesystem::path& bundle, const std::string& cells, const run::Outcome& judged) {
+  const auto errors = errors_of(method, bundle);
+  auto head = fmt::format("{} rows of {}, {} trials", errors.rows, printable(cells), number::decimal(errors.trials));
+  if (errors.largest) head += fmt::format("; largest error {:.4g} {}", *errors.largest, errors.where);
+  if (errors.non_finite > 0) head += fmt::format("; {} results are not finite", number::decimal(errors.non_finite));
+  sections.push_back({"accuracy", std::move(head)});
+  add_bound(errors.bound_used, judged);
+}
+
+void Report::add_bound(std::optional<double> used, const run::Outcome& judged) {
+  constexpr double percent = 100;
+  if (judged.violations > 0) {
+    sections.push_back({"bound", fmt::format("violated {} times", judged.violations)});
+    findings.emplace_back("the bound is violated");
+  } else {
+    sections.push_back({"bound", used ? fmt::format("holds in every trial; the largest error is {:.2g} % "
+                                                    "of it",
+                                                    percent * *used)
+                                      : "none is stated in units of u p~"});
+  }
+  if (judged.broken_promises > 0)
+    findings.push_back(fmt::format("the guarantee does not hold in {} trials", judged.broken_promises));
+  if (judged.refuted_proofs > 0) findings.push_back(fmt::format("{} proofs are refuted", judged.refuted_proofs));
+}
+
+void Report::add_changes(const std::string& name, const compare::Side& before, const compare::Side& after) {
+  Section builds{"against", printable(name)};
+  for (const std::string fact : {"build.compiler", "build.flags"})
+    if (before.fact(fact) != after.fact(fact))
+      builds.details.push_back(fmt::format("{} differs: {} before, {} now", fact, printable(before.fact(fact)),
+                                           printable(after.fact(fact))));
+  sections.push_back(std::move(builds));
+
+  const auto accuracy = compare::compare_accuracy(before, after);
+  Section section{"  accuracy", "no rows to compare"};
+  const auto rows = std::ranges::count_if(
+      accuracy.rows, [&](const compare::AccuracyRow& row) { return row.inputs.field("method") == method; });
+  for (const auto& change : compare::method_changes(accuracy)) {
+    if (change.method != method) continue;
+    for (const auto* row : change.differing)
+      section.details.push_back(fmt::format("{} {} -> {} at {}", row->shown.column, printable(row->shown.a),
+                                            printable(row->shown.b), row_words(row->inputs)));
+  }
+  const auto changed = section.details.size();
+  for (const auto& [others, count] : accuracy.methods)
+    if (others.method == method && count.only_a + count.only_b > 0)
+      section.details.push_back(
+          fmt::format("{} rows are missing and {} are new: {}", count.only_a, count.only_b, printable(others.words())));
+  if (rows > 0 || !section.details.empty())
+    section.head = fmt::format("the same bits in {} of {} rows", static_cast<std::size_t>(rows) - changed, rows);
+  if (changed > 0)
+    findings.push_back(fmt::format("accuracy differs in {} of {} rows", changed, rows));
+  else if (!section.details.empty())
+    findings.emplace_back("rows are missing or new");
+  sections.push_back(std::move(section));
+}
+
+void Report::add_times(std::vector<PairedTime> times, int pairs, bool all) {
+  const auto count = [&](Verdict verdict) { return std::ranges::count(times, verdict, &PairedTime::verdict); };
+  const auto slower = count(Verdict::slower);
+  const bool wrong = std::ranges::count(times, false, &PairedTime::right) > 0;
+  Section section{"  times", fmt::format("{} slower, {} faster, {} same, {} unresolved of {}; now over before, {} "
+                                         "pairs of runs",
+                                         slower, count(Verdict::faster), count(Verdict::same),
+                                         count(Verdict::unresolved), times.size(), pairs)};
+  if (slower > 0) findings.push_back(fmt::format("slower in {} of {} races", slower, times.size()));
+  if (wrong) findings.emplace_back("timed results differ from the judged ones");
+  if (slower == 0 && !wrong && count(Verdict::faster) == 0) section.most = 1;  // nothing is decided
+  std::erase_if(times, [&](const PairedTime& time) { return !all && time.right && time.verdict == Verdict::same; });
+  std::ranges::stable_sort(times, std::greater(), [](const PairedTime& time) { return time.ratio.median; });
+  for (const auto& time : times)
+    section.details.push_back(fmt::format("{:.3f} [{:.3f}, {:.3f}] {:<10}  {:.4g} -> {:.4g} ns  {}{}",
+                                          time.ratio.median, time.ratio.low, time.ratio.high,
+                                          metric::name(time.verdict), time.before.median, time.after.median,
+                                          row_words(time.inputs), time.right ? "" : ", wrong results"));
+  sections.push_back(std::move(section));
+}
+
+std::string Report::text(bool all) const {
+  constexpr std::size_t indent = 12;
+  const auto line = [](const std::string& label, const std::string& text) {
+    return wrapped(padded(label, indent), text, indent);
+  };
+  auto text = line("verdict",
+                   fmt::format("{}: {}", method,
+                               findings.empty() ? "no problem was found" : fmt::to_string(fmt::join(findings, "; "))));
+  for (const auto& section : sections) {
+    const auto shown = all ? section.details.size() : std::min(section.most, section.details.size());
+    const auto left = section.details.size() - shown;
+    text += line(section.label, left > 0 ? fmt::format("{}; {} more with --all", section.head, left) : section.head);
+    for (std::size_t k = 0; k < shown; ++k) text += line("", section.details[k]);
+  }
+  return text;
 }
 
 }  // namespace bezierbench::cli

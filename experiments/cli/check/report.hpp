@@ -1,65 +1,45 @@
 // SPDX-License-Identifier: MIT
-// What was found of a method, and the text that says it.
+// What was found of a method: labelled lines, each with its evidence, and a verdict.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "experiments/bundle/check/method_digest.hpp"
-#include "experiments/cli/check/judged_cells.hpp"
 #include "experiments/cli/check/paired_times.hpp"
 #include "experiments/compare/side.hpp"
 #include "experiments/run/run.hpp"
 
 namespace bezierbench::cli {
 
-/// A property that the method lost, with the first case.
-struct LostProperty {
-  std::string name;
-  std::string statement;
-  std::string first;
-  std::size_t broken;
-  std::size_t cases;
+struct Section {
+  std::string label;
+  std::string head;
+  std::vector<std::string> details = {};  ///< the most important first
+  std::size_t most = 3;                   ///< of the details that are shown without --all
 };
 
-struct CheckedProperties {
-  std::size_t count = 0;  ///< of those that the method must have
-  std::size_t cases = 0;
-  std::vector<LostProperty> lost;
-};
-
-/// A row of results that changed.
-struct ChangedRow {
-  std::string where;
-  std::string column;
-  std::string before;
-  std::string after;
-};
-
-struct Comparison {
-  std::string name;                             ///< what the method was checked against
-  std::vector<compare::FactDifference> builds;  ///< differences that a time may come from
-  std::size_t rows = 0;                         ///< with the same inputs
-  std::vector<ChangedRow> changed;              ///< the largest growth first
-  std::vector<bundle::Rows> other;              ///< results that are there on one side only, or in other numbers
-  std::vector<PairedTime> times;
-  int pairs = 0;          ///< of runs; 0 where nothing was timed
-  std::string not_timed;  ///< why a program's times are not there; empty where they are
-};
-
-struct CheckReport {
+/// Every function adds one section and what is wrong.
+struct Report {
   std::string method;
-  std::string judged_in;  ///< whose cells these are, for people
-  CheckedProperties properties;
-  JudgedCells cells;
-  run::Outcome judged;  ///< of the run over these cells: what it found wrong beside `cells`
-  std::optional<Comparison> against;
+  std::vector<Section> sections = {};
+  std::vector<std::string> findings = {};  ///< what is wrong, in a few words each; empty where nothing is
 
-  /// What is wrong, in a few words each; empty where nothing is.
-  [[nodiscard]] std::vector<std::string> findings() const;
-  /// The verdict, what it rests on, and the worst changes: ten lines, unless the terminal is narrow. With `all` every
-  /// change has its line.
+  /// The properties of every evaluator, decided anew.
+  void add_properties();
+  /// The errors against the exact value in the bundle that `judged` wrote, and the bound. `cells` is whose cells these
+  /// are. Throws Failure(Exit::input_output) for a bundle that cannot be read.
+  void add_errors(const std::filesystem::path& bundle, const std::string& cells, const run::Outcome& judged);
+  /// Whether the bound and what else the method guarantees hold. `used` is the largest error over its bound; empty
+  /// where no bound is stated.
+  void add_bound(std::optional<double> used, const run::Outcome& judged);
+  /// What changed from `before` to `after`, two bundles of the same cells: the build and the results.
+  void add_changes(const std::string& name, const compare::Side& before, const compare::Side& after);
+  /// Times by descending ratio. Without `all`, those with the verdict `same` are left out.
+  void add_times(std::vector<PairedTime> times, int pairs, bool all);
+
+  /// The verdict, then the sections; with `all`, every detail.
   [[nodiscard]] std::string text(bool all) const;
 };
 

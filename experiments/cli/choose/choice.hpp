@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a user wants of a method, and the methods that a bundle has for it.
+// What a user wants of a method, the methods that a bundle has for it, and both in words and tables.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/choose/class_choice.hpp"
 #include "experiments/tables/choices.hpp"
 
@@ -51,5 +52,19 @@ std::string in_words(const DrawnClass& of);
 /// The command that makes a bundle in which such a choice can be made, as the end of a message. Empty where no suite
 /// that comes with the program has errors and times of such methods.
 std::string remedy(const Wish& wish);
+
+/// The largest error seen of a method, in short and with its unit.
+std::string error_text(const tables::Choice& choice, const Wish& wish);
+
+/// The methods within the tolerance, in the order of the race. This function and those below expect the methods sorted,
+/// the fastest first.
+std::vector<const tables::Choice*> within(const JudgedRace& race, const Wish& wish);
+
+/// These methods as CSV.
+bundle::CsvTable csv_table(const JudgedRace& race, const Wish& wish);
+
+/// The same for people: the fastest and its rivals, the class and the cells that the errors are of, and a table. Without
+/// the first where no method is within the tolerance.
+std::string choice_text(const JudgedRace& race, const Wish& wish);
 
 }  // namespace bezierbench::cli

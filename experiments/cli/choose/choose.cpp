@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "experiments/bundle/csv.hpp"
-#include "experiments/cli/choose/choice_text.hpp"
+#include "experiments/cli/choose/choice.hpp"
 #include "experiments/cli/choose/class_choice.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/damage.hpp"
@@ -46,7 +46,7 @@ Evidence read_evidence(Wish& wish) {
   auto timing = table("timing.csv");
   if (!timing)
     throw Failure(Exit::usage,
-                  fmt::format("{}: has no times; choose from another bundle{}", wish.bundle, remedy(wish)));
+                  fmt::format("{}: does not have times; choose from another bundle{}", wish.bundle, remedy(wish)));
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
     if (auto found = table(file)) accuracies.push_back(std::move(*found));
@@ -89,7 +89,7 @@ std::vector<tables::ChoiceGroup> matching(std::vector<tables::ChoiceGroup> group
     std::erase_if(groups, [&](const auto& group) { return demand.of(group) != demand.value; });
     if (groups.empty())
       throw Failure(Exit::usage,
-                    fmt::format("{}: nothing with {} {} has both a time and an error; there is {}{}", wish.bundle,
+                    fmt::format("{}: no method has both a time and an error at {} {} (available: {}){}", wish.bundle,
                                 demand.what, demand.value, fmt::join(there, ", "), remedy(wish)));
   }
   return groups;
@@ -101,18 +101,18 @@ std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& gro
   std::vector<JudgedRace> races;
   std::string missing;  // of the first, which most of the users of a bundle are after
   for (auto group : groups) {
-    const auto of = class_of(group, evidence.judged, wish.range);
+    const auto of = class_of(group, wish.range);
     if (!of) continue;
     if (missing.empty())
-      missing =
-          fmt::format("{}: nothing with degree {}, {} was judged; ranges of coordinates that were: {}; see --range{}",
-                      wish.bundle, wish.degree, in_words(*of),
-                      fmt::join(judged_ranges(group, evidence.judged, wish.accuracy_study), ", "), remedy(wish));
+      missing = fmt::format(
+          "{}: no timed method was judged at degree {} with {} (judged ranges of coordinates: {}); see --range{}",
+          wish.bundle, wish.degree, in_words(*of),
+          fmt::join(judged_ranges(group, evidence.judged, wish.accuracy_study), ", "), remedy(wish));
     auto cells = judge_class(group, *of, evidence.judged, evidence.methods, wish.accuracy_study);
     if (!group.choices.empty()) races.push_back({std::move(group), *of, std::move(cells)});
   }
   if (missing.empty() && races.empty())
-    missing = fmt::format("{}: timing.csv does not say in numbers what the timed curves are drawn from{}", wish.bundle,
+    missing = fmt::format("{}: timing.csv does not state the range of the timed curves in numbers{}", wish.bundle,
                           remedy(wish));
   if (races.empty()) throw Failure(Exit::usage, missing);
   return races;
@@ -130,7 +130,7 @@ JudgedRace one_of(const std::vector<JudgedRace>& races) {
 
 bool is_quick_to_slow(const tables::Choice& a, const tables::Choice& b) { return a.ns.median < b.ns.median; }
 
-std::string none_is_right_enough(const JudgedRace& race, const Wish& wish) {
+std::string none_is_accurate_enough(const JudgedRace& race, const Wish& wish) {
   const auto best = std::ranges::min_element(
       race.group.choices, {}, [&](const tables::Choice& choice) { return wish.error_of(choice).observed; });
   return fmt::format("{}: no method stays within {} at degree {}, {}; the most accurate is {} with {}{}", wish.bundle,
@@ -141,8 +141,8 @@ std::string none_is_right_enough(const JudgedRace& race, const Wish& wish) {
 void read_numbers(Wish& wish) {
   const auto tolerance = number::parse_number(wish.tolerance_text);
   if (!tolerance || !(*tolerance >= 0) || !std::isfinite(*tolerance))
-    throw Failure(Exit::usage, fmt::format("--tolerance {}: is not a number from 0; give the largest error that you "
-                                           "accept",
+    throw Failure(Exit::usage, fmt::format("--tolerance {}: is not a number from 0 on; give the largest error that "
+                                           "you accept",
                                            wish.tolerance_text));
   wish.tolerance = *tolerance;
   if (!wish.range_text) return;
@@ -164,13 +164,14 @@ Exit choose(Wish wish) {
   std::ranges::stable_sort(race.group.choices, is_quick_to_slow);
   print_damage(wish.damaged);
   if (wish.format == "csv") {
-    for (const auto& other : race.others) say(fmt::format("not these times: {}; see --study", other));
+    for (const auto& other : race.others)
+      say(fmt::format("times of another study are left out: {}; see --study", other));
     fmt::print("{}", csv_table(race, wish).text());
   } else {
-    fmt::print("{}{}{}", winner_text(race, wish), heading_text(race, wish), methods_table(race, wish));
+    fmt::print("{}", choice_text(race, wish));
   }
   if (!within(race, wish).empty()) return Exit::fine;
-  say(none_is_right_enough(race, wish));
+  say(none_is_accurate_enough(race, wish));
   return Exit::finding;
 }
 
@@ -184,7 +185,7 @@ std::vector<std::string> words_of_forms() {
 
 void add_choose(Command program, Exit& exit) {
   auto wish = std::make_shared<Wish>();
-  auto command = program.command("choose", "the methods of a bundle that are right enough, fastest first");
+  auto command = program.command("choose", "list the methods of a bundle that are accurate enough, fastest first");
   command.option("BUNDLE", wish->bundle, "folder of the bundle").required();
   command.option("--degree", wish->degree, "degree of the curves").required();
   command.option("--tolerance", wish->tolerance_text, "largest error that is accepted").required();

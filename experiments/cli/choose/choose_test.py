@@ -62,7 +62,7 @@ class Choose(Case):
             writer.writerows(rows)
         self.list_anew("b")
 
-    def test_lists_what_is_right_enough_fastest_first(self):
+    def test_lists_what_is_accurate_enough_fastest_first(self):
         errors = self.largest("max_error_u")
         self.assertGreater(errors["differences:horner"], 30)
         found = self.chosen("--tolerance", "30")
@@ -130,7 +130,7 @@ class Choose(Case):
 
     def test_times_of_curves_that_are_not_described_are_refused_in_words(self):
         self.retime({}, coordinate_range="wide")
-        self.refused(USAGE, ["choose", "b", "--degree", "8", "--tolerance", "1"], "b: timing.csv does not say")
+        self.refused(USAGE, ["choose", "b", "--degree", "8", "--tolerance", "1"], "b: timing.csv does not state")
 
     def lines(self, *more, code=FINE):
         result = self.run_program("choose", "b", "--degree", "8", *more)
@@ -144,7 +144,7 @@ class Choose(Case):
         wide = self.lines("--tolerance", "1e9")
         self.assertEqual(wide[0], "differences:horner, the fastest of 5 (of 5) within 1e9 u p~")
         self.assertRegex(wide[1], r"^  5 ns \[4, 6\] a point, error \S+ u p~; proved for the trials$")
-        self.assertRegex(wide[2], r"^  the fastest that is proved: horner_bernstein$")
+        self.assertRegex(wide[2], r"^  the fastest with a proof: horner_bernstein$")
         self.assertRegex(wide[3], r"^  10 ns \[9, 11\] a point")
         narrow = self.lines("--tolerance", "30")
         self.assertTrue(narrow[0].startswith("horner_bernstein, the fastest of 3 (of 5) within 30 u p~"), narrow[0])
@@ -172,7 +172,7 @@ class Choose(Case):
         (self.folder / "two.toml").write_text("\n".join(HEAD + truth + race + wide) + "\n")
         self.fine("run", "two.toml", "--out", "two", "--quiet")
         told = self.fine("choose", "two", "--degree", "8", "--tolerance", "1e300").splitlines()
-        at = told.index("other times, see --study:")
+        at = told.index("other timing studies, see --study:")
         self.assertEqual(told[at + 1], "  wide: coordinates in [-1, 1], t in [-10, 10], continuous")
         self.refused(USAGE, ["choose", "two", "--degree", "8", "--tolerance", "1", "--range", "5"], "coordinates in [-5, 5], t in [0, 1]")
 
@@ -218,7 +218,7 @@ class Choose(Case):
             if row["bound_of"] == "trials":
                 self.assertEqual(row["bound"], rows[row["method"]]["bound_u"])
 
-    def test_none_is_right_enough(self):
+    def test_none_is_accurate_enough(self):
         result = self.run_program("choose", "b", "--degree", "8", "--tolerance", "1e-9", "--format", "csv")
         self.assertEqual(result.returncode, FINDING)
         self.assertEqual(len(result.stdout.splitlines()), 1)  # the header
@@ -230,9 +230,9 @@ class Choose(Case):
     def test_refusals(self):
         asked = ["choose", "b", "--tolerance", "30", "--degree"]
         self.refused(USAGE, [*asked, "9"], "degree 9 ")
-        self.refused(USAGE, [*asked, "8", "--mode", "batch"], "there is point")
-        self.refused(USAGE, [*asked, "8", "--form", "power"], "there is bernstein")
-        self.refused(USAGE, [*asked, "8", "--study", "other"], "there is race")
+        self.refused(USAGE, [*asked, "8", "--mode", "batch"], "(available: point")
+        self.refused(USAGE, [*asked, "8", "--form", "power"], "(available: bernstein")
+        self.refused(USAGE, [*asked, "8", "--study", "other"], "(available: race")
         self.refused(USAGE, [*asked, "8", "--accuracy-study", "other"], "other")
         self.refused(USAGE, [*asked, "8", "--unit", "ulp"], "--unit")
         self.refused(USAGE, [*asked, "8", "--range", "3"], "0.5, 1, 8")
@@ -242,7 +242,7 @@ class Choose(Case):
         (self.folder / "b/timing.csv").unlink()
         self.refused(INPUT_OUTPUT, [*asked, "8"], "b/timing.csv: is listed in SHA256SUMS and is missing")
         self.list_anew("b")
-        self.refused(USAGE, [*asked, "8"], "no times")
+        self.refused(USAGE, [*asked, "8"], "does not have times")
 
     def test_damage_is_refused_or_said(self):
         path = self.folder / "b/accuracy.csv"

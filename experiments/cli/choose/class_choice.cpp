@@ -32,15 +32,6 @@ bool lies_within(const DrawnClass& part, const DrawnClass& whole) {
 
 bool is_same(const DrawnClass& a, const DrawnClass& b) { return a.range == b.range && a.t == b.t; }
 
-std::optional<DrawnClass> widest_judged(const tables::ChoiceGroup& group, const tables::JudgedTables& judged) {
-  std::optional<DrawnClass> widest;
-  judged.each_row("", [&](const tables::TableRow& row) {
-    if (!is_of_kind(row, group)) return;
-    if (const auto one = drawn_class(row); !widest || !lies_within(one, *widest)) widest = one;
-  });
-  return widest;
-}
-
 std::string cell_words(const tables::TableRow& row) {
   return fmt::format("{}: R {}, t in [{}, {}], {}{}", row.text("study"), row.text("coordinate_range"),
                      row.text("t_min"), row.text("t_max"), row.text("generator"),
@@ -95,17 +86,13 @@ bool is_float(const tables::ChoiceGroup& group) { return group.scalar == suite::
 
 }  // namespace
 
-std::optional<DrawnClass> class_of(const tables::ChoiceGroup& group, const tables::JudgedTables& judged,
-                                   std::optional<double> range) {
-  std::optional<DrawnClass> of;
-  if (group.drawn.empty()) {
-    of = widest_judged(group, judged);
-  } else {
-    const auto number = [&](std::size_t at) { return number::parse_number(group.drawn.at(at)); };
-    if (const auto r = number(0), low = number(1), high = number(2); r && low && high) of = {*r, {*low, *high}};
-  }
-  if (of && range) of->range = *range;
-  return of;
+std::optional<DrawnClass> class_of(const tables::ChoiceGroup& group, std::optional<double> range) {
+  const auto number = [&](std::size_t at) {
+    return at < group.drawn.size() ? number::parse_number(group.drawn[at]) : std::nullopt;
+  };
+  if (const auto r = number(0), low = number(1), high = number(2); r && low && high)
+    return DrawnClass{range.value_or(*r), {*low, *high}};
+  return std::nullopt;
 }
 
 std::vector<double> judged_ranges(const tables::ChoiceGroup& group, const tables::JudgedTables& judged,

@@ -18,10 +18,8 @@ struct DrawnClass {
   suite::Interval t;
 };
 
-/// The class that was timed, with another range if one is given. Older bundles do not record how timed curves were
-/// drawn; for these, the widest class that was judged. Empty where there is neither.
-std::optional<DrawnClass> class_of(const tables::ChoiceGroup& group, const tables::JudgedTables& judged,
-                                   std::optional<double> range);
+/// The class that was timed, with another range if one is given. Empty where timing.csv does not state it in numbers.
+std::optional<DrawnClass> class_of(const tables::ChoiceGroup& group, std::optional<double> range);
 
 /// The ranges of the curves on which methods of the group were judged, ascending. Only `accuracy_study` counts, unless
 /// it is empty.

@@ -105,19 +105,17 @@ TEST(ClassChoice, TrustsNoBoundOfAnotherVersionOfTheMethod) {
   EXPECT_FALSE(group.choices.at(0).errors.in_u.class_bound);
 }
 
-TEST(ClassChoice, TakesTheClassFromTheRaceCellOrTheWidestRow) {
+TEST(ClassChoice, TakesTheClassFromTheRaceCell) {
   const auto tables =
       judged({{"s", "de_casteljau", "1,0,1", "1,3,15,20"}, {"s", "de_casteljau", "7,0,1", "1,3,15,20"}});
   auto group = timed({"de_casteljau"});
-  EXPECT_EQ(class_of(group, tables, {})->range, 10);
-  EXPECT_EQ(class_of(group, tables, 7.0)->range, 7);
+  EXPECT_EQ(class_of(group, {})->range, 10);
+  EXPECT_EQ(class_of(group, 7.0)->range, 7);
   EXPECT_EQ(judged_ranges(group, tables, ""), (std::vector<double>{1, 7}));
   EXPECT_TRUE(judged_ranges(timed({"direct"}), tables, "").empty());
   EXPECT_TRUE(judged_ranges(group, tables, "other").empty());
-  group.drawn.clear();  // as in older bundles
-  EXPECT_EQ(class_of(group, tables, {})->range, 7);
-  group.degree = "6";
-  EXPECT_FALSE(class_of(group, tables, {}));
+  group.drawn.front() = "wide";
+  EXPECT_FALSE(class_of(group, {}));
 }
 
 }  // namespace

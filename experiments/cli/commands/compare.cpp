@@ -41,18 +41,13 @@ struct Compared {
 /// Leaves the rows of the methods that the glob matches.
 void keep_methods(const std::string& glob, std::vector<compare::Pair>& pairs) {
   const auto is_other = [&](const auto& row) { return !suite::matches(glob, row.inputs.field("method")); };
-  const auto are_other = [&](const bundle::Rows& rows) { return !suite::matches(glob, rows.method); };
   bool found = false;
   for (auto& pair : pairs) {
     std::erase_if(pair.timing.rows, is_other);
     std::erase_if(pair.accuracy.rows, is_other);
-    // How many rows of these methods have no partner is not known; the methods below say whether some have none.
+    // The counts of rows without a partner are of all methods; those by method say which of these have some.
     pair.timing.only_a = pair.timing.only_b = pair.accuracy.only_a = pair.accuracy.only_b = 0;
-    pair.accuracy.differing =
-        static_cast<std::size_t>(std::ranges::count(pair.accuracy.rows, false, &compare::AccuracyRow::identical));
-    auto& methods = pair.accuracy.methods;
-    for (auto* rows : {&methods.agreeing, &methods.differing, &methods.other_rows, &methods.only_a, &methods.only_b})
-      std::erase_if(*rows, are_other);
+    std::erase_if(pair.accuracy.methods, [&](const auto& entry) { return !suite::matches(glob, entry.first.method); });
     found = found || pair.has_common_rows();
   }
   if (!found)
@@ -63,15 +58,16 @@ void keep_methods(const std::string& glob, std::vector<compare::Pair>& pairs) {
 
 Compared compared(const std::vector<std::string>& bundles, bundle::Damage damage) {
   if (bundles.size() < 2)
-    throw Failure(Exit::usage, "compare: takes two bundles or more; name the one to compare with first");
+    throw Failure(Exit::usage, "compare: takes two bundles or more; name first the one to compare with");
   Compared all{.base = compare::read_side(bundles.front(), damage), .others = {}, .pairs = {}};
   for (std::size_t k = 1; k < bundles.size(); ++k) {
     all.others.push_back(compare::read_side(bundles[k], damage));
     all.pairs.push_back(compare::compare_pair(all.base, all.others.back()));
     if (!all.pairs.back().has_common_rows())
-      throw Failure(Exit::usage,
-                    fmt::format("{}: has no row in common with {}; compare bundles of the same studies and seed",
-                                bundles[k], bundles.front()));
+      throw Failure(
+          Exit::usage,
+          fmt::format("{}: does not have a row in common with {}; compare bundles of the same studies and seed",
+                      bundles[k], bundles.front()));
   }
   compare::rank_in_all(all.pairs);
   return all;
@@ -79,15 +75,8 @@ Compared compared(const std::vector<std::string>& bundles, bundle::Damage damage
 
 void print_text(const Compared& all, bool every_row) {
   const bool two = all.pairs.size() == 1;
-  for (std::size_t k = 0; k < all.pairs.size(); ++k) {
-    const auto& pair = all.pairs[k];
-    fmt::print("{}{}\n{}", verdict_line(pair), differences_text(all.base, all.others[k], pair, every_row),
-               timing_summary(pair));
-    if (two && !pair.timing.rows.empty())
-      fmt::print("{}\n{}", every_row ? timing_text(pair.timing) : changed_times_text(pair),
-                 rank_changes_text(pair.timing));
-    fmt::print("{}", two ? "" : "\n");
-  }
+  for (std::size_t k = 0; k < all.pairs.size(); ++k)
+    fmt::print("{}{}", pair_text(all.base, all.others[k], all.pairs[k], two, every_row), two ? "" : "\n");
   if (!two || (!all.pairs.front().same_machine && !all.pairs.front().timing.rows.empty()))
     fmt::print("{}", standings_text(compare::standings(all.base, all.others, all.pairs)));
 }
@@ -106,27 +95,23 @@ void write_files(const Compared& all, const std::filesystem::path& out) {
                      compare::standings_table(compare::standings(all.base, all.others, all.pairs)).text());
 }
 
-/// The number of timings that are slower; if `certainly`, only those that are slower by every measure
-/// (is_certainly_slower()).
-std::size_t count_slower(const compare::TimingComparison& timing, bool certainly) {
-  return static_cast<std::size_t>(std::ranges::count_if(timing.rows, [&](const compare::TimingRow& row) {
-    return !row.is_sentinel() && row.raw.verdict == metric::Verdict::slower &&
-           (!certainly || row.is_certainly_slower());
-  }));
-}
-
 Exit judge(const Compared& all, bool slower_fails) {
   Exit exit = Exit::fine;
   for (const auto& pair : all.pairs) {
-    if (pair.accuracy.differing > 0) {
-      say(fmt::format("{}: accuracy differs from {} in {} of {} rows", pair.bundle, all.base.name,
-                      pair.accuracy.differing, pair.accuracy.rows.size()));
+    if (const auto differing = pair.accuracy.differing(); differing > 0) {
+      say(fmt::format("{}: accuracy differs from {} in {} of {} rows", pair.bundle, all.base.name, differing,
+                      pair.accuracy.rows.size()));
       exit = Exit::finding;
     }
-    if (const auto slower = count_slower(pair.timing, true); slower_fails && slower > 0) {
-      say(fmt::format(
-          "{}: {} timings are slower than in {}, and {} more that are doubtful; see their verdict and quality",
-          pair.bundle, slower, all.base.name, count_slower(pair.timing, false) - slower));
+    const auto count = [&](bool certainly) {
+      return std::ranges::count_if(pair.timing.rows, [&](const compare::TimingRow& row) {
+        return !row.is_sentinel() && row.raw.verdict == metric::Verdict::slower &&
+               row.is_certainly_slower() == certainly;
+      });
+    };
+    if (slower_fails && count(true) > 0) {
+      say(fmt::format("{}: {} times are slower than in {}, and {} more are unreliable; see their verdict and quality",
+                      pair.bundle, count(true), all.base.name, count(false)));
       exit = Exit::finding;
     }
   }
@@ -135,7 +120,9 @@ Exit judge(const Compared& all, bool slower_fails) {
 
 Exit run_compare(const CompareOptions& options) {
   if (options.damaged && !options.out.empty())
-    throw Failure(Exit::usage, "--damaged: not with --out, whose tables would not say so; leave one of them out");
+    throw Failure(
+        Exit::usage,
+        "--damaged: not with --out, since the tables would not say that files were damaged; leave one of them out");
   Compared all = compared(options.bundles, damage_of(options.damaged));
   if (options.method != "*") keep_methods(options.method, all.pairs);
   auto damaged = all.base.damaged;
@@ -153,11 +140,11 @@ Exit run_compare(const CompareOptions& options) {
 
 void add_compare(Command program, Exit& exit) {
   auto options = std::make_shared<CompareOptions>();
-  auto command = program.command("compare", "machines, accuracy and times of bundles, against the first");
+  auto command = program.command("compare", "compare machines, accuracy and times of bundles with the first");
   command.option("BUNDLE", options->bundles, "folders that run wrote; two or more").required().takes(bundle_value);
   command.option("--format", options->format, "text or csv").one_of({"text", "csv"});
   command
-      .option("--fail-on", options->fail_on, "slower: exit 1 where a method is, in all repetitions and at quality ok")
+      .option("--fail-on", options->fail_on, "slower: exit 1 where a method is, in all repetitions and with quality ok")
       .one_of({"slower"});
   command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders")
       .takes(folder_value);

@@ -133,9 +133,9 @@ class Compare(Case):
             self.assertAlmostEqual(float(row["ratio"]), 1.25 if expected == "slower" else 0.8)
         result = self.run_program("compare", "a", "b", "--fail-on", "slower")
         self.assertEqual(result.returncode, FINDING)
-        self.assert_one_line(result, "slower than in a", "doubtful")
+        self.assert_one_line(result, "slower than in a", "unreliable")
 
-    def test_doubtful_times_fail_nothing(self):
+    def test_unreliable_times_fail_nothing(self):
         """Nor do those whose repetitions do not agree: of an interval that reaches into that of the other bundle."""
         self.still_times("a")
         self.still_times("b")
@@ -203,7 +203,7 @@ class Compare(Case):
         machine["load_average"] = [7.25, 7.25, 7.25]
         path.write_text(json.dumps(machine))
         self.list_anew("b")
-        self.assertIn("machines and builds: the same, but for 3 readings and digests, see --all\n", self.fine("compare", "a", "b"))
+        self.assertIn("machines and builds: the same, except for 3 readings and digests, see --all\n", self.fine("compare", "a", "b"))
         self.assertRegex(self.fine("compare", "a", "b", "--all"), r"\nload_average.0 +\S+ +7.25\n")
 
     def test_verdicts_are_those_that_compare_methods(self):
@@ -269,7 +269,7 @@ class Compare(Case):
         self.bundle(self.suite(STUDY, {**STUDY, "id": '"more"'}, name="more.toml"), name="y")
         text = self.fine("compare", "x", "y")
         self.assertIn("0 rows only in a, 2 only in b", text)
-        self.assertIn("worst.csv left out", text)
+        self.assertIn("worst.csv is left out", text)
         path = self.folder / "x/accuracy.csv"
         lines = [line.split(",") for line in path.read_text().splitlines()]
         gone = lines[0].index("p50_error")
@@ -297,8 +297,8 @@ class Compare(Case):
     def test_nothing_in_common(self):
         for name, seed in (("x", 1), ("y", 2)):
             self.bundle(self.suite(), "--seed", seed, name=name)
-        self.refused(USAGE, ["compare", "x", "y"], "y: has no row in common with x")
-        self.refused(USAGE, ["compare", "a", "x"], "no row in common")
+        self.refused(USAGE, ["compare", "x", "y"], "y: does not have a row in common with x")
+        self.refused(USAGE, ["compare", "a", "x"], "does not have a row in common")
 
     def test_damaged_times(self):
         self.edit("timing.csv", lambda row: row.update(low_ns="quick"))

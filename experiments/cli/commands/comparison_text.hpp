@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A comparison of bundles for people: machines and builds first, then accuracy, then times.
+// A comparison of bundles for people.
 #pragma once
 
 #include <string>
@@ -9,24 +9,14 @@
 
 namespace bezierbench::cli {
 
-/// What the comparison found, in one line.
-std::string verdict_line(const compare::Pair& pair);
+/// The study and the axes that tell its cells apart, without those at their default of suites:
+/// `quick-bezier, float, degree 12`.
+std::string row_words(const compare::Inputs& inputs);
 
-/// The differences between machines and builds, and whether results differ: the largest change of each method, or with
-/// `all` each row that differs and each reading of the machines, and an input that shows the largest of all.
-std::string differences_text(const compare::Side& a, const compare::Side& b, const compare::Pair& pair, bool all);
-
-/// Counts of verdicts, and which of the two ratios to read.
-std::string timing_summary(const compare::Pair& pair);
-
-/// The timings that are certainly slower or faster, the slowest first.
-std::string changed_times_text(const compare::Pair& pair);
-
-/// Every timing, in the order of a.
-std::string timing_text(const compare::TimingComparison& timing);
-
-/// The methods that changed their order, as far as both bundles show it.
-std::string rank_changes_text(const compare::TimingComparison& timing);
+/// The verdict in one line; the differences between machines and builds; whether results differ, with the largest
+/// change of each method and a replay of the largest of all; the counts of the verdicts on times. With `rows`, the
+/// times that changed and the ranks follow. With `all`, every row and every reading of the machines is listed.
+std::string pair_text(const compare::Side& a, const compare::Side& b, const compare::Pair& pair, bool rows, bool all);
 
 std::string standings_text(const std::vector<compare::Standing>& standings);
 

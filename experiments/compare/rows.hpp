@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of rows of two tables that have the same inputs, whatever their positions.
+// Rows of two tables in pairs with the same inputs, whatever their positions.
 #pragma once
 
 #include <compare>
@@ -20,8 +20,7 @@ class Inputs {
  public:
   Inputs() = default;
 
-  /// The inputs of row `row` of `table`. A key column that `other` lacks is empty, since tables of older programs may
-  /// lack one. Numbers are compared as values: 1000000 and 1e+06 agree.
+  /// The inputs of row `row` of `table`. A key column that `other` lacks is empty, since a table of another version of the program may lack one. Numbers are compared as values: 1000000 and 1e+06 agree.
   Inputs(const bundle::DeclaredTable& declared, const bundle::CsvDocument& table, std::size_t row,
          const bundle::CsvDocument& other);
 
@@ -51,18 +50,14 @@ struct RowPair {
 
 struct RowMatch {
   std::vector<RowPair> pairs;  ///< in a's order
-  std::size_t only_a = 0;
-  std::size_t only_b = 0;
+  std::vector<Inputs> only_a;  ///< of the rows without a partner
+  std::vector<Inputs> only_b;
 };
 
 /// Pairs the rows with the same inputs. Where inputs repeat, the first row goes with the first, the second with the
 /// second, and so on.
 [[nodiscard]] RowMatch match_rows(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a,
                                   const bundle::CsvDocument& b);
-
-/// The columns with results that both tables have, in the order of the schema: digested, and not keys.
-[[nodiscard]] std::vector<std::string> result_columns(const bundle::DeclaredTable& declared,
-                                                      const bundle::CsvDocument& a, const bundle::CsvDocument& b);
 
 /// Whether both texts are numbers with the same bits, or the same text.
 [[nodiscard]] bool same_value(std::string_view a, std::string_view b);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/compare/row_match.hpp"
+#include "experiments/compare/rows.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <stdexcept>
 
@@ -72,31 +73,23 @@ std::string Inputs::words() const {
 }
 
 RowMatch match_rows(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a, const bundle::CsvDocument& b) {
-  std::map<Inputs, std::vector<std::size_t>> rows_of_b;
-  for (std::size_t row = b.row_count(); row-- > 0;)
-    rows_of_b[Inputs(declared, b, row, a)].push_back(row);  // in reverse order: the first row is taken from the back
+  const auto& other_of_a = b.header().empty() ? a : b;  // a table that one side lacks has all of its keys
+  const auto& other_of_b = a.header().empty() ? b : a;
+  std::map<Inputs, std::deque<std::size_t>> rows_of_b;
+  for (std::size_t row = 0; row < b.row_count(); ++row) rows_of_b[Inputs(declared, b, row, other_of_b)].push_back(row);
   RowMatch match;
   for (std::size_t row = 0; row < a.row_count(); ++row) {
-    Inputs inputs(declared, a, row, b);
+    Inputs inputs(declared, a, row, other_of_a);
     const auto found = rows_of_b.find(inputs);
     if (found == rows_of_b.end() || found->second.empty()) {
-      ++match.only_a;
-      continue;
+      match.only_a.push_back(std::move(inputs));
+    } else {
+      match.pairs.push_back({std::move(inputs), row, found->second.front()});
+      found->second.pop_front();
     }
-    match.pairs.push_back({std::move(inputs), row, found->second.back()});
-    found->second.pop_back();
   }
-  match.only_b = b.row_count() - match.pairs.size();
+  for (const auto& [inputs, rows] : rows_of_b) match.only_b.insert(match.only_b.end(), rows.size(), inputs);
   return match;
-}
-
-std::vector<std::string> result_columns(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a,
-                                        const bundle::CsvDocument& b) {
-  std::vector<std::string> results;
-  for (const auto& column : declared.columns)
-    if (column.is_digested && !column.is_key && a.has_column(column.name) && b.has_column(column.name))
-      results.push_back(column.name);
-  return results;
 }
 
 bool same_value(std::string_view a, std::string_view b) {
