@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 OLDEST_SCHEMA, NEWEST_SCHEMA = 2, 2
-LAST_READER = "f316236"  # the last commit that reads bundles older than OLDEST_SCHEMA
+LAST_READER = "261ca64f9cdf"  # the last commit that reads bundles older than OLDEST_SCHEMA
 SUMS = "SHA256SUMS"
 LARGEST = 1 << 30  # bytes of a file
 _LONGEST_FIELD = 1 << 26  # bytes; a field of coefficients of degree 1023 has some 80,000

@@ -14,7 +14,7 @@
 #include "experiments/cli/commands/comparison_text.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/startup/known_values.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/compare/comparison.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/suite/pattern.hpp"

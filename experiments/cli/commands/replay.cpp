@@ -20,7 +20,7 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/studies/outside/outside_jobs.hpp"
+#include "experiments/studies/outside/outside.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -10,7 +10,6 @@
 #include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/damage.hpp"
-#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"

@@ -15,7 +15,7 @@
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/truth_option.hpp"
-#include "experiments/cli/startup/known_values.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/length/length_along.hpp"
 

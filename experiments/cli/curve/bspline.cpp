@@ -15,7 +15,7 @@
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/point_file.hpp"
-#include "experiments/cli/startup/known_values.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/metric/bound_at.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/companion/exact_bspline.hpp"

@@ -11,7 +11,6 @@
 #include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
-#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 
 namespace bezierbench::cli {

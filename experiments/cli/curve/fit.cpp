@@ -13,7 +13,7 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/point_file.hpp"
-#include "experiments/cli/startup/known_values.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -11,7 +11,7 @@
 #include "experiments/cli/curve/curve_commands.hpp"
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/curve_table.hpp"
-#include "experiments/cli/startup/known_values.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/metric/bound_at.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/exact_curve.hpp"

@@ -10,7 +10,7 @@
 #include "experiments/cli/curve/curve_methods.hpp"
 #include "experiments/cli/curve/curve_table.hpp"
 #include "experiments/cli/curve/truth_option.hpp"
-#include "experiments/cli/startup/known_values.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/companion/projection.hpp"

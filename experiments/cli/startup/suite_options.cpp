@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/cli/startup/known_values.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/text/reader.hpp"

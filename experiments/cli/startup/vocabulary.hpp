@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/method.hpp"
+#include "experiments/cli/command.hpp"
 #include "experiments/suite/outside.hpp"
 #include "experiments/suite/vocabulary.hpp"
 
@@ -30,5 +31,16 @@ std::string generators_csv();
 
 /// Version, commit and compiler in one line.
 std::string version_line();
+
+// The words that options take, for completions. Each list is made when somebody asks for it.
+
+/// The methods of one problem.
+KnownValues methods_of(Problem problem);
+
+/// The methods of every problem, conversions included.
+KnownValues all_methods();
+
+/// What --set takes: `key=` for every key that can be set, or `key=value` where the values are known.
+std::vector<std::string> known_settings();
 
 }  // namespace bezierbench::cli

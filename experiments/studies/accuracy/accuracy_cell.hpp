@@ -12,14 +12,32 @@
 #include "experiments/judge/cell_tally.hpp"
 #include "experiments/judge/group_judge.hpp"
 #include "experiments/judge/judged_methods.hpp"
+#include "experiments/judge/judgement.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 #include "reference/true_point.hpp"
 
 namespace bezierbench::studies {
+
+// The columns of accuracy.csv after those of the cell.
+
+/// A method's trials in one cell against one baseline, as they were judged.
+struct Statistics {
+  const judge::Judgement& judgement;
+  bool exact;                      ///< against the exact reference
+  std::int64_t trials;             ///< of the cell
+  const metric::Tally& condition;  ///< likewise
+
+  [[nodiscard]] bool bounded() const { return judgement.bounded > 0; }
+};
+
+/// Sets the statistics of a row of accuracy.csv or unstable.csv: what stands after `status`. What is measured against
+/// the exact reference only is empty for other baselines.
+void set_statistics(tables::Row& row, const Statistics& statistics);
 
 template <class Scalar>
 class AccuracyCell {

@@ -5,7 +5,6 @@
 #include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/interpolation/problem.hpp"
-#include "experiments/studies/interpolation/spline_judge.hpp"
 #include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "experiments/run/notes.hpp"
-#include "experiments/studies/outside/outside_jobs.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"

@@ -14,7 +14,7 @@
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/accuracy/accuracy_cell.hpp"
-#include "experiments/studies/outside/outside_jobs.hpp"
+#include "experiments/studies/outside/outside.hpp"
 
 namespace bezierbench::studies {
 namespace {

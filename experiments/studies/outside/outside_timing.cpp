@@ -15,7 +15,7 @@
 #include "experiments/race/timed_check.hpp"
 #include "experiments/race/timed_problem.hpp"
 #include "experiments/run/interruption.hpp"
-#include "experiments/studies/outside/outside_jobs.hpp"
+#include "experiments/studies/outside/outside.hpp"
 #include "experiments/studies/timing/racing_job.hpp"
 #include "experiments/studies/timing/timed_evaluation.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"

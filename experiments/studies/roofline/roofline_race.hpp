@@ -9,6 +9,7 @@
 #include "core/batch/batch.hpp"
 #include "experiments/race/operation_times.hpp"
 #include "experiments/race/race.hpp"
+#include "experiments/run/job.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/suite/suite.hpp"
 
@@ -56,5 +57,18 @@ std::vector<RooflineRace> roofline_races_of(const suite::Study& study);
 /// Judges the methods, then races them. A method whose points are wrong is timed all the same, and not `checked`.
 RooflineLaps run(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
                  const race::RaceOptions& options);
+
+// roofline.csv: the batch kernels' share of the peak of each target, which goals they reach, and how near all kernels
+// are to the limit of the processor.
+
+/// A row per method, target, mode, scalar type and cell; races that did not run have none. Target `scalar` is the kernel
+/// for one point, in the modes `point` and `latency`, and has no peak. Shares are taken within rounds, where method and
+/// peak met the same conditions. `goal_share` and `goal_ns` are the goals of the row, if it has any, and `goal_met` is
+/// `yes` or `no`. `quality` is `noisy` where the peak of a race was more than 2 % slower than in the quickest of the
+/// study: other processes disturbed the race.
+void write_roofline_rows(const suite::Study& study, const std::vector<RooflineRace>& races, tables::Tables& tables);
+
+/// The keys of the same rows, of races before they run, on this processor.
+void list_roofline_rows(const suite::Study& study, const std::vector<RooflineRace>& races, tables::Tables& tables);
 
 }  // namespace bezierbench::studies

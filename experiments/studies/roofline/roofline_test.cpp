@@ -12,7 +12,6 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/roofline/roofline_race.hpp"
-#include "experiments/studies/roofline/roofline_rows.hpp"
 #include "experiments/studies/roster.hpp"
 
 namespace bezierbench::studies {

@@ -8,7 +8,6 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/roster.hpp"
-#include "experiments/studies/timing/complexity_rows.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
 
 namespace bezierbench::studies {

@@ -16,7 +16,6 @@
 #include "experiments/studies/projection/problem.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/subdivision/problem.hpp"
-#include "experiments/studies/timing/complexity_rows.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
 
 namespace bezierbench::studies {

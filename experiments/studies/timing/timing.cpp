@@ -11,7 +11,6 @@
 #include "experiments/race/timed_check.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/roster.hpp"
-#include "experiments/studies/timing/complexity_rows.hpp"
 #include "experiments/studies/timing/racing_job.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
 #include "experiments/suite/fault.hpp"
