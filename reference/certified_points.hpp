@@ -19,7 +19,7 @@
 // relative f 2^-66 and D is not 0. As N/D - N'/D' = (N - N')/D - (N'/D') (D - D')/D, the error of p is at most
 // u^2 ((f + 16) P + f |p'| Q) / |D'|, up to a relative f 2^-65.
 //
-// Underflow: an operation loses at most 2^-1070, and no later factor r or t exceeds 1, but for power form and |t| > 1,
+// Underflow: an operation loses at most 2^-1070, no later factor r or t exceeds 1, except in power form for |t| > 1,
 // where later factors are at most |t|^n together. So a sum loses at most 2^-1059 (n <= 1023), times max(1, |t|^n); the
 // product with the power of L loses 2^-1070. A point is certified only where P (and Q) is at least 2^-600, in power
 // form times max(1, |t|^n), before and after that product: one unit of the factor, 2^-706 of the same, covers both.

@@ -4,7 +4,7 @@
 
 earlier_bundles_test.py PROGRAM
 
-experiments/bundle/fixtures has one bundle per schema version. They are never made anew, since the test is about bundles
+experiments/bundle/fixtures has one bundle per schema version. They are never remade, since the test is about bundles
 of earlier programs.
 """
 import csv

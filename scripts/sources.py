@@ -94,7 +94,7 @@ def method_headers(root):
 
 
 def header_findings(name, text):
-    """Yields what is wrong with a method's header: a missing label, or a cited key that its line Source lacks."""
+    """Yields what is wrong with a method's header: a missing label, or a cited key that is missing in its line Source."""
     paragraphs = {}
     found = []
     for line in opening(text):

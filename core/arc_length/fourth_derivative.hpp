@@ -33,7 +33,7 @@ struct FourthDerivative {
 
 namespace detail {
 
-/// A lower bound of |h| on [0, 1]. It says nothing where it is 0 or less.
+/// A lower bound of |h| on [0, 1], trivial where it is 0 or less.
 template <int Dimension, int Degree>
 double least_size(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
   std::array<double, Dimension> mean{};

@@ -20,7 +20,7 @@ concept IsSameForEveryAxis = std::is_base_of_v<SameForEveryAxis, Method>;
 /// The degree, as a template argument, of a curve whose coefficients lie elsewhere; the curve knows it at run time.
 inline constexpr int viewed = -2;
 
-/// The same of what is computed from a curve.
+/// Degree of what is computed from a curve and owns its storage: dynamic for a view.
 template <int Degree>
 inline constexpr int computed_degree = Degree == viewed ? dynamic : Degree;
 

@@ -48,7 +48,7 @@ struct OneCurve : EntryT {
   static constexpr bool one_curve_only = true;
 };
 
-/// Whether a kernel for one axis evaluates all axes in turn. It does for triangles, whose axes share nothing but t.
+/// Whether a kernel for one axis evaluates all axes in turn. It does for triangles, whose axes share only t.
 template <class Evaluator>
 inline constexpr bool axis_by_axis =
     PreparesNothing<Evaluator>&& instantiate::family_of(Evaluator::info) == instantiate::Family::triangle;

@@ -37,7 +37,7 @@ struct TriangleRoundings {
   static constexpr int ahead = 0;
 };
 
-/// The largest (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~, but for underflow: c_K u^K and the share of SumK.
+/// The largest (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~, without underflow: c_K u^K and the share of SumK.
 template <int K>
 constexpr double compensated_remainder(int n, double u) {
   return remainder_of_parts<K, TriangleRoundings>(n, u);

@@ -109,7 +109,7 @@ struct CorrectlyRounded {
     return static_cast<Number>(std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52));
   }
 
-  /// a b as a pair, but for second order.
+  /// Product of two pairs, to first order.
   template <class Scalar>
   static Expansion2<Scalar> product(const Expansion2<Scalar>& a, const Expansion2<Scalar>& b) {
     const auto value = two_prod<Scalar>(a.value, b.value);

@@ -15,7 +15,7 @@
 //   the matrix of the A_i, and subtracting one A_i after the other from p. Their error is 1e21 u max|b| at n = 50,
 //   where that of these formulas is 1e7 u max|b|.
 // Bound: gamma_(5n+5) sum_k |b_k| sum_i |V_ik| A_i(t) on [0,1], and n more roundings past n = 54: n+1 in S, 2 products,
-//   n+2 additions, 3n in the evaluation. This is about 1.41^n max|b| at the worst t. It is no multiple of an
+//   n+2 additions, 3n in the evaluation. This is about 1.41^n max|b| at the worst t. It is not a multiple of an
 //   amplification in core/basis/error_bound.hpp (b_n has a part in v_2, which counts like t^2 near 0), so `info` states
 //   none.
 // Fails: the coefficients grow like 1.7^n, and their rounding costs a factor of 1.41^n: all digits by about n = 110.

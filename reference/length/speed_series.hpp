@@ -64,7 +64,7 @@ using LongHodograph = Hodograph<LongReal>;
 template <class Real>
 class SpeedSeries {
  public:
-  /// Interpolates h, over [0, 1], at the roots of T_(m+1), which is exact but for rounding.
+  /// Interpolates h, over [0, 1], at the roots of T_(m+1), which is exact except for rounding.
   explicit SpeedSeries(const Hodograph<Real>& h);
 
   [[nodiscard]] std::size_t degree() const { return coefficients_.size() / dimension_ - 1; }

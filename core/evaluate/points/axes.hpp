@@ -15,7 +15,7 @@
 #include "core/basis/unit_interval.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"  // of vectors that the target lacks; none leaves the unit that made it
+#pragma GCC diagnostic ignored "-Wpsabi"  // of vectors that the target does not have; none leaves the unit that made it
 #endif
 
 namespace bezierbench {
