@@ -26,7 +26,7 @@ Which properties of the exact curve a method keeps: proved, broken by an input, 
 
 Does the curve end exactly in its last point? Is a constant reproduced? Does a point stay between its control points? Here every
 method has an answer for each such property, over degrees {degrees} in {scalars}: **proved** where the method's header in
-[core/evaluate](../core/evaluate) has the proof; **broken** where an input was found that breaks it, with the largest share of
+[core/evaluate](../core/evaluate) has the proof, or names its page of [proofs](proofs/README.md); **broken** where an input was found that breaks it, with the largest share of
 {trials} random inputs of full significands that do (no share: none of these, but a special one does); **open** where neither is the
 case. Where degrees differ, n says which.
 
