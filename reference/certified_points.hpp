@@ -59,7 +59,7 @@ class CertifiedPoints {
 
   CertifiedPoints(Form form, int dimension, int degree);
 
-  /// False where no values have a proved error; then there must be no object.
+  /// False where no error is proved; then do not construct an object.
   static bool applies(Form form) { return form != Form::power_centered; }
 
   /// True where this object is for such trials.
@@ -71,7 +71,7 @@ class CertifiedPoints {
   void load(std::size_t lane, const CurveView<double>& curve, double t);
 
   void evaluate();
-  /// Of lane 0 only, in the time of a quarter of a block; the other lanes then have no points.
+  /// Evaluates lane 0 only, at a quarter of the cost of a block; the other lanes then have no points.
   void evaluate_one();
 
   /// The points of all lanes.
@@ -118,7 +118,7 @@ class CertifiedPoints {
   Pairs weight_sums_;                            ///< D
   Lanes weight_magnitudes_{};                    ///< Q
   Lanes magnitude_{};                            ///< the error in units of the factor; P of the largest axis at first
-  Lanes smallest_{};                             ///< the least of what must not be too small
+  Lanes smallest_{};                             ///< smallest quantity that underflow could spoil
   CertifiedBlock points_;
 };
 

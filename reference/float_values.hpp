@@ -52,8 +52,9 @@ class FloatValuesOf {
  private:
   using Doubles = std::array<double, float_values_at_once>;
 
-  /// Of the first `count` t; of those from `first` on.
+  /// Values at the first `count` t, which are at most 2^-8.
   void near_zero(std::span<const float> t, std::size_t count);
+  /// Values at the t from number `first` on.
   void elsewhere(std::span<const float> t, std::size_t first);
   void decide(std::size_t count, FloatValues& values);
   void decide_rest(std::span<const float> t, FloatValues& values);

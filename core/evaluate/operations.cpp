@@ -40,7 +40,7 @@ Counting some_parameter() {
   return Counting::input(0x1.2bec333018867p-2, time_of_t);  // 1 - sqrt(1/2)
 }
 
-/// Methods on homogeneous coordinates with these, the weight among them, in one vector.
+/// Homogeneous<Method> with coordinates and weight in one vector.
 template <class Method>
 struct InOneVector {
   template <class Scalar>
