@@ -5,8 +5,8 @@
 //   derived here.
 // Cost: 3 d n(n+1)/2 + 1 flops per point.
 // Bound: gamma_3n p~ for t <= 2, else gamma_4n p~: three roundings a level, and a fourth of 1-t beyond t = 2.
-// Keeps: ends_exact, constant_reproduced, in_hull, and monotone for n = 1: docs/proofs/de_casteljau_two_sided.md; the
-//   rest: docs/proofs/triangle_scheme.md.
+// Keeps: ends_exact, constant_reproduced, in_hull, monotone for n = 1, and what all variants do:
+//   docs/proofs/de_casteljau.md.
 // Fails: b - a, up to 2 max|b|, can overflow although the result does not.
 #pragma once
 

@@ -3,7 +3,7 @@
 // only, so they share this loop.
 //
 // All variants keep axes_independent, scaling_by_two and total, because their steps are sums, differences and products
-// with t or the rounded 1-t; docs/proofs/triangle_scheme.md has the proof.
+// with t or the rounded 1-t; docs/proofs/de_casteljau.md has the proof.
 #pragma once
 
 #include "core/evaluate/evaluator.hpp"
