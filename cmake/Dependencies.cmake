@@ -30,7 +30,7 @@ find_package(CLI11 REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(Threads REQUIRED)
 if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
-  set(Python3_EXECUTABLE /usr/bin/python3) # it sees NumPy, Jinja2 and the like, which scripts/setup installs; another may be on PATH
+  set(Python3_EXECUTABLE /usr/bin/python3) # it sees the Python packages that scripts/setup installs; another may be on PATH
 endif()
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 if(BEZIERBENCH_TESTS)

@@ -11,7 +11,7 @@
 # With JOINED GCC compiles up to n sources as one translation unit, with JOINED_TESTS up to n tests, since most of a short
 # one's time goes into what it includes. Names in the unnamed namespaces of such a folder are different from each other.
 # An error names the source, and Clang compiles each source by itself. Kernels and what times them are never joined:
-# nothing of a caller may be inlined into them, or the reverse.
+# no code of a caller may be inlined into them, or the reverse.
 option(BEZIERBENCH_JOINED "compile the short sources of a folder together (GCC)" ON)
 # Does so for a target. Without a number each source is compiled by itself.
 function(bezierbench_join target number)

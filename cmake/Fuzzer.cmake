@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # bezierbench_fuzzer(PATH DEPENDS target... CORPUS file... [SOURCES file...]): PATH_fuzz.cpp becomes a fuzzer, which
 # has the name of the file. Under the preset `fuzz` that is libFuzzer's, for scripts/check fuzz; elsewhere a test gives it
-# the files of the corpus and some thousand changed ones.
+# the files of the corpus and thousands of changed ones.
 option(BEZIERBENCH_LIBFUZZER "link the fuzzers with libFuzzer (Clang)" OFF)
 add_custom_target(fuzzers)
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # What most files include and what takes long to parse is parsed once for each set of options of the optimiser, which GCC
-# takes from a precompiled header and not from the command line. A file includes what it uses all the same: Clang compiles
+# takes from a precompiled header and not from the command line. A file includes what it uses nevertheless: Clang compiles
 # without this, and finds what is missing.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # GCC looks for memory to free from 512 MB on, not from 128 MB on: a tenth less time for a hundred megabytes more.
+  # GCC's garbage collection begins at 512 MB instead of 128 MB: a tenth less time for a hundred megabytes more.
   add_compile_options(--param=ggc-min-heapsize=524288)
 else()
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)

@@ -9,7 +9,7 @@
 
 namespace bezierbench {
 
-/// `Entry::of<Method, dimension>()` for each method of the roster, in its order; none but for dimension 1, 2 or 3.
+/// `Entry::of<Method, dimension>()` for each method of the roster, in its order; for dimensions 1 to 3.
 /// All dimensions are instantiated where this is called: kernels stay in the translation unit of their problem.
 template <class Kernel, class Entry, class... Methods>
 std::span<const Kernel> kernels_of(TypeList<Methods...> /*roster*/, int dimension) {

@@ -45,8 +45,8 @@ constexpr std::string_view name(Problem problem) {
   return "";
 }
 
-/// How s, the rounded 1 - t, enters a result: the curve that results if nothing else is rounded. For a rational curve
-/// the last two are the same, for numerator and denominator both have the factor (t + s)^n.
+/// Which curve a method evaluates if s, the rounded 1 - t, is the only rounding. For a rational curve the last two are
+/// the same, since numerator and denominator both have the factor (t + s)^n.
 enum class OneMinusT {
   unused,     ///< s is not used, or only where it is exact, or its error is compensated
   summed,     ///< sum b_i C(n,i) t^i s^(n-i)

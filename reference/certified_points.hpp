@@ -8,25 +8,8 @@
 // p = N / D: the powers of L cancel.
 // Power form: Horner's scheme in t.
 //
-// Error, in units of u^2 and with the numbers of pair.hpp. C(n,i) 2^-k is a pair right to 4, and times w_i or b_i to 7,
-// times both to 10. A term passes n products (8 each), n sums (4) and n factors r (16), and with a power of L n
-// products more (8): 36n + 7 in Bernstein form, 12n in power form, 28n + 10 for N, 28n + 7 for D. These factors
-// multiply P, the sum of the |terms| of the coordinate (Q for D), so the error of a coordinate is at most
-// error_factor(n) u^2 P. P is summed beside it in double. All its terms are positive and rounded four times in each
-// step, so its relative error is below 4 (n + 2) u; a relative margin of 2^-40 covers it.
-//
-// Quotient: let N' and D' be what is computed, f the factor of both, and |D'| >= 2^-40 Q, so that D' is right to a
-// relative f 2^-66 and D is not 0. As N/D - N'/D' = (N - N')/D - (N'/D') (D - D')/D, the error of p is at most
-// u^2 ((f + 16) P + f |p'| Q) / |D'|, up to a relative f 2^-65.
-//
-// Underflow: an operation loses at most 2^-1070, and no later factor r or t exceeds 1, but for power form and |t| > 1,
-// where later factors are at most |t|^n together. So a sum loses at most 2^-1059 (n <= 1023), times max(1, |t|^n); the
-// product with the power of L loses 2^-1070. A point is certified only where P (and Q) is at least 2^-600, in power
-// form times max(1, |t|^n), before and after that product: one unit of the factor, 2^-706 of the same, covers both.
-// Weights are 0 or at least 2^-400, so that their products with binomials are not subnormal. In the quotient an
-// operation loses at most 2^-1070 / |D'|, or 2^-1070; P / |D'| is at least 2^-600, too.
-// Overflow: coefficients are at most 2^600 and so small that no term and no sum of terms exceeds 2^1000; in power form,
-// and after the product with the power of L, P itself says that it does not.
+// docs/proofs/certified_points.md proves the error, error_factor(n) u^2 P for the sum P of the magnitudes of the terms
+// of a coordinate, and that of the quotient; it shows which points may be certified in view of underflow and overflow.
 #pragma once
 
 #include <array>
@@ -76,7 +59,7 @@ class CertifiedPoints {
 
   CertifiedPoints(Form form, int dimension, int degree);
 
-  /// False where no values have a proved error; then there must be no object.
+  /// False where no error is proved; then do not construct an object.
   static bool applies(Form form) { return form != Form::power_centered; }
 
   /// True where this object is for such trials.
@@ -88,7 +71,7 @@ class CertifiedPoints {
   void load(std::size_t lane, const CurveView<double>& curve, double t);
 
   void evaluate();
-  /// Of lane 0 only, in the time of a quarter of a block; the other lanes then have no points.
+  /// Evaluates lane 0 only, at a quarter of the cost of a block; the other lanes then have no points.
   void evaluate_one();
 
   /// The points of all lanes.
@@ -135,7 +118,7 @@ class CertifiedPoints {
   Pairs weight_sums_;                            ///< D
   Lanes weight_magnitudes_{};                    ///< Q
   Lanes magnitude_{};                            ///< the error in units of the factor; P of the largest axis at first
-  Lanes smallest_{};                             ///< the least of what must not be too small
+  Lanes smallest_{};                             ///< smallest quantity that underflow could spoil
   CertifiedBlock points_;
 };
 

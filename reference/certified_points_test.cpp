@@ -84,7 +84,7 @@ TEST(CertifiedPoints, AreWithinTheirError) {
   }
 }
 
-/// Degrees whose binomials are no doubles, up to the largest of all.
+/// Degrees whose binomials are not doubles, up to the largest of all.
 TEST(CertifiedPoints, AreWithinTheirErrorAtHighDegrees) {
   Trials trials;
   ExactCurve exact;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The true point of a curve: control points, weights and t are doubles, so it is a rational number (dyadic, but for
+// The true point of a curve: control points, weights and t are doubles, so it is a rational number (dyadic, except for
 // rational curves), computed in big integers.
 //
 // With t = T/2^k (T, k integers, k >= 0), S = 2^k - T, and coefficients B_i 2^e,

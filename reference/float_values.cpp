@@ -37,8 +37,8 @@ std::int64_t half_of(std::int64_t x) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(x + offset) >> 1U) - offset / 2;
 }
 
-/// a + b rounded to odd: where the sum is no double, that neighbour of it whose last bit is 1. It lies in the binade of
-/// the exact sum, and rounds to the float to which the exact sum rounds ([Boldo and Melquiond 2008]).
+/// a + b rounded to odd: where the sum is not a double, that neighbour of it whose last bit is 1. It lies in the
+/// binade of the exact sum, and rounds to the float to which the exact sum rounds ([Boldo and Melquiond 2008]).
 double odd_sum(double a, double b) {
   const auto sum = two_sum(a, b);
   const auto bits = std::bit_cast<std::uint64_t>(sum.value);

@@ -4,17 +4,7 @@
 //
 // There are three ways, from fast to slow. Each leaves to the next the t at which its proved error does not decide the
 // nearest float (ties to even) or the ulp, or exceeds 2^-20 ulp.
-//   1. In double. With u = 2^-53 and q_j = C(n,j) D^j b_0, each rounded once:
-//      t <= 2^-8:  p = b_0 + d with d = t (q_1 + t (q_2 + ...)); where b_0 = 0 and q_1 has so few bits that q_1 t is
-//                  exact, p = q_1 t + d with d = t^2 (q_2 + ...). A term passes at most 2n + 1 roundings, so the error
-//                  of d is at most (2n + 2) u sum |q_j| t^j, and is small beside d itself. So it is known on which side
-//                  of b_0 or q_1 t the value lies, also where these are powers of two or midpoints of floats, as they
-//                  are for many of the tiny t, which almost all floats of [0, 1] are.
-//      t > 2^-8:   p = sum b_i C(n,i) t^i (1-t)^(n-i) by Horner's scheme in 1-t. Binomial, coefficient, 1-t, powers and
-//                  sums round a term at most 3n + 4 times, so |error| <= (3n + 5) u p~.
-//      Both sums of magnitudes are summed beside, all terms positive; a relative margin of 2^-20 covers their own
-//      rounding and the second order. For n <= 100 a product that underflows is far below 2^-1000: t^n is above 2^-800
-//      in the second sum.
+//   1. In double: as b_0 + d for t <= 2^-8, else by Horner's scheme in 1-t; docs/proofs/float_values.md has the error.
 //   2. In pairs of doubles: certified_points.hpp.
 //   3. In integers: exact_curve.hpp.
 #pragma once
@@ -62,8 +52,9 @@ class FloatValuesOf {
  private:
   using Doubles = std::array<double, float_values_at_once>;
 
-  /// Of the first `count` t; of those from `first` on.
+  /// Values at the first `count` t, which are at most 2^-8.
   void near_zero(std::span<const float> t, std::size_t count);
+  /// Values at the t from number `first` on.
   void elsewhere(std::span<const float> t, std::size_t first);
   void decide(std::size_t count, FloatValues& values);
   void decide_rest(std::span<const float> t, FloatValues& values);

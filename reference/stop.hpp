@@ -16,7 +16,7 @@ class Stopped : public std::exception {
 };
 
 /// While an object lives, computations of the truth on its thread throw Stopped once `condition` is true. They evaluate
-/// it at least ten times a second, most often some thousand times.
+/// it at least ten times a second, most often thousands of times.
 class StopWhen {
  public:
   explicit StopWhen(std::function<bool()> condition)

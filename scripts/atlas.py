@@ -156,7 +156,7 @@ def faults(program):
         if not (PAGES / suite / "README.md").exists():
             yield f"results/pages/atlas/{suite}: no page; make it with scripts/atlas.py pages {suite}"
     if shown() and INDEX.read_text(encoding="utf-8") != index():
-        yield "results/pages/atlas/README.md is not what the bundles say; make it anew with scripts/atlas.py pages"
+        yield "results/pages/atlas/README.md does not match the bundles; run scripts/atlas.py pages"
     size = size_of(BUNDLES) + size_of(PAGES)
     if size > MOST_BYTES:
         yield f"results/atlas and results/pages/atlas hold {size / 2**20:.1f} MiB, more than {MOST_BYTES / 2**20:g}"

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Runs some studies of the report suite anew and compares them, method by method and bit for bit, with results/baseline.
+"""Runs some studies of the report suite again and compares them, method by method and bit for bit, with results/baseline.
 
 baseline_test.py PROGRAM
 
 Inputs depend only on seed, study, cell and trial, so a study run alone must give the rows that it gave in the whole
-suite. A method that the baseline does not have yet is named, but is no failure. `scripts/check golden` compares all
+suite. A method that the baseline does not have yet is named, but is not a failure. `scripts/check golden` compares all
 studies; this test takes those that are quick enough for every run.
 """
 import subprocess

@@ -23,7 +23,7 @@ class Rows(NamedTuple):
 
 
 def line(fields):
-    """One line of CSV, quoted only where needed."""
+    """One line of CSV, quoted only where required."""
     quoted = ['"' + field.replace('"', '""') + '"' if set(field) & set(',"\r\n') or field == "" and len(fields) == 1 else field
               for field in fields]
     return ",".join(quoted) + "\n"

@@ -14,7 +14,7 @@ the repository's folders, in which
 - a run of a whole suite is planned (--dry-run), and a committed bundle is put where two of them would have written,
 - programs that start jobs elsewhere (mpirun, parallel, sbatch), and a program with peers, do nothing,
 
-and each of these is said. So scripts/reproduce goes through, but for the build and the run. Links of the pages to files of the
+and each of these is reported. So scripts/reproduce is run, except for the build and the run. Links of the pages to files of the
 repository are checked, too.
 """
 import argparse

@@ -1,13 +1,13 @@
 #!/usr/bin/python3 -I
 # SPDX-License-Identifier: MIT
 """Writes docs/guarantees.md: what each method keeps, from a bundle of the suite `guarantees`, and the statements, from the
-opening comments of experiments/guarantees/<property>.hpp.
+comments of experiments/guarantees/statements.hpp.
 
 guarantees_page.py BUNDLE           writes the page
 guarantees_page.py BUNDLE --check   compares, and exits 1 where the page differs
 """
 import argparse
-import re
+import itertools
 import sys
 from pathlib import Path
 
@@ -19,33 +19,31 @@ from report.chapters.guarantees import study_tables  # noqa: E402
 from report.wording import large  # noqa: E402
 
 PAGE = ROOT / "docs" / "guarantees.md"
-STATEMENTS = ROOT / "experiments" / "guarantees"
+STATEMENTS = ROOT / "experiments/guarantees/statements.hpp"
 OPENING = """# What each method keeps
 
 Which properties of the exact curve a method keeps: proved, broken by an input, or open.
 
 Does the curve end exactly in its last point? Is a constant reproduced? Does a point stay between its control points? Here every
 method has an answer for each such property, over degrees {degrees} in {scalars}: **proved** where the method's header in
-[core/evaluate](../core/evaluate) has the proof; **broken** where an input was found that breaks it, with the largest share of
+[core/evaluate](../core/evaluate) has the proof, or names its page of [proofs](proofs/README.md); **broken** where an input was found that breaks it, with the largest share of
 {trials} random inputs of full significands that do (no share: none of these, but a special one does); **open** where neither is the
 case. Where degrees differ, n says which.
 
 This page is written by `scripts/guarantees_page.py` from a bundle of `bezierbench run guarantees`, which also has every
 counterexample in hexadecimal, in `guarantees.csv`; `bezierbench replay BUNDLE ID` tries one again. `scripts/check guarantees`
 tries to refute the methods that keep the ends, constants, the hull, monotone sequences, reversal and finiteness, all six, and
-says with how many inputs: 10^9 for each unless it is told otherwise.
+says with how many inputs: by default 10^9 for each.
 """
 
 
 def statement(name):
-    """The opening comment of the property's file, without the licence."""
-    lines = []
-    for line in (STATEMENTS / f"{name}.hpp").read_text(encoding="utf-8").splitlines()[1:]:
-        if not line.startswith("//"):
-            break
-        lines.append(line.removeprefix("//").strip())
-    text = " ".join(lines).removeprefix(f"{name}: ")
-    return re.sub(r"\b(\w+)\.hpp\b", r"`\1`", text).replace("*", r"\*").replace("|", r"\|")
+    """The comment of the property's class."""
+    lines = STATEMENTS.read_text(encoding="utf-8").splitlines()
+    first = next(at for at, line in enumerate(lines) if line.startswith(f"/// {name}: "))
+    comment = itertools.takewhile(lambda line: line.startswith("///"), lines[first:])
+    text = " ".join(line.removeprefix("///").strip() for line in comment).removeprefix(f"{name}: ")
+    return text.replace("see Finite", "see `finite`").replace("*", r"\*").replace("|", r"\|")
 
 
 def markdown(table):

@@ -111,7 +111,7 @@ class Layers(unittest.TestCase):
             self.assertEqual(result.returncode, 1)
             self.assertIn("core/curve.hpp:2: core may not include <random>", result.stdout)
         with tempfile.TemporaryDirectory() as empty:
-            self.assertEqual(run(empty).returncode, 1, "no file read is no proof")
+            self.assertEqual(run(empty).returncode, 1, "reading no file proves nothing")
 
 
 if __name__ == "__main__":

@@ -32,11 +32,11 @@ def fault(most, wait=0, read=load_per_processor, sleep=time.sleep):
     while True:
         load = read()
         if load is None:
-            return f"{LOADAVG}: cannot be read, so nobody knows whether others are at work"
+            return f"{LOADAVG}: cannot be read, so other processes may be running"
         if load <= most:
             return None
         if waited >= wait:
-            return f"load average of {load:.2f} for each processor over the last minute, more than {most:g}; others are at work"
+            return f"load average of {load:.2f} for each processor over the last minute, more than {most:g}; other processes are running"
         sleep(STEP)
         waited += STEP
 

@@ -34,7 +34,7 @@ class Load(unittest.TestCase):
         readings, slept = [0.9, 0.6, 0.2], []
         self.assertIsNone(load.fault(0.3, wait=60, read=lambda: readings.pop(0), sleep=slept.append))
         self.assertEqual(len(slept), 2)
-        self.assertIn("others are at work", load.fault(0.3, wait=60, read=lambda: 0.9, sleep=slept.append))
+        self.assertIn("other processes are running", load.fault(0.3, wait=60, read=lambda: 0.9, sleep=slept.append))
         self.assertEqual(sum(slept[2:]), 60)
 
 

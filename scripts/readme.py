@@ -52,7 +52,7 @@ def judged_methods():
 
 def differing_method(listed, baseline, judged):
     """The id of the first of the `judged` methods in `baseline` whose facts differ in `listed`; None if there is
-    none. Columns that the baseline does not have yet are no facts of it."""
+    none. Columns that the baseline does not have yet are not facts of it."""
     def facts(text):
         return [{column: field for column, field in row.items() if column not in WORDING}
                 for row in csv.DictReader(io.StringIO(text))]
@@ -78,7 +78,7 @@ def filled(page, text, made):
 
 
 def new_lines(text, wanted):
-    """The ids of methods, suites and generators of the program that a page lacks. Empty if anything else differs: what is added alone
+    """The ids of methods, suites and generators of the program that are not on a page. Empty if anything else differs: what is added alone
     needs no update."""
     ours, theirs = text.splitlines(), wanted.splitlines()
     more = [line for line in theirs if line not in set(ours)]
@@ -88,10 +88,10 @@ def new_lines(text, wanted):
 
 
 def compare(page, text, wanted):
-    """A fault as one line; None where the page is as it should be, or lacks only what was added, which is said."""
+    """A fault as one line; None where the page is as it should be, or is only without what was added, which is reported."""
     name = page.relative_to(ROOT)
     if new := new_lines(text, wanted):
-        print(f"{name}: lacks {listing(new)}, which the program has; scripts/readme.py --update --program PROGRAM adds it")
+        print(f"{name}: without {listing(new)}, which the program has; scripts/readme.py --update --program PROGRAM adds it")
     elif wanted != text:
         line = next((at for at, pair in enumerate(zip(text.splitlines(), wanted.splitlines()), 1) if pair[0] != pair[1]), "the end")
         return f"{name}:{line}: not what results and the program say; run scripts/readme.py --update --program PROGRAM"
@@ -126,8 +126,8 @@ def main():
     options = parser.parse_args()
     made = parts(options.program)
     there = {page: page.read_text(encoding="utf-8") for page in pages()}
-    if lacking := set(made) - {match[2] for text in there.values() for match in PART.finditer(text)}:
-        sys.exit(f"no page has the part {listing(sorted(lacking))}, between <!-- begin NAME --> and <!-- end NAME -->")
+    if missing := set(made) - {match[2] for text in there.values() for match in PART.finditer(text)}:
+        sys.exit(f"no page has the part {listing(sorted(missing))}, between <!-- begin NAME --> and <!-- end NAME -->")
     faults = [fault for fault in [settle_figure(options.update)] if fault]
     for page, text in there.items():
         wanted = filled(page, text, made)

@@ -107,7 +107,7 @@ class Page:
 
 
 def matches(expected, printed):
-    """Whether the text is the expected one, with anything in the place of `...`."""
+    """Whether the text is the expected one, with anything in place of `...`."""
     parts = [re.escape(part) for part in expected.split("...")]
     return re.fullmatch(".*".join(parts), printed, re.DOTALL) is not None
 

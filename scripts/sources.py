@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks that every citation can be looked up, and that every method's header opens with its labelled lines.
+"""Checks that every citation can be looked up, that every method's header opens with its labelled lines, and that long proofs
+are pages of docs/proofs.
 
 sources.py [ROOT] [--program PROGRAM]   prints one line per finding and exits 1 if there is any.
 
@@ -17,7 +18,9 @@ from pathlib import Path
 
 SOURCES = "reference/published/SOURCES.md"
 FOLDERS = ("core", "reference")
+PROOFS = "docs/proofs"
 LABELS = ("Formula", "Source", "Cost", "Bound", "Fails")
+LONGEST_PROOF = 6  # lines of a comment
 WIDTH = 120  # clang-format does not wrap comments
 NO_SOURCE = "bound derived here"  # a part of a method's citation that names no source
 
@@ -26,6 +29,7 @@ ENTRY = re.compile(rf"^(?:###|-) {KEY} \S", re.MULTILINE)
 # A citation without a key: a year outside brackets, or a document by its number.
 UNLISTED = re.compile(r"\b(?:1[89]|20)\d\d\b(?!\^|,\d)|\b(?:[Rr]eport|[Dd]ocument)s? 00\d\b")
 LABEL_IN_A_LINE = re.compile(rf"^// .*\S +(?:{'|'.join(LABELS)}): ")
+PROOF_PAGE = re.compile(rf"{PROOFS}/\w+\.md")
 COMMENT = re.compile(r"//[/<! ]*(.*)$")
 INCLUDE = re.compile(r'#include "(core/[^"]+)"')
 
@@ -87,6 +91,20 @@ def line_findings(name, text):
             yield f"{name}:{number}: {len(line)} characters; comments end at {WIDTH}"
 
 
+def proof_findings(name, text, pages):
+    """Yields pages of proofs that do not exist, and proofs in the opening comment that should be one."""
+    for page in PROOF_PAGE.findall(text):
+        if page not in pages:
+            yield f"{name}: {page} does not exist"
+    label, length = None, 0
+    for line in [*opening(text), "// End: "]:
+        if match := re.match(r"// ([A-Z][a-z]+): ", line):
+            if label in ("Bound", "Keeps", "Theory") and length > LONGEST_PROOF:
+                yield f"{name}:2: the paragraph {label}: has {length} lines; move the proof to a page of {PROOFS}"
+            label, length = match[1], 0
+        length += 1
+
+
 def method_headers(root):
     """The names of the headers that a roster includes and that define a method."""
     included = {name for roster in (root / "core").rglob("roster.hpp") for name in INCLUDE.findall(roster.read_text())}
@@ -94,7 +112,7 @@ def method_headers(root):
 
 
 def header_findings(name, text):
-    """Yields what is wrong with a method's header: a missing label, or a cited key that its line Source lacks."""
+    """Yields what is wrong with a method's header: a missing label, or a cited key that is missing in its line Source."""
     paragraphs = {}
     found = []
     for line in opening(text):
@@ -135,14 +153,20 @@ def findings(root, listing=None):
     keys = keys_of((root / SOURCES).read_text(encoding="utf-8"))
     texts = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in cxx_files(root)}
     found = [f"{SOURCES}: [{key}] is listed twice" for key in sorted({key for key in keys if keys.count(key) > 1})]
+    pages = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in sorted((root / PROOFS).glob("*.md"))}
     for name, text in texts.items():
-        found += [*citation_findings(name, text, keys), *line_findings(name, text)]
+        found += [*citation_findings(name, text, keys), *line_findings(name, text), *proof_findings(name, text, pages)]
+    cited_in_proofs = {(name, key) for name, text in pages.items() for key in re.findall(KEY, text)}
+    found += [f"{name}: [{key}] is not listed in {SOURCES}" for name, key in sorted(cited_in_proofs) if key not in keys]
+    named = {page for text in texts.values() for page in PROOF_PAGE.findall(text)}
+    found += [f"{name}: no header names this page" for name in pages if name not in named and not name.endswith("/README.md")]
     headers = method_headers(root)
     if not headers:
         found.append("core: no roster includes a method")
     for name in headers:
         found += header_findings(name, texts[name])
     used = {key for text in texts.values() for _, comment in comments(text) for key in re.findall(KEY, comment)}
+    used |= {key for _, key in cited_in_proofs}
     found += [f"{SOURCES}: nothing cites [{key}]" for key in keys if key not in used]
     if listing is not None:
         found += listed_findings(listing, keys)

@@ -29,11 +29,11 @@ struct A {
 LISTING = "id,citation\na,[Higham 2002]; bound derived here\npeer_a,A library\n"
 
 
-def findings(header=HEADER, listed=LIST, listing=None):
+def findings(header=HEADER, listed=LIST, listing=None, pages=()):
     with tempfile.TemporaryDirectory() as place:
         root = Path(place)
         for name, text in (("core/evaluate/a.hpp", header), ("core/evaluate/roster.hpp", '#include "core/evaluate/a.hpp"\n'),
-                           (sources.SOURCES, listed)):
+                           (sources.SOURCES, listed), *pages):
             (root / name).parent.mkdir(parents=True, exist_ok=True)
             (root / name).write_text(text, encoding="utf-8")
         return sources.findings(root, listing)[0]
@@ -89,6 +89,14 @@ class Sources(unittest.TestCase):
         self.expect("does not begin with a key", listing="id,citation\na,[Higham 2002]; well known\n")
         self.expect("[Farin 2002] is not listed", listing="id,citation\na,[Farin 2002]\n")
         self.expect("lists no methods", listing="id,citation\n")
+
+    def test_a_long_proof_is_a_page_that_a_header_names(self):
+        page, proof = "docs/proofs/a.md", "// Bound: none, at degrees up to 1023.\n"
+        self.expect("has 7 lines; move the proof", header=HEADER.replace(proof, proof + "//   and so on\n" * 6))
+        self.expect(f"{page} does not exist", header=HEADER.replace(proof, f"// Bound: u, by {page}.\n"))
+        self.expect("no header names this page", pages=[(page, "# A\n")])
+        self.expect(f"{page}: [Farin 2002] is not listed", header=HEADER.replace(proof, f"// Bound: u, by {page}.\n"),
+                    pages=[(page, "By [Farin 2002].\n")])
 
     def test_a_core_without_methods_is_found(self):
         self.expect("no roster includes a method", header=HEADER.replace('.id = "a"', ""))

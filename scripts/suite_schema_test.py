@@ -50,7 +50,7 @@ class SuiteSchema(unittest.TestCase):
 
     def test_the_committed_schema_is_that_of_the_program(self):
         self.assertEqual(COMMITTED.read_text(encoding="utf-8"), self.text,
-                         f"write it anew: bezierbench list kinds --json-schema > {COMMITTED.relative_to(ROOT)}")
+                         f"write it by: bezierbench list kinds --json-schema > {COMMITTED.relative_to(ROOT)}")
 
     def test_suites_follow_it_and_tell_editors_where_it_is(self):
         for path in SUITES:

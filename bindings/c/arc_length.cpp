@@ -12,7 +12,7 @@ using namespace bezierbench;
 
 namespace {
 
-/// Throws Refused unless these are parameters of a part of the curve; NaN is none.
+/// Throws Refused unless these are parameters of a part of the curve; NaN is not.
 void require_part(double from, double to) { c::require(0 <= from && from <= to && to <= 1, BB_ERROR_PARAMETER); }
 
 void require_tolerance(double tolerance) { c::require(std::isfinite(tolerance) && tolerance > 0, BB_ERROR_TOLERANCE); }

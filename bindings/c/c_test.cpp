@@ -19,7 +19,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// (0,0) (1,2) (3,0.1): 2t + t^2, 4t - 3.9 t^2 but for the rounding of 0.1.
+/// (0,0) (1,2) (3,0.1): 2t + t^2, 4t - 3.9 t^2 except for the rounding of 0.1.
 constexpr std::array points{0.0, 0.0, 1.0, 2.0, 3.0, 0.1};
 constexpr bb_curve parabola{BB_BERNSTEIN, 2, 2, points.data(), nullptr};
 constexpr std::array weights{1.0, 0.5, 1.0};
@@ -38,11 +38,11 @@ std::vector<bb_method> methods(const std::string& problem) {
 }
 
 std::string exact_text(const bb_curve& curve, double t, int axis) {
-  std::size_t needed = 0;
-  EXPECT_EQ(bb_curve_exact_text(&curve, t, axis, nullptr, 0, &needed), BB_ERROR_COUNT);
-  std::string text(needed, '?');
-  EXPECT_EQ(bb_curve_exact_text(&curve, t, axis, text.data(), needed - 1, nullptr), BB_ERROR_COUNT);
-  EXPECT_EQ(bb_curve_exact_text(&curve, t, axis, text.data(), needed, nullptr), BB_OK);
+  std::size_t required = 0;
+  EXPECT_EQ(bb_curve_exact_text(&curve, t, axis, nullptr, 0, &required), BB_ERROR_COUNT);
+  std::string text(required, '?');
+  EXPECT_EQ(bb_curve_exact_text(&curve, t, axis, text.data(), required - 1, nullptr), BB_ERROR_COUNT);
+  EXPECT_EQ(bb_curve_exact_text(&curve, t, axis, text.data(), required, nullptr), BB_OK);
   EXPECT_EQ(text.back(), '\0');
   text.pop_back();
   return text;

@@ -30,7 +30,7 @@ std::span<const Scalar> finite_values(const Scalar* values, std::size_t count) {
   return result;
 }
 
-/// A curve in Bernstein form. Throws Refused for what is no curve.
+/// A curve in Bernstein form. Throws Refused for arguments that do not make a curve.
 template <class Scalar>
 CurveView<Scalar> bezier_curve(int dimension, int degree, const Scalar* points) {
   require(dimension >= 1 && dimension <= max_dimension, BB_ERROR_DIMENSION);
@@ -39,7 +39,7 @@ CurveView<Scalar> bezier_curve(int dimension, int degree, const Scalar* points) 
   return {Form::bernstein, dimension, degree, finite_values(points, values), {}};
 }
 
-/// A curve of the caller. Throws Refused for what is no curve.
+/// A curve of the caller. Throws Refused for arguments that do not make a curve.
 CurveView<double> curve_of(const bb_curve* curve);
 
 /// The same for functions that take the Bernstein form only.

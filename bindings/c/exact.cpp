@@ -70,14 +70,15 @@ int bb_curve_exact(const bb_curve* curve, const double* t, std::size_t count, do
   return c::guarded([&] { write_points(c::curve_of(curve), c::finite_values(t, count), reference::binary64, out); });
 }
 
-int bb_curve_exact_text(const bb_curve* curve, double t, int axis, char* text, std::size_t size, std::size_t* needed) {
+int bb_curve_exact_text(const bb_curve* curve, double t, int axis, char* text, std::size_t size,
+                        std::size_t* required) {
   return c::guarded([&] {
     const auto view = c::curve_of(curve);
     c::finite_values(&t, 1);
     c::require(axis >= 0 && axis < view.dimension, BB_ERROR_COUNT);
     reference::ExactCurve exact;
     const auto result = text_of(true_point(exact, view, t).coordinate(axis));
-    if (needed != nullptr) *needed = result.size() + 1;
+    if (required != nullptr) *required = result.size() + 1;
     c::require(result.size() < size, BB_ERROR_COUNT);
     c::require_pointers(text);
     std::copy_n(result.c_str(), result.size() + 1, text);

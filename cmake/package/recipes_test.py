@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """recipes_test.py [--build]: the recipes for Conan and vcpkg against the CMake files.
 
-Neither tool is needed: stand-ins for what the recipes call do as its documentation says, with the packages of this machine.
+Neither tool is required: stand-ins for what the recipes call do as its documentation says, with the packages of this machine.
 So the recipes run to their end, on the files that they take along, and a project finds what they install; whether Conan
 and vcpkg have the packages that they name is not tried. Without --build nothing is compiled: every source must be there,
 and the configuration files that the build would install.

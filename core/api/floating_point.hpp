@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Bounds and bits hold for IEEE arithmetic, one rounding for each operation that is written. This file refuses
-// compilers that are told otherwise, as far as they say so. They do not say whether a product and a sum may become one
-// operation: -ffp-contract=off, which the CMake targets and the pkg-config files carry, or `keeps_arithmetic()` in a
-// test.
+// compilers with other options, as far as they report these. They do not report whether a product and a sum may become
+// one operation: -ffp-contract=off, which the CMake targets and the pkg-config files carry, or `keeps_arithmetic()` in
+// a test.
 #pragma once
 
 #if defined(__FAST_MATH__) || (defined(_MSC_VER) && defined(_M_FP_FAST))

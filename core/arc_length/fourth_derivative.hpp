@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A bound of the fourth derivative of the speed f = |h| over a panel, from the control vectors of h.
 //
-// Derived here. Over [0, 1] let |h'| <= v, |h''| <= a, |h'''| <= j, |h''''| <= s and |h| >= l > 0. Deriving f^2 = h.h
-// again and again gives
-//   f f' = h.h'                                              |f'|    <= v
-//   f f'' = (|h'|^2 - f'^2) + h.h''                          |f''|   <= v^2 / l + a                              = F2
-//   f f''' = 3 (h'.h'' - f' f'') + h.h'''                    |f'''|  <= 3 v (a + F2) / l + j                     = F3
-//   f f'''' = 4 (h'.h''' - f' f''') + 3 (|h''|^2 - f''^2) + h.h''''
-//                                                            |f''''| <= (4 v (j + F3) + 3 F2^2) / l + s,
-// where |h'|^2 - f'^2 is between 0 and v^2, and |h''|^2 - f''^2 between -F2^2 and a^2 <= F2^2. The k-th derivative of h
-// is m (m-1) .. (m-k+1) times a mean of the k-th differences of its control vectors, so at most that times the longest
-// of these; and |h| >= h.e is at least the least h_i.e, for any unit vector e: here that along the mean of all h_i.
-// Roundings: the longest k-th difference is right to k 2^k u times the longest control vector, which is added.
+// Derived in docs/proofs/fourth_derivative.md, from bounds of the derivatives of h and a lower bound of |h|.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +23,7 @@ struct FourthDerivative {
 
 namespace detail {
 
-/// A lower bound of |h| on [0, 1]. It says nothing where it is 0 or less.
+/// A lower bound of |h| on [0, 1], trivial where it is 0 or less.
 template <int Dimension, int Degree>
 double least_size(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
   std::array<double, Dimension> mean{};

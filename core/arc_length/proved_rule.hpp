@@ -2,16 +2,8 @@
 // The Gauss-Legendre rule with the fewest points that the Chebyshev series of h proves to miss no more than is allowed
 // of the mean speed |h| on [-1, 1].
 //
-// Theory: let f be analytic inside the ellipse with foci -1 and 1 whose half-axes sum to rho, and |f| <= M there. With
-//   N points a rule misses at most 32/15 M rho^(-2N) / (1 - rho^-2) of the mean of f ([Trefethen 2013], theorem 19.3).
-//   There |T_k| <= A_k = (rho^k + rho^-k)/2.
-//   Derived here: with h = sum a_k T_k let sum_(k>0) |a_k| A_k < |a_0|. Then |h| = sqrt(h.h) is analytic, for h.h has
-//   no root. At a root the real and the imaginary part of h would be at right angles and equally long; in their plane h
-//   would be a complex number that is 0, or the conjugate of one, so that the part of a_0 in that plane is at most the
-//   sum of those of the a_k T_k. The same holds for the part at right angles to the plane, where h has none. Both
-//   together give |a_0| <= sum |a_k| A_k, by Minkowski's inequality, which contradicts the assumption. And |h| <= 2
-//   |a_0|. The part that was cut from the series changes the mean of |h| by at most its size and, the weights being
-//   positive, the rule by at most that.
+// Theory: the error of N points for a function that is analytic in an ellipse ([Trefethen 2013], theorem 19.3);
+//   docs/proofs/proved_rule.md shows that |h| is, where the first coefficient exceeds the others there.
 // Cost: one ellipse per rule, just large enough for the error that is allowed.
 // Bound: the constants are rounded up by a few u, which cover the roundings of the bound itself.
 #pragma once

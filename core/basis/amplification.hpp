@@ -5,19 +5,13 @@
 // With x = |t| and y = |1 - t|, and c >= 0 standing for |coefficient|:
 //   p~, Bernstein form     sum c_i C(n,i) x^i y^(n-i)
 //   p~, power form         sum c_j x^j
-//   Bernstein -> power     |q_j| <= sum_i n!/(i!(n-j)!(j-i)!) c_i, and summing over j with x^j leaves
-//                          sum c_i C(n,i) x^i (1+x)^(n-i); with c_i = max c this is (1+2x)^n max c
-//   power -> Bernstein     b_i = sum_j C(i,j)/C(n,j) q_j has positive weights; summing over i with C(n,i) x^i y^(n-i)
-//                          leaves sum c_j x^j (x+y)^(n-j)
-//   forward substitution   L b = q is solved with an error of at most gamma |L^-1| |L| |b|. |L| maps Bernstein
-//                          coefficients b to the power coefficients of sum b_i C(n,i) t^i (1+t)^(n-i), which is
-//                          (1+2t)^n Q(t/(1+2t)) for Q the polynomial with coefficients c; so the sum becomes
-//                          sum c_j x^j (3x+y)^(n-j), on [0,1] sum c_j t^j (1+2t)^(n-j)
+//   Bernstein -> power     sum c_i C(n,i) x^i (1+x)^(n-i)
+//   power -> Bernstein     sum c_j x^j (x+y)^(n-j)
+//   forward substitution   sum c_j x^j (3x+y)^(n-j)
 //   p~, centred form       sum c_j z^j with z = |t - 1/2|
-//   Bernstein -> centred   q_j = C(n,j) M^(n-j) D^j b_0 with midpoints M = (1 + E)/2 and differences D = E - 1 (E moves
-//                          to the next control point), so |q_j| <= C(n,j) M^(n-j) (1 + E)^j c_0 = C(n,j) 2^j M^n c_0;
-//                          summing over j with z^j leaves (1 + 2z)^n M^n c_0 = (1/2 + z)^n sum c_i C(n,i)
+//   Bernstein -> centred   (1/2 + z)^n sum c_i C(n,i)
 // For rational curves c_i stands for |w_i b_i|, and p~ is the sum for the Bernstein form over |sum w_i B_i(t)|.
+// docs/proofs/amplification.md derives them.
 #pragma once
 
 #include <algorithm>

@@ -41,7 +41,7 @@ struct ErrorBound {
   double (*factor)(int degree, double u);  ///< u is the unit roundoff: 2^-53, or 2^-24 for float
   double (*underflow)(int degree);
   bool underflow_scales_with_coefficients;
-  /// No result of an operation is larger than growth S_0 (x + y)^n, but for the roundings on the way to it, which are
+  /// No result of an operation is larger than growth S_0 (x + y)^n, except for the roundings before it, which are
   /// at most 5 (n + 1)^2. Binomials and factorials stay in range by the degrees that the method declares.
   double (*growth)(int degree) = [](int) { return 1.0; };
   bool unit_interval_only = false;     ///< proved for 0 <= t <= 1 only
@@ -55,8 +55,8 @@ constexpr double gamma_over_u(double k, double u) {
   return k * u < 0.5 ? k / (1 - k * u) : std::numeric_limits<double>::infinity();
 }
 
-/// Whether results of a method of this degree stay in range if, but for at most 5 (n + 1)^2 roundings, none is larger
-/// than `largest`: with k roundings a result is below (1 + 2 k u) times as large.
+/// Whether results of a method of this degree stay in range if, except for at most 5 (n + 1)^2 roundings, none is
+/// larger than `largest`: with k roundings a result is below (1 + 2 k u) times as large.
 constexpr bool stays_in_range(double largest, int degree, double u) {
   const double most = u > 0x1p-53 ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
   return largest * (1 + 10.0 * (degree + 1) * (degree + 1) * u) <= most;

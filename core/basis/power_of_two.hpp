@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The powers of two of a floating-point format that fixed-point arithmetic in it needs. Types that are no
+// The powers of two of a floating-point format that fixed-point arithmetic in it needs. Types that are not a
 // floating-point format of the processor have functions of the same names of their own, or compute exactly.
 #pragma once
 

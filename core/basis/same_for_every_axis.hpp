@@ -9,18 +9,18 @@
 
 namespace bezierbench {
 
-/// The base of conversions and evaluators whose work per curve is arithmetic on coefficients, the same on every axis,
-/// and which take a curve of `viewed` degree. A kernel then copies no curve before it, and converts all axes of a
-/// coefficient at once. Without this base a kernel copies the curve and goes axis by axis, with the same bits.
+/// The base of conversions and evaluators whose work per curve is the same arithmetic on every axis, and which accept a
+/// view of a curve. A kernel then copies no curve, and converts all axes of a coefficient at once. Without this base a
+/// kernel copies the curve and goes axis by axis, with the same bits.
 struct SameForEveryAxis {};
 
 template <class Method>
 concept IsSameForEveryAxis = std::is_base_of_v<SameForEveryAxis, Method>;
 
-/// The degree, as a template argument, of a curve whose coefficients lie elsewhere; the curve knows it at run time.
+/// The template argument `Degree` of a view of a curve, whose degree is known at run time.
 inline constexpr int viewed = -2;
 
-/// The same of what is computed from a curve.
+/// Degree of what is computed from a curve and owns its storage: dynamic for a view.
 template <int Degree>
 inline constexpr int computed_degree = Degree == viewed ? dynamic : Degree;
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """What is compiled for one target must not be called on a lesser processor. Of an inline function that several
-translation units share the linker keeps one copy, perhaps the one with instructions that this processor lacks; so the
-objects of a target may define only names that bear the target's, or nobody else would.
+translation units share the linker keeps one copy, perhaps the one with instructions that this processor does not have;
+so the objects of a target may define only names that contain the target's, or that no other unit defines.
 
 leaks_test.py NM OBJECT...    prints one line per name that leaks and exits 1 if there is any.
 """

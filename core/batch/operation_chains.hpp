@@ -90,8 +90,8 @@ class Chains {
 template <Operation...>
 struct OperationList {};
 
-/// Of these, 12 chains hide the latency of the pipelined kinds: two of four cycles start in a cycle. Divisions and
-/// square roots are hardly pipelined.
+/// 12 chains hide the latency of the pipelined kinds: it is 4 cycles, and 2 operations are issued in a cycle. Divisions
+/// and square roots are hardly pipelined.
 template <class S, std::size_t Lanes, Operation... Kinds>
 constexpr OperationWorks<S> works_of(OperationList<Kinds...> /*kinds*/) {
   constexpr bool many_registers = HWY_TARGET != HWY_AVX2;

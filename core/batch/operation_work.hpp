@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fixed work of single kinds of operations, in vectors of each width that a target has: what a processor takes for it
-// says what the operations of a method must take at least.
+// Fixed work of single kinds of operations, in vectors of each width that a target has. The times of this work are
+// lower limits for every method with these operations.
 #pragma once
 
 #include <array>

@@ -31,7 +31,7 @@ struct BarycentricState {
 /// An evaluator, the type of its prepared state (`State::Prepared`), and the number of vectors that its inner loop
 /// needs in registers, for each axis and for all axes together. From these follows how many vectors of points go side
 /// by side. (Horner-Bernstein's t and 1-t are only read and may come from memory: four vectors instead of two make it a
-/// tenth faster on AVX2. Fewer than are live are stated also where divisions take the time or steps go through memory.)
+/// tenth faster on AVX2. The number is also understated on purpose where divisions or memory take the time.)
 template <class EvaluatorT, class StateT, int PerAxis, int Shared>
 struct Entry {
   using Evaluator = EvaluatorT;
@@ -48,7 +48,7 @@ struct OneCurve : EntryT {
   static constexpr bool one_curve_only = true;
 };
 
-/// Whether a kernel for one axis evaluates all axes in turn. It does for triangles, whose axes share nothing but t.
+/// Whether a kernel for one axis evaluates all axes in turn. It does for triangles, whose axes share only t.
 template <class Evaluator>
 inline constexpr bool axis_by_axis =
     PreparesNothing<Evaluator>&& instantiate::family_of(Evaluator::info) == instantiate::Family::triangle;

@@ -23,7 +23,7 @@ struct BsplineSpan {
   explicit BsplineSpan(std::span<const Scalar> of_span)
       : control_points(static_cast<int>(of_span.size()) / 2), knots(of_span) {}
 
-  /// The m + 1 control points of the B-spline curve, which are no Bernstein form.
+  /// The m + 1 control points of the B-spline curve, which are not in Bernstein form.
   Curve<Form::bernstein, Scalar, DimensionT> control_points;
   std::span<const Scalar> knots;  ///< 2m
 

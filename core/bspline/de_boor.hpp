@@ -6,7 +6,7 @@
 // Bound: gamma_5n p~. A level multiplies a path from a control point to the result by a weight, which has three
 //   roundings, and adds a product and a sum. All weights are >= 0 for t in the span, so that the paths from d_i sum to
 //   N_i(t). A weight may lose eta/2 by underflow, times a point, and a product eta/2: eta (1 + max|d|) a level.
-// Fails: nothing of its work is kept for the next t of the same span.
+// Fails: no part of its work is kept for the next t of the same span.
 #pragma once
 
 #include "core/bspline/bspline.hpp"

@@ -14,8 +14,8 @@
 //   once.
 // Bound: with M = max|b| and L = sum |l_j(t)|, the Lebesgue function of the nodes, |computed - p| <= (4n+7) u L M to
 //   first order. A term of the numerator has 2n+4 roundings (value, n in the weight, difference, quotient, product, n
-//   additions), one of the denominator 2n+2, and their quotient one ([Higham 2004], second form). This is no multiple
-//   of p~: where p~ vanishes at an end, the error need not. So `info` states no bound.
+//   additions), one of the denominator 2n+2, and their quotient one ([Higham 2004], second form). This is not a
+//   multiple of p~: where p~ vanishes at an end, the error need not. So `info` states no bound.
 // Fails: where coordinates over |t - x_j| overflow, for t next to 0 and coordinates past 2^500 (2^60 in float). The
 //   error relative to p~ grows without limit near the ends, where p~ may vanish (see the bound).
 #pragma once

@@ -92,7 +92,7 @@ TEST(Barycentric, UniformWeightsAreTheBinomialsExactlyWhenNothingRounds) {
   }
 }
 
-/// Each weight is that of the rounded nodes but for n roundings, whatever the closed form says.
+/// Each weight is that of the rounded nodes except for n roundings, whatever the closed form says.
 template <class E, class Scalar>
 void expect_weights_of_the_nodes(int n) {
   const auto prepared = zigzag<E, Scalar>(n);
@@ -169,7 +169,7 @@ double bound_used(int n, double lebesgue) {
   const double unit = Unit<Scalar>::value;
   const double numerator = gamma_over_u(2 * n + 4, unit) * unit * lebesgue;
   const double denominator = gamma_over_u(2 * n + 2, unit) * unit * lebesgue;
-  EXPECT_LT(denominator, 1) << "the bound says nothing at n = " << n;
+  EXPECT_LT(denominator, 1) << "the bound is infinite at n = " << n;
   const double allowed = (numerator + denominator) / (1 - denominator) * (1 + unit) + unit;
   reference::ExactCurve exact;
   double worst = 0;

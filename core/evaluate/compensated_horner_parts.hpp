@@ -5,16 +5,11 @@
 //   where F = K-1 is computed in plain floating point and l_K is dropped; p = sum over F of v_F + (the share of l_K).
 //   Algorithm SumK adds the v_F ([Ogita et al. 2005], Algorithm 4.8).
 // Source: the parts are those of [Hermes 2019], Algorithm 4.2, for Horner's scheme in place of the triangle; K = 2 is
-//   compensated_horner. [Cameron and Graillat 2024] reach the same accuracy with parts that every step sums anew, by 58
-//   and 115 flops a step for K = 3 and 4, [Graillat et al. 2009] with 2^K - 1 schemes.
+//   compensated_horner. [Cameron and Graillat 2024] reach the same accuracy with parts that every step sums again, by
+//   58 and 115 flops a step for K = 3 and 4, [Graillat et al. 2009] with 2^K - 1 schemes.
 // Cost: each method states its own.
-// Bound: u |p| + c_K u^K p~, for any t. Weigh the values of step m by |t|^(n-m); V_F,m and L_F,m are |v_F| and the sum
-//   of the magnitudes in l_F with this weight. The two errors of v_0 are at most u times the product and the result,
-//   whose magnitudes are at most (1 + gamma_2)^m p~. F + 1 errors go into v_F, F > 0, and pass at most F + 1 sums; the
-//   product passes two roundings. So remainder_of_parts in compensated_parts.hpp holds with these numbers. To first
-//   order it gives c_2 = 2n(n+1), for n > 1 below that of compensated_horner, c_3 = 8 C(n+1,3) + 12 C(n+1,2) and c_4 =
-//   16 C(n+1,4) + 56 C(n+1,3) + 48 C(n+1,2). Each of K products a step may lose eta/2; this is doubled for what these
-//   losses lose in turn.
+// Bound: u |p| + c_K u^K p~, for any t, with c_K from `remainder_of_parts` in compensated_parts.hpp; derived in
+//   docs/proofs/compensated_parts.md. To first order c_2 = 2n(n+1).
 // Fails: each method states its own.
 #pragma once
 

@@ -45,8 +45,8 @@ constexpr PartSizes<K> after_steps(int n, double u, PartSizes<K> sizes) {
   return sizes;
 }
 
-/// The largest (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~, but for underflow, of K parts after n steps; V_0
-/// begins as the bound of `ahead` steps.
+/// The remainder of the bound of K parts after n steps, over p~ and without underflow:
+/// (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~ is at most this. V_0 begins as the bound of `ahead` steps.
 template <int K, class Roundings>
 constexpr double remainder_of_parts(int n, double u) {
   PartSizes<K> first{{1}, 0};

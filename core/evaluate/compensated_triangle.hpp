@@ -7,18 +7,8 @@
 //   Algorithm SumK adds the v_F ([Ogita et al. 2005], Algorithm 4.8); plain addition would round at u |v_1|.
 // Source: [Hermes 2019], Algorithm 4.2; for K = 2 [Jiang et al. 2010].
 // Cost: each method states its own.
-// Bound: u |p| + c_K u^K p~, for any t. Weigh the values of a level by the Bernstein polynomials of the levels above,
-//   in magnitude; V_F,m and L_F,m are the sums of |v_F| and of the magnitudes in l_F with these weights. A term of l_F
-//   passes at most 5F roundings on its way into v_F, the products three (s, product, sum), hence
-//     L_1,m     <= gamma_3 V_0,m-1
-//     V_F,m     <= (1 + gamma_3) V_F,m-1 + (1 + gamma_5F) L_F,m
-//     L_(F+1),m <= gamma_5F L_F,m + gamma_3 V_F,m-1
-//   from V_0,0 = p~, and the dropped part is at most the sum of L_K,m over m. `compensated_remainder` runs this; to
-//   first order it gives the constants of [Hermes 2019]: c_2 = 9 C(n,2) + 15 n, which is below the 2 gamma_3n^2 of
-//   [Jiang et al. 2010], Theorem 5, c_3 = 27 C(n,3) + 135 C(n,2) + 150 n and c_4 = 81 C(n,4) + 810 C(n,3) +
-//   2475 C(n,2) + 2250 n. SumK adds 3 gamma_(K-1)^2 |p| + gamma_(2K-2)^K sum V_F for K > 2 ([Ogita et al. 2005],
-//   Proposition 4.10); for K = 2 it is one addition. Each of 3K-1 products a level may lose eta/2; this is doubled for
-//   what these losses lose in turn.
+// Bound: u |p| + c_K u^K p~, for any t, with c_K from `compensated_remainder`; derived in
+//   docs/proofs/compensated_parts.md. To first order c_2 = 9 C(n,2) + 15 n.
 // Fails: each method states its own.
 #pragma once
 
@@ -37,7 +27,7 @@ struct TriangleRoundings {
   static constexpr int ahead = 0;
 };
 
-/// The largest (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~, but for underflow: c_K u^K and the share of SumK.
+/// The largest (|computed - p| - (u + 3 gamma_(K-1)^2) |p|) / p~, without underflow: c_K u^K and the share of SumK.
 template <int K>
 constexpr double compensated_remainder(int n, double u) {
   return remainder_of_parts<K, TriangleRoundings>(n, u);

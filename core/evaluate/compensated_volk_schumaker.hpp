@@ -39,7 +39,7 @@ constexpr CorrectedPair operator*(const CorrectedPair& a, const CorrectedPair& b
 }
 
 struct CompensatedVolkSchumaker : SameForEveryAxis {
-  /// A power by squaring, base.error included: result.value + result.error = base^exponent but for second order.
+  /// A power by squaring, base.error included: result.value + result.error = base^exponent to first order.
   template <class Scalar>
   static Expansion2<Scalar> power(const Expansion2<Scalar>& base, int exponent) {
     return power_by_squaring<Expansion2<Scalar>>(base, exponent, {Scalar(1), Scalar(0)}, product<Scalar>);

@@ -7,28 +7,9 @@
 //   [de Dinechin et al. 2013] (the test).
 // Cost: 10dn + 10d + about 8 log2 n + 12 flops per point, two of them divisions, where the pair decides: all but about
 //   2^-38 max|b| / |p| of random points at n = 20. The integers take microseconds there.
-// Bound: u |p|, and eta/2 where the result is subnormal: it is correctly rounded. The bound of the pair is derived
-//   here: e = 2 (q + k) u^2 max|b|. Let A be Horner's sum of |C(n,i) b_i| with the exact ratio, up to the step in
-//   question; at the end A L^n = p~ <= max|b|. All terms are to first order in u; the factor 2 is for the others,
-//   because no value passes more than 8n roundings and (1 + u)^(8n) < 3/2.
-//   L: 1-t is exact for t >= 1/2, else it has an error part of at most u L.
-//   r: with R = t - r L.value, exact by a fused step, the exact ratio is r + (R - r L.error) / L. This correction, at
-//   most 2 u r, is rounded by the fused step, 1/L.value, the product and L.value for L: the pair misses 8 u^2 r.
-//   c_i: the fused product is exact. The sum of its error and of the product with the low part of the binomial (u each)
-//   is rounded, and so are this product and the low part; the binomial pair misses q_b u^2. In all 4 + q_b.
-//   A step adds u A for its product, u A for its sum, 2 u A for r and 2 u A for c_i to the error part, which is at most
-//   k u A with k = 6j after j of n + 1 steps. It misses (8 + 4 + q_b) u^2 A for r and c_i. Of the operations on the
-//   error part, the fused part of two_sum rounds at most 3 u A, the sum of both parts 2 u A, the correction 4 u A,
-//   their sum 6 u A and the last fused step k u A; error times the error part of r, 2 k u^2 A, is dropped. All steps
-//   together miss at most q_1 u^2 A with q_1 = (27 + q_b) (n+1) + 9 (n+1) (n+2). (Both parts of two_sum are exact
-//   differences, [Knuth 1997], section 4.2.2, so that adding the product's own error to one of them rounds once.)
-//   The power, and the product of it and the sum: `CorrectedPair` of compensated_volk_schumaker.hpp.
-//   Underflow: an operation loses at most eta, which the steps after it multiply by at most r^i L^n <= 1 in all; e is
-//   larger by 2^900 (in float 2^80). Overflow: A <= 2 max|b| / L^n.
-// Keeps: what the exact p has and rounding, which is monotone and keeps numbers, does not lose. ends_exact, finite,
-//   constant_reproduced, in_hull: p lies between control points, which are numbers. monotone: p is, with its control
-//   points. reversal: p is the same. axes_independent: a coordinate depends on its exact value only. scaling_by_two:
-//   for b_i multiples of beta, t of tau and beta tau^n >= eta, p is a multiple of eta, and exact where it is subnormal.
+// Bound: u |p|, and eta/2 where the result is subnormal: it is correctly rounded. That of the pair is
+//   e = 2 (q + k) u^2 max|b|, derived in docs/proofs/correctly_rounded.md.
+// Keeps: all properties that the exact p has and monotone rounding does not lose; proved there, too.
 // Fails: where the curve is subnormal, or p cancels to below 2^-38 max|b|, a point takes microseconds. t outside [0,1]
 //   is outside its domain and gives NaN.
 #pragma once
@@ -109,7 +90,7 @@ struct CorrectlyRounded {
     return static_cast<Number>(std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52));
   }
 
-  /// a b as a pair, but for second order.
+  /// Product of two pairs, to first order.
   template <class Scalar>
   static Expansion2<Scalar> product(const Expansion2<Scalar>& a, const Expansion2<Scalar>& b) {
     const auto value = two_prod<Scalar>(a.value, b.value);

@@ -66,7 +66,7 @@ Scalar in_unit_interval(const Scalar& t) {
   return select(Scalar(0) <= t, select(t <= Scalar(1), t, undecided<Scalar>()), undecided<Scalar>());
 }
 
-/// `result`, or what `settle` says of t where it is undecided. Scalars without a value are never that.
+/// `result`, or what `settle` says of t where it is undecided. Counting scalars are never undecided.
 template <class Scalar, class Settle>
 Scalar or_else(const Scalar& result, const Scalar& t, const Settle& settle) {
   if constexpr (std::floating_point<Scalar>)
@@ -167,7 +167,7 @@ Scalar settled_by_p_tilde(const AxisState<Scalar>& axis, Scalar t, Form form);
 template <class Scalar>
 Scalar settled(const AxisState<Scalar>& axis, Scalar t, Form form);
 
-/// What is prepared: the coefficients of the pair, and all that is needed where it does not decide.
+/// What is prepared: the coefficients of the pair, and all that is required where it does not decide.
 template <Form F, class Scalar, int Dimension, int Degree>
 struct RoundedState {
   using Coefficients = Curve<F, Scalar, Dimension, Degree>;
@@ -193,7 +193,7 @@ auto rounded_point(const State& prepared, const Scalar& t) {
   constexpr int dimension = State::Coefficients::dimension;
   const auto sums = E::template pairs<dimension>(prepared, in_unit_interval<Scalar>(t));
   Point<Scalar, dimension> point;
-  // First for all axes, so that nothing that the scheme keeps in registers is needed after a call.
+  // First for all axes, so that nothing that the scheme keeps in registers is used after a call.
   each_axis<dimension>(
       [&](auto axis) { point[axis] = decided<Scalar>(std::get<axis>(sums), prepared.rounding[axis]); });
   each_axis<dimension>([&](auto axis) {

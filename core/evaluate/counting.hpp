@@ -18,7 +18,7 @@ struct Tape {
 };
 inline thread_local Tape tape;
 
-/// When a number is known that t has no part in.
+/// When a number that does not depend on t is known.
 inline constexpr double always = -std::numeric_limits<double>::infinity();
 
 /// A number that counts the operations on it. Its value decides the branches of a method.

@@ -4,13 +4,7 @@
 // Cost: 3 d n(n+1)/2 + 1 flops per point.
 // Bound: gamma_3n p~: a level costs at most three roundings (1-t, product, sum); gamma_2n p~ where 1-t is exact. Two
 //   products a level may underflow, by eta/2 each.
-// Keeps: ends_exact: at t = 0 a step is 1 a + 0 b = a, at t = 1 it is 0 a + 1 b = b. reversal: where 1-t is exact, the
-//   reversed points at 1-t exchange the two products of every step, and a sum does not depend on the order of its two
-//   terms. finite: let the range end at 1, so that W = 1 - u is the largest number; sums round to infinity from 1 - u/2
-//   on. fl(t W) <= t W: with g the last place of t (of a subnormal one as if it were normal, for t W is), u t is in
-//   [g/2, g), so that t - u t rounds to t - g, or is a number where t is a power of two. So a step is at most (s + t) W
-//   before it is rounded, where the rounded 1-t is s <= 1 - t + u/2, and (1 + u/2) (1 - u) < 1 - u/2. The rest in
-//   triangle_scheme.hpp.
+// Keeps: ends_exact, reversal, finite, and what all variants do: docs/proofs/de_casteljau.md.
 // Fails: its cost is quadratic. The rounding of 1-t makes the error at small t three times that at t near 1.
 #pragma once
 

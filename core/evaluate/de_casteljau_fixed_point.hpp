@@ -5,28 +5,10 @@
 //   fl(s h - s l), and X is fl(C + fl(s h - s l)), or the number below it where else p would exceed h.
 // Source: derived here. Adding a power of two leaves multiples of its last place: [Rump et al. 2008], section 3.
 // Cost: 1 subtraction and 1 fused multiply-add, d (n(n+1)/2 + 1) times per point, and two comparisons of t.
-// Bound: none relative to p~, but u |p| + (2n+4) u (1 + 4u) (h - l), and n eta/2 where h - l is subnormal. All x_i^k
-//   lie in [C, 2C], where numbers are the multiples of g = 2 u C. fl(s b_i - s l) misses at most g/2, and C + fl(...)
-//   another g/2. Where X is taken instead, X + g is above C + s (h - l), so that X misses at most g, too. Each of the
-//   n steps rounds by g/2 and makes no error of its operands larger. In all (n + 2) u C, and C < 2 s (h - l) (1 + u).
-//   The last operation rounds once. Where s b_i or s l is subnormal for s = 1/8, h - l is so large that 2u of 4u cover
-//   it.
-// Keeps: a step: the numbers of the triangle are multiples of g in [C, 2C]. So their differences are exact, and a step
-//   is (1-t) a + t b rounded once to a multiple of g, ties to even. g >= eta, so that subnormal differences are exact.
-//   in_hull: rounding is monotone, hence fl(s b_i - s l) >= 0, x_0^n >= C and p >= l; and x_0^n <= X, for which p <= h:
-//   fl(C + fl(s h - s l)) <= C + s (h - l) + g, so that one number below is enough. constant_reproduced: l = h.
-//   ends_exact: by choice. finite: |s b_i| <= 2^1021 (2^125 in float), hence C <= 2^1022, and no operation of the
-//   triangle overflows; p is in the hull.
-//   monotone: let the b_i ascend; then the x_i do. For a <= b the real (1-t) a + t b ascends in a, b and t, and so does
-//   the rounded one; it lies in [a, b], whose ends are multiples of g. By induction the x_i^k ascend in i, since
-//   x_i^k <= x_(i+1)^(k-1) <= x_(i+1)^k, and in t. x_0^n - C is exact, and p ascends with it. It lies between l = b_0
-//   and h = b_n, the values at the ends. For descending b_i all of this holds the other way round.
-//   reversal: l, h, s, C and X are the same. Where 1-t is exact, a step of b and a at 1-t rounds the same real number.
-//   axes_independent: a coordinate is computed from its own axis and t. total: t outside gives b_0 or b_n.
-//   scaling_by_two: let b_i be multiples of beta and t of tau with beta tau^n >= eta. While s stays and C doubles, all
-//   results double; those that can be subnormal are multiples of eta, and exact. Where C is the least normal number
-//   before and after, or before only, all numbers of the triangle are exact: they are multiples of beta tau^k. If s
-//   changes, s b_i or s l may round where it is subnormal; but then C is so large that no x_i changes by that.
+// Bound: none relative to p~, but u |p| + (2n+4) u (1 + 4u) (h - l), and n eta/2 where h - l is subnormal.
+//   docs/proofs/de_casteljau_fixed_point.md has the proof.
+// Keeps: ends_exact, constant_reproduced, in_hull, monotone, reversal, scaling_by_two, axes_independent, finite, total,
+//   because a step is (1-t) a + t b rounded once; proved there, too.
 // Fails: a result far smaller than h - l has few correct bits. The points -b_i need not give -p. t outside [0,1] gives
 //   the nearer end.
 #pragma once

@@ -10,7 +10,7 @@
 //   with its rounding e, for a >= 0 say, and the exact outer sum is at most t W + (1-t) a + e. Below the binade of W
 //   the inner result has e <= q/4. In that binade e <= q/2, and W + q/2 is reached only for a = W and e = q/2: then
 //   (1-t) (2^p - 1), for the precision p, is an odd multiple of 1/2; since 2^p - 1 is odd, t = 1/2, and (1-t) W is
-//   exact. The rest in triangle_scheme.hpp.
+//   exact. The rest: docs/proofs/de_casteljau.md.
 // Fails: its cost is quadratic. It is slow where fused multiply-add is emulated.
 #pragma once
 

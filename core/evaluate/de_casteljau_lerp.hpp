@@ -4,7 +4,7 @@
 // Cost: 3 d n(n+1)/2 flops per point.
 // Bound: none relative to p~: where |a| is far larger than the result, p~ does not cover the rounding of b - a.
 // Keeps: constant_reproduced: b - a is 0. monotone for n = 1: b_0 + t (b_1 - b_0) rounds three times, each time a
-//   monotone function of t. The rest in triangle_scheme.hpp.
+//   monotone function of t. The rest: docs/proofs/de_casteljau.md.
 // Fails: it misses the end point b_n at t = 1. b - a can overflow although the result does not.
 #pragma once
 

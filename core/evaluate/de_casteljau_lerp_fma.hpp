@@ -4,7 +4,7 @@
 // Cost: 1 subtraction and 1 fused multiply-add, d n(n+1)/2 times.
 // Bound: none relative to p~: where |a| is far larger than the result, p~ does not cover the rounding of b - a.
 // Keeps: constant_reproduced: b - a is 0. monotone for n = 1: b_0 + t d is rounded once, and rounding is monotone. The
-//   rest in triangle_scheme.hpp.
+//   rest: docs/proofs/de_casteljau.md.
 // Fails: it misses the end point b_n at t = 1. b - a can overflow although the result does not.
 #pragma once
 

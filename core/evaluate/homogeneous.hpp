@@ -4,12 +4,8 @@
 // Source: [Farin 1983].
 // Cost: that of the polynomial method in d + 1 dimensions, and d divisions.
 // Bound: (1 + u)^2 (1 + phi) / (1 - phi) - 1 times p~, for weights >= 0 and 0 <= t <= 1, with phi = factor u of the
-//   polynomial method. The roundings of w_i b_i and phi change the numerator N by (u + phi (1 + u)) sum w_i |b_i| B_i
-//   and the denominator W by phi W, and the quotient rounds once. For phi = gamma_k this is gamma_(2k+2).
-//   With e_N and e_W lost to underflow in N and W, phi and e_W / W at most 1/8, underflow adds at most
-//   (1.3 e_W p~ / W + e_N / W) (1 + u) / (1 - phi - e_W / W) < 2 (e_W p~ + e_N) / W, and eta / 2 in the quotient.
-//   Where the polynomial method states no bound (barycentric, Wang-Ball), none follows. An error of theirs that is
-//   relative to max|b| is relative to max w_i max|b| / W here.
+//   polynomial method; the proof, with underflow, is in docs/proofs/homogeneous.md. Where that states no bound, none
+//   follows.
 // Fails: w_i b_i overflows or underflows where b_i would not. Outside [0,1] or with weights of both signs W may cancel.
 #pragma once
 

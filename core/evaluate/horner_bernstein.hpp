@@ -9,8 +9,8 @@
 //   sum_(j<=i) C(n,j) |t|^j |1-t|^(i-j) max|b|, and C(n,j) <= C(n,i) C(i,j) makes it C(n,i) (|t| + |1-t|)^i max|b|.
 // Keeps: ends_exact: at t = 0 every step is p 1 + c_i 0 = p = b_0, at t = 1 the last one is p 0 + c_n 1 = b_n.
 //   axes_independent: a coordinate is computed from its own axis and t. scaling_by_two: t^i, c_i t^i and p of step i
-//   are multiples of tau^i and beta tau^i as in triangle_scheme.hpp, and at most 2^n max|b|. total: no number is larger
-//   than (2 (1 + |t|))^n (1 + u)^(4n) max(1, |b|). reversal and finite for n = 1: that is a step of
+//   are multiples of tau^i and beta tau^i as in docs/proofs/de_casteljau.md, and at most 2^n max|b|. total: no
+//   number is larger than (2 (1 + |t|))^n (1 + u)^(4n) max(1, |b|). reversal and finite for n = 1: that is a step of
 //   de_casteljau.
 // Fails: C(n,i) b_i overflows at high degrees (always past 1029, in float past 131). t^i underflows for large n.
 #pragma once

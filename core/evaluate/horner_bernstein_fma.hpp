@@ -6,7 +6,7 @@
 // Bound: gamma_(2n+2) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i, i-1 in t^i, 1
 //   product, 1 fused step and 2 per later step (1-t and the step). The most are 2n + 1 + binomial roundings, for i = 1.
 //   Underflow as for horner_bernstein.
-// Keeps: as horner_bernstein, but for reversal. finite for n = 1: as in de_casteljau, with s W exact.
+// Keeps: as horner_bernstein, except for reversal. finite for n = 1: as in de_casteljau, with s W exact.
 // Fails: as horner_bernstein.
 #pragma once
 

@@ -21,7 +21,7 @@ void fill(const CurveView<Scalar>& view, Curve<F, Scalar, Dimension>& curve) {
     fill(view, curve.points);
     for (int i = 0; i <= view.degree; ++i) curve.weights[i] = view.weights[static_cast<std::size_t>(i)];
   } else {
-    // Whole points, as they are read afterwards: a vector that was written in parts is slow to read.
+    // Whole points, as they are read afterwards: partial stores defeat store-to-load forwarding.
     using Coefficient = Axes<Scalar, Dimension>;
     const Scalar* from = view.coefficients.data();
     Scalar* to = &curve(0, 0);

@@ -9,13 +9,13 @@
 
 namespace bezierbench {
 
-/// Coefficient i of an axis, counted from the start or from the other end.
+/// Coefficient i of an axis from the start, or from the other end.
 template <class Scalar, int Dimension, int Degree>
 Scalar counted(bool from_start, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, int axis, int i) {
   return curve(axis, from_start ? i : curve.degree() - i);
 }
 
-/// The curve, or the same curve run through backwards.
+/// The curve, or the curve with its control points in reverse order.
 template <class Scalar, int Dimension, int Degree>
 Curve<Form::bernstein, Scalar, Dimension, Degree> seen(bool from_start,
                                                        const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {

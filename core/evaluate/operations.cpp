@@ -34,13 +34,13 @@ Curve<F, Counting, Dimension> some_curve(int degree) {
   return curve;
 }
 
-/// A parameter that is no node and no end point.
+/// A parameter that is neither a node nor an end point.
 Counting some_parameter() {
   constexpr double time_of_t = 0;
   return Counting::input(0x1.2bec333018867p-2, time_of_t);  // 1 - sqrt(1/2)
 }
 
-/// Methods on homogeneous coordinates with these, the weight among them, in one vector.
+/// Homogeneous<Method> with coordinates and weight in one vector.
 template <class Method>
 struct InOneVector {
   template <class Scalar>

@@ -107,7 +107,7 @@ TEST(Operations, AreKnownOfEveryMethodAtTheLimitsOfItsDegrees) {
       }
 }
 
-// No evaluator takes a square root; a scalar that counts does all the same.
+// No evaluator takes a square root; a counting scalar nevertheless has one.
 TEST(Counting, KnowsEveryKind) {
   using counting::Counting;
   counting::tape = {{}, {{1, 10, 100, 1000, 10000}}};

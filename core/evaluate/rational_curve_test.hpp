@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // For tests of schemes in other bases: curves of one coordinate over any scalar, rational numbers included, and the
-// test that nothing but rounding sets a scheme apart from de Casteljau's.
+// test that only rounding distinguishes a scheme from de Casteljau's.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -5,26 +5,9 @@
 // Source: the cubic in [Lin et al. 2021] and [Yuksel 2024]. Higher degrees are derived here: p = sum z^j ((1-t) a_j +
 //   t a_(n-j)) is the symmetric power form of [Sanchez-Reyes 1997]; s_j = a_0 + ... + a_j makes it interpolations.
 // Cost: 3dn + 2 flops per point for odd n, 3dn - d + 2 for even n, O(d) memory; `prepare` takes about (1 + d) n^2/2.
-// Coefficients: with y = 1-t, y^2 = y - z, hence y^L = y U_(L+1) - t z U_(L-1) for U_(L+1) = U_L - z U_(L-1), U_0 = 0,
-//   U_1 = 1. B_k = C(n,k) z^k y^(n-2k) and its mirror image give, with S_i(L) = [z^i] U_L/(1-z),
-//     s_j = sum over k <= j of S_(j-k)(n+1-2k) r_k,  r_k = C(n,k) b_k - C(n,k-1) b_(n+1-k),  j < n/2,
-//     S_i(L+1) = S_i(L) - S_(i-1)(L-1),  and for n = 2m  s_m = sum (-1)^(m-k) C(n,k) b_k.
-//   S_i(L) is -1, 0 or 1 for L <= 2i+2 and at most 1 from (-1)^i for L = 2i+3. Beyond, both terms of the recurrence
-//   have the sign of (-1)^i: nothing cancels, and S has a relative error of gamma_n.
-// Bound: gamma_(4n+6) (1+sqrt 2)^n (1/2 + |t-1/2|)^n sum C(n,k) |b_k| on [0,1], and n more roundings past n = 54. A
-//   term of s_j has n roundings in S, 2 products, a difference and n/2 sums. L_j rounds 3 times, its step 5 times, for
-//   0 <= z <= 1/4: the error u |L_j| + gamma_5 z |L_j| of a step is below gamma_5 (1-z) |L_j|. Together 4n + 6. What
-//   they multiply is the sum of all magnitudes, where b_k counts by sum z^j ((1-t) |W_jk| + t |W_(n-j)k|), W_jk its
-//   weight in s_j. Over mu^n, mu = max(t, 1-t), this falls with mu, so 1/2 is the worst. There sum |[z^i] U_L| 4^-i =
-//   U_L(-1/4) leaves C(n,k) (2/3) 2^n 4^-k (a^(n-2k) + (1-a)^(n-2k)), a = (1+sqrt 2)/2, and C(n,k) more for even n.
-//   |S_i(L)| is at most the sum of all |[z^i] U_L|, the L-th Fibonacci number, so |s_j| at most that sum over k of
-//   C(n+1,k) F_(n+1-2k) max|b| <= 5^((n+1)/2) max|b| / 1.61, and c - L_j twice that, below 3 sqrt(5)^n max|b|.
-//   `prepare` may lose (n+1) eta, the steps 2 eta; this is doubled. z loses nothing: where it is subnormal it is t.
-// Keeps: ends_exact: at t = 0 and 1 z is 0, and L_0 is b_0 or b_n. axes_independent: a coordinate is computed from its
-//   own axis and t. scaling_by_two: the weights are whole numbers, so s_j, L_j and c of depth j are multiples of beta,
-//   beta tau and beta tau^(n-2j) as in triangle_scheme.hpp, and at most 4^n max|b|. total: for x = |t| and y = 1 + |t|,
-//   |z| <= x y and 1 + |z| <= y^2 make no number larger than y^n sum |W| max|b| <= (4 y)^n max|b|. reversal and finite
-//   for n = 1: that is a step of de_casteljau.
+// Bound: gamma_(4n+6) (1+sqrt 2)^n (1/2 + |t-1/2|)^n sum C(n,k) |b_k| on [0,1], and n more roundings past n = 54.
+//   docs/proofs/seiler.md derives it, the coefficients s_j and what the method keeps.
+// Keeps: ends_exact, axes_independent, scaling_by_two, total; reversal and finite for n = 1.
 // Fails: constants are lost to rounding. The points s_j grow like 2.2^n, and their rounding costs a factor of 1.41^n at
 //   t = 1/2, where z^j takes most of it back.
 #pragma once

@@ -74,7 +74,7 @@ class SmallFloat {
     const double unit = spacing(value);
     const double scaled = value / unit;
     double whole = std::nearbyint(scaled);
-    if (std::abs(scaled - std::trunc(scaled)) == 0.5 && error != 0 && std::isfinite(error))  // a tie, but for the error
+    if (std::abs(scaled - std::trunc(scaled)) == 0.5 && error != 0 && std::isfinite(error))  // a tie without the error
       whole = error > 0 ? std::ceil(scaled) : std::floor(scaled);
     const double result = whole * unit;
     return std::abs(result) >= std::ldexp(1.0, HighestExponent + 1)

@@ -2,15 +2,8 @@
 // The triangle of de Casteljau: b_i^k = step(b_i^(k-1), b_(i+1)^(k-1)), p(t) = b_0^n. Its variants differ in the step
 // only, so they share this loop.
 //
-// What all variants keep, because their steps are sums, differences and products with t or the rounded 1-t:
-//   axes_independent: a coordinate is computed from its own axis and t.
-//   scaling_by_two: let b_i be multiples of beta and t one of tau, powers of two up to 1 with beta tau^n >= eta. The
-//     rounded 1-t is a multiple of tau, since rounding keeps multiples of a power of two >= eta. Products, sums and
-//     results of level k are multiples of beta tau^k >= eta then, so that results below the normal numbers are exact,
-//     and doubling the points doubles the result of every operation. A level makes no number larger than 4 max|b|.
-//   total: a step makes |result| <= (1 + 2 |t|) (1 + u)^4 max(|a|, |b|) < 4 (1 + |t|) max(|a|, |b|), which is in range.
-// An infinity or NaN reaches the result: each step is infinite or NaN where one of its operands or operations is. So in
-// proofs about finite results no operation overflows.
+// All variants keep axes_independent, scaling_by_two and total, because their steps are sums, differences and products
+// with t or the rounded 1-t; docs/proofs/de_casteljau.md has the proof.
 #pragma once
 
 #include "core/evaluate/evaluator.hpp"

@@ -4,20 +4,11 @@
 //     a = (1-t) v_i + t c,  b = (1-t) c + t v_(n-i),  c = (1-t) a + t b;  c starts as v_m or (1-t) v_m + t v_(m+1).
 // Source: [Wang 1987]; [Phien and Dejdumrong 2000]; method RWB of [Fuda et al. 2024].
 // Cost: 9dn/2 + 1 flops per point, O(d) memory; `prepare` takes about (3 + 4d) n^2/4.
-// Coefficients: derived here. With z = 2t(1-t), p = (1-t)^2 F(z) + t^2 G(z) has v_i = [z^i] F and v_(n-i) = [z^i] G for
-//   i <= n/2. Solved with its mirror image, F = ((1-t)^2 p(t) - t^2 p(1-t)) / ((1-z)(1-2t)). For B_k and B_(n-k) this
-//   is made of the polynomials U_L = ((1-t)^L - t^L) / (1-2t), U_(L+1) = U_L - z/2 U_(L-1). With S_i(L) = [z^i]
-//   U_L/(1-z):
+// Coefficients: with S_i(L+1) = S_i(L) - S_(i-1)(L-1)/2, S_i(0) = 0 and S_i(1) = 1,
 //     v_i = sum over k <= n/2 of C(n,k) 2^-k (S_(i-k)(n-2k+2) b_k - S_(i-k-2)(n-2k-2)/4 b_(n-k)),
-//     S_i(L+1) = S_i(L) - S_(i-1)(L-1)/2,  S_i(0) = 0,  S_i(1) = 1.
-//   S_i(L) has the sign of (-1)^i up to i = L/2 - 2, so that nothing cancels there; beyond, every S_i(L) is 0 or a
-//   power of two. So each weight V_ik of b_k in v_i has a relative error of a few n u. Two other ways cancel: inverting
-//   the matrix of the A_i, and subtracting one A_i after the other from p. Their error is 1e21 u max|b| at n = 50,
-//   where that of these formulas is 1e7 u max|b|.
-// Bound: gamma_(5n+5) sum_k |b_k| sum_i |V_ik| A_i(t) on [0,1], and n more roundings past n = 54: n+1 in S, 2 products,
-//   n+2 additions, 3n in the evaluation. This is about 1.41^n max|b| at the worst t. It is no multiple of an
-//   amplification in core/basis/error_bound.hpp (b_n has a part in v_2, which counts like t^2 near 0), so `info` states
-//   none.
+//   derived in docs/proofs/wang_ball.md. Each weight V_ik of b_k in v_i has a relative error of a few n u.
+// Bound: gamma_(5n+5) sum_k |b_k| sum_i |V_ik| A_i(t) on [0,1], and n more roundings past n = 54; about 1.41^n max|b|
+//   at the worst t. It is not a multiple of an amplification in core/basis/error_bound.hpp, so `info` states none.
 // Fails: the coefficients grow like 1.7^n, and their rounding costs a factor of 1.41^n: all digits by about n = 110.
 #pragma once
 

@@ -3,14 +3,8 @@
 //   h = h_(k-1): Q_k = ((1-t)/D) Q_(k-1) + (r_k t h/D) b_k. Nothing is subtracted.
 // Source: [Wozny and Chudy 2020], remark on the accuracy of 1 - h_k.
 // Cost: n (5 + 3d) + 2 flops per point, 2n + 1 of them divisions; O(d) memory; per curve 4n.
-// Bound: gamma_((4.5n+2)(n+1)) p~ for weights > 0 and 0 <= t <= 1. r_k has 3 roundings. Let h_(k-1) have e_(k-1). For
-//   t <= 1/2 the numerator has e_(k-1) + 7 (quotient of t and the rounded 1-t, r_k, two products) and its complement 1
-//   is exact; else it has e_(k-1) + 4 and the complement 2. x / (c + x) has no more than x and c together, and 2: so
-//   e_k = 9k for both weights, and 2 more in Q_k. The weight of b_i is a product over the later steps: at most sum over
-//   k of (9k + 2), below (4.5n + 2)(n + 1).
-//   Underflow: for t <= 1/2 a step loses at most (2 + r_k) eta in the numerator, which the later ones multiply by their
-//   r; products of consecutive r_k are C(n,m) w_m / (C(n,j) w_j) <= 2^n max w / min w. For t > 1/2 the complement is 0
-//   or above u, and h_k >= C(n,k) w_k / sum C(n,j) w_j stays in range. Points lose eta a product.
+// Bound: gamma_((4.5n+2)(n+1)) p~ for weights > 0 and 0 <= t <= 1; the proof, with underflow, is in
+//   docs/proofs/wozny_chudy_positive_rational.md.
 // Fails: a weight of 0 between others makes 0/0. Outside [0,1] or with weights of both signs a denominator may vanish.
 #pragma once
 

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How far a fitted curve may be from the polyline of its data, and whether a segment stays that near.
 //
-// The tolerance limits the distance of the data from the curve. It does not limit the curve between the data: a curve
-// with long handles can pass all points and leave them in between. So each step of the polyline, from P_i to P_(i+1),
-// has a limit for the part of the curve between the parameters of its ends. With the tolerance e and the second
-// differences D_i = P_(i-1) - 2 P_i + P_(i+1) it is
-//   5/2 e + s,  s = max(|D_i|, |D_(i+1)|) / 8.
-// Every cubic C that visits all points at equal steps h of its parameter, each within e, keeps it. Since C'' is linear,
-// h^2 C'' at a visit is the second difference of the visits, which is within 4 e of D_i, and between two visits |C''|
-// is at most the larger of both values. By the error of linear interpolation C is within h^2 max |C''| / 8 of its
-// chord, and the chord is within e of the step: together 3/2 e + s. At an end of the data D_0 is 2 D_1 - D_2, because
-// C'' is linear, with an error of 12 e in place of 4 e: 5/2 e + s. So s is what the sampling leaves open, and the rest
-// is due to the tolerance.
-//
-// Steps of one length k have |D_i| <= 2 k, hence s <= k / 4. Where lengths differ, a large D_i says little of a bend:
-// at a side of a polygon beside a short step it is about that side. So s is at most a quarter of the step, and of the
-// longer one of its neighbours. And at a corner, where the data turn by more than 75.5 degrees, D_i is that of the
-// corner: it counts as 0, and the step behind the corner not as a neighbour.
+// The tolerance limits the distance of the data from the curve, not of the curve between the data. So the part of the
+// curve between the parameters of P_i and P_(i+1) has the limit 5/2 e + s, with the tolerance e and
+// s = max(|D_i|, |D_(i+1)|) / 8, D_i = P_(i-1) - 2 P_i + P_(i+1). Every cubic that visits all points at equal steps of
+// its parameter, each within e, keeps it. docs/proofs/polyline.md has the proof, and what s is for steps of different
+// lengths and at corners.
 //
 // Closed data go on at their other end. A given direction stands for a point as far before the first as the second is
 // behind it.

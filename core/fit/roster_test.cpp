@@ -191,7 +191,7 @@ TEST(Fitting, KeepsCorners) {
     }
 }
 
-/// Noise of half the tolerance is no corner.
+/// Noise of half the tolerance is not a corner.
 TEST(Fitting, SeesNoCornersInNoise) {
   Inputs inputs(5);
   Data line;
@@ -205,7 +205,7 @@ TEST(Fitting, SeesNoCornersInNoise) {
   }
 }
 
-/// Smooth data have no inner corners; in closed data the joint of the ends is no corner either.
+/// Smooth data have no inner corners; in closed data the joint of the ends is not a corner either.
 TEST(Fitting, JoinsSmoothly) {
   Data circle;  // by the rational parametrisation, counted all the way round
   for (int k = 0; k <= 64; ++k) {

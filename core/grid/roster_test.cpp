@@ -106,7 +106,7 @@ TEST(Grid, EveryPointKeepsItsBound) {
   }
 }
 
-/// Of random cubics, on grids of 64 and 4096 steps: evaluation point by point knows nothing of the number of steps.
+/// Of random cubics, on grids of 64 and 4096 steps: evaluation point by point does not depend on the number of steps.
 TEST(Grid, TheErrorOfForwardDifferencingGrowsWithTheSteps) {
   for (const auto& kernel : grid_kernels(1)) {
     Inputs inputs(5);

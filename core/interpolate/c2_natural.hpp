@@ -6,7 +6,7 @@
 //   K_i and D_i before these are rounded to a control point.
 // Source: [de Boor 1978], chapter IV, the system for any parameters; refinement by [Higham 2002], section 12.1.
 // Cost: 90 flops per point and axis; all but 7 of them belong to the refinement.
-// Bound: each control point is the exact one rounded once, but for terms of u^2; |P| <= sqrt(3) max|K|. The residuals
+// Bound: each control point is the exact one rounded once, up to terms of u^2; |P| <= sqrt(3) max|K|. The residuals
 //   that these roundings leave are at most 2 u max|K| in C1, (P1,i - K_i) - (K_i - P2,i-1); (14 - 4 sqrt(3)) u max|K|
 //   in C2, the second differences of two segments; and 4.24 u max|K| at an end; each plus 3 times the smallest double
 //   (residual_underflow). Without refinement 10 u max|K| was observed.

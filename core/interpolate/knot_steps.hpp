@@ -11,7 +11,7 @@
 
 namespace bezierbench {
 
-/// The first is what commands take unless told otherwise; spline.hpp has the reason.
+/// The first is the default of commands; spline.hpp has the reason.
 enum class Parameters { centripetal, uniform, chord };
 
 inline constexpr std::array<std::string_view, 3> parameters_names{"centripetal", "uniform", "chord"};

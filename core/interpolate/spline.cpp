@@ -97,7 +97,7 @@ std::vector<double> solved(std::vector<Row> rows) {
   return x;
 }
 
-/// Solves rows the first and last of which are neighbours: all but row 0 in dependence of m_0, which row 0 then gives.
+/// Solves rows the first and last of which are neighbours: all but row 0 depending on m_0, which row 0 then gives.
 std::vector<double> solved_cyclic(const std::vector<Row>& rows) {
   std::vector<Row> inner(rows.begin() + 1, rows.end());
   const auto values = solved(inner);  // for m_0 = 0; the coefficients of m_0 are unused

@@ -10,7 +10,7 @@
 // Source: [de Boor 1978], chapter IV. The limits of monotone slopes are those of [Hyman 1983]; that they suffice is
 //   shown in [Fritsch and Carlson 1980].
 // Cost: 25 flops per point and axis.
-// Bound: none; rows are diagonally dominant but for not-a-knot ends, so that elimination without pivoting is stable.
+// Bound: none; rows are diagonally dominant except at not-a-knot ends, so that elimination without pivoting is stable.
 // Keeps: a natural spline through points that ascend on a line is monotone for centripetal and for chord-length
 //   parameters; for these it is the line itself. Proof for centripetal ones: s_i = h_i up to a factor, so that the
 //   equations are L_(i-1) + 2 R_(i-1) + 2 L_i + R_i = 6 with L_i = m_i / s_i, R_i = m_(i+1) / s_i, and 2 L_0 + R_0 = 3.

@@ -12,7 +12,7 @@
 namespace bezierbench {
 
 /// A polynomial in Bernstein form with a bound of the errors of its coefficients. Coefficients are divided by their
-/// binomials only when they are asked for: most pieces are judged without.
+/// binomials only on request: most pieces are judged without.
 template <int Count = dynamic>
 struct UncertainPolynomial {
   Polygon<1, Count> weighted;  ///< coefficient k times C(degree,k)
@@ -44,7 +44,7 @@ struct UncertainPolynomial {
  private:
   [[nodiscard]] int most_variations_of_choices() const {
     const int none = -degree() - 2;
-    int after_plus = -1;  // two values for which the first sign is no variation
+    int after_plus = -1;  // two values for which the first sign is not a variation
     int after_minus = -1;
     for (int k = 0; k <= degree(); ++k) {
       const int plus = sign(k) < 0 ? none : std::max(after_plus, after_minus + 1);

@@ -11,7 +11,7 @@ namespace bezierbench {
 /// An estimate of a root. In an estimate from Newton's method `step` is its last step.
 struct RootEstimate {
   double t;
-  double step;  ///< the next step should be half as long or less
+  double step;  ///< the next step should be at most half as long
 };
 
 /// A root of (C - P).C' between a < b, where its signs differ, from an estimate in [a, b]: Newton steps, and bisection

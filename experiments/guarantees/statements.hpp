@@ -30,7 +30,7 @@ bool has_exact_complement(Scalar t) {
 }
 
 /// ends_exact: p(0) = b_0 and p(1) = b_n for all finite control points, subnormal ones included, as values: -0 equals 0.
-/// Where an operation overflows, so that the result is not finite, the statement says nothing; see Finite.
+/// Where an operation overflows, so that the result is not finite, the statement does not apply; see Finite.
 template <class Scalar>
 struct EndsExact {
   static constexpr Property property = Property::ends_exact;
@@ -204,7 +204,7 @@ struct Translation {
   }
 };
 
-/// scaling_by_two: the points 2 b_i give 2 p(t) for t in [0,1], where nothing over- or underflows. That is said of the
+/// scaling_by_two: the points 2 b_i give 2 p(t) for t in [0,1], where nothing over- or underflows. This refers to the
 /// input alone: 4^(n+1) max |b_i| is in range, and there are powers of two beta and tau, at most 1, of which all b_i and t
 /// are multiples and for which beta tau^n is a number, subnormal or not. Then every product b_i t^j (1-t)^(n-j) is a
 /// multiple of the smallest subnormal.

@@ -19,7 +19,7 @@ struct ExactSpline {
 
 /// The exact spline for n + 1 >= 2 finite coordinates K. The system of the handles is solved by shooting: with a_0 =
 /// P1,0 unknown, its equations give a_1, a_2, ... as p_i + q_i a_0 with integers p_i and q_i, and the last one gives
-/// a_0. That takes O(n^2) bits, so it suits n up to some thousands.
+/// a_0. That takes O(n^2) bits, so it suits n up to several thousand.
 ExactSpline exact_spline(std::span<const double> coordinates);
 
 /// What a C2 cubic spline is to meet beside its points.

@@ -71,7 +71,7 @@ TEST(ExactProjection, OntoAParabola) {
 }
 
 TEST(ExactProjection, KnowsThatThePointIsOnTheCurve) {
-  const auto third = project({0, 0, 3, 0}, {1, 0});  // at t = 1/3, which is no dyadic number
+  const auto third = project({0, 0, 3, 0}, {1, 0});  // at t = 1/3, which is not a dyadic number
   EXPECT_EQ(t_of(third.foot()), 1.0 / 3);
   EXPECT_EQ(third.foot().distance_squared.numerator, 0);
   const auto beside = project({0, 0, 3, 0}, {1, 0x1p-60});
@@ -143,7 +143,7 @@ TEST(Projection, ResidualsAreCountedInRoundings) {
   EXPECT_EQ(foot_residual(-0x1p-60, exact), std::numeric_limits<double>::infinity());
 }
 
-/// A foot point is off by where it lies, too: 3e-30 next to 1e300 is no distance to a method that scales both alike.
+/// A foot point is off by where it lies, too: 3e-30 next to 1e300 is not a distance to a method that scales both.
 TEST(Projection, AFootPointIsJudgedByItsPlace) {
   const std::vector<double> points{1e300, 0, 1e300, 1e-30, 1e300, 3e-30};
   const std::vector<double> end{1e300, 3e-30};

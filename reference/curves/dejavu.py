@@ -4,7 +4,7 @@
 (Debian: fonts-dejavu-core, fonts-dejavu-extra, python3-fonttools).
 
 dejavu.csv has 1,000 curves of glyphs, glyph_outlines.csv whole contours. Coordinates are those of the glyphs, 2,048 to the em. TrueType outlines are quadratic; every second curve is written as the
-cubic that a converter to PostScript outlines makes of it, times 3, so that its control points are integers.
+cubic that a converter to PostScript outlines gives, times 3, so that its control points are integers.
 """
 import csv
 import pathlib

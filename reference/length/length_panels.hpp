@@ -17,7 +17,7 @@
 namespace bezierbench::reference {
 
 /// Of `curve` (Bernstein form, finite, dimension at most 3), over the parameters 0 <= from <= to <= 1: differences of
-/// the control points, exact but for roundings.
+/// the control points, exact except for roundings.
 template <class Real>
 Hodograph<Real> hodograph(const CurveView<double>& curve, double from, double to);
 

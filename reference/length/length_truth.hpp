@@ -3,7 +3,7 @@
 // and in 70 digits where it does not. Both give the same bits.
 //
 // A length in pairs comes with a proved uncertainty (length_panels.hpp), some 1e-27 of it. The one in 70 digits lies
-// within that and its own, at most 1e-30 of the length. So every number that is asked for lies in a known interval, and
+// within that and its own, at most 1e-30 of the length. So every requested number lies in a known interval, and
 // where both its ends are rounded to the same, so is the number in 70 digits. An interval that contains 0 decides
 // nothing: there the 70 digits say whether a method is exact.
 //
@@ -34,7 +34,7 @@ struct Enclosure {
 class LengthTruth {
  public:
   /// As TrueLength; the coefficients of `curve` must outlive this object. With Tier::exact the 70 digits decide all. It
-  /// throws NotCertain, now or later, where they are needed and not certain.
+  /// throws NotCertain, now or later, where they are required and not certain.
   LengthTruth(const CurveView<double>& curve, double from, double to, Tier tier);
 
   /// Rounded once.

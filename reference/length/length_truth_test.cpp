@@ -41,7 +41,7 @@ std::array<double, 5> near(double value) {
 TEST(LengthTruth, HasTheBitsOfTheDigits) {
   std::mt19937_64 words(1);
   int trials = 0;
-  int needed = 0;
+  int required = 0;
   for (std::size_t kind = 0; kind < 5; ++kind)
     for (const int dimension : {1, 2, 3})
       for (const int degree : {1, 2, 3, 6, 24}) {
@@ -60,10 +60,10 @@ TEST(LengthTruth, HasTheBitsOfTheDigits) {
           }
           EXPECT_TRUE(digits.needed_digits());
           ++trials;
-          needed += dimension > 1 && degree > 1 && pairs.needed_digits() ? 1 : 0;
+          required += dimension > 1 && degree > 1 && pairs.needed_digits() ? 1 : 0;
         }
       }
-  EXPECT_LT(needed, trials / 5);  // what is exact needs them
+  EXPECT_LT(required, trials / 5);  // what is exact needs them
 }
 
 /// The interval that decides contains the error in 70 digits: the length itself is where a fault would show first.
@@ -113,7 +113,7 @@ TEST(LengthTruth, LeavesExtremesToTheDigits) {
 TEST(AlongTruth, HasTheBitsOfTheDigits) {
   std::mt19937_64 words(4);
   int trials = 0;
-  int needed = 0;
+  int required = 0;
   for (std::size_t kind = 0; kind < 4; ++kind)
     for (const int dimension : {1, 2, 3})
       for (const int degree : {1, 2, 3, 6}) {
@@ -143,10 +143,10 @@ TEST(AlongTruth, HasTheBitsOfTheDigits) {
     const double target = pairs.length_at_share(0.25 + uniform(words) / 2);
     static_cast<void>(pairs.error_of_length(0.3, target, to_float));
     static_cast<void>(pairs.error_of_parameter(0.3, target, to_float));
-    needed += pairs.needed_digits() ? 1 : 0;
+    required += pairs.needed_digits() ? 1 : 0;
   }
   EXPECT_EQ(trials, 48);
-  EXPECT_LE(needed, 2);
+  EXPECT_LE(required, 2);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ Real size_of(std::size_t dimension, Coordinate coordinate) {
   return sqrt(square);
 }
 
-/// cos(pi i / (2 count)), i = 0 .. 4 count - 1: a turn. Kept, since cosines in 70 digits are dear.
+/// cos(pi i / (2 count)), i = 0 .. 4 count - 1: a turn. Kept, since cosines in 70 digits are expensive.
 template <class Real>
 const std::vector<Real>& cosines(std::size_t count) {
   thread_local std::map<std::size_t, std::vector<Real>> tables;

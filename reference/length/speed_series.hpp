@@ -64,7 +64,7 @@ using LongHodograph = Hodograph<LongReal>;
 template <class Real>
 class SpeedSeries {
  public:
-  /// Interpolates h, over [0, 1], at the roots of T_(m+1), which is exact but for rounding.
+  /// Interpolates h, over [0, 1], at the roots of T_(m+1), which is exact except for rounding.
   explicit SpeedSeries(const Hodograph<Real>& h);
 
   [[nodiscard]] std::size_t degree() const { return coefficients_.size() / dimension_ - 1; }
@@ -85,7 +85,7 @@ class SpeedSeries {
 
   /// What speed() loses by rounding, in units of Precision, for z that is right to a unit.
   [[nodiscard]] Real rounding_of_speed() const;
-  /// What halve() changes h by, likewise.
+  /// How much roundings of halve() may change h, in the unit of Precision.
   [[nodiscard]] Real rounding_of_halving() const;
 
   /// True where h has one axis and no root, because a_0 is larger than all other terms together.

@@ -120,7 +120,7 @@ TEST(TrueLength, SaysWhatIsNotCertain) {
   }
 }
 
-/// A rounding in the last of 70 digits is no error.
+/// A rounding in the last of 70 digits is not an error.
 TEST(TrueLength, HasNoErrorOfItsOwn) {
   EXPECT_EQ(length_of({1, 2}, 1).error_of(1), 0);
   EXPECT_EQ(length_of({1, 2, 4, 6}, 2).error_of(5), 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What scripts/check build takes as the measure of a machine and compiler: templates to instantiate and loops to
-// optimise, of packages that the project needs, and nothing of the project. Whoever changes it makes the budget anew.
+// optimise, of packages that the project needs, and no file of the project. A change of it requires another budget.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <map>

@@ -174,7 +174,7 @@ def cusp(n, dimension, stream):
     slope = [sum(math.comb(n - 1, j) * r**j * (q[axis] - p[axis]) for j, (p, q) in
                  enumerate(zip([first, *points], points))) for axis in range(dimension)]
     if any(slope):
-        raise SystemExit("inputs.py: a cusp is none; mend cusp")
+        raise SystemExit("inputs.py: cusp() draws a curve without a cusp; correct it")
     return [[x + offset for x in first], *points]
 
 
@@ -341,7 +341,7 @@ def self_test():
     counter = (0x243F6A8885A308D3, 0x13198A2E03707344, 0xA4093822299F31D0, 0x082EFA98EC4E6C89)
     answer = (0xA528F45403E61D95, 0x38C72DBD566E9788, 0xA5A1610E72FD18B5, 0x57BD43B5E52B7FE6)
     if philox4x64(counter, (0x452821E638D01377, 0xBE5466CF34E90C6C)) != answer:
-        raise SystemExit("inputs.py: Philox does not give its known answer; mend philox4x64")
+        raise SystemExit("inputs.py: Philox does not give its known answer; correct philox4x64")
 
 
 def check_polynomials():

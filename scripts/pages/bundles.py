@@ -85,7 +85,7 @@ def agreement(bundle):
     found = Agreement(BASELINE, bundle)
     if found.differing:
         sys.exit("\n".join([f"{bundle.relative_to(ROOT)}: differs from {BASELINE.relative_to(ROOT)}, {found.counts()}", *found.named(),
-                            "make the bundle anew on a machine of its kind, or remove it"]))
+                            "remake the bundle on a machine of its kind, or remove it"]))
     alone = {"more in the baseline": found.only_base, "only here": found.only_other}
     return ", ".join([f"{len(found.agreeing)} agree", *(f"{len(rows)} {where}" for where, rows in alone.items() if rows)])
 

@@ -138,13 +138,13 @@ def exact_fractions(points: ArrayLike, t: float, *, form: str = "bernstein",
         raise ValueError(f"t has the shape {at.shape}; give one number")
     result = []
     for axis in range(curve.dimension):
-        needed = ctypes.c_size_t(0)
+        required = ctypes.c_size_t(0)
         text = ctypes.create_string_buffer(1024)
         for _ in range(2):  # once more, if that was too small
-            status = library.bb_curve_exact_text(curve.pointer, float(at), axis, text, len(text), ctypes.byref(needed))
-            if status == 0 or needed.value <= len(text):
+            status = library.bb_curve_exact_text(curve.pointer, float(at), axis, text, len(text), ctypes.byref(required))
+            if status == 0 or required.value <= len(text):
                 break
-            text = ctypes.create_string_buffer(needed.value)
+            text = ctypes.create_string_buffer(required.value)
         check(status)
         result.append(_fraction(text.value.decode()))
     return result

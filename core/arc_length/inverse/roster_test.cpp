@@ -213,7 +213,7 @@ struct Formula {
   }
 };
 
-/// [Document 000], eq. (19) and (20), as printed: g'' lacks the factor 2 of |C'|^2, so near the root a step is
+/// [Document 000], eq. (19) and (20), as printed: g'' is without the factor 2 of |C'|^2, so near the root a step is
 /// twice Newton's, and t jumps from one side to the other for ever.
 TEST(SourceDocument, PrintedFormulaNeverConverges) {
   const Formula formula{{0, 0, 0.5, 0, 1, 1}, 0.7};

@@ -15,7 +15,7 @@
 #include "core/basis/unit_interval.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"  // of vectors that the target lacks; none leaves the unit that made it
+#pragma GCC diagnostic ignored "-Wpsabi"  // of vectors that the target does not have; none leaves the unit that made it
 #endif
 
 namespace bezierbench {
@@ -70,10 +70,10 @@ inline auto fused_vectors(const VectorType<float, 8>::Type& a, const VectorType<
 
 }  // namespace detail
 
-/// Where the coefficients of a curve over this scalar lie.
+/// How a curve over this scalar holds its coefficients.
 enum class Held {
-  by_reference,  ///< in a prepared state, which the curve is a view of
-  by_value       ///< in the curve
+  by_reference,  ///< the curve is a view of a prepared state
+  by_value       ///< the curve owns them
 };
 
 namespace detail {
@@ -128,7 +128,7 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
   void store(Scalar* values) const {
     static_assert(Count <= Dimension);
     if constexpr (lanes == 1)
-      *values = vector_;  // of memcpy GCC 12 makes an integer, in whose registers the coordinate then is during a loop
+      *values = vector_;  // GCC 12 turns memcpy into an integer move and keeps the value in integer registers
     else if constexpr (Count == lanes)
       std::memcpy(values, &vector_, sizeof vector_);
     else

@@ -128,7 +128,7 @@ State<Axes<S, Dimension>, 1, Degree> as_axes(const State<S, Dimension, dynamic>&
       state.parts());
 }
 
-/// The scalar of what `as_axes` returns.
+/// The scalar of the view that `as_axes` returns.
 template <class View>
 struct AxesOf {
   using Type = typename View::Scalar;

@@ -76,7 +76,7 @@ BB_API unsigned bb_version(void);
 /* A sentence for a bb_status; static, never null. */
 BB_API const char* bb_strerror(int status);
 
-/* True lengths and feet take minutes at degrees of some hundred. While *flag is not 0, those that this thread computes
+/* True lengths and feet take minutes at degrees of several hundred. While *flag is not 0, those that this thread computes
  * end with BB_ERROR_STOPPED, within a tenth of a second or so; another thread or a handler of a signal sets it. The flag
  * is looked at until this thread names another one, or null for none. */
 BB_API void bb_stop_when(const volatile int* flag);
@@ -151,9 +151,9 @@ BB_API int bb_split(const char* method, const bb_curve* curve, double t, const b
 /* ---- True points without any rounding ---- */
 
 /* The true coordinate `axis` of the point at t as text, "numerator" or "numerator/denominator" in lowest terms, with a
- * final zero. `needed` (may be null) gets the bytes that this takes, also where the result is BB_ERROR_COUNT because
+ * final zero. `required` (may be null) gets the bytes that this takes, also where the result is BB_ERROR_COUNT because
  * `size` bytes are too few. */
-BB_API int bb_curve_exact_text(const bb_curve* curve, double t, int axis, char* text, size_t size, size_t* needed);
+BB_API int bb_curve_exact_text(const bb_curve* curve, double t, int axis, char* text, size_t size, size_t* required);
 
 /* ---- Errors and bounds ---- */
 
