@@ -10,7 +10,7 @@ import tomllib
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
-from . import files
+from . import files, schema
 from .files import BundleError, shown
 from .folder import ID, Folder
 from .foreign import literal
@@ -41,9 +41,7 @@ def _unstable(file):
 
 def _kind_of(file):
     """The kind of the studies that the rows of a file are of; None where other files say it."""
-    from .chapters.kinds import KINDS  # what shows a bundle knows the kinds, and reads bundles itself
-
-    return next((name for name, kind in KINDS.items() if file in (kind.file, _unstable(kind.file))), None)
+    return next((kind for kind in schema.kinds() if file in (f"{kind}.csv", _unstable(f"{kind}.csv"))), None)
 
 
 @contextmanager

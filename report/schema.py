@@ -42,6 +42,27 @@ def deterministic():
     return sorted(file for file in _whole()["properties"] if table(file).get("deterministic"))
 
 
+@functools.cache
+def kinds():
+    """The kinds of studies that have a table of their name."""
+    return tuple(file.removesuffix(".csv") for file, declared in _whole()["properties"].items() if "measures" in declared)
+
+
+def across(kind):
+    """The axes that may run across in a figure of a study of this kind: the first that the study varies."""
+    return tuple(table(f"{kind}.csv")["across"])
+
+
+def measures(kind):
+    """(column, what it is): what a figure of a study of this kind shows, a panel each."""
+    return tuple(table(f"{kind}.csv")["measures"].items())
+
+
+def method(kind):
+    """The column of what is judged."""
+    return table(f"{kind}.csv").get("method", "method")
+
+
 def is_declared(file):
     """Whether a bundle can have this table."""
     return file in _whole()["properties"]

@@ -35,7 +35,7 @@ def render(program, out):
 
 
 def stale(page, command, draw):
-    """A line that names the files of a committed page which `draw(out)` makes otherwise, and the command that makes them anew."""
+    """A line that names the files of a committed page which `draw(out)` makes otherwise, and the command that remakes them."""
     with tempfile.TemporaryDirectory() as place:
         fresh = Path(place) / "page"
         draw(fresh)

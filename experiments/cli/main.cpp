@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiled for plain x86-64, unlike the rest, and its check of the processor runs before any other initialiser, so that the
-// message comes before the first instruction that the processor lacks.
+// message comes before the first instruction that the processor does not have.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -25,7 +25,7 @@ constexpr int earliest_priority = 101;
 [[gnu::constructor(earliest_priority)]] void stop_on_lesser_processor() {
   if (processor_suffices()) return;
   constexpr char message[] =
-      "bezierbench: this processor lacks AVX2 or FMA, for which the program was built; configure with "
+      "bezierbench: this processor has no AVX2 or FMA, for which the program was built; configure with "
       "-DBEZIERBENCH_X86_64_V3=OFF\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof(message) - 1);
   _exit(3);

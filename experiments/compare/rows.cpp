@@ -73,7 +73,7 @@ std::string Inputs::words() const {
 }
 
 RowMatch match_rows(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a, const bundle::CsvDocument& b) {
-  const auto& other_of_a = b.header().empty() ? a : b;  // a table that one side lacks has all of its keys
+  const auto& other_of_a = b.header().empty() ? a : b;  // a table that is on one side only has all of its keys
   const auto& other_of_b = a.header().empty() ? b : a;
   std::map<Inputs, std::deque<std::size_t>> rows_of_b;
   for (std::size_t row = 0; row < b.row_count(); ++row) rows_of_b[Inputs(declared, b, row, other_of_b)].push_back(row);

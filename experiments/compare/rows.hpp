@@ -20,7 +20,8 @@ class Inputs {
  public:
   Inputs() = default;
 
-  /// The inputs of row `row` of `table`. A key column that `other` lacks is empty, since a table of another version of the program may lack one. Numbers are compared as values: 1000000 and 1e+06 agree.
+  /// The inputs of row `row` of `table`. A key column that `other` does not have is empty, as in
+  /// tables of another version of the program. Numbers are compared as values: 1000000 and 1e+06 agree.
   Inputs(const bundle::DeclaredTable& declared, const bundle::CsvDocument& table, std::size_t row,
          const bundle::CsvDocument& other);
 

@@ -49,7 +49,7 @@ struct Kinds {
   /// The tables that the study writes wherever it has rows, by file name: one of each list.
   std::vector<std::vector<std::string>> (*tables_of)(const suite::Study& study) = nullptr;
   /// The work of one study on a method from outside; null where studies of this kind take none, or not this one. A
-  /// method that is not at hand can be written and merged, but not run.
+  /// method that is not available can be written and merged, but not run.
   std::function<std::unique_ptr<Job>(const suite::Study& study, const suite::OutsideMethod& method,
                                      const JobContext& context)>
       make_outside_job = nullptr;

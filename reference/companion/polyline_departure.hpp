@@ -22,14 +22,14 @@ struct Departure {
 /// point, by roundings.
 ///
 /// `over_limit` is the largest quotient of that distance, less its roundings, and the limit of the step. With the
-/// tolerance e this is
-///   5/2 e + min(max(|D_i|, |D_(i+1)|), 2 k, 2 max(k-, k+)) / 8 + 8u max|P|,  D_i = P_(i-1) - 2 P_i + P_(i+1),
+/// tolerance e and D_i = P_(i-1) - 2 P_i + P_(i+1) this is
+///   5/2 e + min(max(|D_i|, |D_(i+1)|), 2 k, 2 max(k-, k+)) / 8 + 8u max|P|
 /// for a step of length k between steps of lengths k- and k+. A cubic that visits the points at equal steps of its
 /// parameter, each within e, keeps this limit where the minimum is the first of the three; core/fit/polyline.hpp
 /// derives it. At a corner, where the data turn by more than 75.5 degrees (cosine 1/4), D is 0, and the step behind it
 /// does not count. Closed data, whose last point equals the first, go on at their other end. Open data end: D is
-/// extrapolated linearly from the next two, and there is no step beyond. Control points are doubles: the last term is for
-/// their roundings, three in each of at most three coordinates of an inner one of a straight segment.
+/// extrapolated linearly from the next two, and there is no step beyond. Control points are doubles: the last term is
+/// for their roundings, three in each of at most three coordinates of an inner one of a straight segment.
 ///
 /// The step that leads to a point belongs to the segment of this point's place: `handle` compares a segment's handles
 /// with the sum of the lengths of its steps.

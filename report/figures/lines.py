@@ -147,7 +147,7 @@ def stacked(figure_id, captions, parts, x, y, *, across=degrees_across, look=Non
             draw=draw_methods, also="", scale="Doubly logarithmic", bottom=0.1, **more):
     """The figure of panels one above the other, with logarithmic errors. `parts` are pairs of a title and {method: points}, `captions`
     are English and Chinese, `x` and `y` say what the axes are; without titles each part has its own `y`. `across(axes, lines)` makes the
-    axis across, `words(lines)` tells of a panel, and `also` of the figure."""
+    axis across, `words(lines)` describes a panel, and `also` the figure."""
     look = look or looks(sorted({m for _, lines in parts for m in lines}))  # the same in every panel
     canvas, axes = panels(len(parts), 1, height=height, **more)
     for ax, (title, lines) in zip(axes[:, 0], parts):

@@ -3,8 +3,8 @@
 
 import textwrap
 
+from .. import schema
 from ..bundle import Missing
-from ..chapters.kinds import KINDS, rows_of
 from ..tables import AXIS, axis_label, axis_value
 from ..wording import general, listing
 from .canvas import figure, finish, panels
@@ -25,7 +25,14 @@ WORDS = {"placement": "placement of the point", "data": "data", "knots": "kind o
 
 def _axis(kind, rows):
     """The first axis that the rows vary, of the kind or else of all; the last of the kind where they vary none."""
-    return next((a for a in (*kind.axes, *BESIDE) if len({axis_value(r, a) for r in rows}) > 1), kind.axes[-1])
+    axes = schema.across(kind)
+    return next((a for a in (*axes, *BESIDE) if len({axis_value(r, a) for r in rows}) > 1), axes[-1])
+
+
+def _rows(bundle, study, kind):
+    """The rows of the study in the table of its kind; of accuracy those against the exact value, where there are any."""
+    rows = bundle.judged(f"{kind}.csv").some(study=study)
+    return [r for r in rows if r["baseline"] == "exact"] or rows
 
 
 def _parts(rows):
@@ -57,7 +64,7 @@ def _lines(rows, where, axis, column, method):
 
 
 def _apart(lines):
-    """Lines that a common axis can show; what ends far above the best has an axis of its own, lest the others be one line."""
+    """Lines that a common axis can show; what ends far above the best has an axis of its own, so that the others are not one line."""
     highest = {method: max(y for _, y in points) for method, points in lines.items()}
     limit = FAR * min(highest.values(), default=0)
     near = {method: points for method, points in lines.items() if highest[method] <= limit}
@@ -70,8 +77,8 @@ def _apart(lines):
 @figure
 def study_lines(bundle, study):
     """A panel for each measure and, side by side under each other, each form, scalar type and mode."""
-    kind = KINDS[bundle.studies[study].kind]
-    rows = [r for r in rows_of(bundle, study) if r["method"] != "sentinel"]
+    kind = bundle.studies[study].kind
+    rows = [r for r in _rows(bundle, study, kind) if r["method"] != "sentinel"]
     axis = _axis(kind, rows)
     values = list(dict.fromkeys(axis_value(r, axis) for r in rows))
     if not any(v is None or isinstance(v, str) for v in values):
@@ -81,7 +88,7 @@ def study_lines(bundle, study):
     side_by_side = axis in NARROW or axis == "coordinate_range"  # 1e-300 to 1e300 is too far for a logarithmic axis
     where = dict(zip(values, range(len(values)) if side_by_side else values))
     drawn = [(", ".join(filter(None, (label, more))), what, lines) for label, part in _parts(rows).items()
-             for column, what in kind.measures for more, lines in _apart(_lines(part, where, axis, column, kind.method))]
+             for column, what in schema.measures(kind) for more, lines in _apart(_lines(part, where, axis, column, schema.method(kind)))]
     if not drawn:
         raise Missing(f"the study `{study}` has no value that a logarithmic axis can show")
     canvas, axes = panels(len(drawn), 1, height=max(2.6, 0.17 * min(max(len(lines) for *_, lines in drawn), MOST)))

@@ -101,7 +101,7 @@ def document(file: Path, data: bytes) -> dict[str, Any]:
     except BundleError:
         raise
     except (ValueError, RecursionError):  # a number of thousands of digits, brackets thousands deep
-        raise _bad(file, "has a number or a nesting beyond all use") from None
+        raise _bad(file, "has a number that is too long, or is nested too deeply") from None
     if not isinstance(value, dict):
         raise _bad(file, "is not a JSON object")
     return value

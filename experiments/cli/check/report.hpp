@@ -26,7 +26,7 @@ struct Report {
   std::vector<Section> sections = {};
   std::vector<std::string> findings = {};  ///< what is wrong, in a few words each; empty where nothing is
 
-  /// The properties of every evaluator, decided anew.
+  /// The properties of every evaluator, decided again.
   void add_properties();
   /// The errors against the exact value in the bundle that `judged` wrote, and the bound. `cells` is whose cells these
   /// are. Throws Failure(Exit::input_output) for a bundle that cannot be read.

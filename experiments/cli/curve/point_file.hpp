@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Point files, CSV with a header that names the axes in any order and one point per row, and the segments that commands make
-// of them.
+// Point files, CSV with a header that names the axes in any order and one point per row, and the segments that commands
+// compute from them.
 #pragma once
 
 #include <cstddef>
