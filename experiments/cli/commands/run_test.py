@@ -154,7 +154,7 @@ class Bundles(Case):
         self.suite()
         self.fine("run", "s.toml", "--quiet", "--out", "b", "--shard", "1/2")
         self.write("b/bundle.json", json.dumps({**self.manifest("b"), "schema_version": 1}))
-        self.refused(USAGE, ["run", "s.toml", "--out", "b"], "b: holds results of schema version 1, this run has 2; choose another --out")
+        self.refused(USAGE, ["run", "s.toml", "--out", "b"], "b/bundle.json: schema_version is 1, this program reads 2; run the suite again")
 
     def test_verify_finds_damage(self):
         self.bundle()
