@@ -7,7 +7,7 @@ from ..wording import general, large, shortest
 from .suite_parts import of_studies, with_times
 
 TITLE = "Splines through points"
-KIND = "interpolation"
+SUITE = KIND = "interpolation"
 QUANTITIES = (("C1, largest", "max_c1_u"), ("C2, largest", "max_c2_u"), ("natural ends, largest", "max_natural_u"),
               ("control points, largest error", "max_error_u"))
 
@@ -20,8 +20,8 @@ def study_tables(bundle, study):
 @with_times("interpolation")
 def blocks(bundle, findings):
     """Findings, the figure, then a table for each study with the numbers of points across."""
-    table = bundle["interpolation.csv"].of_suite("interpolation")
-    yield from of_studies(bundle, findings, "interpolation", table.distinct("study"), study_tables, "interpolation_residuals")
+    table = bundle["interpolation.csv"].of_suite(SUITE)
+    yield from of_studies(bundle, findings, SUITE, table.distinct("study"), study_tables, "interpolation_residuals")
     yield Text("All in units of u times the largest coordinate of an axis, the largest over trials, knots and axes, and over the cells of "
                "a study. C1 is the jump of P1 - P0 over P3 - P2 of the segment before, C2 that of the second differences, natural ends "
                f"are the second differences there; points and joints are met bit for bit. The goal is {GOAL}. The truth is the exact "

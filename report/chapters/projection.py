@@ -7,7 +7,7 @@ from ..wording import general, large, scientific, shortest
 from .suite_parts import COMPANION_PEERS, of_studies, with_times
 
 TITLE = "The nearest point of a curve"
-KIND = "projection"
+SUITE = KIND = "projection"
 QUANTITIES = (("missed", "missed", sum, large), ("largest error, units", "max_error_eps", max, general),
               ("largest error of t", "max_t_error", max, scientific),
               ("gave up", "non_converged", sum, large))
@@ -21,8 +21,8 @@ def study_tables(bundle, study):
 @with_times("projection")
 def blocks(bundle, findings):
     """Findings, the figure, one table per study with the placements of the point across, and what the words mean."""
-    rows = rows_of(bundle, "projection", COMPANION_PEERS)
-    yield from of_studies(bundle, findings, "projection", dict.fromkeys(r["study"] for r in rows), study_tables, "projection_missed")
+    rows = rows_of(bundle, SUITE, COMPANION_PEERS)
+    yield from of_studies(bundle, findings, SUITE, dict.fromkeys(r["study"] for r in rows), study_tables, "projection_missed")
     yield Text("Truth: the real roots of (C - P)·C' in [0, 1], isolated with integers. A foot point is missed where the distance "
                "exceeds the least one by more than 2^-20 times the largest coordinate of control points and point. Errors of the "
                f"distance are in units of 2^-52 times that coordinate; the goal is {GOAL}. The error of t is to the nearest of "

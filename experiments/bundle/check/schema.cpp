@@ -214,7 +214,8 @@ constexpr std::array keywords{
     Keyword{"version", nothing}, Keyword{"deterministic", nothing}, Keyword{"study", nothing},
     Keyword{"method", nothing}, Keyword{"unit", nothing}, Keyword{"key", nothing}, Keyword{"digested", nothing},
     Keyword{"of_machine", nothing}, Keyword{"accuses", nothing}, Keyword{"of_promise", nothing},
-    Keyword{"at_most", nothing}, Keyword{"across", nothing}, Keyword{"measures", nothing}, Keyword{"ascending", nothing}, Keyword{"for_each", nothing}};
+    Keyword{"at_most", nothing}, Keyword{"across", nothing}, Keyword{"measures", nothing},
+    Keyword{"ascending", nothing}, Keyword{"for_each", nothing}};
 
 const Keyword& keyword_of(std::string_view name) {
   const auto found = std::ranges::find(keywords, name, &Keyword::name);
