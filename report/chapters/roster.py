@@ -1,19 +1,18 @@
 # SPDX-License-Identifier: MIT
 """All chapters, in the order of the page."""
 
-from importlib import import_module
-
 from ..bundle import Missing, decided_by, made_of
 from ..document import Chapter, safe, with_unique_ids
-from . import studies
+from . import (
+    answer, arc_length, audit, bspline, choosing, comparison, conditioning, conversion, derivative, figures, fitting, found, grid,
+    guarantees, how_measured, interpolation, inverse_arc_length, ladder, method_list, opening, peers, projection, provenance, rational,
+    regimes, roofline, scorecard, studies, subdivision, tables, timing, truth, worst)
 from .suite_parts import COMPANION_PEERS
 
-NAMES = """opening answer found scorecard tables figures truth ladder regimes conditioning conversion worst guarantees rational derivative arc_length
-           inverse_arc_length projection interpolation fitting subdivision grid bspline timing choosing roofline peers comparison audit
-           method_list how_measured provenance""".split()
-ROSTER = tuple(import_module(f".{name}", __package__) for name in NAMES)
-OF_THE_WHOLE = tuple(module for module in ROSTER if module.__name__.rsplit(".", 1)[-1] in
-                     ("opening", "answer", "comparison", "audit", "method_list", "how_measured", "provenance"))
+ROSTER = (opening, answer, found, scorecard, tables, figures, truth, ladder, regimes, conditioning, conversion, worst, guarantees,
+          rational, derivative, arc_length, inverse_arc_length, projection, interpolation, fitting, subdivision, grid,
+          bspline, timing, choosing, roofline, peers, comparison, audit, method_list, how_measured, provenance)
+OF_THE_WHOLE = (opening, answer, comparison, audit, method_list, how_measured, provenance)
 FIRST = ("opening", "answer")
 LAST = ("comparison", "audit", "method-list", "how-measured", "provenance")
 
