@@ -144,6 +144,17 @@ TEST_F(Verify, DamagedManifest) {
                                                                             "SHA256SUMS")));
 }
 
+TEST_F(Verify, RefusesABundleOfAnEarlierSchemaVersion) {
+  put("bundle.json", replaced(bundle_.read("bundle.json"), "\"schema_version\": 2", "\"schema_version\": 1"));
+  try {
+    (void)findings();
+    ADD_FAILURE();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit(), Exit::usage);
+    EXPECT_THAT(failure.what(), HasSubstr("the last that reads it"));
+  }
+}
+
 TEST_F(Verify, ManifestOfAnotherSuite) {
   Manifest other = with_state("complete");
   other.suite_digest = std::string(64, '0');
