@@ -9,7 +9,7 @@
 //   last one u/2. Nodes are within 4.6 u of the exact ones (observed: 2.1 u), in float within 0.51 u. They are
 //   symmetric, and both ends are nodes.
 // Bound: (4n+7) u (1 + 2/pi ln(n+1)) max|b| on [0,1], to first order: barycentric.hpp with the Lebesgue constant of
-//   [Ehlich and Zeller 1966]. It is not a multiple of p~, so `info` states none.
+//   [Ehlich and Zeller 1966]. This bound is not a multiple of p~, so `info` states no bound.
 // Fails: where p~ is far below max|b|, for the error is relative to max|b|. Outside [0,1] the error grows like the
 //   Lagrange polynomials of the nodes, with (|s| + sqrt(s^2 - 1))^n at s = 2t - 1.
 #pragma once

@@ -4,7 +4,7 @@
 // Cost: 3 d n(n+1)/2 + 1 flops per point.
 // Bound: gamma_3n p~: a level costs at most three roundings (1-t, product, sum); gamma_2n p~ where 1-t is exact. Two
 //   products a level may underflow, by eta/2 each.
-// Keeps: ends_exact, reversal, finite, and what all variants do: docs/proofs/de_casteljau.md.
+// Keeps: ends_exact, reversal, finite, and what all variants keep: docs/proofs/de_casteljau.md.
 // Fails: its cost is quadratic. The rounding of 1-t makes the error at small t three times that at t near 1.
 #pragma once
 

@@ -4,8 +4,8 @@
 // Source: [Farin 2002], the de Casteljau algorithm, with linear interpolation in its two-sided form; the bound is
 //   derived here.
 // Cost: 3 d n(n+1)/2 + 1 flops per point.
-// Bound: gamma_3n p~ for t <= 2, else gamma_4n p~: three roundings a level, and a fourth of 1-t beyond t = 2.
-// Keeps: ends_exact, constant_reproduced, in_hull, monotone for n = 1, and what all variants do:
+// Bound: gamma_3n p~ for t <= 2, else gamma_4n p~: three roundings a level; for t > 2, 1-t is rounded as well.
+// Keeps: ends_exact, constant_reproduced, in_hull, monotone for n = 1, and what all variants keep:
 //   docs/proofs/de_casteljau.md.
 // Fails: b - a, up to 2 max|b|, can overflow although the result does not.
 #pragma once

@@ -10,7 +10,7 @@
 
 namespace bezierbench::bundle {
 
-// Regular expressions whose memory and time grow only with the text, even for a stranger's text.
+// Regular expressions whose memory and time grow in proportion to the text, whoever wrote it.
 
 /// Whether some part of `text` matches `pattern`, a POSIX extended regular expression, which is compiled once. A text
 /// with a NUL byte never matches. Throws std::invalid_argument for an invalid pattern.
