@@ -17,14 +17,6 @@ void require_part(double from, double to) { c::require(0 <= from && from <= to &
 
 void require_tolerance(double tolerance) { c::require(std::isfinite(tolerance) && tolerance > 0, BB_ERROR_TOLERANCE); }
 
-/// The length of the curve by the method that is best at it.
-double whole_length(const CurveView<double>& curve) {
-  constexpr double tolerance = 1e-15;
-  return c::chosen(arc_length_kernels(curve.dimension), "gauss_legendre_adaptive", curve)
-      .measure(curve, 0, 1, tolerance)
-      .length;
-}
-
 }  // namespace
 
 int bb_arc_length(const char* method, const bb_curve* curve, double from, double to, double tolerance,

@@ -5,6 +5,7 @@ import csv
 import decimal
 import gc
 import hashlib
+import json
 import math
 import os
 import random
@@ -442,6 +443,10 @@ class Bundles(unittest.TestCase):
             self.assertEqual(files.number(word), value)
         with self.assertRaisesRegex(ValueError, "is not a number"):
             bezierbench.numbers("1 1_0")
+
+    def test_the_schema_version_is_that_of_the_program(self):
+        schema = json.loads((ROOT / "experiments/bundle/schema/tables.schema.json").read_text(encoding="utf-8"))
+        self.assertEqual((files.SCHEMA, files.LAST_READER), (schema["version"], schema["last_reader_of_earlier"]))
 
     def test_a_schema_version_that_is_not_read(self):
         for version, words in ((1, f"{bezierbench.files.LAST_READER}, the last that does"), (9, "use a newer bezierbench")):

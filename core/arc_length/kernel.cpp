@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/arc_length/kernel.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/arc_length/part.hpp"
@@ -54,6 +55,14 @@ struct Entry {
 };
 
 }  // namespace
+
+double whole_length(const CurveView<double>& curve) {
+  constexpr double tolerance = 1e-15;
+  const auto methods = arc_length_kernels(curve.dimension);
+  return std::ranges::find(methods, "gauss_legendre_adaptive", [](const auto& method) { return method.info->id; })
+      ->measure(curve, 0, 1, tolerance)
+      .length;
+}
 
 std::span<const ArcLengthKernel> arc_length_kernels(int dimension) {
   return kernels_of<ArcLengthKernel, Entry>(ArcLengthMethods{}, dimension);

@@ -19,6 +19,9 @@ struct ArcLengthKernel {
   ArcLength (*measure)(const CurveView<double>& curve, double from, double to, double tolerance);
 };
 
+/// The length of a whole curve in the Bernstein form, by the method that is best at it.
+double whole_length(const CurveView<double>& curve);
+
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const ArcLengthKernel> arc_length_kernels(int dimension);
 

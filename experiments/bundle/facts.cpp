@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/bundle/manifest.hpp"
+#include "experiments/bundle/json_object.hpp"
 
 namespace bezierbench::bundle {
 

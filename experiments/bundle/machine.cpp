@@ -25,7 +25,7 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/bundle/manifest.hpp"
+#include "experiments/bundle/json_object.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 

@@ -3,19 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace bezierbench::bundle {
-
-// The JSON files of a bundle, parsed with messages that name the place of an error.
-
-/// The object that `text` holds, its keys in their order. Throws Failure(Exit::input_output): "FILE_NAME:LINE:COLUMN:
-/// ..." for malformed JSON, "FILE_NAME: ..." for a value that is not an object, is nested too deep or has a number
-/// beyond every double.
-[[nodiscard]] nlohmann::ordered_json parse_json_object(std::string_view text, std::string_view file_name);
 
 inline constexpr std::string_view complete = "complete";
 inline constexpr std::string_view partial = "partial";

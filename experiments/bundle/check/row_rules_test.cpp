@@ -6,12 +6,7 @@
 
 #include <string>
 
-#include "experiments/bundle/bundle.hpp"
-#include "experiments/bundle/scratch_folder_test.hpp"
-#include "experiments/failure.hpp"
-
 namespace bezierbench::bundle {
-
 namespace {
 
 using testing::ElementsAre;
@@ -52,83 +47,5 @@ TEST(RowRules, BrokenPromisesAccuseEverywhereAndMissedFeetThoseThatPromise) {
               ElementsAre("projection.csv:2: 1 missed foot points"));
 }
 
-using testing::ElementsAre;
-using testing::IsEmpty;
-
-const char* const methods =
-    "id,form,guarantees\n"
-    "a,bernstein,ends_exact monotone:2\n"
-    "a,rational,\n"
-    "b,bernstein,\n";
-
-std::vector<std::string> faults(const std::string& rows) {
-  const auto listed = parse_csv(methods, "methods.csv");
-  const auto judged = parse_csv("method,degree,property,broken,verdict\n" + rows, "guarantees.csv");
-  ProvedProperties properties;
-  properties.read("guarantees.csv", judged);  // in any order
-  properties.read("methods.csv", listed);
-  return properties.faults();
-}
-
-TEST(ProvedProperties, AreRefutedByARow) {
-  EXPECT_THAT(faults("b,1,ends_exact,1,refuted\na,1,ends_exact,1,refuted\n"),
-              ElementsAre("guarantees.csv:3: ends_exact of a is refuted, and proved according to methods.csv"));
-}
-
-TEST(ProvedProperties, HoldUpToADegree) {
-  EXPECT_THAT(faults("a,3,monotone,1,refuted\n"), IsEmpty());
-  EXPECT_EQ(faults("a,2,monotone,1,refuted\n").size(), 1U);
-}
-
-TEST(ProvedProperties, AreNotRefutedByOtherVerdicts) {
-  EXPECT_THAT(faults("a,1,ends_exact,0,proved\na,1,in_hull,1,refuted\nb,1,in_hull,0,not_refuted\n"), IsEmpty());
-}
-
-TEST(ProvedProperties, AreThoseOfTheList) {
-  EXPECT_THAT(faults("b,1,ends_exact,0,proved\na,3,monotone,0,proved\na,1,ends_exact,0,not_refuted\n"),
-              ElementsAre("guarantees.csv:2: ends_exact of b is proved, and not proved according to methods.csv",
-                          "guarantees.csv:3: monotone of a is proved, and not proved according to methods.csv",
-                          "guarantees.csv:4: ends_exact of a is not refuted, and proved according to methods.csv"));
-}
-
-TEST(ProvedProperties, AreRefutedByWhatBreaksThem) {
-  EXPECT_THAT(faults("c,1,in_hull,2,not_refuted\n"),
-              ElementsAre("guarantees.csv:2: 2 inputs break in_hull of c, which is not refuted"));
-}
-
-TEST(ProvedProperties, AreNoneWithoutTheColumns) {
-  ProvedProperties properties;
-  properties.read("methods.csv", parse_csv("id,form\na,bernstein\n", "methods.csv"));
-  properties.read("guarantees.csv", parse_csv("method,degree\na,1\n", "guarantees.csv"));
-  EXPECT_THAT(properties.faults(), IsEmpty());
-}
-
-/// The kernel share of a bundle with this reference.csv.
-std::optional<KernelShare> share_of(const std::string& table) {
-  const ScratchFolder folder;
-  BundleDirectory::create(folder.path() / "b").write("reference.csv", table);
-  return kernel_share(folder.path() / "b");
-}
-
-TEST(KernelShare, IsTheSumOverCellsAndMethods) {
-  const auto share = share_of("study,method,trials,own_kernel\ns,a,2000,2\ns,b,2000,2000\ns2,a,10,1\n");
-  ASSERT_TRUE(share);
-  EXPECT_EQ(share->judged, 4010U);
-  EXPECT_EQ(share->own, 2003U);
-}
-
-TEST(KernelShare, IsUnknownOfOlderBundlesAndOthers) {
-  EXPECT_FALSE(share_of("study,trials\ns,2000\n"));
-  const ScratchFolder folder;
-  (void)BundleDirectory::create(folder.path() / "b");
-  EXPECT_FALSE(kernel_share(folder.path() / "b"));
-}
-
-TEST(KernelShare, NamesAFieldThatIsNoCount) {
-  EXPECT_THROW((void)share_of("trials,own_kernel\n2000,many\n"), Failure);
-  EXPECT_THROW((void)share_of("trials,own_kernel\n-1,1\n"), Failure);
-}
-
 }  // namespace
-
 }  // namespace bezierbench::bundle

@@ -12,7 +12,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "experiments/bundle/manifest.hpp"
+#include "experiments/bundle/json_object.hpp"
 #include "experiments/failure.hpp"
 #include "schemas.hpp"
 
@@ -211,11 +211,11 @@ constexpr std::array keywords{
     Keyword{"additionalProperties", additional_properties}, Keyword{"$schema", nothing}, Keyword{"$defs", nothing},
     Keyword{"title", nothing}, Keyword{"description", nothing}, Keyword{"deprecated", nothing},
     // Keywords of our own for tables and their columns; columns.hpp explains them.
-    Keyword{"version", nothing}, Keyword{"deterministic", nothing}, Keyword{"study", nothing},
-    Keyword{"method", nothing}, Keyword{"unit", nothing}, Keyword{"key", nothing}, Keyword{"digested", nothing},
-    Keyword{"of_machine", nothing}, Keyword{"accuses", nothing}, Keyword{"of_promise", nothing},
-    Keyword{"at_most", nothing}, Keyword{"across", nothing}, Keyword{"measures", nothing},
-    Keyword{"ascending", nothing}, Keyword{"for_each", nothing}};
+    Keyword{"version", nothing}, Keyword{"last_reader_of_earlier", nothing}, Keyword{"deterministic", nothing},
+    Keyword{"study", nothing}, Keyword{"method", nothing}, Keyword{"unit", nothing}, Keyword{"key", nothing},
+    Keyword{"digested", nothing}, Keyword{"of_machine", nothing}, Keyword{"accuses", nothing},
+    Keyword{"of_promise", nothing}, Keyword{"at_most", nothing}, Keyword{"across", nothing},
+    Keyword{"measures", nothing}, Keyword{"ascending", nothing}, Keyword{"for_each", nothing}};
 
 const Keyword& keyword_of(std::string_view name) {
   const auto found = std::ranges::find(keywords, name, &Keyword::name);

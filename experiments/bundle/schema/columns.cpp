@@ -134,4 +134,8 @@ std::vector<std::vector<std::string>> ascending_columns() {
 
 int written_version() { return tables_schema().document().at("version").get<int>(); }
 
+std::string last_reader_of_earlier() {
+  return tables_schema().document().at("last_reader_of_earlier").get<std::string>();
+}
+
 }  // namespace bezierbench::bundle

@@ -65,4 +65,7 @@ struct DeclaredTable {
 /// The schema version of the bundles that this program writes and reads.
 [[nodiscard]] int written_version();
 
+/// The last commit whose program reads bundles of earlier schema versions.
+[[nodiscard]] std::string last_reader_of_earlier();
+
 }  // namespace bezierbench::bundle

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/check/kernel_share.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
-#include "experiments/bundle/check/row_rules.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/this_build.hpp"

@@ -58,15 +58,6 @@ LongReal target_of(const AtLengthOptions& options, double tolerance, const LongR
   return LongReal(length) < whole ? LongReal(length) : whole;
 }
 
-/// The length of a curve by the method that is best at it.
-double computed_length(const CurveView<double>& curve) {
-  constexpr double tolerance = 1e-15;
-  const auto methods = arc_length_kernels(curve.dimension);
-  return std::ranges::find(methods, "gauss_legendre_adaptive", [](const auto& method) { return method.info->id; })
-      ->measure(curve, 0, 1, tolerance)
-      .length;
-}
-
 /// The true lengths along a curve; empty where they are not certain to 30 digits, or take too long.
 class Truth {
  public:
@@ -76,7 +67,7 @@ class Truth {
       if (options.truth.finishes(options.curve.file, curve.degree, [&] { lengths_.emplace(curve); }))
         whole_ = lengths_->whole();
       else
-        whole_ = computed_length(curve);
+        whole_ = whole_length(curve);
     } catch (const reference::NotCertain& error) {
       whole_ = error.length();
       fmt::print(stderr, "bezierbench: {}: {}; exact_t, error and length_error are left empty\n", options.curve.file,

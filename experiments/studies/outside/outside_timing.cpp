@@ -13,6 +13,7 @@
 #include "experiments/outside/called_code.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/timed_check.hpp"
+#include "experiments/race/timed_inputs.hpp"
 #include "experiments/race/timed_problem.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/outside/outside.hpp"
