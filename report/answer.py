@@ -14,7 +14,7 @@ SMALL = 5  # roundings per degree: above the proved bounds of all methods in one
 NO_TIME = "not timed"
 TYPICAL = 10  # degree
 MOST = 20_000  # candidates that the page's picker holds
-FORMS = {"bezier": "Bernstein form", "polynomial": "power form", "rational": "rational curves"}
+FORMS = {"bernstein": "Bernstein form", "power": "power form", "rational": "rational curves"}
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ def lost(error_u):
 
 
 def _cell(row, mode):
-    return Cell(row["curve"] or "", row["degree"], mode, row["scalar"] or "double", row["dimension"], row["coordinate_range"],
+    return Cell(row["form"] or "", row["degree"], mode, row["scalar"] or "double", row["dimension"], row["coordinate_range"],
                 row["t_min"], row["t_max"])
 
 
@@ -137,7 +137,7 @@ def default_cell(cells):
     def best(values, *wanted):
         return next((w for w in wanted if w in values), values[0])
     left = list(cells)
-    for axis, wanted in (("form", ("bezier",)), ("scalar", ("double",)), ("mode", ("point",)), ("dimension", (2.0,))):
+    for axis, wanted in (("form", ("bernstein",)), ("scalar", ("double",)), ("mode", ("point",)), ("dimension", (2.0,))):
         chosen = best([getattr(c, axis) for c in left], *wanted)
         left = [c for c in left if getattr(c, axis) == chosen]
     return min(left, key=lambda c: abs(c.degree - TYPICAL))

@@ -30,7 +30,7 @@ class Answer(unittest.TestCase):
     def test_methods_are_ranked_by_time(self):
         cells = candidates(self.bundle())
         cell = default_cell(cells)
-        self.assertEqual((cell.form, cell.mode, cell.scalar, cell.dimension), ("bezier", "point", "double", 2))
+        self.assertEqual((cell.form, cell.mode, cell.scalar, cell.dimension), ("bernstein", "point", "double", 2))
         times = [one.ns for one in cells[cell]]
         self.assertEqual(times, sorted(times))
         block = next(b for b in answer.blocks(self.bundle(), None) if b.kind == "answer")
@@ -62,11 +62,11 @@ class Answer(unittest.TestCase):
                          ["", "", "", "loses 2 digits", "loses 3 digits", "loses 5 digits", ""])
 
     def test_a_small_bound_is_that_of_the_form(self):
-        self.assertTrue(is_proved_small(15.0, 3, "bezier"))
-        self.assertFalse(is_proved_small(15.1, 3, "bezier"))
+        self.assertTrue(is_proved_small(15.0, 3, "bernstein"))
+        self.assertFalse(is_proved_small(15.1, 3, "bernstein"))
         self.assertTrue(is_proved_small(30.0, 3, "rational"))
-        self.assertFalse(is_proved_small(None, 3, "bezier"))
-        self.assertFalse(is_proved_small(float("nan"), 3, "bezier"))
+        self.assertFalse(is_proved_small(None, 3, "bernstein"))
+        self.assertFalse(is_proved_small(float("nan"), 3, "bernstein"))
 
     def test_a_useless_method_is_not_worth_choosing(self):
         def ruin(at, row):

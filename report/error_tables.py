@@ -85,7 +85,7 @@ def named(down, kind):
 
 
 def _pair(study, rows, across, down, curves):
-    english, chinese = curves or form(rows[0]["curve"])
+    english, chinese = curves or form(rows[0]["form"])
     where, trials = _where(rows[0], across, down), large(max(r["trials"] for r in rows))
     kinds = list(dict.fromkeys(r[down] for r in rows))
 

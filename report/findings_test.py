@@ -195,7 +195,7 @@ class Findings(unittest.TestCase):
 
     def test_repeated_cells_count_once(self):
         cells = scorecards.scorecard()
-        distinct = {(r["curve"], r["statistic"], r["degree"], r["coordinate_range"], r["t_min"], r["t_max"], r["published"]) for r in cells}
+        distinct = {(r["form"], r["statistic"], r["degree"], r["coordinate_range"], r["t_min"], r["t_max"], r["published"]) for r in cells}
         self.assertLess(len(distinct), len(cells) - 8)  # of two methods and of two tables
         self.assertIn(f"of the {len(distinct)} distinct", self.by_id["cells_inside_band"].headline)
         self.assertIn(f"{len(cells)} errors and counts, of which {len(cells) - len(distinct)} repeat",
@@ -204,7 +204,7 @@ class Findings(unittest.TestCase):
     def test_cells_of_one_printed_value_are_one_event(self):
         """The last degree of 2.3.1 and the last range of 2.3.2, by two methods that agree in print: four cells, one event."""
         def last(at, row):
-            return at == "scorecard.csv" and row["curve"] == "polynomial" and row["statistic"] == "max_error" \
+            return at == "scorecard.csv" and row["form"] == "power" and row["statistic"] == "max_error" \
                 and row["degree"] == 20 and row["coordinate_range"] == 1000000
         def all_outside(at, row):
             if last(at, row):
@@ -221,7 +221,7 @@ class Findings(unittest.TestCase):
         def rarely(at, row):
             if at == "scorecard.csv":
                 row["chance_outside"] = 0.001
-                if row["curve"] == "bezier" and row["degree"] == 4:
+                if row["form"] == "bernstein" and row["degree"] == 4:
                     row["verdict"] = "outside"
         found = next(f for f in _findings(rarely)[0] if f.id == "cells_inside_band")
         self.assertFalse(found.holds)  # four where 0.048 are expected
@@ -245,7 +245,7 @@ class Findings(unittest.TestCase):
         self.assertIn("0 of these experiments have a cell outside", self.by_id["cells_inside_band"].detail[1])
 
         def two(at, row):
-            if at == "scorecard.csv" and row["table"] == "2.3.1" and row["curve"] == "bezier" and row["degree"] == 4:
+            if at == "scorecard.csv" and row["table"] == "2.3.1" and row["form"] == "bernstein" and row["degree"] == 4:
                 row["verdict"] = "outside"
         found = next(f for f in _findings(two)[0] if f.id == "cells_inside_band")
         self.assertIn("4 outside", found.headline)

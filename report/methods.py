@@ -24,7 +24,9 @@ STATISTIC = {
     "max_error": ("largest error", "最大误差"),
     "total_time": ("time", "用时"),
 }
-FORM = {"bezier": ("Bézier curves", "贝塞尔曲线"), "polynomial": ("polynomial curves", "多项式曲线"),
+# The word for a form in the ids of studies, which keep those of the source report.
+IN_STUDIES = dict(bernstein="bezier", power="polynomial", rational="rational")
+FORM = {"bernstein": ("Bézier curves", "贝塞尔曲线"), "power": ("polynomial curves", "多项式曲线"),
         "rational": ("rational curves", "有理曲线")}
 
 
@@ -39,4 +41,4 @@ def form(curve):
 
 def yardstick(curve):
     """The method that the report takes for the truth."""
-    return {"bezier": "direct", "polynomial": "power_sum"}[curve]
+    return {"bernstein": "direct", "power": "power_sum"}[curve]

@@ -104,8 +104,8 @@ class WrittenFiles(unittest.TestCase):
                         self.assertEqual(row[1:], [write[label[row[0]]](float(v)) for v in want])
 
     def test_csv_holds_the_digits_of_the_bundle(self):
-        rows = {tuple(r[:3]): r[3:] for r in csv.reader(io.StringIO(self.files["tables/table-2.3.1-bezier.csv"].decode()))}
-        want = [str(r["ours_median"]) for r in scorecards.scorecard() if r["table"] == "2.3.1" and r["curve"] == "bezier"
+        rows = {tuple(r[:3]): r[3:] for r in csv.reader(io.StringIO(self.files["tables/table-2.3.1-bernstein.csv"].decode()))}
+        want = [str(r["ours_median"]) for r in scorecards.scorecard() if r["table"] == "2.3.1" and r["form"] == "bernstein"
                 and r["method"] == "de_casteljau" and r["statistic"] == "mean_error"]
         self.assertEqual(rows["de_casteljau", "mean_error", "ours_median"], want)
 

@@ -27,7 +27,7 @@ def search_table(study, rows):
         methods.setdefault(row["method"], []).append(row)
     groups = tuple(Group(f"`{m}`", m, tuple((", ".join(named(c, r[c]) for c in varying), _cells(r, r in broken))
                                             for r in own)) for m, own in methods.items())
-    english, chinese = form(rows[0]["curve"])
+    english, chinese = form(rows[0]["form"])
     return Table(id=f"{study}-search", caption=f"Sampled and searched maximum over u p~ and proved bound, {english} "
                  f"({large(max(r['trials'] for r in rows))} trials, then {large(max(r['budget'] for r in rows))} steps)",
                  caption_zh=f"抽样与搜索所得最大误差及已证误差界（以 u p~ 计），{chinese}", groups=groups, head=HEAD, row_head="cell")

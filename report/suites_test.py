@@ -83,7 +83,7 @@ class Suites(unittest.TestCase):
     def test_old_bundles_without_the_new_columns_stay_readable(self):
         fixture.write(self.place / "b")
         _without(self.place / "b" / "accuracy.csv", evaluators.SOMETIMES)
-        _without(self.place / "b" / "conversion.csv", ("curve", "dimension", "status", "non_finite"))
+        _without(self.place / "b" / "conversion.csv", ("form", "dimension", "status", "non_finite"))
         for file in ("search.csv", "worst.csv"):
             (self.place / "b" / file).unlink()
         fixture.seal(self.place / "b")

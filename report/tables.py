@@ -39,8 +39,8 @@ def scorecard_tables(bundle, file):
     scorecard = bundle[file]
     tables = []
     for number in scorecard.distinct("table"):
-        for curve in scorecard.distinct("curve", table=number):
-            tables.append(_scorecard_table(number, curve, scorecard.select(table=number, curve=curve)))
+        for curve in scorecard.distinct("form", table=number):
+            tables.append(_scorecard_table(number, curve, scorecard.select(table=number, form=curve)))
     return tables
 
 

@@ -17,7 +17,7 @@ import jsonschema
 ROOT = Path(__file__).resolve().parent.parent
 SCHEMAS = ROOT / "experiments/bundle/schema"
 COMMITTED = sorted(path.parent for path in ROOT.glob("results/*/bundle.json"))
-SUITE = ('schema_version = 1\n[suite]\nid = "s"\ntitle = "S"\n[[study]]\nid = "a"\nkind = "accuracy"\ncurve = "bezier"\n'
+SUITE = ('schema_version = 1\n[suite]\nid = "s"\ntitle = "S"\n[[study]]\nid = "a"\nkind = "accuracy"\ncurve = "bernstein"\n'
          'degree = [3]\ntrials = 2\nmethods = ["direct"]\n')
 PROGRAM = Path(sys.argv.pop(1)).resolve()
 

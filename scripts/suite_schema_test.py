@@ -115,7 +115,7 @@ class SuiteSchema(unittest.TestCase):
                 (HEAD + study.format("accuracy") + 'baseline = ["direct", "horner"]\n', "8:23"),
                 (HEAD + study.format("projection") + 'methods = ["quintic_isolate", "direct"]\n', "8:31"),
                 (HEAD + study.format("derivative") + 'order = [1]\nmethods = ["power_derivative"]\n', "9:12"),
-                (HEAD + study.format("derivative") + 'order = [1]\ncurve = "polynomial"\nmethods = ["differences_horner"]\n',
+                (HEAD + study.format("derivative") + 'order = [1]\ncurve = "power"\nmethods = ["differences_horner"]\n',
                  "10:12"),
                 (HEAD + study.format("conversion") + 'methods = ["factorial+factorial"]\n', "8:12")):
             code, said = self.planned(text)

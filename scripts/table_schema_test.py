@@ -33,26 +33,26 @@ DECIMAL = re.compile(r"-?[0-9]+(\.[0-9]+)?(e[+-][0-9]+)?")
 # scalar types, printed cells.
 REPORT = 'coordinate_range = [1e6]\ngenerator = ["report"]\npublished = "report_tables.csv"'
 STUDIES = {
-    "2.3.1-bezier": ("accuracy", "bezier", 'degree = [4, 300]\nscalar = ["double", "float"]\nbaseline = ["exact", "direct"]\n'
+    "2.3.1-bezier": ("accuracy", "bernstein", 'degree = [4, 300]\nscalar = ["double", "float"]\nbaseline = ["exact", "direct"]\n'
                      'methods = ["direct", "direct_pow", "differences:horner"]\ntrials = 9\ndecomposed_trials = 9\n' + REPORT),
     "weights": ("accuracy", "rational", 'degree = [3]\nmethods = ["direct"]\ntrials = 9'),
-    "2.2": ("conversion", "bezier", 'degree = [3, 300]\nmethods = ["factorial+forward_substitution"]\ntrials = 9'),
+    "2.2": ("conversion", "bernstein", 'degree = [3, 300]\nmethods = ["factorial+forward_substitution"]\ntrials = 9'),
     "worst": ("search", "rational", 'degree = [3]\nmethods = ["direct"]\ntrials = 5\nbudget = 5'),
-    "derivative": ("derivative", "bezier", "degree = [3]\norder = [1]\ntrials = 5"),
-    "length": ("arc_length", "bezier", "degree = [3]\ntolerance = [1e-3]\ntrials = 2"),
-    "at-length": ("inverse_arc_length", "bezier", "degree = [3]\ntolerance = [1e-3]\ntrials = 2"),
-    "projection": ("projection", "bezier", "degree = [3, 4]\ntrials = 2"),
-    "spline": ("interpolation", "bezier", "points = [3]\ntrials = 2"),
-    "fit": ("fitting", "bezier", "degree = [3]\npoints = [5]\ntolerance = [1e-2]\ntrials = 2"),
-    "split": ("subdivision", "bezier", "degree = [3]\ntrials = 2"),
+    "derivative": ("derivative", "bernstein", "degree = [3]\norder = [1]\ntrials = 5"),
+    "length": ("arc_length", "bernstein", "degree = [3]\ntolerance = [1e-3]\ntrials = 2"),
+    "at-length": ("inverse_arc_length", "bernstein", "degree = [3]\ntolerance = [1e-3]\ntrials = 2"),
+    "projection": ("projection", "bernstein", "degree = [3, 4]\ntrials = 2"),
+    "spline": ("interpolation", "bernstein", "points = [3]\ntrials = 2"),
+    "fit": ("fitting", "bernstein", "degree = [3]\npoints = [5]\ntolerance = [1e-2]\ntrials = 2"),
+    "split": ("subdivision", "bernstein", "degree = [3]\ntrials = 2"),
     "split-weights": ("subdivision", "rational", 'degree = [3]\ngenerator = ["weights_mild"]\ntrials = 2'),
-    "bspline": ("bspline", "bezier", "degree = [3]\ntrials = 2"),
-    "grid": ("grid", "bezier", "degree = [3]\npoints = [5]\ntrials = 2"),
-    "hard": ("hard_cases", "polynomial", 'scalar = ["double", "float"]\ntrials = 200\nkept = 2'),
-    "keeps": ("guarantees", "bezier", 'degree = [1]\nmethods = ["de_casteljau*", "direct_pow"]\ntrials = 20\nbudget = 200'),
-    "every": ("exhaustive", "bezier", 'curves = ["css_ease", "wilkinson_3"]\nmethods = ["de_casteljau"]\nt_interval = [[0.5, 0.5001]]'),
-    "2.4-bezier": ("timing", "bezier", 'degree = [2, 3, 4]\nmethods = ["direct", "de_casteljau"]\nmodes = ["one_shot"]\n' + REPORT),
-    "roofline": ("roofline", "bezier", 'degree = [3]\nmethods = ["horner_bernstein_fma"]'),
+    "bspline": ("bspline", "bernstein", "degree = [3]\ntrials = 2"),
+    "grid": ("grid", "bernstein", "degree = [3]\npoints = [5]\ntrials = 2"),
+    "hard": ("hard_cases", "power", 'scalar = ["double", "float"]\ntrials = 200\nkept = 2'),
+    "keeps": ("guarantees", "bernstein", 'degree = [1]\nmethods = ["de_casteljau*", "direct_pow"]\ntrials = 20\nbudget = 200'),
+    "every": ("exhaustive", "bernstein", 'curves = ["css_ease", "wilkinson_3"]\nmethods = ["de_casteljau"]\nt_interval = [[0.5, 0.5001]]'),
+    "2.4-bezier": ("timing", "bernstein", 'degree = [2, 3, 4]\nmethods = ["direct", "de_casteljau"]\nmodes = ["one_shot"]\n' + REPORT),
+    "roofline": ("roofline", "bernstein", 'degree = [3]\nmethods = ["horner_bernstein_fma"]'),
 }
 
 

@@ -349,7 +349,7 @@ class Bundles(unittest.TestCase):
         worst = bezierbench.read(self.baseline, frames=False)["worst"]
         judged = 0
         for k, method in enumerate(worst["method"]):
-            if worst["curve"][k] != "bezier" or worst["scalar"][k] != "double":
+            if worst["form"][k] != "bernstein" or worst["scalar"][k] != "double":
                 continue
             points = bezierbench.numbers(worst["coefficients"][k]).reshape(worst["dimension"][k], -1).T
             t = worst["t"][k]

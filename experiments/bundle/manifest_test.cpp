@@ -42,7 +42,7 @@ std::string refusal(std::string_view text, Exit exit = Exit::input_output) {
 
 TEST(Manifest, TextIsFixedToTheByte) {
   EXPECT_EQ(manifest_json(example()), R"({
-  "schema_version": 2,
+  "schema_version": 3,
   "suites": {
     "ids": [
       "report",
@@ -103,10 +103,10 @@ TEST(Manifest, RefusesWrongValues) {
   EXPECT_THAT(with("state", "finished"), HasSubstr("complete or partial"));
   EXPECT_THAT(with("seed", -1), HasSubstr("unsigned 64-bit"));
   EXPECT_THAT(with("seed", "1"), HasSubstr("unsigned 64-bit"));
-  EXPECT_THAT(with("schema_version", 3), HasSubstr("schema_version is 3, this program reads 2; use a newer program"));
+  EXPECT_THAT(with("schema_version", 4), HasSubstr("schema_version is 4, this program reads 3; use a newer program"));
   EXPECT_THAT(
-      with("schema_version", 1, Exit::usage),
-      HasSubstr("schema_version is 1, this program reads 2; run the suite again, or use the program of commit "));
+      with("schema_version", 2, Exit::usage),
+      HasSubstr("schema_version is 2, this program reads 3; run the suite again, or use the program of commit "));
   std::string text = manifest_json(example());
   text.replace(text.find("18446744073709551615"), 20, "18446744073709551616");
   EXPECT_THAT(refusal(text), HasSubstr("unsigned 64-bit"));

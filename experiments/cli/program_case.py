@@ -35,12 +35,12 @@ TO_POWER = ["factorial", "differences", "exact"]
 TO_BERNSTEIN = ["forward_substitution", "positive_sum", "triangle", "exact"]
 
 HEAD = ['schema_version = 1', '[suite]', 'id = "tiny"', 'title = "Tiny"', 'seed = 1']
-STUDY = {"id": '"a"', "kind": '"accuracy"', "curve": '"bezier"', "degree": "[3]", "coordinate_range": "[1]",
+STUDY = {"id": '"a"', "kind": '"accuracy"', "curve": '"bernstein"', "degree": "[3]", "coordinate_range": "[1]",
          "trials": "50", "methods": '["direct", "de_casteljau"]'}
-CONVERSION = {"id": '"c"', "kind": '"conversion"', "curve": '"bezier"', "degree": "[3, 5]",
+CONVERSION = {"id": '"c"', "kind": '"conversion"', "curve": '"bernstein"', "degree": "[3, 5]",
               "coordinate_range": "[1]", "trials": "5", "replicates": "4",
               "methods": '["factorial+forward_substitution"]'}
-TIMING = {"id": '"t"', "kind": '"timing"', "curve": '"bezier"', "degree": "[3]", "coordinate_range": "[1]"}
+TIMING = {"id": '"t"', "kind": '"timing"', "curve": '"bernstein"', "degree": "[3]", "coordinate_range": "[1]"}
 
 
 def lines_of(*studies, **changes):

@@ -15,7 +15,7 @@ NOISY = ("machine.json", "SHA256SUMS")  # the load of the machine is in the form
 ACCURACY = {**STUDY, "degree": "[3, 9]", "trials": "2200", "replicates": "2", "decomposed_trials": "20",
             "scalar": '["double", "float"]', "baseline": '["exact", "direct"]',
             "methods": '["direct", "de_casteljau", "direct_pow"]'}
-SEARCH = {"id": '"s"', "kind": '"search"', "curve": '"bezier"', "degree": "[3, 5]", "coordinate_range": "[1]",
+SEARCH = {"id": '"s"', "kind": '"search"', "curve": '"bernstein"', "degree": "[3, 5]", "coordinate_range": "[1]",
           "trials": "300", "budget": "300", "methods": '["direct", "de_casteljau"]'}
 
 

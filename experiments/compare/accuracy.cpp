@@ -131,7 +131,7 @@ std::vector<MethodChange> method_changes(const AccuracyComparison& accuracy) {
 
 std::string recorded_input(const Side& side, const Inputs& inputs) {
   constexpr std::array<std::string_view, 10> cell{
-      "study", "curve", "method", "scalar", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator"};
+      "study", "form", "method", "scalar", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator"};
   const auto* table = side.table("worst.csv");
   for (std::size_t row = 0; table != nullptr && row < table->row_count(); ++row) {
     const Inputs recorded(*bundle::declared_table("worst.csv"), *table, row, *table);

@@ -16,7 +16,7 @@ using Fields = std::vector<std::string>;
 // The columns of comparison.csv; the contract lists `kind` and those of the first two arrays.
 constexpr std::array<std::string_view, 6> leading_inputs{"study", "method", "scalar", "dimension", "degree", "mode"};
 constexpr std::array<std::string_view, 6> results{"a", "b", "ratio", "ratio_low", "ratio_high", "verdict"};
-constexpr std::array<std::string_view, 8> further_inputs{"table", "curve",     "coordinate_range", "t_min",
+constexpr std::array<std::string_view, 8> further_inputs{"table", "form",      "coordinate_range", "t_min",
                                                          "t_max", "generator", "trials",           "baseline"};
 constexpr std::array<std::string_view, 11> explanations{"against",        "bundle",          "file",
                                                         "column",         "quality",         "normalised",

@@ -18,8 +18,9 @@ using metric::Verdict;
 /// One row whose interval extends by `spread` to either side of the median.
 std::string row(const std::string& method, double ns, double spread = 0.001, const std::string& quality = "ok",
                 const std::string& checked = "yes", const std::string& units = "") {
-  return fmt::format("s,bezier,{},double,2,{},point,{},{},{},{},{},{},{},{}\n", method, method == sentinel ? "" : "4",
-                     ns, ns / (1 + spread), ns * (1 + spread), quality, checked, units, units, units);
+  return fmt::format("s,bernstein,{},double,2,{},point,{},{},{},{},{},{},{},{}\n", method,
+                     method == sentinel ? "" : "4", ns, ns / (1 + spread), ns * (1 + spread), quality, checked, units,
+                     units, units);
 }
 
 /// The same row with its time in units of the sentinel.
@@ -29,7 +30,7 @@ std::string row_in_units(double ns, double units) {
 
 Side timed(const std::string& name, const std::string& rows) {
   return side_of(name, {{timing_file,
-                         "study,curve,method,scalar,dimension,degree,mode,median_"
+                         "study,form,method,scalar,dimension,degree,mode,median_"
                          "ns,low_ns,high_ns,quality,checked,"
                          "sentinel_units,sentinel_units_low,sentinel_units_high\n" +
                              rows}});
@@ -73,10 +74,10 @@ TEST(Timing, TheWorseQualityOfBothIsKept) {
 /// A side with one time and the times of the two sentinels beside it, on one machine with one build.
 Side beside(const std::string& name, double chain_ns, double sweep_ns, const std::string& flags = "-O3") {
   auto side =
-      side_of(name, {{timing_file, fmt::format("study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,"
+      side_of(name, {{timing_file, fmt::format("study,form,method,scalar,dimension,degree,mode,median_ns,low_ns,"
                                                "high_ns,"
                                                "quality,checked,sentinel_ns,sweep_ns\n"
-                                               "s,bezier,horner,double,2,4,point,10,9.99,10.01,ok,yes,{},{}\n",
+                                               "s,bernstein,horner,double,2,4,point,10,9.99,10.01,ok,yes,{},{}\n",
                                                chain_ns, sweep_ns)}});
   side.facts = {{"cpu.model_name", "x"}, {"build.compiler", "y"}, {"build.flags", flags}};
   return side;
@@ -155,7 +156,7 @@ TEST(Timing, RanksOfSeveralBundlesAreAmongWhatAllHave) {
 TEST(Timing, ATimeThatIsNotANumberNamesItsLine) {
   try {
     (void)compare_timing(timed("a", row("horner", 10)),
-                         timed("b", "s,bezier,horner,double,2,4,point,,1,1,ok,yes,,,\n"));
+                         timed("b", "s,bernstein,horner,double,2,4,point,,1,1,ok,yes,,,\n"));
     FAIL();
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.exit(), Exit::input_output);

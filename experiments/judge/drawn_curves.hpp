@@ -22,7 +22,7 @@ struct DrawnCurve {
 class CurveSampler {
  public:
   CurveSampler(const suite::Study& study, std::uint64_t seed, const sample::Cell& cell)
-      : form_(study.curve), cell_(cell), sampler_(seed, study.id, cell) {}
+      : form_(study.form), cell_(cell), sampler_(seed, study.id, cell) {}
 
   void draw(std::uint64_t number, DrawnCurve& drawn) const {
     sampler_.draw(number, drawn.trial);

@@ -136,7 +136,7 @@ void GroupJudge<Scalar>::draw(Group group, TrialNumber first, Scratch& scratch) 
     auto& lane = group[k];
     lane.number = {first.replicate, first.trial + static_cast<std::int64_t>(k)};
     lane.counted = static_cast<std::uint64_t>(lane.number.replicate * study_.trials + lane.number.trial);
-    lane.inputs.be_of(study_.curve, cell_);
+    lane.inputs.be_of(study_.form, cell_);
     lane.inputs.draw(sampler_, lane.counted);
     scratch.points.add(lane.inputs.curve(), lane.inputs.t());
   }
@@ -144,7 +144,7 @@ void GroupJudge<Scalar>::draw(Group group, TrialNumber first, Scratch& scratch) 
 
 template <class Scalar>
 void GroupJudge<Scalar>::find_scales(Group group, Scratch& scratch) const {
-  if (study_.curve == Form::rational) {
+  if (study_.form == Form::rational) {
     for (auto& lane : group) lane.scale.set(lane.inputs.true_curve(), lane.inputs.true_t());
   } else {
     scratch.scales.begin(cell_.dimension, cell_.degree);
@@ -159,7 +159,7 @@ void GroupJudge<Scalar>::find_scales(Group group, Scratch& scratch) const {
 
 template <class Scalar>
 void GroupJudge<Scalar>::find_truth(Group group, Scratch& scratch) const {
-  const Form form = study_.curve;
+  const Form form = study_.form;
   auto& certified = scratch.certified;
   const bool applies = tier_ == reference::Tier::certified && reference::CertifiedPoints::applies(form);
   if (applies) {

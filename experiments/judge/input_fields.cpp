@@ -55,7 +55,7 @@ std::vector<std::string> input_fields(const sample::Trial& trial, int dimension)
 
 std::size_t bytes_of_input(const sample::Cell& cell) {
   constexpr std::size_t number = 23;  // -0x1.23456789abcdep+12, and a blank
-  const auto axes = static_cast<std::size_t>(cell.dimension) + (cell.curve == Form::rational ? 1 : 0);
+  const auto axes = static_cast<std::size_t>(cell.dimension) + (cell.form == Form::rational ? 1 : 0);
   return number * (1 + axes * (static_cast<std::size_t>(cell.degree) + 1));
 }
 
@@ -64,7 +64,7 @@ std::optional<sample::Trial> parse_input(const InputTexts& texts, const sample::
   const std::size_t count = static_cast<std::size_t>(cell.degree) + 1;
   const auto t = finite(texts.t);
   const auto axis_by_axis = parse_list(texts.coefficients, count * d);
-  const auto weights = parse_list(texts.weights, cell.curve == Form::rational ? count : 0);
+  const auto weights = parse_list(texts.weights, cell.form == Form::rational ? count : 0);
   if (!t || !axis_by_axis || !weights) return std::nullopt;
   sample::Trial trial;
   trial.t = *t;

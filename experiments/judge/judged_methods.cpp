@@ -41,16 +41,16 @@ void JudgedMethods<Scalar>::add(const Kernel<Scalar>& method) {
 
 template <class Scalar>
 void JudgedMethods<Scalar>::add_baselines(const suite::Study& study, const sample::Cell& cell) {
-  amplifications_.insert(p_tilde_of(study.curve));
+  amplifications_.insert(p_tilde_of(study.form));
   for (std::size_t k = 0; k < study.baseline.size(); ++k) {
     const std::string& id = study.baseline[k];
     const Kernel<Scalar>* kernel = nullptr;
     if (id != exact_baseline) {
-      kernel = find_method<Scalar>(id, study.curve, cell.dimension);
+      kernel = find_method<Scalar>(id, study.form, cell.dimension);
       if (kernel == nullptr)
         suite::refuse(study, {"baseline", k, "curve",
                               fmt::format("baseline \"{}\" does not take curves in {} form; see `list methods`", id,
-                                          name(study.curve))});
+                                          name(study.form))});
       if (!takes(*kernel->info, cell.t_interval))
         suite::refuse(study, {"baseline", k, "t_interval", fmt::format("baseline \"{}\" takes t in [0,1] only", id)});
     }

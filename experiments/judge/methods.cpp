@@ -139,7 +139,7 @@ void require_form(const suite::Study& study, bool any_method) {
   if (any_method) return;
   suite::refuse(study,
                 {study.methods.empty() ? "curve" : "methods", 0, "curve",
-                 fmt::format("none of its methods takes curves in {} form; see `list methods`", name(study.curve))});
+                 fmt::format("none of its methods takes curves in {} form; see `list methods`", name(study.form))});
 }
 
 bool takes(const MethodInfo& info, const suite::Interval& t_interval) {
@@ -148,7 +148,7 @@ bool takes(const MethodInfo& info, const suite::Interval& t_interval) {
 
 template <class Scalar>
 std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, const sample::Cell& cell) {
-  const Form form = study.curve;
+  const Form form = study.form;
   const int dimension = cell.dimension;
   for (std::size_t k = 0; k < study.methods.size(); ++k) {
     const std::string& pattern = study.methods[k];

@@ -66,7 +66,7 @@ std::vector<const typename P::Kernel*> chosen_trial_kernels(const suite::Study& 
   std::vector<const typename P::Kernel*> methods;
   const auto chosen = chosen_companions(study, P::problem);
   for (const auto& kernel : P::kernels(dimension))
-    if (kernel.info->form == study.curve && std::ranges::find(chosen, kernel.info) != chosen.end())
+    if (kernel.info->form == study.form && std::ranges::find(chosen, kernel.info) != chosen.end())
       methods.push_back(&kernel);
   return methods;
 }

@@ -43,8 +43,8 @@ class AnswerRow {
     return static_cast<int>(*value);
   }
   [[nodiscard]] Form form() const {
-    const auto form = suite::parse<Form>(text("curve"));
-    if (!form) malformed("curve", "is not the form of a curve");
+    const auto form = suite::parse<Form>(text("form"));
+    if (!form) malformed("form", "is not the form of a curve");
     return *form;
   }
   [[nodiscard]] std::vector<double> numbers(std::string_view column, std::size_t count) const {

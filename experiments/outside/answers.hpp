@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 3> answer_columns{"x", "y", "z"};
 /// The id of a file of answers that was given none: answers_ and what its name has of letters and digits.
 std::string answers_id(std::string_view file_name);
 
-/// The answers of a table with the columns curve, dimension, degree, t, coefficients, weights, x, y, z; an input is
+/// The answers of a table with the columns form, dimension, degree, t, coefficients, weights, x, y, z; an input is
 /// found by its bits. Throws Failure(input_output) that names file, line and column for a field that cannot be read, and
 /// Failure(usage) for an id that is none.
 std::shared_ptr<const Method> answers(const bundle::CsvDocument& table, const std::string& id,

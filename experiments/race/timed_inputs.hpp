@@ -15,7 +15,7 @@ inline constexpr std::size_t timed_inputs_per_cell = 256;
 
 template <class Scalar>
 Inputs<Scalar> timed_inputs(const suite::Study& study, const sample::Cell& cell, std::uint64_t seed) {
-  const Form form = study.curve;
+  const Form form = study.form;
   Inputs<Scalar> inputs{form, cell.dimension, cell.degree, {}, {}, {}};
   const sample::Sampler sampler(seed, study.id, cell);
   judge::TrialInputs<Scalar> trial(form, cell);

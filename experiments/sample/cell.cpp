@@ -4,13 +4,21 @@
 #include <fmt/format.h>
 
 #include "experiments/number/number.hpp"
-#include "experiments/suite/names.hpp"
 
 namespace bezierbench::sample {
 
+namespace {
+
+// Other words would draw other inputs: those for the forms are not those of suites and tables.
+std::string_view word_in_key(Form form) {
+  return form == Form::bernstein ? "bezier" : form == Form::power ? "polynomial" : "rational";
+}
+
+}  // namespace
+
 std::string canonical(const Cell& cell) {
   return fmt::format("curve={};dimension={};degree={};coordinate_range={};t_interval={}:{};generator={}",
-                     suite::name(cell.curve), cell.dimension, cell.degree, number::decimal(cell.coordinate_range),
+                     word_in_key(cell.form), cell.dimension, cell.degree, number::decimal(cell.coordinate_range),
                      number::decimal(cell.t_interval.min), number::decimal(cell.t_interval.max), cell.generator);
 }
 
@@ -30,7 +38,7 @@ std::vector<Cell> cells(const suite::Study& study) {
       for (const double range : study.coordinate_range) {
         for (const suite::Interval& t : study.t_interval) {
           for (const std::string& generator : study.generator) {
-            all.push_back({study.curve, dimension, degree, range, t, generator});
+            all.push_back({study.form, dimension, degree, range, t, generator});
           }
         }
       }

@@ -13,7 +13,7 @@ namespace bezierbench::sample {
 
 /// The scalar type and the methods are no part of a cell: all of them get the same inputs.
 struct Cell {
-  Form curve = Form::bernstein;
+  Form form = Form::bernstein;
   int dimension = 2;
   int degree = 0;
   double coordinate_range = 1;

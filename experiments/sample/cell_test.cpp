@@ -25,7 +25,7 @@ TEST(Cell, HasACanonicalText) {
 
 TEST(Cell, CellsAreTheCrossProductInOrder) {
   suite::Study study;
-  study.curve = Form::power;
+  study.form = Form::power;
   study.dimension = {2, 3};
   study.degree = {4, 8};
   study.coordinate_range = {1, 10};

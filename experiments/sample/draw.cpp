@@ -20,7 +20,7 @@ void fill(Words& words, const Cell& cell, Trial& out) {
   for (double& coordinate : out.coefficients) coordinate = G::coordinate(words, cell.coordinate_range);
   out.weights.clear();
   if constexpr (WeightGenerator<G>) {
-    if (cell.curve != Form::rational) return;
+    if (cell.form != Form::rational) return;
     out.weights.resize(static_cast<std::size_t>(cell.degree) + 1);
     for (double& weight : out.weights) weight = G::weight(words);
   }
@@ -33,7 +33,7 @@ void fill(Words& words, const Cell& cell, Trial& out) {
   out.weights.clear();
   const auto d = static_cast<std::size_t>(cell.dimension);
   const auto count = static_cast<std::size_t>(cell.degree) + 1;
-  G::polynomial(words, cell.curve, std::span(out.coefficients).first(count));
+  G::polynomial(words, cell.form, std::span(out.coefficients).first(count));
   for (std::size_t i = count; i-- > 0;) {  // backwards, so that no coefficient is overwritten before it is copied
     const double coordinate = cell.coordinate_range * out.coefficients[i];
     for (std::size_t axis = 0; axis < d; ++axis) out.coefficients[i * d + axis] = coordinate;

@@ -64,7 +64,7 @@ TEST(Draw, AgreesWithTheIndependentImplementation) {
     std::map<std::string, std::string> row;
     for (std::size_t i = 0; i < header.size(); ++i) row[header[i]] = fields[i];
     SCOPED_TRACE(row["study"] + " " + row["generator"] + " " + row["trial"]);
-    const Cell cell{suite::parse<Form>(row["curve"]).value(),
+    const Cell cell{suite::parse<Form>(row["form"]).value(),
                     std::stoi(row["dimension"]),
                     std::stoi(row["degree"]),
                     number(row["coordinate_range"]),
@@ -102,7 +102,7 @@ TEST(Draw, EveryPartOfTheIdentityCounts) {
   EXPECT_NE(drawn(1, "b", cell, 0).t, t);
   EXPECT_NE(drawn(1, "a", cell, 1).t, t);
   for (const auto& change :
-       std::vector<void (*)(Cell&)>{[](Cell& c) { c.curve = Form::power; }, [](Cell& c) { c.dimension = 3; },
+       std::vector<void (*)(Cell&)>{[](Cell& c) { c.form = Form::power; }, [](Cell& c) { c.dimension = 3; },
                                     [](Cell& c) { c.degree = 5; }, [](Cell& c) { c.coordinate_range = 2; },
                                     [](Cell& c) {
                                       c.t_interval = {0, 0.999};
@@ -206,13 +206,13 @@ TYPED_TEST(GeneratorTest, HasWeightsForRationalCurvesWhereItSaysSo) {
   EXPECT_TRUE(drawn(1, "a", cell, 0).weights.empty());
   EXPECT_EQ(TypeParam::info.limits.weights, !TypeParam::info.weights.empty());
   if (!TypeParam::info.limits.weights) return;
-  cell.curve = Form::rational;
+  cell.form = Form::rational;
   EXPECT_EQ(drawn(1, "a", cell, 0).weights.size(), 5U);
 }
 
 TYPED_TEST(GeneratorTest, ReplacesTheTrialOfAnotherSampler) {
   Cell weighted = cell_of("weights_mild", 1);
-  weighted.curve = Form::rational;
+  weighted.form = Form::rational;
   Trial trial = drawn(1, "a", weighted, 0);
   const Sampler sampler(1, "a", cell_of(TypeParam::info.id, 1));
   sampler.draw(0, trial);

@@ -40,7 +40,7 @@ inline void expect_kept(const bundle::CsvDocument& csv, std::size_t row) {
 
 inline void expect_refusals(run::MakeJob make, const suite::Study& good) {
   auto polynomial = good;
-  polynomial.curve = Form::power;
+  polynomial.form = Form::power;
   EXPECT_THROW(make(polynomial, {1}), Failure);
   auto single = good;
   single.scalar = {suite::ScalarKind::float32};

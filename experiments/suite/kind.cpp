@@ -32,10 +32,10 @@ constexpr std::array shared{
                          .left_out = "nothing: it is required",
                          .required = true,
                          .settable = false}),
-    field<&Study::curve>({.key = "curve",
-                          .meaning = "form in which random curves are drawn",
-                          .example = "\"bezier\"",
-                          .settable = false}),
+    field<&Study::form>({.key = "curve",
+                         .meaning = "form in which random curves are drawn",
+                         .example = "\"bernstein\"",
+                         .settable = false}),
     field<&Study::dimension>(
         {.key = "dimension", .meaning = "numbers of coordinates, 1 to 3", .example = "[2, 3]", .axis = Axis::of_cells}),
     field<&Study::degree>({.key = "degree",
@@ -77,9 +77,9 @@ constexpr std::array shared{
                              .bare_if_single = true})};
 
 Finding check_form(const Study& study, const Inputs& inputs) {
-  if (std::ranges::count(inputs.forms, study.curve) > 0) return std::nullopt;
+  if (std::ranges::count(inputs.forms, study.form) > 0) return std::nullopt;
   std::vector<std::string> forms;
-  for (const Form form : inputs.forms) forms.push_back(fmt::format("\"{}\"", suite::name(form)));
+  for (const Form form : inputs.forms) forms.push_back(fmt::format("\"{}\"", name(form)));
   return Fault{"curve", 0, "kind", fmt::format("{}; write curve = {}", inputs.forms_reason, fmt::join(forms, " or "))};
 }
 

@@ -134,11 +134,11 @@ TEST(Kinds, RefuseInputsThatTheyDoNotTake) {
   for (const auto& [kind, more, column, what] :
        {Refusal{"derivative", "curve = \"rational\"", 9,
                 "derivatives are those of polynomial curves; write curve = "
-                "\"bezier\" or \"polynomial\""},
+                "\"bernstein\" or \"power\""},
         Refusal{"conversion", "curve = \"rational\"", 9, "conversions take polynomial curves"},
-        Refusal{"arc_length", "curve = \"polynomial\"", 9, "write curve = \"bezier\""},
+        Refusal{"arc_length", "curve = \"polynomial\"", 9, "write curve = \"bernstein\""},
         Refusal{"subdivision", "curve = \"polynomial\"", 9, "what is split has control points"},
-        Refusal{"projection", "curve = \"polynomial\"", 9, "write curve = \"bezier\""},
+        Refusal{"projection", "curve = \"polynomial\"", 9, "write curve = \"bernstein\""},
         Refusal{"derivative", "scalar = [\"double\", \"float\"]", 21,
                 "kind \"derivative\" is computed in double only; leave scalar out"},
         Refusal{"conversion", "scalar = [\"float\"]", 11, "in double only"},

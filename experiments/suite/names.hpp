@@ -23,10 +23,19 @@ struct Word {
 template <class Enum>
 inline constexpr std::array<Word<Enum>, 0> words{};
 
-/// The forms in which a curve is given; bezierbench::name has the word for a form of coefficients.
+/// The forms in which a curve is given.
 template <>
-inline constexpr std::array<Word<Form>, 3> words<Form>{
-    {{Form::bernstein, "bezier"}, {Form::power, "polynomial"}, {Form::rational, "rational"}}};
+inline constexpr std::array<Word<Form>, 3> words<Form>{{{Form::bernstein, bezierbench::name(Form::bernstein)},
+                                                        {Form::power, bezierbench::name(Form::power)},
+                                                        {Form::rational, bezierbench::name(Form::rational)}}};
+
+/// Words that are read as well: those of suites and tables before schema version 3.
+template <class Enum>
+inline constexpr std::array<Word<Enum>, 0> earlier_words{};
+
+template <>
+inline constexpr std::array<Word<Form>, 2> earlier_words<Form>{
+    {{Form::bernstein, "bezier"}, {Form::power, "polynomial"}}};
 
 template <>
 inline constexpr std::array<Word<ScalarKind>, 2> words<ScalarKind>{
@@ -49,10 +58,13 @@ constexpr std::string_view name(Enum value) {
   return "unknown";
 }
 
-/// The value that `word` stands for; empty for any other word. Case matters.
+/// The value that `word`, also an earlier one, stands for; empty for any other word. Case matters.
 template <Worded Enum>
 constexpr std::optional<Enum> parse(std::string_view word) {
   for (const auto& entry : words<Enum>) {
+    if (entry.word == word) return entry.value;
+  }
+  for (const auto& entry : earlier_words<Enum>) {
     if (entry.word == word) return entry.value;
   }
   return std::nullopt;

@@ -24,8 +24,10 @@ TEST(Names, EveryValueHasOneWord) {
 }
 
 TEST(Names, AreTheWordsOfTheContract) {
-  EXPECT_EQ(suite::name(Form::bernstein), "bezier");
-  EXPECT_EQ(suite::name(Form::power), "polynomial");
+  EXPECT_EQ(suite::name(Form::bernstein), "bernstein");
+  EXPECT_EQ(suite::name(Form::power), "power");
+  EXPECT_EQ(parse<Form>("bezier"), Form::bernstein);
+  EXPECT_EQ(parse<Form>("polynomial"), Form::power);
   EXPECT_EQ(name(ScalarKind::float32), "float");
   EXPECT_EQ(name(ScalarKind::float64), "double");
   EXPECT_EQ(name(Mode::one_shot), "one_shot");

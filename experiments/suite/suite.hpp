@@ -67,8 +67,8 @@ struct Study {
   Places places;  ///< for messages
   std::string id;
   std::string title;
-  const Kind* kind = nullptr;    ///< null only in studies that no one asks for their kind
-  Form curve = Form::bernstein;  ///< the form in which random curves are drawn, one of those that are given
+  const Kind* kind = nullptr;   ///< null only in studies that no one asks for their kind
+  Form form = Form::bernstein;  ///< the form in which random curves are drawn, one of those that are given
   std::vector<int> degree;
   std::vector<double> coordinate_range{1.0};
   std::vector<Interval> t_interval{Interval{}};

@@ -93,7 +93,7 @@ std::string power_or_decimal(double x) {
 /// What is wrong if a generator with weights draws for another form than rational, or one without weights for rational
 /// curves.
 std::string weights_problem(const Study& study, const KnownGenerator& generator, const Vocabulary& known) {
-  const bool rational = study.curve == Form::rational;
+  const bool rational = study.form == Form::rational;
   if (rational == generator.limits.weights) return {};
   std::vector<std::string> others;
   for (const auto& other : known.generators) {
@@ -122,13 +122,14 @@ Finding check_generator(const Study& study, std::size_t i, const Vocabulary& kno
   if (std::string what = weights_problem(study, generator, known); !what.empty()) {
     return Fault{"generator", i, "curve", std::move(what)};
   }
-  const int largest = study.curve == Form::power ? limits.polynomial_degree : limits.bezier_degree;
+  const int largest = study.form == Form::power ? limits.polynomial_degree : limits.bezier_degree;
   for (std::size_t k = 0; k < study.degree.size(); ++k) {
     if (study.degree[k] > largest) {
-      return Fault{"degree", k, "generator",
-                   fmt::format("generator \"{}\" draws {} curves up to degree {} only, where their coefficients are "
-                               "exact; lower the degree or change the generator",
-                               generator.id, suite::name(study.curve), largest)};
+      return Fault{
+          "degree", k, "generator",
+          fmt::format("generator \"{}\" draws curves in {} form up to degree {} only, where their coefficients are "
+                      "exact; lower the degree or change the generator",
+                      generator.id, name(study.form), largest)};
     }
   }
   for (std::size_t k = 0; k < study.coordinate_range.size(); ++k) {

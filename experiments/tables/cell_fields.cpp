@@ -10,7 +10,7 @@ namespace bezierbench::tables {
 
 const std::vector<std::string>& cell_columns() {
   static const std::vector<std::string> columns = [] {
-    std::vector<std::string> all{"study", "curve", "method", "scalar", "dimension", "degree"};
+    std::vector<std::string> all{"study", "form", "method", "scalar", "dimension", "degree"};
     all.insert(all.end(), drawn_columns().begin(), drawn_columns().end());
     return all;
   }();
@@ -30,7 +30,7 @@ std::vector<std::string> drawn_fields(const sample::Cell& cell) {
 std::vector<std::string> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
                                      suite::ScalarKind scalar) {
   std::vector<std::string> fields{study.id,
-                                  std::string(suite::name(study.curve)),
+                                  std::string(name(study.form)),
                                   std::string(method),
                                   std::string(suite::name(scalar)),
                                   std::to_string(cell.dimension),
@@ -40,8 +40,8 @@ std::vector<std::string> cell_fields(const suite::Study& study, const sample::Ce
 }
 
 std::string describe(const suite::Study& study, const sample::Cell& cell, suite::ScalarKind scalar) {
-  return fmt::format("study {}, {} {} degree {}, range {}, t in [{}, {}], generator {}", study.id,
-                     suite::name(study.curve), suite::name(scalar), cell.degree, number::decimal(cell.coordinate_range),
+  return fmt::format("study {}, {} {} degree {}, range {}, t in [{}, {}], generator {}", study.id, name(study.form),
+                     suite::name(scalar), cell.degree, number::decimal(cell.coordinate_range),
                      number::decimal(cell.t_interval.min), number::decimal(cell.t_interval.max), cell.generator);
 }
 

@@ -11,7 +11,7 @@
 
 namespace bezierbench::tables {
 
-/// study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator
+/// study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator
 const std::vector<std::string>& cell_columns();
 
 /// The fields of cell_columns().

@@ -16,7 +16,7 @@ namespace {
 using CurveKind = std::vector<std::string>;
 
 CurveKind kind_of(const TableRow& row) {
-  return {row.text("curve"), row.text("scalar"), row.text("dimension"), row.text("degree")};
+  return {row.text("form"), row.text("scalar"), row.text("dimension"), row.text("degree")};
 }
 
 /// The errors of the methods of one accuracy study on one kind of curve.
@@ -50,7 +50,7 @@ std::vector<std::string> drawn_of(const bundle::CsvDocument& timing, const Table
 
 /// The study that judged most of the group's methods; null where none was judged.
 const Judged* best_cover(const ChoiceGroup& group, const JudgedKinds& kinds) {
-  const auto studies = kinds.find({group.curve, group.scalar, group.dimension, group.degree});
+  const auto studies = kinds.find({group.form, group.scalar, group.dimension, group.degree});
   if (studies == kinds.end()) return nullptr;
   const auto covered = [&](const Judged& judged) {
     return std::ranges::count_if(group.choices, [&](const Choice& one) { return judged.methods.contains(one.method); });
@@ -74,7 +74,7 @@ void add_rows(Tables& tables, const ChoiceGroup& group) {
     tables.add(Row("pareto.csv")
                    .set("study", group.study)
                    .set("accuracy_study", group.accuracy_study)
-                   .set("curve", group.curve)
+                   .set("form", group.form)
                    .set("method", choice.method)
                    .set("scalar", group.scalar)
                    .set("dimension", group.dimension)
@@ -120,7 +120,7 @@ std::vector<ChoiceGroup> timed_groups(const bundle::CsvDocument& timing) {
     if (row.text("degree").empty()) continue;  // the row of a sentinel
     const ChoiceGroup key{row.text("study"),
                           "",
-                          row.text("curve"),
+                          row.text("form"),
                           row.text("scalar"),
                           row.text("dimension"),
                           row.text("degree"),
@@ -128,7 +128,7 @@ std::vector<ChoiceGroup> timed_groups(const bundle::CsvDocument& timing) {
                           drawn_of(timing, row),
                           {}};
     const auto same = [&](const ChoiceGroup& group) {
-      return group.study == key.study && group.curve == key.curve && group.scalar == key.scalar &&
+      return group.study == key.study && group.form == key.form && group.scalar == key.scalar &&
              group.dimension == key.dimension && group.degree == key.degree && group.mode == key.mode &&
              group.drawn == key.drawn;
     };

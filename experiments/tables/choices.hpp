@@ -44,7 +44,7 @@ struct Choice {
 struct ChoiceGroup {
   std::string study;           ///< the timing study
   std::string accuracy_study;  ///< the accuracy study
-  std::string curve;
+  std::string form;
   std::string scalar;
   std::string dimension;
   std::string degree;

@@ -13,13 +13,13 @@ namespace bezierbench::tables {
 namespace {
 
 constexpr auto timing_columns =
-    "study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,quality,"
+    "study,form,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,quality,"
     "coordinate_range,t_min,t_max,generator\n";
 constexpr auto accuracy_columns_needed =
-    "study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
+    "study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
     "max_error_u,bound_u,max_bound,non_finite\n";
 constexpr auto reference_columns_needed =
-    "study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,unbounded_trials\n";
+    "study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,unbounded_trials\n";
 
 bundle::CsvDocument timing(const std::string& rows) { return bundle::parse_csv(timing_columns + rows, "timing.csv"); }
 /// `counts`: rows of reference.csv with the numbers of trials that have no bound.
@@ -30,15 +30,16 @@ JudgedTables judged(const std::string& rows, const std::string& counts = "") {
 }
 
 std::string time_of(const std::string& method, const std::string& ns, const std::string& mode = "point") {
-  return "speed,bezier," + method + ",double,2,3," + mode + "," + ns + "," + ns + "," + ns + ",ok,1,0,1,continuous\n";
+  return "speed,bernstein," + method + ",double,2,3," + mode + "," + ns + "," + ns + "," + ns +
+         ",ok,1,0,1,continuous\n";
 }
 std::string error_of(const std::string& study, const std::string& method, const std::string& numbers,
                      const std::string& baseline = "exact", const std::string& drawn = "1,0,1") {
-  return study + ",bezier," + method + ",double,2,3," + drawn + ",continuous," + baseline + ",ok," + numbers + "\n";
+  return study + ",bernstein," + method + ",double,2,3," + drawn + ",continuous," + baseline + ",ok," + numbers + "\n";
 }
 std::string unbounded(const std::string& study, const std::string& method, const std::string& trials,
                       const std::string& drawn = "1,0,1") {
-  return study + ",bezier," + method + ",double,2,3," + drawn + ",continuous," + trials + "\n";
+  return study + ",bernstein," + method + ",double,2,3," + drawn + ",continuous," + trials + "\n";
 }
 
 TEST(ChoiceGroups, TakeTheWorstOfAllCellsOfAStudy) {

@@ -23,7 +23,7 @@ constexpr double clock_quantum_ms = 1;  ///< the report reads a clock of whole m
 
 /// One line of a published file.
 struct PrintedCell {
-  std::string table, curve, method, statistic, degree, note;
+  std::string table, form, method, statistic, degree, note;
   double coordinate_range = 0;
   std::optional<suite::Interval> t_interval;
   double value = 0;
@@ -55,7 +55,7 @@ std::vector<PrintedCell> printed_cells(const std::string& file_name) {
     const auto csv = bundle::parse_csv(table.text, table.file_name);
     for (std::size_t row = 0; row < csv.row_count(); ++row) {
       PrintedCell cell{.table = csv.at(row, "table"),
-                       .curve = csv.at(row, "curve"),
+                       .form = csv.at(row, "form"),
                        .method = csv.at(row, "path"),
                        .statistic = csv.at(row, "statistic"),
                        .degree = csv.at(row, "degree"),
@@ -77,7 +77,7 @@ std::vector<PrintedCell> printed_cells(const std::string& file_name) {
 }
 
 bool reproduces(const suite::Study& study, const PrintedCell& cell) {
-  return (study.id == cell.table || study.id.starts_with(cell.table + "-")) && suite::name(study.curve) == cell.curve;
+  return (study.id == cell.table || study.id.starts_with(cell.table + "-")) && name(study.form) == cell.form;
 }
 
 const Series* find(std::span<const Series> series, const suite::Study& study, const PrintedCell& cell,
@@ -98,7 +98,7 @@ std::string median_text(const Series* series) { return series == nullptr ? "" : 
 Row row_of(std::string_view file, const PrintedCell& cell) {
   Row row(file);
   row.set("table", cell.table)
-      .set("curve", cell.curve)
+      .set("form", cell.form)
       .set("method", cell.method)
       .set("statistic", cell.statistic)
       .set("degree", cell.degree)

@@ -28,7 +28,7 @@ TEST(PublishedCells, AreAllThere) {
   for (std::size_t row = 0; row < cells.row_count(); ++row) {
     ++count[cells.at(row, "table")];
     if (cells.at(row, "table").starts_with("2.3"))
-      distinct.insert({cells.at(row, "curve"), cells.at(row, "path"), cells.at(row, "statistic"),
+      distinct.insert({cells.at(row, "form"), cells.at(row, "path"), cells.at(row, "statistic"),
                        cells.at(row, "degree"), cells.at(row, "coordinate_range"), cells.at(row, "t_min"),
                        cells.at(row, "t_max"), cells.at(row, "value")});
   }
@@ -52,7 +52,7 @@ suite::Study study_231() {
 
 Series series_of(double first, double last, const std::string& generator, const std::string& baseline) {
   Series series{.study = "2.3.1-bezier",
-                .curve = "bezier",
+                .form = "bernstein",
                 .method = "de_casteljau",
                 .statistic = "mean_error",
                 .degree = "4",
@@ -136,7 +136,7 @@ TEST(Scorecard, FewRepetitionsLeaveNothingOutside) {
 TEST(Scorecard, ASlipIsExplainedOnlyByItsCorrection) {
   suite::Study study = study_231();
   study.id = "2.3.2-polynomial";
-  study.curve = Form::power;
+  study.form = Form::power;
   study.baseline = {"power_sum"};
   const auto verdict = [&](double low, double high) {
     Series series = series_of(low, high, "report", "power_sum");

@@ -63,7 +63,7 @@ class Tables {
 /// One statistic of one cell, once per replicate: what a printed cell of a report is compared with.
 struct Series {
   std::string study;
-  std::string curve;
+  std::string form;
   std::string method;
   std::string statistic;  ///< mean_error, max_error, count_within_1e-5, ..., total_time
   std::string degree;     ///< a number, or first..last for statistics over degrees

@@ -14,7 +14,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Row in_cell(const std::string& file, double range, const std::string& scalar) {
   return Row(file)
-      .set("curve", "bezier")
+      .set("form", "bernstein")
       .set("method", "m")
       .set("scalar", scalar)
       .set("dimension", 2)

@@ -12,7 +12,7 @@ from .suite_parts import figure, of_suite
 TITLE = "Time against error"
 KIND = "timing"
 SIGN = {"yes": " ✓", "unresolved": " ?", "no": ""}
-KEY = ("study", "accuracy_study", "curve", "scalar", "dimension")
+KEY = ("study", "accuracy_study", "form", "scalar", "dimension")
 
 
 def blocks(bundle, findings):
@@ -36,7 +36,7 @@ def blocks(bundle, findings):
 
 def _table(number, key, rows):
     worth = {(r["method"], r["mode"]) for r in rows if r["pareto"] != "no" and useful(r["observed_max_u"], key["scalar"])}
-    english, chinese = form(key["curve"])
+    english, chinese = form(key["form"])
     modes = list(dict.fromkeys(r["mode"] for r in rows))
     return by_axis(
         [r for r in rows if (r["method"], r["mode"]) in worth], "degree", f"choosing-{number}",

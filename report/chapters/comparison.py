@@ -75,7 +75,7 @@ def _times(found, other, table_id):
         for row in (r for r in rows if r["study"] == study):
             kinds.setdefault((row["scalar"], row["dimension"]), []).append(row)
         for number, ((scalar, dimension), kind) in enumerate(kinds.items(), 1):
-            english, chinese = form(kind[0]["curve"])
+            english, chinese = form(kind[0]["form"])
             lines = [(label, cell, lambda r, mode=mode: r["mode"] == mode)
                      for mode in dict.fromkeys(r["mode"] for r in kind)
                      for label, cell in ((mode, _ratio), (f"{mode}, in sentinels", _normalised))]

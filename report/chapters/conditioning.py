@@ -42,7 +42,7 @@ def _study(study, degree, rows):
     for method in dict.fromkeys(r["method"] for r in rows):
         own = [r for r in rows if r["method"] == method]
         groups.append(Group(f"`{method}`", method, (line("median", "p50_relative", own), line("largest", "max_relative", own))))
-    english, chinese = form(rows[0]["curve"])
+    english, chinese = form(rows[0]["form"])
     return Table(id=f"{study}-{shortest(degree)}", caption=f"Condition number and relative error, degree {shortest(degree)}, "
                                                            f"{english} "
                  f"({rows[0]['generator']} inputs)", caption_zh=f"条件数与相对误差，{shortest(degree)} 阶，{chinese}", groups=tuple(groups),

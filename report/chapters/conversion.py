@@ -55,7 +55,7 @@ def study_tables(bundle, study):
 
 def _coefficient_table(study, rows):
     generators = list(dict.fromkeys(r["generator"] for r in rows))
-    title = NORMS[rows[0]["curve"]][0] if rows[0]["curve"] in NORMS else study
+    title = NORMS[rows[0]["form"]][0] if rows[0]["form"] in NORMS else study
     degrees = sorted({r["degree"] for r in rows})
     groups = []
     for conversion in dict.fromkeys(r["conversion"] for r in rows):
@@ -79,7 +79,7 @@ def _parts(bundle):
     for study in dict.fromkeys(r["study"] for r in rows):
         for degree in dict.fromkeys(r["degree"] for r in rows if r["study"] == study):
             own = [r for r in rows if r["study"] == study and r["degree"] == degree]
-            english, chinese = form(own[0]["curve"])
+            english, chinese = form(own[0]["form"])
             yield by_axis(own, "interval", f"{study}-parts-{shortest(degree)}",
                           f"Mean error and its parts, degree {shortest(degree)}, {english} (coordinate units)",
                           f"平均误差及其来源，{shortest(degree)} 阶，{chinese}",

@@ -17,7 +17,7 @@ MODES = {"point": "ns per point, prepared", "one_shot": "ns, prepare and one poi
 def blocks(bundle, findings):
     """Findings, the figure, then one table: each method's errors and times, degree by degree."""
     table = bundle.exact(SUITE)
-    errors = table.select(curve="bezier", scalar="double", dimension=2)
+    errors = table.select(form="bernstein", scalar="double", dimension=2)
     if not any(r["method"].startswith(PEER) for r in errors):
         raise Missing(f"`unstable.csv` has no method of another library in a study of the suite `{SUITE}`")
     times = times_of(bundle)
@@ -41,7 +41,7 @@ def times_of(bundle):
         rows = bundle["timing.csv"].of_suite(SUITE).rows
     except Missing:
         return []
-    return [r for r in rows if r["degree"] is not None and r["curve"] == "bezier" and r["mode"] in MODES]
+    return [r for r in rows if r["degree"] is not None and r["form"] == "bernstein" and r["mode"] in MODES]
 
 
 def _error(column):

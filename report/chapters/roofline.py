@@ -40,7 +40,7 @@ def study_tables(bundle, study):
     for row in bundle["roofline.csv"].some(study=study):
         kinds.setdefault((row["scalar"], row["dimension"]), []).append(row)
     for (scalar, dimension), members in kinds.items():
-        english, chinese = form(members[0]["curve"])
+        english, chinese = form(members[0]["form"])
         interval = "" if (members[0]["t_min"], members[0]["t_max"]) == (0, 1) else \
             f", t in [{shortest(members[0]['t_min'])}, {shortest(members[0]['t_max'])}]"
         yield by_axis(

@@ -62,7 +62,7 @@ def _not_inside(rows):
     for row in rows:
         write = scientific if row["statistic"] in STATISTIC else general
         band = f"{write(row['ours_p05'])} – {write(row['ours_p95'])}"
-        what = f"{form(row['curve'])[0]}, {name(row['method'])}, {STATISTIC.get(row['statistic'], ('count',))[0]}, {_place(row)}"
+        what = f"{form(row['form'])[0]}, {name(row['method'])}, {STATISTIC.get(row['statistic'], ('count',))[0]}, {_place(row)}"
         texts = [(what, what), ((as_printed if write is scientific else shortest)(row["published"]), row.text("published")),
                  (write(row["ours_median"]), row.text("ours_median")),
                  (band, f"{row.text('ours_p05')} {row.text('ours_p95')}"),

@@ -103,7 +103,7 @@ def rational_against_degree(bundle):
 @figure
 def peers_against_degree(bundle):
     """Mean error over u p~ against degree and, where the bundle has them, nanoseconds per prepared point."""
-    quantities = [(MEAN, bundle.exact("peers").select(curve="bezier", scalar="double", dimension=2), "mean_error_u")]
+    quantities = [(MEAN, bundle.exact("peers").select(form="bernstein", scalar="double", dimension=2), "mean_error_u")]
     try:
         times = [r for r in bundle["timing.csv"].of_suite("peers").rows if r["mode"] == "point" and r["degree"] is not None]
         quantities.append(("ns per point", times, "median_ns"))
@@ -121,8 +121,8 @@ def ladder_against_degree(bundle):
     """Mean error over u p~ against degree, continuous inputs: per form of curve, the evaluators, then the paths."""
     table = bundle.exact("ladder")
     parts = []
-    for curve in table.distinct("curve"):
-        lines = series(table.select(curve=curve, generator=LADDER_GENERATOR, scalar="double", dimension=2), "degree", "mean_error_u")
+    for curve in table.distinct("form"):
+        lines = series(table.select(form=curve, generator=LADDER_GENERATOR, scalar="double", dimension=2), "degree", "mean_error_u")
         for kind in LADDER:
             some = {m: points for m, points in lines.items() if LADDER[2 * bool(conversion(m)) + (points[-1][1] >= APART)] == kind}
             if some:

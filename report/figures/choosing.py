@@ -43,7 +43,7 @@ def answer_cell(bundle):
 def time_against_error(bundle):
     """A panel for the lowest, a middle and the highest degree of the first form; filled marks are on the front."""
     rows = bundle["pareto.csv"].rows
-    curve = rows[0]["curve"] if rows else None
+    curve = rows[0]["form"] if rows else None
     degrees = race_cell([r for r in rows if useful(r["observed_max_u"], r["scalar"])], curve)
     if not degrees:
         raise Missing("`pareto.csv` has no times in double, mode `point`, of a method that is useful")

@@ -17,14 +17,14 @@ MARKERS = ("s", "D", "o")
 def conversion_coefficients(bundle):
     """Largest error of a coefficient against degree, continuous inputs; the mean dotted."""
     table = bundle["conversion.csv"].of_suite("conversion")
-    studies = [s for s in table.distinct("study") if table.select(study=s, generator=GENERATOR, curve=tuple(NORMS))]
+    studies = [s for s in table.distinct("study") if table.select(study=s, generator=GENERATOR, form=tuple(NORMS))]
     if not studies:
         raise Missing(f"`conversion.csv` has no `conversion-` row with `{GENERATOR}` inputs that names its curve")
     canvas, axes = panels(len(studies), 1, height=3.2)
     words = []
     for ax, study in zip(axes[:, 0], studies):
         rows = table.some(study=study, generator=GENERATOR)
-        curve = rows[0]["curve"]
+        curve = rows[0]["form"]
         for i, name in enumerate(dict.fromkeys(r["conversion"] for r in rows)):
             own = sorted((r for r in rows if r["conversion"] == name), key=lambda r: r["degree"])
             for column, style, label in (("max_error", "solid", name), ("mean_error", DOTTED, None)):
@@ -103,7 +103,7 @@ def conversion_sources(bundle):
             ax.set_xscale("log")
             ax.tick_params(axis="x", labelsize=8)
             ax.grid(axis="y", color=FAINT, alpha=0.28)
-            title = FORM.get(own[0]["curve"], (own[0]["curve"],))[0]
+            title = FORM.get(own[0]["form"], (own[0]["form"],))[0]
             ax.set_title(f"{title}, degree {degree:g}, t in {interval(*place)}", loc="left", fontsize=9)
             worst = max(cells.values(), key=lambda r: r["mean_error"])
             words.append(f"{title}, t in {interval(*place)}: the worst path is {worst['method']} with "

@@ -9,7 +9,7 @@ from ..chapters.hard_cases import SEARCHES
 from ..findings.evaluators import UNIT
 from ..findings.curves import by_method
 from ..guarantee_words import of_all, share
-from ..methods import FORM
+from ..methods import FORM, IN_STUDIES
 from ..wording import general, listing, percent
 from .canvas import COLOURS, DOTTED, FAINT, INK, PAPER, figure, finish, panels
 from .lines import beside, conversion, looks, positive
@@ -24,7 +24,7 @@ STEP = 0.16  # from one search of a family to the next, in lines
 MAXIMA_MARKS = (("sampled_error_u", "sampled", "o", COLOURS[0]), ("searched_error_u", "searched", "D", COLOURS[1]),
          ("bound_u", "proved bound", "|", INK))
 LIMIT = 1e4  # an error beyond it is written at the edge: on its axis the others would be one point
-CURVES = ("bezier", "polynomial")
+CURVES = ("bernstein", "power")
 
 
 @figure
@@ -32,15 +32,15 @@ def error_against_condition(bundle):
     """One point per cell: median relative error against median condition number, a panel for each form of curve."""
     table = bundle.exact("conditioning")
     rows = [r for r in table.rows if positive(r, "p50_condition") and positive(r, "p50_relative")]
-    curves = list(dict.fromkeys(r["curve"] for r in rows))
+    curves = list(dict.fromkeys(r["form"] for r in rows))
     if not rows:
         raise Missing("`accuracy.csv` has no column `p50_condition` or `p50_relative`")
     canvas, axes = panels(len(curves), 1, height=3.9, sharex=True)
     words = []
     for ax, curve in zip(axes[:, 0], curves):
-        methods = list(dict.fromkeys(r["method"] for r in rows if r["curve"] == curve))
+        methods = list(dict.fromkeys(r["method"] for r in rows if r["form"] == curve))
         for method, look in looks(methods).items():
-            points = sorted((r["p50_condition"], r["p50_relative"]) for r in rows if r["curve"] == curve and r["method"] == method)
+            points = sorted((r["p50_condition"], r["p50_relative"]) for r in rows if r["form"] == curve and r["method"] == method)
             ax.plot(*zip(*points), linestyle="none", marker=CONDITION_MARKS[methods.index(method) % len(CONDITION_MARKS)], markersize=4.5,
                     markeredgewidth=1.1, markerfacecolor="none", color=look["color"], label=method)
             words.append(f"{FORM.get(curve, (curve,))[0]}, {method}: {general(points[0][1])} at condition "
@@ -165,16 +165,16 @@ def searched_maxima(bundle):
     rows = [r for r in bundle["search.csv"].of_suite("worst").rows if not conversion(r["method"]) and positive(r, "searched_error_u")]
     if not rows:
         raise Missing("`search.csv` has no `worst-` row of a method without conversion")
-    curves = list(dict.fromkeys(r["curve"] for r in rows))
+    curves = list(dict.fromkeys(r["form"] for r in rows))
     degrees = sorted({r["degree"] for r in rows})
-    methods = {c: list(dict.fromkeys(r["method"] for r in rows if r["curve"] == c)) for c in curves}
+    methods = {c: list(dict.fromkeys(r["method"] for r in rows if r["form"] == c)) for c in curves}
     heights = [len(m) + 1 for m in methods.values()]
     canvas, axes = panels(len(curves), len(degrees), height=0.115 * sum(heights) + 0.6, gridspec_kw={"height_ratios": heights},
                           sharex=True)
     words = []
     for line, curve in enumerate(curves):
         for ax, degree in zip(axes[line], degrees):
-            cells = {r["method"]: r for r in rows if r["curve"] == curve and r["degree"] == degree}
+            cells = {r["method"]: r for r in rows if r["form"] == curve and r["degree"] == degree}
             for y, method in enumerate(methods[curve]):
                 if method in cells:
                     _line(ax, y, cells[method])
@@ -227,7 +227,7 @@ def _shade(i, n):
 
 def _errors(bundle, curve):
     """[(method, {degree: mean error over u p~})], worst at its highest degree first."""
-    rows = bundle.judged().some(study=f"truth-{curve}", baseline="exact", generator="continuous", scalar="double",
+    rows = bundle.judged().some(study=f"truth-{IN_STUDIES[curve]}", baseline="exact", generator="continuous", scalar="double",
                                 dimension=2)
     methods = {}
     for row in rows:

@@ -6,15 +6,15 @@ from ..wording import general, interval, scientific
 from .canvas import COLOURS, FAINT, figure, finish, legend, log_axis, panels, reproduced
 
 METHODS = {
-    "bezier": ("de_casteljau", "factorial:power_sum"),
-    "polynomial": ("forward_substitution:de_casteljau", "forward_substitution:direct"),
+    "bernstein": ("de_casteljau", "factorial:power_sum"),
+    "power": ("forward_substitution:de_casteljau", "forward_substitution:direct"),
 }
 UNDER = "forward_substitution:de_casteljau"  # nearly everywhere on the same line as its sibling
 COLOUR = {m: c for m, c in zip((m for methods in METHODS.values() for m in methods), COLOURS)}
 LEGEND = [(name(m), c) for m, c in COLOUR.items()]
 TIMED = {
-    "bezier": ("direct", "de_casteljau", "factorial:power_sum"),
-    "polynomial": ("power_sum", "forward_substitution:de_casteljau", "forward_substitution:direct"),
+    "bernstein": ("direct", "de_casteljau", "factorial:power_sum"),
+    "power": ("power_sum", "forward_substitution:de_casteljau", "forward_substitution:direct"),
 }
 # de Casteljau and the power form keep the colours that they have in the figures of error
 TIME_COLOUR = {m: COLOURS[i] for m, i in (("direct", 4), ("de_casteljau", 0), ("factorial:power_sum", 1), ("power_sum", 5),
@@ -24,13 +24,13 @@ TICK = 1.0  # ms: the step of the clock behind the printed times
 
 def rows_of(bundle, table, curve, method, statistic, order):
     """Rows of one printed row, ascending in `order`; Missing where there are none."""
-    return sorted(bundle["scorecard.csv"].some(table=table, curve=curve, method=method, statistic=statistic), key=order)
+    return sorted(bundle["scorecard.csv"].some(table=table, form=curve, method=method, statistic=statistic), key=order)
 
 
 def describe(rows, axis):
     """`via power form, mean error: 2.8e-10 at degree 4 to 1.2e-3 at degree 20`, from our medians."""
     first, last = rows[0], rows[-1]
-    return (f"{name(first['method'])}, {STATISTIC[first['statistic']][0]}, {FORM[first['curve']][0]}: "
+    return (f"{name(first['method'])}, {STATISTIC[first['statistic']][0]}, {FORM[first['form']][0]}: "
             f"{scientific(first['ours_median'])} at {axis(first)} to {scientific(last['ours_median'])} at {axis(last)}")
 
 
@@ -109,7 +109,7 @@ def error_over_range(bundle):
     words = []
     for ax, (curve, methods) in zip(axes[0], METHODS.items()):
         # de Casteljau is seven decades below and flat: it would hide what this figure is about
-        for method in methods[-1:] if curve == "bezier" else methods:
+        for method in methods[-1:] if curve == "bernstein" else methods:
             rows = rows_of(bundle, "2.3.2", curve, method, "mean_error", lambda r: r.number("coordinate_range"))
             ranges = [r.number("coordinate_range") for r in rows]
             reproduced(ax, ranges, rows, COLOUR[method], below=method == UNDER, scale=ranges)
@@ -135,7 +135,7 @@ def time_against_degree(bundle):
     words = []
     for ax, (curve, methods) in zip(axes[0], TIMED.items()):
         for method in methods:
-            rows = sorted(table.some(table="2.4", curve=curve, method=method), key=lambda r: r.number("degree"))
+            rows = sorted(table.some(table="2.4", form=curve, method=method), key=lambda r: r.number("degree"))
             degrees = [r.number("degree") for r in rows]
             reproduced(ax, degrees, rows, TIME_COLOUR[method], method == UNDER, dashed="prepared_median", dotted=None)
             zero = [n for n, r in zip(degrees, rows) if r["published"] == 0]

@@ -10,7 +10,7 @@ from ..wording import general, listing
 from .canvas import figure, finish, panels
 from .lines import degree_axis, draw_methods, draw_paths, looks, path_colours, point_of, positive
 
-APART = ("curve", "scalar", "mode", "target")  # a panel for each value
+APART = ("form", "scalar", "mode", "target")  # a panel for each value
 BESIDE = ("degree", "dimension", "order", "coordinate_range", "interval", "generator", "tolerance", "points", "data", "placement",
           "knots", "curve_id")
 MOST = 20  # lines with a look of their own

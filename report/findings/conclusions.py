@@ -7,7 +7,7 @@ import sys
 
 from ..bundle import Missing
 from ..document import Finding
-from ..methods import FORM, name, yardstick
+from ..methods import FORM, IN_STUDIES, name, yardstick
 from ..wording import count, factor, general, interval, large, listing, percent, scientific, shortest, span
 from .finding import finding
 from .printed_tables import EXPONENTIAL, FLAT, accuracy_cells, against_exact, degrees, per_degree, series
@@ -142,7 +142,7 @@ def _spread(values):
 def range_bend(bundle):
     """Holds where the error grows with the range, as printed and ours: in proportion with continuous inputs, with a bend on the report's
     grid."""
-    rows = series(bundle, "coordinate_range", table="2.3.2", curve="bezier", method=METHOD, statistic="mean_error")
+    rows = series(bundle, "coordinate_range", table="2.3.2", form="bernstein", method=METHOD, statistic="mean_error")
     over_range = {c: [r.number(c) / r.number("coordinate_range") for r in rows]
                   for c in ("published", "ours_median", "continuous_median")}
     in_u = {}
@@ -203,7 +203,7 @@ def _against_truth(bundle, printed):
 def de_casteljau_flat(bundle):
     """Holds where the error against the exact value, in coordinate units, clearly varies with the degree or with t,
     over the degrees and the range that are printed."""
-    printed = series(bundle, "degree", table="2.3.1", curve="bezier", method="de_casteljau", statistic="mean_error")
+    printed = series(bundle, "degree", table="2.3.1", form="bernstein", method="de_casteljau", statistic="mean_error")
     truth = _against_truth(bundle, printed)
     by_t = bundle.judged().some(scalar="double", dimension=2, study="2.3.3-bezier", method="de_casteljau", baseline="exact",
                                 generator="continuous")
@@ -267,7 +267,7 @@ def via_power_worse(bundle):
     """Holds where de Casteljau errs less in every printed cell, against the yardstick and against the exact value."""
     cells = {}
     for row in accuracy_cells(bundle):
-        if row["curve"] == "bezier":
+        if row["form"] == "bernstein":
             key = tuple(row[c] for c in ("statistic", "degree", "coordinate_range", "t_min", "t_max"))
             cells.setdefault(key, {})[row["method"]] = row
     pairs = [(c["de_casteljau"], c["factorial:power_sum"]) for c in cells.values()
@@ -294,7 +294,7 @@ def via_power_worse(bundle):
 @finding()
 def growth_with_degree(bundle):
     """Holds where the mean error against the exact value grows exponentially through the power form."""
-    rows = series(bundle, "degree", table="2.3.1", curve="bezier", method="factorial:power_sum", statistic="mean_error")
+    rows = series(bundle, "degree", table="2.3.1", form="bernstein", method="factorial:power_sum", statistic="mean_error")
     low, high = rows[0].number("degree"), rows[-1].number("degree")
     growth = {c: per_degree(rows[0].number(c), rows[-1].number(c), low, high)
               for c in ("published", "ours_median", "continuous_median", "against_exact")}
@@ -327,7 +327,7 @@ def growth_with_t(bundle):
     narrow = [r for r in rows if r["t_max"] - r["t_min"] < 1.001 * width]
     paths = {}
     for row in sorted(narrow, key=lambda r: r["t_min"]):
-        paths.setdefault((row["curve"], row["method"]), []).append(row)
+        paths.setdefault((row["form"], row["method"]), []).append(row)
     if not paths or min(map(len, paths.values())) < 2:
         raise Missing("`scorecard.csv` has fewer than two intervals of one width in table 2.3.3")
     grows = [all(b.number(c) / a.number(c) > _middle(b) / _middle(a) for a, b in zip(p, p[1:]) for c in ("ours_median", "against_exact"))
@@ -354,7 +354,7 @@ NEGLIGIBLE = 0.01
 @finding()
 def conversion_dominates(bundle):
     """Holds where, at the highest degree, both evaluators have about the same error after the report's conversion."""
-    rows = {m: series(bundle, "degree", table="2.3.1", curve="polynomial", method=f"forward_substitution:{m}",
+    rows = {m: series(bundle, "degree", table="2.3.1", form="power", method=f"forward_substitution:{m}",
                       statistic="mean_error") for m in ("de_casteljau", "direct")}
     apart = [abs(a.number("ours_median") / b.number("ours_median") - 1)
              for a, b in zip(rows["de_casteljau"], rows["direct"])]
@@ -363,7 +363,7 @@ def conversion_dominates(bundle):
     lines = [f"The mean errors after `forward_substitution` differ by {percent(apart[0])} at degree {low['degree']:g} and by "
              f"{percent(apart[-1])} at degree {high['degree']:g}."]
     if "scorecard_timing.csv" in bundle:
-        timed = bundle["scorecard_timing.csv"].select(table="2.4", curve="polynomial", method="forward_substitution:direct",
+        timed = bundle["scorecard_timing.csv"].select(table="2.4", form="power", method="forward_substitution:direct",
                                                       degree=high["degree"])
         if timed and timed[0]["prepared_median"]:
             share = 1 - timed[0].number("prepared_median") / timed[0].number("ours_median")
@@ -382,8 +382,8 @@ def conversion_dominates(bundle):
 
 # fastest first, as the report concludes
 ORDERS = {
-    "bezier": ("direct", "de_casteljau", "factorial:power_sum"),
-    "polynomial": ("power_sum", "forward_substitution:direct", "forward_substitution:de_casteljau"),
+    "bernstein": ("direct", "de_casteljau", "factorial:power_sum"),
+    "power": ("power_sum", "forward_substitution:direct", "forward_substitution:de_casteljau"),
 }
 
 
@@ -406,7 +406,7 @@ def _kept(rows, column, order):
 def _at_limits(bundle, curve, order, mode):
     """As _kept(), for the least times that the processor could take in the studies that reproduce the table."""
     rows = bundle["timing.csv"].rows if "timing.csv" in bundle else []
-    return _kept([r for r in rows if (r["study"] or "").startswith("2.4") and r["curve"] == curve and r["mode"] == mode
+    return _kept([r for r in rows if (r["study"] or "").startswith("2.4") and r["form"] == curve and r["mode"] == mode
                   and r["scalar"] == "double" and r["degree"] is not None], "limit_ns", order)
 
 
@@ -416,7 +416,7 @@ def time_order(bundle):
     used, lines, all_kept = [], [], True
     for curve, order in ORDERS.items():
         written = " < ".join(name(m) for m in order)
-        rows = bundle["scorecard_timing.csv"].some(table="2.4", curve=curve)
+        rows = bundle["scorecard_timing.csv"].some(table="2.4", form=curve)
         kept, judged = _kept(rows, "ours_median", order)
         once, judged_once = _kept(rows, "prepared_median", order)
         used += rows
@@ -451,7 +451,7 @@ def sample_maximum(bundle):
     cells = [r for r in accuracy_cells(bundle) if r["statistic"] == "max_error" and r["table"] == "2.3.1"]
     found = []
     for cell in cells:
-        pooled = bundle.accuracy(study=f"2.3.1-{cell['curve']}", method=cell["method"], baseline=yardstick(cell["curve"]),
+        pooled = bundle.accuracy(study=f"2.3.1-{IN_STUDIES[cell['form']]}", method=cell["method"], baseline=yardstick(cell["form"]),
                                  generator="report", degree=cell["degree"])
         found.append((pooled.number("max_error") / cell.number("ours_median"), cell, pooled))
     least, most = min(f[0] for f in found), max(f[0] for f in found)

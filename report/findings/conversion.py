@@ -12,8 +12,8 @@ from .finding import finding
 UNIT = 2.0 ** -53
 # By kind of curve: the name of the conversion, and its norm (from the largest coefficient to the largest coefficient).
 NORMS = {
-    "bezier": ("Bernstein to power form", "max_j C(n,j) 2^j", lambda n: max(math.comb(n, j) * 2 ** j for j in range(n + 1))),
-    "polynomial": ("Power to Bernstein form", "(n+1)", lambda n: n + 1),
+    "bernstein": ("Bernstein to power form", "max_j C(n,j) 2^j", lambda n: max(math.comb(n, j) * 2 ** j for j in range(n + 1))),
+    "power": ("Power to Bernstein form", "(n+1)", lambda n: n + 1),
 }
 SOURCES = (("mean_conversion_error", "conversion"), ("mean_one_minus_t_error", "rounding of 1-t"),
            ("mean_evaluation_error", "evaluation"))
@@ -34,7 +34,7 @@ def sources(bundle):
 
 def to_power(bundle):
     """Rows of Bernstein curves that are evaluated in several intervals of t."""
-    rows = [r for r in bundle.exact("conversion").rows if r["curve"] == "bezier"]
+    rows = [r for r in bundle.exact("conversion").rows if r["form"] == "bernstein"]
     if len({(r["t_min"], r["t_max"]) for r in rows}) < 2:
         raise Missing("`accuracy.csv` has no study of the suite `conversion` of Bézier curves with several intervals of t")
     return rows
@@ -59,16 +59,16 @@ def conversion_norm(bundle):
     table = bundle["conversion.csv"].of_suite("conversion")
     ratios = {}  # (curve, conversion): largest of error over u R sqrt(d) norm, with its row
     for row in table.rows:
-        if row["curve"] in NORMS and isinstance(row["max_error"], float) and row["max_error"] > 0:
-            _, _, norm = NORMS[row["curve"]]
+        if row["form"] in NORMS and isinstance(row["max_error"], float) and row["max_error"] > 0:
+            _, _, norm = NORMS[row["form"]]
             ratio = row.number("max_error") / (UNIT * scale(row) * norm(int(row.number("degree"))))
-            key = (row["curve"], row["conversion"])
+            key = (row["form"], row["conversion"])
             ratios[key] = max(ratios.get(key, (0, row)), (ratio, row), key=lambda pair: pair[0])
     if not ratios:
         raise Missing("`conversion.csv` has no `conversion-` row that names its curve")
     kept = {c: [m for (curve, m), (ratio, _) in ratios.items() if curve == c and ratio <= WITHIN_NORM] for c in NORMS}
     broken = {key: pair for key, pair in ratios.items() if pair[0] > WITHIN_NORM}
-    holds = bool(kept["polynomial"]) and not any(curve == "bezier" for curve, _ in broken)
+    holds = bool(kept["power"]) and not any(curve == "bernstein" for curve, _ in broken)
     lines = []
     for curve, (title, formula, _) in NORMS.items():
         own = [ratios[key][0] for key in ratios if key[0] == curve and key not in broken]
@@ -77,12 +77,12 @@ def conversion_norm(bundle):
         text += "".join(f"; `{m}` reaches {factor(pair[0])} times it at degree {pair[1]['degree']:g}"
                         for (c, m), pair in broken.items() if c == curve)
         lines.append(text + ".")
-    lost = listing(f"`{m}`" for c, m in broken if c == "polynomial")
+    lost = listing(f"`{m}`" for c, m in broken if c == "power")
     return Finding(
         id="conversion_norm", about="suite", suite="conversion", claim="", holds=holds,
         headline="To power form every conversion loses what the problem itself loses; to Bernstein form, where the norm is "
                  "only n+1, "
-                 f"{names(kept['polynomial'])} keep to it" + (f" and {lost} does not." if lost else ".") if holds else
+                 f"{names(kept['power'])} keep to it" + (f" and {lost} does not." if lost else ".") if holds else
         f"{count(len(broken), 'conversion exceeds', 'conversions exceed')} the norm: "
         f"{names(dict.fromkeys(m for _, m in broken))}.",
         detail=tuple(lines), rows=tuple(row for _, row in ratios.values()))

@@ -53,8 +53,8 @@ def ladder_best(bundle):
     """Holds where in each form some method has the least mean error at every degree."""
     table = bundle.exact("ladder")
     always, lines, used = {}, [], []
-    for curve in table.distinct("curve", generator=GENERATOR):
-        methods = by_degree(table.select(curve=curve, generator=GENERATOR, scalar="double", dimension=2))
+    for curve in table.distinct("form", generator=GENERATOR):
+        methods = by_degree(table.select(form=curve, generator=GENERATOR, scalar="double", dimension=2))
         winners = best(methods)
         always[curve] = [m for m in methods if all(m in some for some in winners.values())]
         top = max(winners)
@@ -85,8 +85,8 @@ def ladder_growth(bundle):
     """Holds where every method that evaluates the given form grows at most with the degree, and some converted path faster."""
     table = bundle.exact("ladder")
     lines, flat, fast, native_fast, used = [], [], [], [], []
-    for curve in table.distinct("curve", generator=GENERATOR):
-        methods = by_degree(table.select(curve=curve, generator=GENERATOR, scalar="double", dimension=2))
+    for curve in table.distinct("form", generator=GENERATOR):
+        methods = by_degree(table.select(form=curve, generator=GENERATOR, scalar="double", dimension=2))
         grown = {m: growth(rows) for m, rows in methods.items()}
         limit = max(n for rows in methods.values() for n in rows) / min(n for rows in methods.values() for n in rows)
         mine = {"flat": [m for m in grown if grown[m] <= FLAT], "fast": [m for m in grown if grown[m] > limit]}
@@ -329,7 +329,7 @@ def cells(bundle):
     found = {}
     for row in bundle.exact("conditioning").rows:
         if row["p50_condition"] is not None and row["p50_relative"] is not None:
-            found.setdefault((row["curve"], row["method"]), []).append(row)
+            found.setdefault((row["form"], row["method"]), []).append(row)
     if not found:
         raise Missing("`accuracy.csv` has no `conditioning-` row with `p50_condition` and `p50_relative`")
     return {key: sorted(rows, key=lambda r: r.number("p50_condition")) for key, rows in found.items()}
@@ -351,7 +351,7 @@ def conditioning(bundle):
     for (curve, method), rows in by_method.items():
         unsure, lost = first_above(rows, ACCURATE), first_above(rows, NO_DIGIT)
         used += [r for r in (unsure, lost) if r]
-        lines.append((precision(method) or top + 1, f"`{method}` ({'Bernstein' if curve == 'bezier' else 'power'} form) "
+        lines.append((precision(method) or top + 1, f"`{method}` ({'Bernstein' if curve == 'bernstein' else 'power'} form) "
                       + (factor(unsure["p50_condition"]) if unsure else "in no cell") + " and "
                       + (factor(lost["p50_condition"]) if lost else "in no cell")))
     names = listing(dict.fromkeys(f"`{r['method']}`" for r, _ in broken))

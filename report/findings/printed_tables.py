@@ -19,7 +19,7 @@ def accuracy_cells(bundle):
     """The distinct printed accuracy cells: the last range of 2.3.2 repeats the last degree of 2.3.1."""
     cells = {}
     for row in bundle["scorecard.csv"].some(table=ACCURACY_TABLES):
-        key = tuple(row[c] for c in ("curve", "method", "statistic", "degree", "coordinate_range", "t_min", "t_max"))
+        key = tuple(row[c] for c in ("form", "method", "statistic", "degree", "coordinate_range", "t_min", "t_max"))
         cells.setdefault(key, row)
     return list(cells.values())
 
@@ -29,7 +29,7 @@ def experiments(cells):
     their deviations are correlated."""
     found = {}
     for row in cells:
-        found.setdefault(tuple(row[c] for c in ("curve", "degree", "coordinate_range", "t_min", "t_max")), []).append(row)
+        found.setdefault(tuple(row[c] for c in ("form", "degree", "coordinate_range", "t_min", "t_max")), []).append(row)
     return list(found.values())
 
 
@@ -56,7 +56,7 @@ def events(bundle):
     """The distinct errors and counts that the report prints, as Events."""
     found = {}
     for row in bundle["scorecard.csv"].rows:
-        key = tuple(row[c] for c in ("curve", "statistic", "degree", "coordinate_range", "t_min", "t_max", "published"))
+        key = tuple(row[c] for c in ("form", "statistic", "degree", "coordinate_range", "t_min", "t_max", "published"))
         found.setdefault(key, []).append(row)
     return [Event(tuple(rows)) for rows in found.values()]
 
@@ -208,7 +208,7 @@ def printed_slip(bundle):
     ratios = [r.number("published") / r.number("ours_median") for r in explained]
     places = listing(dict.fromkeys(f"table {r['table']}, R = {shortest(r['coordinate_range'])}" for r in explained))
     others = [r.number("published") / r.number("ours_median") for e in explained
-              for r in bundle["scorecard.csv"].select(**{c: e[c] for c in ("table", "curve", "method", "statistic")})
+              for r in bundle["scorecard.csv"].select(**{c: e[c] for c in ("table", "form", "method", "statistic")})
               if r["verdict"] != "explained"]
     if holds:
         headline = (f"{count(len(explained), 'cell')} reading {values} ({places}) "

@@ -17,7 +17,7 @@ def race_cell(rows, curve, mode="point", scalar="double"):
     """{degree: rows, fastest first} of one form, mode and scalar type, in the plane."""
     degrees = {}
     for row in rows:
-        if (row["curve"], row["mode"], row["scalar"], row["dimension"]) == (curve, mode, scalar, 2):
+        if (row["form"], row["mode"], row["scalar"], row["dimension"]) == (curve, mode, scalar, 2):
             degrees.setdefault(row["degree"], []).append(row)
     return {n: sorted(degrees[n], key=lambda r: r.number("ns")) for n in sorted(degrees)}
 
@@ -26,7 +26,7 @@ def race_cell(rows, curve, mode="point", scalar="double"):
 def choosing(bundle):
     """Holds where at every degree at least half of the methods are never worth choosing."""
     table = bundle["pareto.csv"].of_suite("speed")
-    degrees = race_cell(table.rows, "bezier")
+    degrees = race_cell(table.rows, "bernstein")
     if not degrees:
         raise Missing("`pareto.csv` has no Bézier curves in double, mode `point`")
     off = {n: [r for r in rows if r["pareto"] == OFF] for n, rows in degrees.items()}
@@ -235,7 +235,7 @@ ALIKE = 10  # times the mean error of our own method
 def peers_accuracy(bundle):
     """Holds where most methods of other libraries have at most `ALIKE` times the mean error of de Casteljau's algorithm at every
     degree."""
-    methods = by_degree(bundle.exact("peers").select(curve="bezier", scalar="double", dimension=2))
+    methods = by_degree(bundle.exact("peers").select(form="bernstein", scalar="double", dimension=2))
     ours = methods.get("de_casteljau")
     theirs = {m: rows for m, rows in methods.items() if m.startswith(PEER)}
     if not ours or not theirs:
@@ -263,7 +263,7 @@ LOSS = 1000  # three digits
 @finding(suite="peers")
 def peers_cache(bundle):
     """Holds where at the highest degree the cache errs more than a thousand times as much, on average."""
-    methods = by_degree(bundle.exact("peers").select(curve="bezier", scalar="double", dimension=2, method=(CACHED, DIRECT)))
+    methods = by_degree(bundle.exact("peers").select(form="bernstein", scalar="double", dimension=2, method=(CACHED, DIRECT)))
     common = sorted(set(methods.get(CACHED, {})) & set(methods.get(DIRECT, {})))
     if not common:
         raise Missing(f"no degree of a `peers-` study has both `{CACHED}` and `{DIRECT}`")

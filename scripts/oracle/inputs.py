@@ -21,7 +21,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 SUITES = [ROOT / f"experiments/suites/{name}.toml" for name in ("report", "conditioning", "derivative", "inverse_arc_length")]
 DRAWS = ROOT / "experiments/sample/first_draws.csv"
-COLUMNS = ["study", "curve", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator", "trial", "t",
+WORDS_IN_KEYS = {"bernstein": "bezier", "power": "polynomial", "rational": "rational"}
+COLUMNS = ["study", "form", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator", "trial", "t",
            "coefficients", "weights"]
 WEIGHTED = {"id": "weights", "kind": "accuracy", "curve": "rational", "degree": [3], "coordinate_range": [10],
             "generator": ["weights_mild", "weights_wild"]}
@@ -78,7 +79,7 @@ def shortest(x):
 
 def canonical(cell):
     """The text whose hash is the key of a cell."""
-    return (f"curve={cell['curve']};dimension={cell['dimension']};degree={cell['degree']};"
+    return (f"curve={WORDS_IN_KEYS[cell['form']]};dimension={cell['dimension']};degree={cell['degree']};"
             f"coordinate_range={shortest(cell['coordinate_range'])};"
             f"t_interval={shortest(cell['t_min'])}:{shortest(cell['t_max'])};generator={cell['generator']}")
 
@@ -251,7 +252,7 @@ def bernstein_coefficients(power):
 def polynomial(curve, leading, roots):
     """The coefficients in the form of the curve, which must be doubles."""
     power = power_coefficients(leading, roots)
-    exact = power if curve == "polynomial" else bernstein_coefficients(power)
+    exact = power if curve == "power" else bernstein_coefficients(power)
     doubles = [float(c) for c in exact]
     if [Fraction(c) for c in doubles] != exact:
         raise SystemExit(f"inputs.py: a {curve} curve of degree {len(roots)} is not exact in doubles; lower the limit "
@@ -267,8 +268,8 @@ POLYNOMIALS = {"multiple_root": multiple_root, "clustered_roots": clustered_root
 PARAMETERS = {"dyadic": dyadic_t, "report": report_t}  # every other generator draws t as continuous
 WEIGHTS = {"weights_mild": mild, "weights_wild": wild}
 # The largest degrees that the program takes.
-DEGREES = {("multiple_root", "bezier"): 33, ("multiple_root", "polynomial"): 27, ("clustered_roots", "bezier"): 8,
-           ("clustered_roots", "polynomial"): 8}
+DEGREES = {("multiple_root", "bernstein"): 33, ("multiple_root", "power"): 27, ("clustered_roots", "bernstein"): 8,
+           ("clustered_roots", "power"): 8}
 
 
 def draw(seed, study, cell, trial):
@@ -279,7 +280,7 @@ def draw(seed, study, cell, trial):
     points = range(cell["degree"] + 1)
     if generator in POLYNOMIALS:
         leading, roots = POLYNOMIALS[generator](cell["degree"], stream)
-        axis = polynomial(cell["curve"], leading * Fraction(cell["coordinate_range"]), roots)
+        axis = polynomial(cell["form"], leading * Fraction(cell["coordinate_range"]), roots)
         return t, [c for c in axis for _ in range(cell["dimension"])], []
     if generator in CURVES:
         points = CURVES[generator](cell["degree"], cell["dimension"], stream)
@@ -323,7 +324,7 @@ def rows():
     for seed, study in studies():
         t_min, t_max = study.get("t_interval", [[0, 1]])[0]
         for generator in study.get("generator", ["continuous"]):
-            cell = {"curve": study.get("curve", "bezier"), "dimension": study.get("dimension", [2])[0],
+            cell = {"form": study.get("curve", "bernstein"), "dimension": study.get("dimension", [2])[0],
                     "degree": study["degree"][0], "coordinate_range": number(study.get("coordinate_range", [1])[0]),
                     "t_min": number(t_min), "t_max": number(t_max), "generator": generator}
             for trial in range(study.get("first_trials", TRIALS)):
@@ -349,7 +350,7 @@ def check_polynomials():
     not."""
     for (generator, curve), largest in DEGREES.items():
         for n in range(largest + 1):
-            cell = {"curve": curve, "dimension": 1, "degree": n, "coordinate_range": 1.0, "t_min": 0.0, "t_max": 1.0,
+            cell = {"form": curve, "dimension": 1, "degree": n, "coordinate_range": 1.0, "t_min": 0.0, "t_max": 1.0,
                     "generator": generator}
             for trial in range(20):
                 draw(1, "exactness", cell, trial)

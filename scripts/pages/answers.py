@@ -45,7 +45,7 @@ def done(row):
 
 
 def bounded(row):
-    return done(row) and is_proved_small(row["bound_u"], row["degree"], row["curve"]) and not row["bound_violations"]
+    return done(row) and is_proved_small(row["bound_u"], row["degree"], row["form"]) and not row["bound_violations"]
 
 
 def in_u(rows):

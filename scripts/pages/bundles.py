@@ -129,8 +129,8 @@ def comparison(_page, program):
              "one point at a time:")
     point = [row for row in times if row["mode"] == "point"]
     degrees = sorted({row["degree"] for row in point})
-    cells = {(row["curve"], row["method"], row["degree"]): row for row in point}
+    cells = {(row["form"], row["method"], row["degree"]): row for row in point}
     body = [[curve, f"`{method}`"] + [f"{cells[curve, method, n][ratio]:.2f}"
                                       + ("" if cells[curve, method, n]["quality"] == "ok" else " ~") for n in degrees]
-            for curve, method in dict.fromkeys((row["curve"], row["method"]) for row in point)]
-    return textwrap.fill(words, WIDTH) + "\n\n" + table(["curve", "method", *(f"n = {n:.0f}" for n in degrees)], body)
+            for curve, method in dict.fromkeys((row["form"], row["method"]) for row in point)]
+    return textwrap.fill(words, WIDTH) + "\n\n" + table(["form", "method", *(f"n = {n:.0f}" for n in degrees)], body)

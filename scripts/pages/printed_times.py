@@ -12,7 +12,7 @@ from scripts.pages.markdown import ROOT, table
 
 FILE = ROOT / "results/printed_times.csv"
 PRINTED = ROOT / "reference/published/report_tables.csv"
-FORMS = {"bezier": "Bézier", "polynomial": "polynomial"}
+FORMS = {"bernstein": "Bézier", "power": "power"}
 
 
 def rows_of(path):
@@ -32,7 +32,7 @@ def printed():
     found = {}
     for row in rows_of(PRINTED):
         if row["table"] == "2.4":
-            found.setdefault((row["curve"], int(row["degree"])), {})[row["path"]] = float(row["value"])
+            found.setdefault((row["form"], int(row["degree"])), {})[row["path"]] = float(row["value"])
     return found
 
 
@@ -40,7 +40,7 @@ def builds(rows):
     """{options: {(curve, degree): {method: ms}}}"""
     found = {}
     for row in rows:
-        found.setdefault(row["options"], {}).setdefault((row["curve"], int(row["degree"])), {})[row["method"]] = float(row["ms"])
+        found.setdefault(row["options"], {}).setdefault((row["form"], int(row["degree"])), {})[row["method"]] = float(row["ms"])
     return found
 
 

@@ -77,7 +77,7 @@ void judge(const Row& row) {
 template <class... Methods>
 void judge_by_id(const Row& row, TypeList<Methods...> /*methods*/) {
   const bool found = ((Methods::info.id == row.at("method") &&
-                       Methods::info.form == (row.at("curve") == "bezier" ? Form::bernstein : Form::power) &&
+                       Methods::info.form == (row.at("form") == "bernstein" ? Form::bernstein : Form::power) &&
                        (judge<Methods>(row), true)) ||
                       ...);
   compare(found, row.at("method") + " is unknown");

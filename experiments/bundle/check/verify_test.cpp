@@ -75,8 +75,8 @@ class VerifyMethods : public Verify {
 
 TEST_F(VerifyMethods, ARowThatChangedIsNamedByTableStudyAndMethod) {
   EXPECT_THAT(findings(), IsEmpty());
-  replace("accuracy.csv", "fixture-accuracy,bezier,de_casteljau,double,2,3,",
-          "fixture-accuracy,bezier,de_casteljau,double,2,4,");
+  replace("accuracy.csv", "fixture-accuracy,bernstein,de_casteljau,double,2,3,",
+          "fixture-accuracy,bernstein,de_casteljau,double,2,4,");
   EXPECT_THAT(findings(),
               ElementsAre(EndsWith("digests.csv: accuracy.csv, study fixture-accuracy, method de_casteljau: "
                                    "its rows give another digest")));
@@ -145,7 +145,7 @@ TEST_F(Verify, DamagedManifest) {
 }
 
 TEST_F(Verify, RefusesABundleOfAnEarlierSchemaVersion) {
-  put("bundle.json", replaced(bundle_.read("bundle.json"), "\"schema_version\": 2", "\"schema_version\": 1"));
+  put("bundle.json", replaced(bundle_.read("bundle.json"), "\"schema_version\": 3", "\"schema_version\": 2"));
   try {
     (void)findings();
     ADD_FAILURE();

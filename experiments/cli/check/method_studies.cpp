@@ -41,7 +41,7 @@ bool names(const suite::Study& study, const std::string& id) {
 bool applies(const suite::Study& study, const std::vector<const MethodInfo*>& methods) {
   const auto problem = problem_of(study);
   return std::ranges::any_of(
-      methods, [&](const MethodInfo* info) { return problem == info->problem && study.curve == info->form; });
+      methods, [&](const MethodInfo* info) { return problem == info->problem && study.form == info->form; });
 }
 
 /// The studies that `keep` keeps, with no other method.

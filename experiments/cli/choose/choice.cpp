@@ -137,14 +137,16 @@ std::string timed_curves(const JudgedRace& race) {
 }
 
 std::string remedy(const Wish& wish) {
-  const auto form =
-      std::ranges::find(suite::words<Form>, wish.form, [](const auto& entry) { return name(entry.value); });
+  // as in the ids of studies
+  const std::string_view form = wish.form == name(Form::bernstein) ? "bezier"
+                                : wish.form == name(Form::power)   ? "polynomial"
+                                                                   : "rational";
   const bool in_quick = wish.mode == suite::name(suite::Mode::point) || wish.mode == suite::name(suite::Mode::one_shot);
-  if (!in_quick && form->value == Form::rational) return "";
+  if (!in_quick && form == name(Form::rational)) return "";
   const bool can_be_run = wish.degree >= 0 && wish.degree <= max_degree && wish.dimension >= 1 && wish.dimension <= 3;
   if (!can_be_run) return "";
   const std::string suite = in_quick ? "quick" : "speed";
-  const std::string studies = fmt::format("{}*-{}{}", suite, form->word, in_quick ? "*" : "");
+  const std::string studies = fmt::format("{}*-{}{}", suite, form, in_quick ? "*" : "");
   std::string out = fmt::format("{}-{}", suite, wish.degree);
   while (std::filesystem::exists(out)) out += "-new";
   std::string set = fmt::format("--set degree={}", wish.degree);

@@ -25,11 +25,6 @@
 namespace bezierbench::cli {
 namespace {
 
-std::string form_name(const tables::ChoiceGroup& group) {
-  const auto curve = suite::parse<Form>(group.curve);
-  return curve ? std::string(name(*curve)) : group.curve;
-}
-
 /// The tables of a bundle that a choice uses.
 struct Evidence {
   bundle::CsvDocument timing;
@@ -66,7 +61,7 @@ struct Demand {
 std::vector<Demand> demands_of(const Wish& wish) {
   using Group = tables::ChoiceGroup;
   std::vector<Demand> demands{
-      {"form", wish.form, form_name},
+      {"form", wish.form, [](const Group& group) { return group.form; }},
       {"scalar", wish.scalar, [](const Group& group) { return group.scalar; }},
       {"dimension", std::to_string(wish.dimension), [](const Group& group) { return group.dimension; }},
       {"mode", wish.mode, [](const Group& group) { return group.mode; }},
@@ -175,12 +170,6 @@ Exit choose(Wish wish) {
   return Exit::finding;
 }
 
-std::vector<std::string> words_of_forms() {
-  std::vector<std::string> forms;
-  for (const auto& entry : suite::words<Form>) forms.emplace_back(name(entry.value));
-  return forms;
-}
-
 }  // namespace
 
 void add_choose(Command program, Exit& exit) {
@@ -191,7 +180,7 @@ void add_choose(Command program, Exit& exit) {
   command.option("--tolerance", wish->tolerance_text, "largest error that is accepted").required();
   command.option("--unit", wish->unit, "of the tolerance: u (units of u p~) or coordinate").one_of({"u", "coordinate"});
   command.option("--range", wish->range_text, "R of coordinates in [-R, R]; left out, that of the timed curves");
-  command.option("--form", wish->form, "in which the curves are given").one_of(words_of_forms());
+  command.option("--form", wish->form, "in which the curves are given").one_of(suite::all_words<Form>());
   command.option("--mode", wish->mode, "of the times").one_of(suite::all_words<suite::Mode>());
   command.option("--scalar", wish->scalar, "type that the methods compute in")
       .one_of(suite::all_words<suite::ScalarKind>());

@@ -17,13 +17,13 @@ METHODS = ["de_casteljau", "compensated_de_casteljau", "horner_bernstein", "diff
 # No error in units of u p~ is proved for all curves that go through rounded power coefficients, up to t = 1.
 NO_CLASS_BOUND = ("differences:horner", "differences:estrin")
 ELSEWHERE = "differences:estrin"  # timed with the others, judged in a study of its own
-STUDIES = ['[[study]]', 'id = "truth"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [8]', 'trials = 300',
+STUDIES = ['[[study]]', 'id = "truth"', 'kind = "accuracy"', 'curve = "bernstein"', 'degree = [8]', 'trials = 300',
            f'methods = {METHODS}'.replace("'", '"'),
-           '[[study]]', 'id = "more"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [8]', 'trials = 900',
+           '[[study]]', 'id = "more"', 'kind = "accuracy"', 'curve = "bernstein"', 'degree = [8]', 'trials = 900',
            'coordinate_range = [0.5, 1, 8]', 't_interval = [[0, 1], [-10, 10]]', 'methods = ["de_casteljau"]',
-           '[[study]]', 'id = "small"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [8]', 'trials = 20',
+           '[[study]]', 'id = "small"', 'kind = "accuracy"', 'curve = "bernstein"', 'degree = [8]', 'trials = 20',
            f'methods = ["{ELSEWHERE}"]',
-           '[[study]]', 'id = "race"', 'kind = "timing"', 'curve = "bezier"', 'degree = [8]', 'modes = ["point"]',
+           '[[study]]', 'id = "race"', 'kind = "timing"', 'curve = "bernstein"', 'degree = [8]', 'modes = ["point"]',
            f'methods = {[*METHODS, ELSEWHERE]}'.replace("'", '"')]
 COLUMNS = ["method", "mode", "ns", "ns_low", "ns_high", "observed_max", "bound", "unit", "pareto"]
 
@@ -103,8 +103,8 @@ class Choose(Case):
         method = "wozny_chudy_positive"  # proved for t in [0, 1] only
         both = f'methods = ["de_casteljau", "{method}"]\nt_interval = [[-10, 10]]\n'
         (self.folder / "partly.toml").write_text("\n".join(HEAD + [
-            '[[study]]', 'id = "truth"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [8]', 'trials = 300', both,
-            '[[study]]', 'id = "race"', 'kind = "timing"', 'curve = "bezier"', 'degree = [8]', 'modes = ["point"]', both]))
+            '[[study]]', 'id = "truth"', 'kind = "accuracy"', 'curve = "bernstein"', 'degree = [8]', 'trials = 300', both,
+            '[[study]]', 'id = "race"', 'kind = "timing"', 'curve = "bernstein"', 'degree = [8]', 'modes = ["point"]', both]))
         self.fine("run", "partly.toml", "--out", "b2", "--quiet")
         with open(self.folder / "b2/pareto.csv", newline="") as file:
             stated = {row["method"]: row["bound_u"] for row in csv.DictReader(file)}

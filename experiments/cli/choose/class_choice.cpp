@@ -18,7 +18,7 @@ namespace bezierbench::cli {
 namespace {
 
 bool is_of_kind(const tables::TableRow& row, const tables::ChoiceGroup& group) {
-  return row.text("curve") == group.curve && row.text("scalar") == group.scalar &&
+  return row.text("form") == group.form && row.text("scalar") == group.scalar &&
          row.text("dimension") == group.dimension && row.text("degree") == group.degree;
 }
 
@@ -50,8 +50,8 @@ int whole(const std::string& text) { return static_cast<int>(number::parse_integ
 template <class Scalar>
 metric::CurveClass curve_class(const tables::ChoiceGroup& group, const DrawnClass& of) {
   const auto rounded = [](double end) { return static_cast<double>(static_cast<Scalar>(end)); };
-  const auto curve = suite::parse<Form>(group.curve);
-  return {curve ? *curve : Form::rational,  // rational classes have no bound
+  const auto form = suite::parse<Form>(group.form);
+  return {form.value_or(Form::rational),  // rational classes have no bound
           whole(group.dimension),
           whole(group.degree),
           std::max(of.range, rounded(of.range)),

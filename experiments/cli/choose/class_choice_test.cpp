@@ -20,12 +20,12 @@ struct JudgedRow {
 /// max_error_u, bound_u and max_bound.
 tables::JudgedTables judged(const std::vector<JudgedRow>& rows, const std::string& unbounded = "0") {
   std::string accuracy =
-      "study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
+      "study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
       "max_error_u,bound_u,max_bound,non_finite\n";
   std::string reference =
-      "study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,unbounded_trials\n";
+      "study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,unbounded_trials\n";
   for (const auto& row : rows) {
-    const auto cell = row.study + ",bezier," + row.method + ",double,1,5," + row.drawn + ",continuous,";
+    const auto cell = row.study + ",bernstein," + row.method + ",double,1,5," + row.drawn + ",continuous,";
     accuracy += cell + "exact,ok," + row.numbers + ",0\n";
     reference += cell + unbounded + "\n";
   }
@@ -36,7 +36,7 @@ tables::JudgedTables judged(const std::vector<JudgedRow>& rows, const std::strin
 
 /// The methods timed on curves of range 10 with t in [0,1].
 tables::ChoiceGroup timed(const std::vector<std::string>& methods) {
-  tables::ChoiceGroup group{"race", "", "bezier", "double", "1", "5", "point", {"10", "0", "1", "continuous"}, {}};
+  tables::ChoiceGroup group{"race", "", "bernstein", "double", "1", "5", "point", {"10", "0", "1", "continuous"}, {}};
   for (const auto& method : methods) group.choices.push_back({method, {1, 1, 1}, "ok", {}});
   return group;
 }

@@ -244,7 +244,7 @@ class Compare(Case):
         for row in self.table("a", "b", "c"):
             if row["kind"] == "timing" and row["method"] != "sentinel":
                 self.assertEqual(row["rank_a"] == "", row["method"] == "direct", row)
-                key = tuple(row[name] for name in ("study", "method", "degree", "mode", "curve"))
+                key = tuple(row[name] for name in ("study", "method", "degree", "mode", "form"))
                 self.assertEqual(ranks.setdefault(key, row["rank_a"]), row["rank_a"])  # whatever a is compared with
         self.assertIn("", ranks.values())
 

@@ -83,7 +83,7 @@ std::vector<std::string> restrictions_of(const Kind& kind) {
   const auto& inputs = kind.inputs;
   if (inputs.forms.size() < suite::given_forms.size()) {
     std::vector<std::string_view> forms;
-    for (const Form form : inputs.forms) forms.push_back(suite::name(form));
+    for (const Form form : inputs.forms) forms.push_back(name(form));
     all.push_back(fmt::format("curve: {} only; {}", fmt::join(forms, " or "), inputs.forms_reason));
   }
   if (inputs.double_only) all.emplace_back("scalar: double only");
@@ -171,7 +171,11 @@ Json key_schema(const Kind& kind, const Field& field) {
   if (field.bare_if_single) schema = {{"anyOf", Json::array({schema, text_schema()})}};
   if (field.key == "curve") {
     schema = {{"enum", Json::array()}};
-    for (const Form form : kind.inputs.forms) schema["enum"].push_back(suite::name(form));
+    for (const Form form : kind.inputs.forms) {
+      schema["enum"].push_back(name(form));
+      for (const auto& earlier : suite::earlier_words<Form>)
+        if (earlier.value == form) schema["enum"].push_back(earlier.word);
+    }
   }
   schema["description"] =
       fmt::format("{}; {}; example: {}", field.meaning, default_of(kind, field), example_of(kind, field));

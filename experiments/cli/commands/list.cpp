@@ -58,11 +58,11 @@ std::string suites_csv() {
 }
 
 std::string studies_csv() {
-  bundle::CsvTable table({"id", "suite", "kind", "curve", "title"});
+  bundle::CsvTable table({"id", "suite", "kind", "form", "title"});
   for (const auto& shipped : all_shipped())
     for (const auto& study : shipped.suite.studies)
-      table.add_row({study.id, shipped.suite.id, std::string(suite::kind_of(study).id),
-                     std::string(suite::name(study.curve)), study.title});
+      table.add_row({study.id, shipped.suite.id, std::string(suite::kind_of(study).id), std::string(name(study.form)),
+                     study.title});
   return table.text();
 }
 

@@ -81,7 +81,7 @@ Exit print_replay(const std::string& id, const WorstRecord& record, const sample
   const auto& truth = judge.truth(inputs);
   fmt::print("{}\n",
              printable(fmt::format("{}: study {}, method {}, {} {}, degree {}", id, record.text("study"),
-                                   record.text("method"), record.text("scalar"), record.text("curve"), cell.degree)));
+                                   record.text("method"), record.text("scalar"), record.text("form"), cell.degree)));
   print_input(inputs);
   print_converted(*kernel, inputs);
   if (verdict.finite) {
@@ -100,9 +100,9 @@ Exit print_replay(const std::string& id, const WorstRecord& record, const sample
 
 template <class Scalar>
 Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
-  const auto* kernel = judge::find_method<Scalar>(record.text("method"), cell.curve, cell.dimension);
+  const auto* kernel = judge::find_method<Scalar>(record.text("method"), cell.form, cell.dimension);
   if (kernel == nullptr) record.malformed("method", "is not one that this program knows");
-  judge::TrialInputs<Scalar> inputs(cell.curve, cell);
+  judge::TrialInputs<Scalar> inputs(cell.form, cell);
   inputs.assign(record.input(cell));
   judge::PointJudge<Scalar> judge;
   return print_replay(id, record, cell, kernel, inputs, judge, judge.judge(*kernel, inputs));
@@ -117,10 +117,10 @@ Exit replay_outside(const std::string& id, const WorstRecord& record, const samp
     throw Failure(Exit::usage, fmt::format("{}: {} is a method from outside; give it with --plugin, --program or "
                                            "--answers",
                                            id, name));
-  judge::TrialInputs<double> inputs(cell.curve, cell);
+  judge::TrialInputs<double> inputs(cell.form, cell);
   inputs.assign(record.input(cell));
   const auto curve = inputs.curve();
-  const auto answer = method->points({cell.curve,
+  const auto answer = method->points({cell.form,
                                       cell.dimension,
                                       cell.degree,
                                       {inputs.t()},
@@ -131,7 +131,7 @@ Exit replay_outside(const std::string& id, const WorstRecord& record, const samp
                     answer.detail));
     return Exit::finding;
   }
-  const studies::JudgedOutside judged(method->record(), cell.curve, method);
+  const studies::JudgedOutside judged(method->record(), cell.form, method);
   const auto& kernel = judged.described(cell.dimension);
   judge::PointJudge<double> judge;
   return print_replay(id, record, cell, &kernel, inputs, judge,
@@ -162,7 +162,7 @@ void print_point(std::string_view at, const guarantees::Values<Scalar>& point, i
 
 template <class Scalar>
 Exit asked_again(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
-  const auto* kernel = judge::find_method<Scalar>(record.text("method"), cell.curve, cell.dimension);
+  const auto* kernel = judge::find_method<Scalar>(record.text("method"), cell.form, cell.dimension);
   if (kernel == nullptr) record.malformed("method", "is not one that this program knows");
   const auto& all = guarantees::statements<Scalar>;
   const auto statement =
@@ -176,7 +176,7 @@ Exit asked_again(const std::string& id, const WorstRecord& record, const sample:
              both(static_cast<double>(input.t)));
   if (statement->uses_t_next) fmt::print("  t'         {}\n", both(static_cast<double>(input.t_next)));
   if (statement->uses_offset) fmt::print("  offset     {}\n", both(static_cast<double>(input.offset)));
-  print_points(CurveView<Scalar>{cell.curve, cell.dimension, cell.degree, input.coefficients});
+  print_points(CurveView<Scalar>{cell.form, cell.dimension, cell.degree, input.coefficients});
 
   guarantees::Evaluation<Scalar> method(*kernel);
   fmt::print("\nresult\n");

@@ -9,11 +9,11 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from program_case import FINDING, HEAD, INPUT_OUTPUT, USAGE, Case  # noqa: E402
 
-STUDIES = ['[[study]]', 'id = "a"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [0, 4]', 'dimension = [1, 3]',
+STUDIES = ['[[study]]', 'id = "a"', 'kind = "accuracy"', 'curve = "bernstein"', 'degree = [0, 4]', 'dimension = [1, 3]',
            'scalar = ["float", "double"]', 'trials = 40',
-           '[[study]]', 'id = "b"', 'kind = "search"', 'curve = "polynomial"', 'degree = [3]', 'trials = 20',
+           '[[study]]', 'id = "b"', 'kind = "search"', 'curve = "power"', 'degree = [3]', 'trials = 20',
            'budget = 50',
-           '[[study]]', 'id = "c"', 'kind = "guarantees"', 'curve = "bezier"', 'degree = [1, 3]', 'scalar = ["float", "double"]',
+           '[[study]]', 'id = "c"', 'kind = "guarantees"', 'curve = "bernstein"', 'degree = [1, 3]', 'scalar = ["float", "double"]',
            'methods = ["de_casteljau", "de_casteljau_lerp", "direct*"]', 'trials = 10', 'budget = 2000']
 
 

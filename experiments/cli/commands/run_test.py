@@ -153,8 +153,8 @@ class Bundles(Case):
     def test_a_bundle_of_an_earlier_schema_version_is_not_continued(self):
         self.suite()
         self.fine("run", "s.toml", "--quiet", "--out", "b", "--shard", "1/2")
-        self.write("b/bundle.json", json.dumps({**self.manifest("b"), "schema_version": 1}))
-        self.refused(USAGE, ["run", "s.toml", "--out", "b"], "b/bundle.json: schema_version is 1, this program reads 2; run the suite again")
+        self.write("b/bundle.json", json.dumps({**self.manifest("b"), "schema_version": 2}))
+        self.refused(USAGE, ["run", "s.toml", "--out", "b"], "b/bundle.json: schema_version is 2, this program reads 3; run the suite again")
 
     def test_verify_finds_damage(self):
         self.bundle()
@@ -232,7 +232,7 @@ class Bundles(Case):
     def test_report_scorecard(self):
         self.bundle(REPORT_SUITE, "--only", "2.3.1-bezier", "--trials", "20", "--set", "replicates=20")
         cells = rows((self.folder / "b/scorecard.csv").read_text())
-        self.assertEqual({(cell["table"], cell["curve"]) for cell in cells}, {("2.3.1", "bezier")})
+        self.assertEqual({(cell["table"], cell["form"]) for cell in cells}, {("2.3.1", "bernstein")})
         for cell in cells:
             self.assertIn(cell["verdict"], ("inside", "edge"), "the ends of a band of 20 repetitions are not known")
             for column in ("published", "ours_median", "ours_p05", "ours_p95", "continuous_median", "against_exact"):

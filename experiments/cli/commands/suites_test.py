@@ -20,7 +20,7 @@ class Suites(Case):
     def test_values(self):
         for key, value, needle in [
                 ("kind", '"acuracy"', 'did you mean "accuracy"?'), ("kind", "3", "kind"), ("kind", '""', "kind"),
-                ("curve", '"bezir"', 'did you mean "bezier"?'), ("curve", "[1]", "curve"),
+                ("curve", '"bernstien"', 'did you mean "bernstein"?'), ("curve", "[1]", "curve"),
                 ("methods", '["de_castlejau"]', 'did you mean "de_casteljau"?'), ("methods", '["zz*"]', '"zz*"'),
                 ("methods", '["direct", "direct"]', "twice"), ("methods", '"direct"', "methods"),
                 ("methods", "[1]", "methods"), ("generator", '["continous"]', 'did you mean "continuous"?'),
@@ -91,7 +91,7 @@ class Suites(Case):
     def test_what_the_plan_refuses(self):
         """At once, not after hours, with the place of the key; of the study where the key is left out."""
         for study, changes, key, needle in [
-                (CONVERSION, {"curve": '"rational"', "methods": None}, "curve", "polynomial"),
+                (CONVERSION, {"curve": '"rational"', "methods": None}, "curve", "power"),
                 (TIMING, {"methods": '["gauss_legendre_24"]', "modes": '["one_shot"]'}, None, "tolerance"),
                 (TIMING, {"methods": '["direct"]', "baseline": '"de_casteljau"'}, "baseline", "de_casteljau"),
                 (STUDY, {"id": '"d"', "kind": '"derivative"', "order": "[1]", "curve": '"rational"'}, "curve", "derivatives"),
@@ -111,7 +111,7 @@ class Suites(Case):
                 self.refused(USAGE, ["run", name, "--out", "b"], f"bezierbench: {name}: cannot be read")
 
     def test_methods_that_take_another_form(self):
-        for changes in ({"methods": '["horner"]'}, {"baseline": '["power_sum"]'}, {"curve": '"polynomial"'}):
+        for changes in ({"methods": '["horner"]'}, {"baseline": '["power_sum"]'}, {"curve": '"power"'}):
             with self.subTest(changes=changes):
                 self.refused(USAGE, ["run", self.suite(**changes), "--out", "b"], 'study "a"', "form")
         self.refused(USAGE, ["run", self.suite(CONVERSION, methods='["exact+exat"]'), "--out", "b"], '"exact"')

@@ -157,7 +157,7 @@ void print_trials(const Chosen& from, const std::string& method) {
   const auto& kernel = chosen_kernel<Scalar>(from, method);
   const auto& cell = from.cell.cell;
   const sample::Sampler sampler(from.seed, from.study.id, cell);
-  judge::TrialInputs<Scalar> inputs(cell.curve, cell);
+  judge::TrialInputs<Scalar> inputs(cell.form, cell);
   judge::PointJudge<Scalar> judge;
   print_damage(from.damaged);
   fmt::print("trial,{},value,exact,error,error_u,bound_u\n", fmt::join(judge::input_columns(), ","));

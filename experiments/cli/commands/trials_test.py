@@ -11,12 +11,12 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from program_case import HEAD, INPUT_OUTPUT, USAGE, Case, rows  # noqa: E402
 
-STUDIES = ['[[study]]', 'id = "a"', 'kind = "accuracy"', 'curve = "bezier"', 'degree = [0, 6]', 'dimension = [1, 3]',
+STUDIES = ['[[study]]', 'id = "a"', 'kind = "accuracy"', 'curve = "bernstein"', 'degree = [0, 6]', 'dimension = [1, 3]',
            'scalar = ["float", "double"]', 't_interval = [[0, 1], [0.25, 0.5]]', 'trials = 30', 'replicates = 2',
            'methods = ["de_casteljau", "direct_pow", "differences:horner"]',
            '[[study]]', 'id = "w"', 'kind = "accuracy"', 'curve = "rational"', 'degree = [3]', 'trials = 40',
            'methods = ["direct"]',
-           '[[study]]', 'id = "c"', 'kind = "conversion"', 'curve = "bezier"', 'degree = [3]', 'trials = 5',
+           '[[study]]', 'id = "c"', 'kind = "conversion"', 'curve = "bernstein"', 'degree = [3]', 'trials = 5',
            'methods = ["exact+exact"]']
 
 

@@ -13,7 +13,7 @@ sys.path[:0] = [os.path.join(HERE, ".."), os.path.join(HERE, "../../..")]
 from program_case import CONVERSION, FINDING, FINE, PROGRAM, STUDY, Case, rows  # noqa: E402
 from scripts.hostile_bundle import sign  # noqa: E402
 
-ONE = {"curve": '"bezier"', "degree": "[3]", "coordinate_range": "[1]", "trials": "5"}
+ONE = {"curve": '"bernstein"', "degree": "[3]", "coordinate_range": "[1]", "trials": "5"}
 STUDIES = [
     {**STUDY, "degree": "[2, 3]", "trials": "20", "baseline": '["exact", "de_casteljau"]',
      "methods": '["direct", "de_casteljau", "direct_pow"]'},
@@ -58,7 +58,7 @@ FOUND = where(method="direct", baseline="exact")
 # What somebody does to which tables, and what the finding has.
 FORGERIES = {
     "all rows of a method gone": ({file: without(DE_CASTELJAU) for file in ("accuracy.csv", "worst.csv", "reference.csv")},
-                                  "accuracy.csv: the row with study a, curve bezier, method de_casteljau"),
+                                  "accuracy.csv: the row with study a, form bernstein, method de_casteljau"),
     "one cell gone": ({"accuracy.csv": without(where(study="a", method="direct", degree="2"))}, "degree 2"),
     "one baseline gone": ({"accuracy.csv": without(where(baseline="de_casteljau"))}, "baseline de_casteljau is missing"),
     "a study's rows gone": ({file: without(where(study="other")) for file in

@@ -52,7 +52,7 @@ suite::ScalarKind WorstRecord::scalar() const { return word<suite::ScalarKind>("
 
 sample::Cell WorstRecord::cell() const {
   sample::Cell cell;
-  if (!is_about_property()) cell.curve = word<Form>("curve");  // properties are of Bernstein form
+  if (!is_about_property()) cell.form = word<Form>("form");  // properties are of Bernstein form
   cell.dimension = count("dimension", 1, reference::max_dimension);
   cell.degree = count("degree", 0, max_degree);
   return cell;

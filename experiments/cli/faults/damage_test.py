@@ -15,7 +15,7 @@ from resume_case import SEARCH, ResumeCase
 
 SMALL = {**STUDY, "trials": "20", "replicates": "2"}
 # What `replay` recomputes from, and compares with.
-REPLAYED = ("curve", "method", "scalar", "dimension", "degree", "t", "coefficients", "weights", "error", "error_u")
+REPLAYED = ("form", "method", "scalar", "dimension", "degree", "t", "coefficients", "weights", "error", "error_u")
 
 
 def places(data):

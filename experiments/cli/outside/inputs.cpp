@@ -30,7 +30,7 @@ namespace {
 
 const std::vector<std::string>& columns() {
   static const auto all = [] {
-    std::vector<std::string> names{"suite", "seed", "study", "trials", "curve", "dimension", "degree"};
+    std::vector<std::string> names{"suite", "seed", "study", "trials", "form", "dimension", "degree"};
     const auto append = [&](const auto& more) { names.insert(names.end(), more.begin(), more.end()); };
     append(tables::drawn_columns());
     names.emplace_back("trial");
@@ -55,7 +55,7 @@ void add_cell(const suite::Suite& of, const suite::Study& study, const sample::C
                                     std::to_string(of.seed),
                                     study.id,
                                     std::to_string(study.trials),
-                                    std::string(suite::name(study.curve)),
+                                    std::string(name(study.form)),
                                     std::to_string(cell.dimension),
                                     std::to_string(cell.degree)};
     const auto append = [&](const std::vector<std::string>& more) {
@@ -107,7 +107,7 @@ void add_row(const bundle::CsvDocument& table, std::size_t row, const std::strin
     study.methods = {method};
     study.trials = whole("trials");
   }
-  if (const auto form = suite::parse<Form>(table.at(row, "curve"))) study.curve = *form;
+  if (const auto form = suite::parse<Form>(table.at(row, "form"))) study.form = *form;
   const auto small = [&](std::string_view column) {
     return static_cast<int>(std::clamp<std::int64_t>(whole(column), -1, max_degree + 1));  // both refused by the checks
   };

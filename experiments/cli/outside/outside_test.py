@@ -265,13 +265,13 @@ class Faults(Outside):
         self.assertEqual(self.run_program("verify", "b").returncode, FINDING)
 
     def test_what_no_study_asks_is_refused(self):
-        length = {"id": '"length"', "kind": '"arc_length"', "curve": '"bezier"', "degree": "[3]", "trials": "2", "tolerance": "[1e-3]"}
+        length = {"id": '"length"', "kind": '"arc_length"', "curve": '"bernstein"', "degree": "[3]", "trials": "2", "tolerance": "[1e-3]"}
         self.refused(USAGE, ["run", self.suite(length), "--out", "b", "--program", ANSWER],
                      "program_mine: no study asks it, of study length: it is of kind arc_length")
-        suite = self.suite({**STUDY, **SMALL}, length, {**STUDY, "id": '"power"', "curve": '"polynomial"', "methods": '["horner"]'},
+        suite = self.suite({**STUDY, **SMALL}, length, {**STUDY, "id": '"power"', "curve": '"power"', "methods": '["horner"]'},
                            {**STUDY, "id": '"float"', "scalar": '["float"]'}, TIMING)
         told = self.run_program("run", suite, "--out", "b", "--program", ANSWER, "--dry-run").stderr.decode()
-        for sentence in ("length: it is of kind arc_length", "power: its curves are polynomial, the method takes bezier",
+        for sentence in ("length: it is of kind arc_length", "power: its curves are in power form, the method takes bernstein form",
                          "float: it is in float only", "t: it is timed, which only a shared object or a compiled-in method is"):
             self.assertIn(f"program_mine: is not asked in study {sentence}\n", told)
 
@@ -294,7 +294,7 @@ class Faults(Outside):
         self.refused(USAGE, ["run", suite, "--out", "b"], "program_mine")
         self.bundle(suite, "--program", ANSWER)
         self.assertEqual([row["method"] for row in rows((self.folder / "b/accuracy.csv").read_text())], ["program_mine"] * 2)
-        for changes in ({"curve": '"polynomial"'}, {"scalar": '["float"]'}, {"kind": '"search"', "budget": "100"}):
+        for changes in ({"curve": '"power"'}, {"scalar": '["float"]'}, {"kind": '"search"', "budget": "100"}):
             wrong = self.suite(**{**SMALL, "methods": '["program_mine"]', **changes}, name="wrong.toml")
             self.refused(USAGE, ["run", wrong, "--out", "d", "--program", ANSWER], "wrong.toml", "program_mine")
         # The bundle's own suite names a method that must be given again: nothing is started because a file says so.

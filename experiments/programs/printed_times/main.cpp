@@ -3,7 +3,7 @@
 // operators in containers, tables of factorials and powers made in each call (sections 1.1 to 1.4), and a conversion for
 // each point. It includes nothing of core: what is measured is this coding, compiled with and without optimisation.
 //
-// printed_times [ROUNDS]   prints curve,method,degree,ms: the least processor time of 1000 evaluations, each of a curve of
+// printed_times [ROUNDS]   prints form,method,degree,ms: the least processor time of 1000 evaluations, each of a curve of
 // its own
 #include <algorithm>
 #include <cmath>
@@ -102,17 +102,17 @@ Point power_sum(const Points& q, double t) {
 }
 
 struct Method {
-  std::string curve, name;
+  std::string form, name;
   std::function<Point(const Points&, double)> evaluate;
 };
 
 const std::vector<Method> methods{
-    {"bezier", "direct", direct},
-    {"bezier", "de_casteljau", de_casteljau},
-    {"bezier", "factorial:power_sum", [](const Points& b, double t) { return power_sum(to_power(b), t); }},
-    {"polynomial", "power_sum", power_sum},
-    {"polynomial", "forward_substitution:direct", [](const Points& q, double t) { return direct(to_bernstein(q), t); }},
-    {"polynomial", "forward_substitution:de_casteljau",
+    {"bernstein", "direct", direct},
+    {"bernstein", "de_casteljau", de_casteljau},
+    {"bernstein", "factorial:power_sum", [](const Points& b, double t) { return power_sum(to_power(b), t); }},
+    {"power", "power_sum", power_sum},
+    {"power", "forward_substitution:direct", [](const Points& q, double t) { return direct(to_bernstein(q), t); }},
+    {"power", "forward_substitution:de_casteljau",
      [](const Points& q, double t) { return de_casteljau(to_bernstein(q), t); }}};
 
 constexpr int curves = 1000;   // section 2.4
@@ -144,7 +144,7 @@ Problem problem(std::size_t degree) {
 
 int main(int count, char** arguments) {
   const int rounds = count > 1 ? std::atoi(arguments[1]) : 41;
-  std::cout << "curve,method,degree,ms\n";
+  std::cout << "form,method,degree,ms\n";
   for (const std::size_t degree : {4, 8, 12, 16, 20}) {
     const Problem given = problem(degree);
     std::vector<double> least(methods.size(), std::numeric_limits<double>::infinity());
@@ -156,8 +156,8 @@ int main(int count, char** arguments) {
         least[m] = std::min(least[m], 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
       }
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      std::cout << methods[m].curve << ',' << methods[m].name << ',' << degree << ',' << least[m] << '\n';
-      const std::size_t first = methods[m].curve == "bezier" ? 0 : 3;
+      std::cout << methods[m].form << ',' << methods[m].name << ',' << degree << ',' << least[m] << '\n';
+      const std::size_t first = methods[m].form == "bernstein" ? 0 : 3;
       for (std::size_t k = 0; k < curves; ++k) {
         const Point apart = found[m][k] - found[first][k];
         if (!(std::hypot(apart.x, apart.y) <= alike * range)) {

@@ -24,7 +24,7 @@ constexpr double certified_gain_over_exact = 20;
 constexpr std::array<double, dimension> computed{0.25, -0.125};  // the point whose distance is asked for
 
 std::vector<Inputs> draw(int degree) {
-  const sample::Cell cell{.curve = Form::bernstein,
+  const sample::Cell cell{.form = Form::bernstein,
                           .dimension = dimension,
                           .degree = degree,
                           .coordinate_range = 1,

@@ -18,7 +18,7 @@ constexpr double most_times_bare = 4;
 
 Comparison sweep_cost(const suite::Study& study) {
   const auto cell = sample::cells(study).front();
-  const Form form = study.curve;
+  const Form form = study.form;
   const auto kernels = judge::chosen_kernels<double>(study, cell);
   const auto trials = static_cast<std::size_t>(study.trials);
   const sample::Sampler sampler(1, study.id, cell);

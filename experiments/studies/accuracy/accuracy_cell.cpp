@@ -221,7 +221,7 @@ void AccuracyCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& 
   if (tally.audit.count() > 0)
     tables.add(tables::Row("audit.csv")
                    .set("study", study_.id)
-                   .set("curve", suite::name(study_.curve))
+                   .set("form", name(study_.form))
                    .set("tier", "long_double")
                    .set("significand_bits", std::numeric_limits<long double>::digits)
                    .set("dimension", cell_.dimension)
@@ -248,7 +248,7 @@ void AccuracyCell<Scalar>::write_reference(std::size_t method, const judge::Cell
 
 template <class Scalar>
 void AccuracyCell<Scalar>::write_worst(std::size_t method, const judge::Worst& worst, tables::Tables& tables) const {
-  judge::TrialInputs<Scalar> inputs(study_.curve, cell_);
+  judge::TrialInputs<Scalar> inputs(study_.form, cell_);
   inputs.draw(sampler_, worst.trial);
   tables.add(tables::Row("worst.csv")
                  .set("worst_id", fmt::format("w{}", tables.table("worst.csv").row_count() + 1))
@@ -265,7 +265,7 @@ void AccuracyCell<Scalar>::collect(const judge::CellTally& tally, std::vector<ta
     for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
       if (!methods_.judged(m, k)) continue;
       tables::Series one{.study = study_.id,
-                         .curve = std::string(suite::name(study_.curve)),
+                         .form = std::string(name(study_.form)),
                          .method = std::string(methods_.info(m).id),
                          .statistic = "mean_error",
                          .degree = std::to_string(cell_.degree),

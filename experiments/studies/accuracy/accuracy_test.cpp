@@ -81,7 +81,7 @@ TEST(Accuracy, OrderThreadsAndInterruptionsChangeNoByte) {
 void expect_errors_of_the_trials(Form kind, const std::string& generator) {
   auto study = small_accuracy_study();
   study.degree = {3};
-  study.curve = kind;
+  study.form = kind;
   study.generator = {generator};
   study.methods = {"direct", "de_casteljau"};
   const Form form = kind;
@@ -198,7 +198,7 @@ TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
 TEST(Accuracy, RationalCurvesKeepTheirBounds) {
   auto study = small_accuracy_study();
   study.degree = {1, 4, 12};
-  study.curve = Form::rational;
+  study.form = Form::rational;
   study.generator = {"weights_mild", "weights_wild"};
   study.methods = {};
   study.baseline = {"exact"};
@@ -310,7 +310,7 @@ TEST(Accuracy, TiersAgreeByteForByte) {
   study.trials = 70;
   study.replicates = 1;
   for (const auto curve : {Form::bernstein, Form::power}) {
-    study.curve = curve;
+    study.form = curve;
     study.methods = curve == Form::bernstein
                         ? std::vector<std::string>{"de_casteljau", "compensated_de_casteljau", "exact:horner"}
                         : std::vector<std::string>{"horner", "compensated_horner"};

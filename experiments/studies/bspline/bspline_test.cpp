@@ -68,7 +68,7 @@ TEST(BsplineStudy, IsExactAtTheFirstPointOfAClampedCurve) {
 
 TEST(BsplineStudy, RefusesWhatItCannotDo) {
   auto rational = small_bspline_study();
-  rational.curve = Form::rational;
+  rational.form = Form::rational;
   EXPECT_THROW(make_job(rational, {1}), Failure);
   auto single = small_bspline_study();
   single.scalar = {suite::ScalarKind::float32};

@@ -52,7 +52,7 @@ struct Chain {
 Chain chain_of(const suite::Study& study, std::size_t k, int dimension) {
   const std::string& id = study.methods[k];
   Chain chain{id, {}};
-  Form form = study.curve;
+  Form form = study.form;
   for (std::size_t begin = 0; begin <= id.size();) {
     const auto end = std::min(id.find('+', begin), id.size());
     const auto part = id.substr(begin, end - begin);
@@ -74,7 +74,7 @@ std::vector<Chain> chains_of(const suite::Study& study, int dimension) {
   for (std::size_t k = 0; k < study.methods.size(); ++k) chains.push_back(chain_of(study, k, dimension));
   if (!study.methods.empty()) return chains;
   for (const auto& step : conversion_kernels<double>(dimension))
-    if (step.info->form == study.curve) chains.push_back({std::string(step.info->id), {&step}});
+    if (step.info->form == study.form) chains.push_back({std::string(step.info->id), {&step}});
   return chains;
 }
 
@@ -198,7 +198,7 @@ metric::Rows<ChainErrors> ConversionJob::work(std::size_t block) const {
   sample::Trial trial;
   run::each_trial(trials, [&](std::int64_t k) {
     sampler.draw(static_cast<std::uint64_t>(trials.replicate * study_.trials + k), trial);
-    const CurveView<double> curve{study_.curve, cell.dimension, cell.degree, trial.coefficients};
+    const CurveView<double> curve{study_.form, cell.dimension, cell.degree, trial.coefficients};
     for (std::size_t c = 0; c < chains.size(); ++c)
       if (chains[c].supports(cell.degree)) add_error(error_of(chains[c], curve), trials.replicate, tally.rows[c]);
   });
@@ -213,7 +213,7 @@ tables::Row ConversionJob::key_row(const sample::Cell& cell, const Chain& chain)
       .set("coordinate_range", cell.coordinate_range)
       .set("generator", cell.generator)
       .set("trials", trials())
-      .set("curve", suite::name(study_.curve))
+      .set("form", name(study_.form))
       .set("dimension", cell.dimension);
   return row;
 }
@@ -254,7 +254,7 @@ std::vector<tables::Series> ConversionJob::series() const {
         return one;
     tables::Series one{
         .study = study_.id,
-        .curve = std::string(suite::name(study_.curve)),
+        .form = std::string(name(study_.form)),
         .method = chain.id,
         .statistic = statistic,
         .degree = degrees,

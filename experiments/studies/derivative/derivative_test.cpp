@@ -66,7 +66,7 @@ TEST(DerivativeStudy, BoundsHoldAndTheSeedDocumentIsRightForOrderOneOnly) {
 /// The same curves are drawn for the power form as for the Bernstein form; only methods for the study's form have rows.
 TEST(DerivativeStudy, TakesTheMethodsOfTheForm) {
   auto study = small_derivative_study();
-  study.curve = Form::power;
+  study.form = Form::power;
   const auto csv = derivative_rows_of(study);
   ASSERT_EQ(csv.row_count(), 2 * 3 * methods_of(Form::power));
   EXPECT_EQ(csv.at(0, "method"), "power_derivative");
@@ -74,7 +74,7 @@ TEST(DerivativeStudy, TakesTheMethodsOfTheForm) {
 
 TEST(DerivativeStudy, RefusesWhatItCannotDo) {
   auto rational = small_derivative_study();
-  rational.curve = Form::rational;
+  rational.form = Form::rational;
   EXPECT_THROW(make_job(rational, {1}), Failure);
   auto single = small_derivative_study();
   single.scalar = {suite::ScalarKind::float32};

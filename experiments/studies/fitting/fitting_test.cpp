@@ -79,7 +79,7 @@ TEST(FittingStudy, ShowsAnExample) {
 
 TEST(FittingStudy, RefusesWhatItCannotDo) {
   auto polynomial = small_fitting_study();
-  polynomial.curve = Form::power;
+  polynomial.form = Form::power;
   EXPECT_THROW(make_job(polynomial, {1}), Failure);
   auto single = small_fitting_study();
   single.scalar = {suite::ScalarKind::float32};

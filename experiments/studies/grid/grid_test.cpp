@@ -53,13 +53,13 @@ TEST(GridStudy, BoundsHoldAndOnlyForwardDifferencingLosesByTheNumberOfPoints) {
 
 TEST(GridStudy, TakesTheMethodsOfTheForm) {
   auto study = small_grid_study();
-  study.curve = Form::power;
+  study.form = Form::power;
   EXPECT_EQ(grid_rows_of(study).row_count(), 2U * 2 * 2);
 }
 
 TEST(GridStudy, RefusesWhatItCannotDo) {
   auto rational = small_grid_study();
-  rational.curve = Form::rational;
+  rational.form = Form::rational;
   EXPECT_THROW(make_job(rational, {1}), Failure);
   auto single = small_grid_study();
   single.scalar = {suite::ScalarKind::float32};

@@ -164,17 +164,17 @@ class HardCasesJob final : public run::JobOf<Kept> {
   template <class Scalar>
   [[nodiscard]] Kept searched(std::size_t block) const {
     const auto& family = hard::families<Scalar>[parts_[part_of(block)].family];
-    const auto cell = fmt::format("{};{};{}", family.name, name(study_.curve), sizeof(Scalar));
+    const auto cell = fmt::format("{};{};{}", family.name, name(study_.form), sizeof(Scalar));
     Kept best{.most = kept(), .of = {}};
     Judge values;
     run::each_trial(blocks_[block % blocks_per_part()], [&](std::int64_t trial) {
       hard::Draw<Scalar> draw(
           sample::Words(seed_, sample::key(study_.id), sample::key(cell), static_cast<std::uint64_t>(trial)));
-      const auto drawn = family.draw(draw, study_.curve);
+      const auto drawn = family.draw(draw, study_.form);
       std::vector<double> coefficients;
       for (const Scalar c : drawn.coefficients) coefficients.push_back(double{c} + 0.0);  // no case with -0
       const double t = double{drawn.t} + 0.0;
-      const auto value = values.value(study_.curve, judge::ScalarFacts<Scalar>::format, coefficients, t);
+      const auto value = values.value(study_.form, judge::ScalarFacts<Scalar>::format, coefficients, t);
       for (std::size_t k = 0; k < searches.size(); ++k)
         if (searches[k].wanted(value)) best.add(k, found_of(searches[k].measure(value), trial, coefficients, t));
     });
@@ -199,7 +199,7 @@ void HardCasesJob::write(tables::Tables& tables) const {
         judge::with_scalar(scalar, []<class Scalar>(Scalar) { return judge::ScalarFacts<Scalar>::format; });
     for (std::size_t k = 0; k < searches.size(); ++k)
       for (const Found& found : state(part).of[k]) {
-        const auto value = values.value(study_.curve, format, found.coefficients, found.t);
+        const auto value = values.value(study_.form, format, found.coefficients, found.t);
         std::string coefficients;
         for (const double c : found.coefficients)
           coefficients += fmt::format("{}{}", coefficients.empty() ? "" : " ", number::hexadecimal(c));
@@ -211,7 +211,7 @@ void HardCasesJob::write(tables::Tables& tables) const {
                        .set("family", hard::families<double>[parts_[part].family].name)
                        .set("search", searches[k].id)
                        .set("drawn", trials())
-                       .set("form", name(study_.curve))
+                       .set("form", name(study_.form))
                        .set("scalar", suite::name(scalar))
                        .set("degree", found.coefficients.size() - 1)
                        .set("dimension", 1)

@@ -65,7 +65,7 @@ TEST(Significant, RoundsOnce) {
 suite::Study small_study(Form form) {
   suite::Study study;
   study.id = "small";
-  study.curve = form;
+  study.form = form;
   study.kind = &kind("hard_cases");
   study.kept = 3;
   study.scalar = {suite::ScalarKind::float64, suite::ScalarKind::float32};

@@ -122,7 +122,7 @@ TEST(InterpolationStudy, RefusesWhatItDoesNotJudge) {
     change(study);
     EXPECT_THROW(make_job(study, {1}), Failure);
   };
-  refused([](auto& study) { study.curve = Form::power; });
+  refused([](auto& study) { study.form = Form::power; });
   refused([](auto& study) { study.scalar = {suite::ScalarKind::float32}; });
   refused([](auto& study) { study.generator = {"clustered_roots"}; });
   refused([](auto& study) { study.t_interval = {{0, 0.5}}; });

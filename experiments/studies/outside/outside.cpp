@@ -61,8 +61,8 @@ std::string why_unasked(const suite::Study& study, const suite::OutsideMethod& r
   } else if (!is_kind(study, accuracy_kind)) {
     return fmt::format("it is of kind {}", suite::kind_of(study).id);
   }
-  if (record.kind != suite::OutsideKind::answers && record.form != study.curve)
-    return fmt::format("its curves are {}, the method takes {}", suite::name(study.curve), suite::name(record.form));
+  if (record.kind != suite::OutsideKind::answers && record.form != study.form)
+    return fmt::format("its curves are in {} form, the method takes {} form", name(study.form), name(record.form));
   return std::ranges::count(study.scalar, suite::ScalarKind::float64) == 0 ? "it is in float only" : "";
 }
 

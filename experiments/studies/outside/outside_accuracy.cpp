@@ -40,7 +40,7 @@ class OutsideAccuracyJob final : public run::JobOf<OutsideTally> {
  public:
   OutsideAccuracyJob(const suite::Study& study, const suite::OutsideMethod& record, const outside::Method* at_hand,
                      run::JobContext context)
-      : study_(study), method_(record, study.curve, at_hand) {
+      : study_(study), method_(record, study.form, at_hand) {
     context.audited_trials = 0;  // the study's own job audits them
     for (const auto& cell : sample::cells(study_)) {
       cells_.emplace_back(study_, context, cell, method_.described(cell.dimension));
@@ -104,7 +104,7 @@ class OutsideAccuracyJob final : public run::JobOf<OutsideTally> {
 };
 
 void OutsideAccuracyJob::add_inputs(const Cell& cell, std::size_t block, outside::Batch& batch) const {
-  judge::TrialInputs<double> inputs(study_.curve, cell.cell());
+  judge::TrialInputs<double> inputs(study_.form, cell.cell());
   const auto [first, end] = cell.trials_of(block);
   for (auto trial = first; trial < end; ++trial) {
     inputs.draw(cell.sampler(), trial);
@@ -141,7 +141,7 @@ OutsideTally OutsideAccuracyJob::work(std::size_t block) const {
   };
   if (!method_.info().supports<double>(cell.cell().degree)) return nothing(Status::ok);
   if (late_[part]) return nothing(Status::timed_out);
-  outside::Batch batch{study_.curve, cell.cell().dimension, cell.cell().degree, {}, {}, {}};
+  outside::Batch batch{study_.form, cell.cell().dimension, cell.cell().degree, {}, {}, {}};
   const auto [first, end] = blocks_in(cell, of_cell);
   for (auto k = first; k < end; ++k) add_inputs(cell, k, batch);
   const auto answer = method_.method().points(batch);

@@ -62,7 +62,7 @@ class OutsideTimingJob final : private JudgedOutside, public RacingJob<OutsideLa
  public:
   OutsideTimingJob(const suite::Study& study, const suite::OutsideMethod& record, const outside::Method* at_hand,
                    std::uint64_t seed)
-      : JudgedOutside(record, study.curve, at_hand),
+      : JudgedOutside(record, study.form, at_hand),
         RacingJob(study, seed, race_cells_of(study, info())),
         late_(parts()) {}
 
@@ -85,7 +85,7 @@ void add_untimed_row(tables::Tables& tables, const suite::Study& study, const ra
                      Status status) {
   tables.add(tables::Row("untimed.csv")
                  .set("study", study.id)
-                 .set("curve", suite::name(study.curve))
+                 .set("form", name(study.form))
                  .set("method", race_cell.methods.back()->id)
                  .set("scalar", suite::name(race_cell.scalar))
                  .set("dimension", race_cell.cell.dimension)

@@ -90,7 +90,7 @@ TEST(ProjectionStudy, MethodsThatAreNotBitStableHaveAFileOfTheirOwn) {
 
 TEST(ProjectionStudy, RefusesWhatItDoesNotJudge) {
   auto study = projection_study_of({});
-  study.curve = Form::power;
+  study.form = Form::power;
   EXPECT_THROW(make_job(study, {1}), Failure);
   study = projection_study_of({});
   study.scalar = {suite::ScalarKind::float32};

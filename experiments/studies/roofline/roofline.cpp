@@ -162,7 +162,7 @@ void set_share(tables::Row& row, const suite::Study& study, const RooflineRace& 
 tables::Row key_row(const suite::Study& study, const RooflineRace& race, const TargetRival& who) {
   tables::Row row("roofline.csv");
   row.set("study", study.id)
-      .set("curve", suite::name(study.curve))
+      .set("form", name(study.form))
       .set("method", who.method->id)
       .set("scalar", suite::name(race.scalar))
       .set("dimension", race.cell.dimension)

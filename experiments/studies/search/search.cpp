@@ -121,7 +121,7 @@ class Search {
   std::vector<Found> sampled(judge::PointJudge<Scalar>& judge, Outcome& outcome) const {
     const sample::Sampler sampler(seed_, study_.id, cell_);
     std::vector<Found> worst;
-    judge::TrialInputs<Scalar> inputs(study_.curve, cell_);
+    judge::TrialInputs<Scalar> inputs(study_.form, cell_);
     for (std::int64_t trial = 0; trial < study_.trials && !run::interrupted(); ++trial) {
       inputs.draw(sampler, static_cast<std::uint64_t>(trial));
       Found one = judged(inputs, judge, outcome);
@@ -150,7 +150,7 @@ class Search {
              Outcome& outcome) const {
     constexpr int unseen_bits = 53 - judge::ScalarFacts<Scalar>::format.precision;
     const Climb neighbours(cell_, unseen_bits);
-    judge::TrialInputs<Scalar> inputs(study_.curve, cell_);
+    judge::TrialInputs<Scalar> inputs(study_.form, cell_);
     for (; steps > 0 && !run::interrupted(); --steps) {
       sample::Trial next = from.input;
       neighbours.step(words, next);

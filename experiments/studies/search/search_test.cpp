@@ -62,15 +62,15 @@ void expect_replay(const suite::Study& study) {
   const auto table = table_of(study);
   ASSERT_GT(table.row_count(), 0U);
   for (std::size_t row = 0; row < table.row_count(); ++row) {
-    const auto* kernel = find_kernel<double>(table.at(row, "method"), study.curve, 2);
+    const auto* kernel = find_kernel<double>(table.at(row, "method"), study.form, 2);
     ASSERT_NE(kernel, nullptr);
     sample::Cell cell;
-    cell.curve = study.curve;
+    cell.form = study.form;
     cell.degree = 5;
     const auto trial =
         judge::parse_input({table.at(row, "t"), table.at(row, "coefficients"), table.at(row, "weights")}, cell);
     ASSERT_TRUE(trial);
-    judge::TrialInputs<double> inputs(study.curve, cell);
+    judge::TrialInputs<double> inputs(study.form, cell);
     inputs.assign(*trial);
     judge::PointJudge<double> judge;
     EXPECT_EQ(judge.judge(*kernel, inputs).error_u, value(table, row, "searched_error_u"));
@@ -80,7 +80,7 @@ void expect_replay(const suite::Study& study) {
 TEST(Search, RowsCanBeReplayed) {
   expect_replay(small_search_study());
   auto rational = small_search_study();
-  rational.curve = Form::rational;
+  rational.form = Form::rational;
   rational.generator = {"weights_mild"};
   rational.methods = {"de_casteljau*", "wozny_chudy"};
   expect_replay(rational);
@@ -88,7 +88,7 @@ TEST(Search, RowsCanBeReplayed) {
 
 TEST(InputFields, AreReadBackOrRefused) {
   sample::Cell cell;
-  cell.curve = Form::rational;
+  cell.form = Form::rational;
   cell.degree = 1;
   const sample::Trial trial{{1, 2, -3, 0.1}, 0.25, {0.5, 3}};
   const auto fields = judge::input_fields(trial, 2);
@@ -101,7 +101,7 @@ TEST(InputFields, AreReadBackOrRefused) {
   EXPECT_EQ(read->t, trial.t);
   for (const std::string weights : {"", "1", "1 2 3", "1 nan", "1 2 ", " 1 2", "1  2"})
     EXPECT_FALSE(judge::parse_input({fields[0], fields[1], weights}, cell)) << weights;
-  cell.curve = Form::bernstein;
+  cell.form = Form::bernstein;
   EXPECT_FALSE(judge::parse_input({fields[0], fields[1], fields[2]}, cell));
   EXPECT_TRUE(judge::parse_input({fields[0], fields[1], ""}, cell));
 }

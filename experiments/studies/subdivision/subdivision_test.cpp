@@ -20,7 +20,7 @@ suite::Study small_subdivision_study() {
 
 suite::Study rational_study() {
   auto study = small_subdivision_study();
-  study.curve = Form::rational;
+  study.form = Form::rational;
   study.generator = {"weights_wild"};
   return study;
 }
@@ -52,7 +52,7 @@ TEST(SubdivisionStudy, BoundsAndPromisesHold) {
       EXPECT_EQ(csv.at(row, "points_off"), csv.at(row, "method") == "lerp_split" ? "" : "0") << csv.at(row, "method");
       EXPECT_GT(run::number_at(csv, row, "max_error_u"), 0);
       EXPECT_LE(run::number_at(csv, row, "mean_error_u"), run::number_at(csv, row, "max_error_u"));
-      EXPECT_EQ(csv.at(row, "max_weight_error_u").empty(), study.curve == Form::bernstein);
+      EXPECT_EQ(csv.at(row, "max_weight_error_u").empty(), study.form == Form::bernstein);
     }
   }
 }
@@ -83,7 +83,7 @@ TEST(SubdivisionStudy, HasNoBoundOutside) {
 
 TEST(SubdivisionStudy, RefusesWhatItCannotDo) {
   auto power = small_subdivision_study();
-  power.curve = Form::power;
+  power.form = Form::power;
   EXPECT_THROW(make_job(power, {1}), Failure);
   auto single = small_subdivision_study();
   single.scalar = {suite::ScalarKind::float32};

@@ -176,7 +176,7 @@ TEST(TimedProblem, AnAnswerThatIsOffIsNotRight) {
   EXPECT_EQ(before_and_after<BsplineProblem>(study_of({"chudy_wozny_span"}), 3), caught) << "without a bound";
   EXPECT_EQ(before_and_after<SubdivisionProblem>(study_of({"blossom_split"}), 3), caught);
   auto weighted = study_of({"two_sided_split"});
-  weighted.curve = Form::rational;
+  weighted.form = Form::rational;
   weighted.generator = {"weights_mild"};
   EXPECT_EQ(before_and_after<SubdivisionProblem>(weighted, 2), caught) << "a weight";
 }
@@ -279,7 +279,7 @@ TEST(TimedProblem, RefusesWhatIsNotTimed) {
     refused(study);
     study = good;
     const bool splits = timed_problem(good).problem == Problem::subdivision;
-    study.curve = splits ? Form::power : Form::rational;
+    study.form = splits ? Form::power : Form::rational;
     refused(study);
     study = good;
     study.methods.emplace_back("de_casteljau");

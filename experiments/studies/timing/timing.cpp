@@ -113,7 +113,7 @@ std::vector<tables::Series> TimingJob::series() const {
   for (const auto& race_cell : race_cells)
     for (std::size_t m = 0; m < race_cell.methods.size() && race_cell.scalar == suite::ScalarKind::float64; ++m)
       all.push_back({.study = study().id,
-                     .curve = std::string(suite::name(study().curve)),
+                     .form = std::string(name(study().form)),
                      .method = std::string(race_cell.methods[m]->id),
                      .statistic = "total_time",
                      .degree = std::to_string(race_cell.cell.degree),

@@ -77,7 +77,7 @@ void set_limit(tables::Row& row, const race::RaceCell& race_cell, std::size_t m,
 tables::Row key_row(const suite::Study& study, const race::RaceCell& race_cell, std::size_t method) {
   tables::Row row("timing.csv");
   row.set("study", study.id)
-      .set("curve", suite::name(study.curve))
+      .set("form", name(study.form))
       .set("mode", suite::name(race_cell.mode))
       .set("method", race_cell.methods[method]->id)
       .set("scalar", suite::name(race_cell.scalar))
@@ -91,7 +91,7 @@ tables::Row key_row(const suite::Study& study, const race::RaceCell& race_cell, 
 tables::Row sentinel_key_row(const suite::Study& study, suite::Mode mode) {
   tables::Row row("timing.csv");
   row.set("study", study.id)
-      .set("curve", suite::name(study.curve))
+      .set("form", name(study.form))
       .set("mode", suite::name(mode))
       .set("method", race::sentinel_name)
       .set("scalar", suite::name(suite::ScalarKind::float64));
@@ -218,7 +218,7 @@ void write_complexity_rows(const suite::Study& study, const std::vector<race::Ra
     const auto& first = *ladder.first;
     tables::Row row("complexity.csv");
     row.set("study", study.id)
-        .set("curve", suite::name(study.curve))
+        .set("form", name(study.form))
         .set("method", ladder.method->id)
         .set("scalar", suite::name(first.scalar))
         .set("dimension", first.cell.dimension)

@@ -184,7 +184,7 @@ TEST(TrialStudy, LeavesOutWhatTheMethodsDoNotTake) {
 
 TEST(TrialStudy, RefusesMethodsOfAnotherForm) {
   auto study = small_study();
-  study.curve = Form::power;
+  study.form = Form::power;
   EXPECT_THROW(trial_job<CountedProblem>(study, {1}), Failure);
 }
 

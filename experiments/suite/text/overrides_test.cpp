@@ -81,7 +81,7 @@ TEST(Overrides, ErrorsNameTheOptionAlsoWhereTheKeyIsInTheFile) {
   Study& first = suites[0].studies[0];
   first.places = {"x.toml", {4, 1}, {{"degree", {{5, 1}, {5, 10}, {{5, 11}, {5, 14}}}}}, {}};
   first.degree = {4, 30};
-  first.curve = Form::power;
+  first.form = Form::power;
   Overrides overrides = setting({"generator=multiple_root"});
   overrides.only = "a-1";
   EXPECT_THAT(failure_of([&] { apply(overrides, suites, test_vocabulary()); }),

@@ -129,7 +129,7 @@ class Reader {
     for (const Field* field : fields_of(kind_of(out)))
       if (const toml::node* node = table.get(field->key); node != nullptr && node != kind)
         read(file_, *node, *field, out);
-    if (out.curve == Form::rational && !table.contains("generator")) {
+    if (out.form == Form::rational && !table.contains("generator")) {
       const auto weighted = std::find_if(known_.generators.begin(), known_.generators.end(),
                                          [](const KnownGenerator& known) { return known.limits.weights; });
       if (weighted != known_.generators.end()) out.generator = {weighted->id};

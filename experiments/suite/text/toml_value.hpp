@@ -84,7 +84,7 @@ inline std::string to_text(const std::string& value) { return to_text(std::strin
 
 template <Worded Enum>
 std::string to_text(Enum value) {
-  return to_text(suite::name(value));  // qualified: bezierbench::name() has other words for forms
+  return to_text(name(value));
 }
 
 template <class T>

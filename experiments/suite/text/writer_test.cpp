@@ -72,7 +72,7 @@ class Random {
     made.title = below(2) == 0 ? "plain" : "quote \" backslash \\ tab \t new\nline \x7f \u00e9 [x] # no = comment";
     const Kind& kind = *studies::kinds()[below(studies::kinds().size())];
     made.kind = &kind;
-    made.curve = kind.inputs.forms[below(kind.inputs.forms.size())];
+    made.form = kind.inputs.forms[below(kind.inputs.forms.size())];
     made.degree = some<int>({1, 2, 20, 1023});
     if (kind.inputs.degree == DegreeUse::not_a_key) made.degree.clear();
     made.coordinate_range = some<double>({real(), real(), real(), 0, 5e-324, 0x1p+1020});
@@ -80,8 +80,8 @@ class Random {
     made.t_interval = {Interval{-edge, edge}, Interval{0, real()}};
     if (kind.inputs.parameters == Parameters::from_0_to_1) made.t_interval = {{0.25, 0.75}, {0, 1}};
     if (kind.inputs.parameters == Parameters::whole) made.t_interval = {{0, 1}};
-    made.generator = made.curve == Form::rational ? some<std::string>({"weights_mild", "weights_wild"})
-                                                  : some<std::string>({"continuous", "dyadic"});
+    made.generator = made.form == Form::rational ? some<std::string>({"weights_mild", "weights_wild"})
+                                                 : some<std::string>({"continuous", "dyadic"});
     made.dimension = some<int>({1, 2, 3});
     made.methods = below(2) == 0 ? std::vector<std::string>{} : std::vector<std::string>{"*"};
     made.trials = 1 + static_cast<std::int64_t>(bits_() >> 34U);
@@ -149,7 +149,7 @@ TEST(Writer, OneSuiteIsWrittenAsPeopleWriteIt) {
   const std::vector<Suite> suites{{"s", "T", 1, {study}}};
   EXPECT_EQ(to_toml(suites),
             "schema_version = 1\n\n[suite]\nid = \"s\"\ntitle = \"T\"\nseed = 1\n\n[[study]]\nid = \"a\"\n"
-            "kind = \"accuracy\"\ncurve = \"bezier\"\ndimension = [2]\ndegree = [4]\n"
+            "kind = \"accuracy\"\ncurve = \"bernstein\"\ndimension = [2]\ndegree = [4]\n"
             "coordinate_range = [1e+06]\nt_interval = [[0, 1]]\ngenerator = [\"continuous\"]\nscalar = [\"double\"]\n"
             "trials = 1000\nreplicates = 1\nbaseline = [\"exact\"]\n");
 }
