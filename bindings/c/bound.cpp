@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bindings/c/chosen.hpp"
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/metric/coordinate_error.hpp"
 #include "reference/exact_curve.hpp"
 

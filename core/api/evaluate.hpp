@@ -18,7 +18,7 @@
 
 #include "core/api/control_points.hpp"
 #include "core/api/recommended.hpp"
-#include "core/basis/amplification.hpp"
+#include "core/bound/amplification.hpp"
 #include "core/convert/roster.hpp"
 #include "core/evaluate/roster.hpp"
 #include "core/evaluate/via.hpp"
@@ -170,7 +170,7 @@ PointOf<Points> evaluate(const Points& points, const Weights& weights,
 
 namespace detail {
 
-/// The bound of core/basis/error_bound.hpp on one axis, with |p| <= p~, raised by more than its own rounding.
+/// The bound of core/bound/error_bound.hpp on one axis, with |p| <= p~, raised by more than its own rounding.
 template <class Scalar>
 double bound_on_axis(const ErrorBound& bound, Form form, std::span<const double> magnitudes, double t) {
   constexpr double infinite = std::numeric_limits<double>::infinity();

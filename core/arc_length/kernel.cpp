@@ -7,9 +7,9 @@
 #include "core/arc_length/part.hpp"
 #include "core/arc_length/roster.hpp"
 #include "core/arc_length/scale.hpp"
-#include "core/basis/binary_exponent.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 namespace {

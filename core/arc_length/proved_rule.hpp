@@ -14,8 +14,7 @@
 #include <cstddef>
 
 #include "core/arc_length/chebyshev_series.hpp"
-#include "core/basis/binary_exponent.hpp"
-#include "core/basis/integer_power.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 

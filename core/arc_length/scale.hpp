@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/basis/binary_exponent.hpp"
 #include "core/curve.hpp"
 #include "core/derivative/hodograph.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 

@@ -5,12 +5,12 @@
 
 #include "core/batch/lanes.hpp"
 #include "core/batch/target_table.hpp"
-#include "core/evaluate/barycentric.hpp"
-#include "core/evaluate/correctly_rounded_pair.hpp"
-#include "core/evaluate/de_casteljau_fixed_point.hpp"
-#include "core/evaluate/direct.hpp"
-#include "core/evaluate/nearer_end.hpp"
-#include "core/evaluate/wozny_chudy_rational.hpp"
+#include "core/evaluate/methods/de_casteljau_fixed_point.hpp"
+#include "core/evaluate/methods/direct.hpp"
+#include "core/evaluate/methods/wozny_chudy_rational.hpp"
+#include "core/evaluate/schemes/barycentric.hpp"
+#include "core/evaluate/schemes/correctly_rounded_pair.hpp"
+#include "core/evaluate/schemes/nearer_end.hpp"
 
 namespace bezierbench {
 

@@ -11,7 +11,7 @@
 #include "core/convert/forward_substitution.hpp"
 #include "core/convert/positive_sum.hpp"
 #include "core/convert/triangle.hpp"
-#include "core/evaluate/family.hpp"
+#include "core/evaluate/kernel/family.hpp"
 #include "core/evaluate/roster.hpp"
 
 namespace bezierbench::batch {

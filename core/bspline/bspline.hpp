@@ -8,7 +8,7 @@
 #include <concepts>
 #include <span>
 
-#include "core/basis/bspline_bound.hpp"
+#include "core/bound/bspline_bound.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "core/bspline/roster.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 
 namespace bezierbench {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/basis/bspline_bound.hpp"
+#include "core/bound/bspline_bound.hpp"
 #include "core/bspline/span_view.hpp"
 #include "core/method.hpp"
 

@@ -4,14 +4,14 @@
 // Source: [Farouki and Rajan 1987]; [Farouki 2012].
 // Cost: (n+1)(n+2)/2 (3 + 2d) flops and one binomial row.
 // Bound: a weight has at most 2 binomials and a quotient rounded, its product 1, the sum n. The weights over row i
-//   times |q_j| sum to p~ of the power form (core/basis/amplification.hpp), so the amplification is at most n + 1. A
+//   times |q_j| sum to p~ of the power form (core/bound/amplification.hpp), so the amplification is at most n + 1. A
 //   product may underflow, by eta/2.
 // Fails: past degree 1029 (131 in float), as every method that needs binomials.
 #pragma once
 
-#include "core/basis/binomial_table.hpp"
-#include "core/basis/same_for_every_axis.hpp"
+#include "core/binomial.hpp"
 #include "core/convert/conversion.hpp"
+#include "core/vector/same_for_every_axis.hpp"
 
 namespace bezierbench {
 

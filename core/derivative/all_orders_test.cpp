@@ -8,8 +8,8 @@
 #include <set>
 
 #include "core/derivative/roster.hpp"
-#include "core/evaluate/counting.hpp"
 #include "core/evaluate/evaluation_test.hpp"
+#include "core/operations/counting.hpp"
 #include "experiments/metric/derivative_scale.hpp"
 
 namespace bezierbench {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: the differences D^k b_i as pairs high + low; de Casteljau's triangle in two parts on these pairs
-//   (core/evaluate/compensated_triangle.hpp); C^(k)(t) = (n)_k times their sum, rounded once.
+//   (core/evaluate/schemes/compensated_triangle.hpp); C^(k)(t) = (n)_k times their sum, rounded once.
 // Source: [Jiang et al. 2010], the compensated triangle, which they give for points and first derivatives. The
 //   differences as pairs and the bound are derived here.
 // Cost: once 14 d k (2n-k+1)/2, then 18 d (n-k)(n-k+1)/2 + 5d + 6 flops per point, products by fused multiply-add.
@@ -15,9 +15,9 @@
 
 #include <algorithm>
 
-#include "core/basis/falling_factorial.hpp"
 #include "core/derivative/derivative.hpp"
-#include "core/evaluate/compensated_triangle.hpp"
+#include "core/evaluate/schemes/compensated_triangle.hpp"
+#include "core/factorial.hpp"
 
 namespace bezierbench {
 

@@ -2,7 +2,7 @@
 #include "core/derivative/kernel.hpp"
 
 #include "core/derivative/roster.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 
 namespace bezierbench {

@@ -9,9 +9,9 @@
 
 #include <algorithm>
 
-#include "core/basis/falling_factorial.hpp"
 #include "core/derivative/derivative.hpp"
-#include "core/evaluate/horner.hpp"
+#include "core/evaluate/methods/horner.hpp"
+#include "core/factorial.hpp"
 
 namespace bezierbench {
 

@@ -13,9 +13,9 @@
 
 #include <algorithm>
 
-#include "core/basis/falling_factorial.hpp"
-#include "core/basis/integer_power.hpp"
 #include "core/derivative/level_derivatives.hpp"
+#include "core/factorial.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 

@@ -19,11 +19,11 @@
 
 #include <algorithm>
 
-#include "core/basis/falling_factorial.hpp"
-#include "core/basis/integer_power.hpp"
 #include "core/derivative/level_derivatives.hpp"
 #include "core/derivative/triangle_derivatives.hpp"
-#include "core/evaluate/wozny_chudy_weights.hpp"
+#include "core/evaluate/schemes/wozny_chudy_weights.hpp"
+#include "core/factorial.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 

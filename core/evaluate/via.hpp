@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "core/basis/amplification.hpp"
+#include "core/bound/amplification.hpp"
 #include "core/convert/conversion.hpp"
 #include "core/evaluate/joined.hpp"
 

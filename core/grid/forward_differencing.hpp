@@ -15,10 +15,10 @@
 
 #include <cmath>
 
-#include "core/basis/factorial.hpp"
-#include "core/basis/integer_power.hpp"
 #include "core/convert/differences.hpp"
+#include "core/factorial.hpp"
 #include "core/grid/grid.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 

@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/grid/roster.hpp"
 #include "core/kernel_tables.hpp"
 

@@ -3,12 +3,12 @@
 //
 // With m a power of two at or above all coordinates, and at least 2^-1000, b_i and P are divided by m, exactly, and
 // b_i - P = high + low is an error-free sum. De Casteljau's triangle in two parts
-// (core/evaluate/compensated_triangle.hpp) evaluates C - P, so that its error is one rounding of itself and c_2 u^2 of
-// the coordinates, also next to the curve, where C and P agree in all digits.
+// (core/evaluate/schemes/compensated_triangle.hpp) evaluates C - P, so that its error is one rounding of itself and
+// c_2 u^2 of the coordinates, also next to the curve, where C and P agree in all digits.
 #pragma once
 
-#include "core/basis/binary_exponent.hpp"
-#include "core/evaluate/compensated_triangle.hpp"
+#include "core/evaluate/schemes/compensated_triangle.hpp"
+#include "core/powers.hpp"
 #include "core/project/polygon.hpp"
 
 namespace bezierbench {

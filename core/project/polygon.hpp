@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/curve.hpp"
-#include "core/evaluate/points/axes.hpp"
+#include "core/evaluate/kernel/points/axes.hpp"
 #include "core/project/written_out.hpp"
 
 namespace bezierbench {

@@ -5,7 +5,7 @@
 // Source: [Farouki and Rajan 1988], products in Bernstein form.
 #pragma once
 
-#include "core/basis/binomial_table.hpp"
+#include "core/binomial.hpp"
 #include "core/project/halved_polygon.hpp"
 #include "core/project/written_out_product.hpp"
 

@@ -11,7 +11,7 @@
 //   point; where several points are about equally near, the polished one may then be another.
 #pragma once
 
-#include "core/basis/binomial.hpp"
+#include "core/binomial.hpp"
 #include "core/project/companion_projection.hpp"
 
 namespace bezierbench {

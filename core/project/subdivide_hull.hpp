@@ -16,7 +16,7 @@
 
 #include <vector>
 
-#include "core/basis/binomial.hpp"
+#include "core/binomial.hpp"
 #include "core/project/projection.hpp"
 #include "core/project/refine.hpp"
 

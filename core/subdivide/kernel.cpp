@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/subdivide/kernel.hpp"
 
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 #include "core/subdivide/roster.hpp"
 

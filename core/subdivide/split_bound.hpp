@@ -11,7 +11,7 @@
 #include <limits>
 #include <string_view>
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 
 namespace bezierbench {
 

@@ -12,7 +12,7 @@
 //   taken, so there the curve run backwards may have halves with other bits.
 #pragma once
 
-#include "core/evaluate/nearer_end.hpp"
+#include "core/evaluate/schemes/nearer_end.hpp"
 #include "core/subdivide/triangle_split.hpp"
 
 namespace bezierbench {

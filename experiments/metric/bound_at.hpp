@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/basis/bspline_bound.hpp"
-#include "core/basis/grid_bound.hpp"
+#include "core/bound/bspline_bound.hpp"
+#include "core/bound/grid_bound.hpp"
 #include "experiments/metric/trial_scale.hpp"
 
 namespace bezierbench::metric {

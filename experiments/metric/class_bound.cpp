@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/basis/amplification.hpp"
+#include "core/bound/amplification.hpp"
 
 namespace bezierbench::metric {
 namespace {
@@ -18,7 +18,7 @@ double largest_norm(const CurveClass& of) { return of.range * std::sqrt(static_c
 
 /// The parameters at which an amplification, or its quotient by p~, can be largest over the interval: with all
 /// coefficients equal each is monotone on every piece between and beyond 0 and 1, or has a single minimum there
-/// (core/basis/amplification.hpp has the formulas: powers of |t|, 1 + |t|, |t| + |1 - t|, 3|t| + |1 - t| and 1/2 + |t -
+/// (core/bound/amplification.hpp has the formulas: powers of |t|, 1 + |t|, |t| + |1 - t|, 3|t| + |1 - t| and 1/2 + |t -
 /// 1/2|).
 std::vector<double> extreme_parameters(const CurveClass& of) {
   std::vector<double> all{of.t_min, of.t_max};

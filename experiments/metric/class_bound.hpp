@@ -2,7 +2,7 @@
 // A method's proved bound over a whole class of curves; it does not depend on what was drawn.
 #pragma once
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 #include "core/curve_view.hpp"
 #include "experiments/metric/trial_scale.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 #include "core/curve_view.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "reference/rational.hpp"

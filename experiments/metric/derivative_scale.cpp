@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/basis/falling_factorial.hpp"
-#include "core/basis/integer_power.hpp"
+#include "core/factorial.hpp"
+#include "core/powers.hpp"
 #include "experiments/metric/error_units.hpp"
 #include "experiments/metric/norm.hpp"
 #include "reference/exact_point.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The scales of a derivative's error: p~ and A of core/basis/derivative_bound.hpp, and the proved bound, with Euclidean
+// The scales of a derivative's error: p~ and A of core/bound/derivative_bound.hpp, and the proved bound, with Euclidean
 // norms as in TrialScale.
 #pragma once
 
 #include <vector>
 
-#include "core/basis/derivative_bound.hpp"
+#include "core/bound/derivative_bound.hpp"
 #include "core/curve_view.hpp"
 #include "experiments/metric/trial_scale.hpp"
 #include "reference/exact_curve.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/basis/lane_choice.hpp"
+#include "core/vector/lane_choice.hpp"
 
 namespace bezierbench::metric {
 

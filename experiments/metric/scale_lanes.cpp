@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/metric/scale_lanes.hpp"
 
-#include "core/basis/amplification.hpp"
 #include "core/batch/lanes.hpp"
+#include "core/bound/amplification.hpp"
 #include "experiments/metric/norm.hpp"
 
 namespace bezierbench::metric {

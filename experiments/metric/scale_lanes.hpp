@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 #include "core/curve_view.hpp"
 #include "reference/certified_points.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/basis/amplification.hpp"
+#include "core/bound/amplification.hpp"
 #include "experiments/metric/error_units.hpp"
 #include "experiments/metric/norm.hpp"
 

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 #include "core/curve_view.hpp"
 #include "experiments/metric/scale_lanes.hpp"
 #include "reference/exact_curve.hpp"

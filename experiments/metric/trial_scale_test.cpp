@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "core/basis/amplification.hpp"
-#include "core/evaluate/compensated_volk_schumaker.hpp"
-#include "core/evaluate/de_casteljau.hpp"
+#include "core/bound/amplification.hpp"
 #include "core/evaluate/homogeneous.hpp"
-#include "core/evaluate/horner_bernstein.hpp"
-#include "core/evaluate/volk_schumaker.hpp"
+#include "core/evaluate/methods/compensated_volk_schumaker.hpp"
+#include "core/evaluate/methods/de_casteljau.hpp"
+#include "core/evaluate/methods/horner_bernstein.hpp"
+#include "core/evaluate/methods/volk_schumaker.hpp"
 
 namespace bezierbench::metric {
 namespace {
@@ -170,7 +170,7 @@ TEST(TrialScale, ViolationNeedsMoreThanTheSlack) {
   EXPECT_FALSE(TrialScale::violates(1, infinite));
 }
 
-/// The closed forms that are derived in core/basis/amplification.hpp against the double sums they come from.
+/// The closed forms that are derived in core/bound/amplification.hpp against the double sums they come from.
 TEST(Amplification, EqualsTheMatricesItStandsFor) {
   constexpr std::size_t n = 9;
   const auto binomial = [](std::size_t a, std::size_t b) {

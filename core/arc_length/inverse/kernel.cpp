@@ -5,7 +5,7 @@
 
 #include "core/arc_length/inverse/roster.hpp"
 #include "core/arc_length/scale.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 
 namespace bezierbench {

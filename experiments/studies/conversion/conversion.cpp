@@ -11,7 +11,7 @@
 #include <limits>
 #include <map>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/study_inputs.hpp"
 #include "experiments/metric/counts.hpp"

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/batch/batch.hpp"
-#include "core/evaluate/prepared_state.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"

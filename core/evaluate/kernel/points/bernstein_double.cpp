@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "core/evaluate/kernel/points/points.hpp"
+
+namespace bezierbench::instantiate {
+
+template std::span<const EvaluateFor<double>> points_of_family<double, 1, Family::bernstein>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 2, Family::bernstein>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 3, Family::bernstein>();
+
+}  // namespace bezierbench::instantiate

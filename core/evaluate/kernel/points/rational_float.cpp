@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "core/evaluate/kernel/points/points.hpp"
+
+namespace bezierbench::instantiate {
+
+template std::span<const EvaluateFor<float>> points_of_family<float, 1, Family::rational>();
+template std::span<const EvaluateFor<float>> points_of_family<float, 2, Family::rational>();
+template std::span<const EvaluateFor<float>> points_of_family<float, 3, Family::rational>();
+
+}  // namespace bezierbench::instantiate

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#include "core/evaluate/kernel/points/points.hpp"
+
+namespace bezierbench::instantiate {
+
+template std::span<const EvaluateFor<double>> points_of_family<double, 1, Family::triangle>();
+template std::span<const EvaluateFor<double>> points_of_family<double, 2, Family::triangle>();
+
+}  // namespace bezierbench::instantiate
