@@ -14,6 +14,10 @@ from pathlib import Path
 TABLE = {
     "core": ([], ["Eigen", "Highway"]),
     "reference": (["core/curve_view.hpp", "core/api/control_points.hpp", "core/error_free.hpp"], ["Boost.Multiprecision", "GMP/MPFR", "Highway"]),
+    "reference/error": (
+        ["reference", "core/bound", "core/vector/lane_choice.hpp", "core/powers.hpp", "core/curve_view.hpp"],
+        [],
+    ),
     "experiments": ([], []),
     "experiments/number": ([], []),
     "experiments/suite": (["core/curve_view.hpp", "core/method.hpp"], ["toml++"]),
@@ -25,13 +29,13 @@ TABLE = {
         [],
     ),
     "experiments/race": (
-        ["core", "experiments/suite", "experiments/sample", "experiments/metric", "experiments/judge"],
+        ["core", "reference/error", "experiments/suite", "experiments/sample", "experiments/metric", "experiments/judge"],
         ["Google Benchmark"],
     ),
     "experiments/guarantees": (["core", "reference", "experiments/sample", "experiments/judge/workspace.hpp"], []),
     "experiments/bundle": ([], ["nlohmann/json", "OpenSSL"]),
     "experiments/tables": (
-        ["reference/published", "experiments/suite", "experiments/sample", "experiments/bundle", "experiments/metric"],
+        ["reference/published", "reference/error", "experiments/suite", "experiments/sample", "experiments/bundle", "experiments/metric"],
         [],
     ),
     "experiments/compare": (["experiments/bundle", "experiments/tables", "experiments/metric"], ["Boost.Math"]),
@@ -54,7 +58,7 @@ TABLE = {
     ),
     "experiments/cli": (["core", "reference", "experiments"], ["CLI11"]),
     "experiments/programs": (["core", "reference", "experiments"], []),
-    "bindings": (["core", "reference", "experiments/metric", "experiments/number"], ["GMP/MPFR"]),
+    "bindings": (["core", "reference"], ["GMP/MPFR"]),
     "experiments/examples": ([], ["bezierbench"]),  # what users of the installed package write
 }
 

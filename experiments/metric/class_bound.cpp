@@ -58,32 +58,35 @@ double largest_reach(const CurveClass& of) {
   return largest;
 }
 
-bool in_range(const BoundAtDegree& at_degree, const CurveClass& of, const Arithmetic& arithmetic) {
+bool in_range(const reference::BoundAtDegree& at_degree, const CurveClass& of,
+              const reference::Arithmetic& arithmetic) {
   const double size =
       at_degree.bound.underflow_scales_with_coefficients ? std::max(largest_norm(of), 1.0) : largest_norm(of);
   return stays_in_range(at_degree.growth * size * largest_reach(of), of.degree, arithmetic.unit_roundoff);
 }
 
-bool is_covered(const BoundAtDegree& at_degree, const CurveClass& of, const Arithmetic& arithmetic) {
+bool is_covered(const reference::BoundAtDegree& at_degree, const CurveClass& of,
+                const reference::Arithmetic& arithmetic) {
   if (of.form != Form::bernstein && of.form != Form::power) return false;
   if (at_degree.bound.unit_interval_only && (of.t_min < 0 || of.t_max > 1)) return false;
   return std::isfinite(at_degree.factor) && in_range(at_degree, of, arithmetic);
 }
 
 /// What underflow adds, in coordinate units.
-double underflow(const BoundAtDegree& at_degree, const CurveClass& of, const Arithmetic& arithmetic) {
+double underflow(const reference::BoundAtDegree& at_degree, const CurveClass& of,
+                 const reference::Arithmetic& arithmetic) {
   const double size = at_degree.bound.underflow_scales_with_coefficients ? 1 + largest_norm(of) : 1;
   return of.dimension * (arithmetic.smallest_subnormal * size * at_degree.underflow * largest_reach(of));
 }
 
 }  // namespace
 
-double least_p_tilde(const CurveClass& of, const Arithmetic& arithmetic) {
+double least_p_tilde(const CurveClass& of, const reference::Arithmetic& arithmetic) {
   return of.range / std::sqrt(arithmetic.range);
 }
 
-ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const Arithmetic& arithmetic) {
-  const BoundAtDegree at_degree(bound, of.degree, arithmetic);
+ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const reference::Arithmetic& arithmetic) {
+  const reference::BoundAtDegree at_degree(bound, of.degree, arithmetic);
   if (!is_covered(at_degree, of, arithmetic)) return {infinite, infinite};
   const double u = arithmetic.unit_roundoff;
   const double lost = underflow(at_degree, of, arithmetic);

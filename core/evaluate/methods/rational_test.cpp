@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/evaluate/evaluation_test.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench {
@@ -46,7 +46,7 @@ std::vector<double> positive_weights(Inputs& inputs, int degree, int binades) {
 template <class Scalar>
 int expect_bound(const Kernel<Scalar>& kernel, int dimension, int degree, const std::vector<double>& coefficients,
                  const std::vector<double>& weights, const std::vector<double>& parameters) {
-  const auto& arithmetic = sizeof(Scalar) == sizeof(float) ? metric::float_arithmetic : metric::double_arithmetic;
+  const auto& arithmetic = sizeof(Scalar) == sizeof(float) ? reference::float_arithmetic : reference::double_arithmetic;
   const std::vector<Scalar> c(coefficients.begin(), coefficients.end());
   const std::vector<Scalar> w(weights.begin(), weights.end());
   const std::vector<Scalar> ts(parameters.begin(), parameters.end());
@@ -55,7 +55,7 @@ int expect_bound(const Kernel<Scalar>& kernel, int dimension, int degree, const 
   const CurveView<double> curve{Form::rational, dimension, degree, true_c, true_w};
   const auto points = evaluate<Scalar>(kernel, {Form::rational, dimension, degree, c, w}, ts);
   reference::ExactCurve exact;
-  metric::TrialScale scale;
+  reference::TrialScale scale;
   int bounded = 0;
   for (std::size_t k = 0; k < ts.size(); ++k) {
     const double t = ts[k];
@@ -67,7 +67,7 @@ int expect_bound(const Kernel<Scalar>& kernel, int dimension, int degree, const 
     const std::vector<double> point(points.begin() + static_cast<std::ptrdiff_t>(k * d),
                                     points.begin() + static_cast<std::ptrdiff_t>((k + 1) * d));
     const double error = reference::Distance(exact.point(curve, t)).to(point);
-    EXPECT_FALSE(metric::TrialScale::violates(error, bound))
+    EXPECT_FALSE(reference::TrialScale::violates(error, bound))
         << kernel.info->id << " degree " << degree << " t " << t << " error " << error << " bound " << bound;
   }
   return bounded;
@@ -144,10 +144,10 @@ TEST_P(BoundedRationalMethod, StatesNoBoundWhereWeightsMayCancel) {
   const std::vector<double> c{1, 2, 3};
   const std::vector<double> positive{1, 2, 1};
   const std::vector<double> mixed{1, -0.5, 1};
-  metric::TrialScale scale;
+  reference::TrialScale scale;
   const auto bound = [&](const std::vector<double>& weights, double t) {
     scale.set({Form::rational, 1, 2, c, weights}, t);
-    return scale.bound(*kernel().info->bound, metric::double_arithmetic);
+    return scale.bound(*kernel().info->bound, reference::double_arithmetic);
   };
   EXPECT_TRUE(std::isfinite(bound(positive, 0.5)));
   for (const double t : {-0.25, 1.5}) EXPECT_TRUE(std::isinf(bound(positive, t)));
@@ -174,7 +174,7 @@ TEST_P(RationalMethod, CommonFactorOfTheWeightsChangesNoBit) {
 TEST_P(RationalMethodOfBothForms, EqualWeightsGiveThePolynomialCurve) {
   const auto* polynomial = find_kernel<double>(kernel().info->id, Form::bernstein, 2);
   Inputs inputs(26);
-  metric::TrialScale scale;
+  reference::TrialScale scale;
   for (const int degree : {0, 1, 2, 5, 20}) {
     const auto c = inputs.coefficients(degree, 2);
     const std::vector<double> ones(static_cast<std::size_t>(degree) + 1, 1.0);
@@ -182,9 +182,9 @@ TEST_P(RationalMethodOfBothForms, EqualWeightsGiveThePolynomialCurve) {
     const CurveView<double> plain{Form::bernstein, 2, degree, c};
     for (const double t : some_parameters(inputs)) {
       scale.set(rational, t);
-      const double of_rational = scale.bound(*kernel().info->bound, metric::double_arithmetic);
+      const double of_rational = scale.bound(*kernel().info->bound, reference::double_arithmetic);
       scale.set(plain, t);
-      const double of_plain = scale.bound(*polynomial->info->bound, metric::double_arithmetic);
+      const double of_plain = scale.bound(*polynomial->info->bound, reference::double_arithmetic);
       const auto p = evaluate<double>(kernel(), rational, {t});
       const auto q = evaluate<double>(*polynomial, plain, {t});
       EXPECT_LE(std::hypot(p[0] - q[0], p[1] - q[1]), (of_rational + of_plain) * (1 + 0x1p-20));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "core/evaluate/methods/horner_bernstein.hpp"
 #include "core/evaluate/methods/volk_schumaker.hpp"
 
-namespace bezierbench::metric {
+namespace bezierbench::reference {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -280,7 +280,7 @@ TEST(Amplification, KeepsTermsOfVeryDifferentSize) {
   std::vector<double> cubic(151, 0.0);
   cubic[3] = 1;
   EXPECT_NEAR(amplification(Amplification::p_tilde_power, cubic, 1e3) / 1e9, 1, 1e-12);
-  EXPECT_EQ(amplification(Amplification::power_to_bernstein, cubic, 1e3), infinite);  // 1e9 (1999)^147
+  EXPECT_EQ(amplification(Amplification::power_to_bernstein, cubic, 1e3), infinite);  // 1e9 1999^147
 }
 
 TEST(Amplification, SurvivesTheLargestDegree) {
@@ -290,4 +290,4 @@ TEST(Amplification, SurvivesTheLargestDegree) {
 }
 
 }  // namespace
-}  // namespace bezierbench::metric
+}  // namespace bezierbench::reference

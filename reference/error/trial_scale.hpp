@@ -14,10 +14,9 @@
 
 #include "core/bound/error_bound.hpp"
 #include "core/curve_view.hpp"
-#include "experiments/metric/scale_lanes.hpp"
 #include "reference/exact_curve.hpp"
 
-namespace bezierbench::metric {
+namespace bezierbench::reference {
 
 /// Rounding properties of the scalar type that the methods compute in.
 struct Arithmetic {
@@ -49,13 +48,23 @@ struct BoundCheck {
   bool violated;   ///< the error is certainly beyond the bound
 };
 
+/// error / divisor / unit; 0 for error 0, whatever the divisor. An error over a divisor of 0 is infinite.
+inline double in_units(double error, double divisor, double unit = 1) {
+  const double quotient = error / divisor / unit;
+  return error == 0 ? 0 : quotient;
+}
+
+/// The amplifications of a trial that are known.
+using Amplifications = std::array<std::optional<double>, amplification_count>;
+
 /// Scales of one (curve, t); amplifications are computed when first asked for. Reusable.
 class TrialScale {
  public:
   /// Sets the trial. Must be called before any other member.
   void set(const CurveView<double>& curve, double t);
-  /// The same for a lane of a group, whose scales are computed. The curve, not rational, must live until the next call.
-  void set(const CurveView<double>& curve, double t, const ScaleLanes& group, std::size_t lane);
+  /// The same with the largest norm of a coefficient and some amplifications that are known, as those of a group of
+  /// trials are. The curve, not rational, must live until the next call.
+  void set(const CurveView<double>& curve, double t, double largest, const Amplifications& amplified);
 
   /// p~ of the curve in its own form; infinite where the weights sum to zero.
   double p_tilde();
@@ -108,9 +117,9 @@ class TrialScale {
   double largest_ = 0;
   std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|; empty until they are needed
   Weights weights_;
-  reference::ExactCurve exact_;
-  std::array<std::optional<double>, amplification_count> amplified_;
+  ExactCurve exact_;
+  Amplifications amplified_;
   std::optional<double> reach_;  ///< (|t| + |1 - t|)^n
 };
 
-}  // namespace bezierbench::metric
+}  // namespace bezierbench::reference

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/metric/coordinate_error.hpp"
+#include "reference/error/coordinate_error.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <limits>
 
-namespace bezierbench::metric {
+namespace bezierbench::reference {
 namespace {
-
-using reference::exactly;
-using reference::Rational;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -41,8 +38,7 @@ TEST(CoordinateBound, IsThatOfTheAxis) {
   const ErrorBound bound{.text = "3 p~",
                          .amplification = Amplification::p_tilde_bernstein,
                          .factor = [](int, double) { return 3.0; },
-                         .underflow = [](int) { return 0.0; },
-                         .underflow_scales_with_coefficients = false};
+                         .underflow = [](int) { return 0.0; }};
   constexpr std::array coefficients{1.0, 16.0, -3.0, 16.0};  // p~ at t = 1/2 is 2 in x, 16 in y
   const CurveView<double> curve{Form::bernstein, 2, 1, coefficients, {}};
   const double x = coordinate_bound(bound, curve, 0, 0.5, exactly(-1));
@@ -58,4 +54,4 @@ TEST(CoordinateBound, HasNoUnitsWhereNothingIsProved) {
 }
 
 }  // namespace
-}  // namespace bezierbench::metric
+}  // namespace bezierbench::reference

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/bound/amplification.hpp"
-#include "experiments/metric/error_units.hpp"
-#include "experiments/metric/norm.hpp"
+#include "reference/error/norm.hpp"
 
-namespace bezierbench::metric {
+namespace bezierbench::reference {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -32,11 +31,10 @@ void TrialScale::set(const CurveView<double>& curve, double t) {
   if (form_ == Form::rational) weigh(curve);
 }
 
-void TrialScale::set(const CurveView<double>& curve, double t, const ScaleLanes& group, std::size_t lane) {
+void TrialScale::set(const CurveView<double>& curve, double t, double largest, const Amplifications& amplified) {
   begin(curve, t);
-  largest_ = group.largest(lane);
-  for (const Amplification kind : group.kinds())
-    amplified_[static_cast<std::size_t>(kind)] = group.amplified(kind, lane);
+  largest_ = largest;
+  amplified_ = amplified;
 }
 
 void TrialScale::take_norms() {
@@ -72,9 +70,9 @@ void TrialScale::weigh_exactly(const CurveView<double>& norms) {
   if (!std::isfinite(weights_.largest_point)) return;  // a norm overflows
   const auto& exact = exact_.p_tilde(norms, t_);
   if (!exact.exists()) return;
-  p_tilde = reference::round_to(reference::binary64, exact.coordinate(0));
+  p_tilde = round_to(binary64, exact.coordinate(0));
   const auto& sum = exact_.point({Form::bernstein, 1, norms.degree, norms.weights}, t_);
-  weights_.sum = std::abs(reference::round_to(reference::binary64, sum.coordinate(0)));
+  weights_.sum = std::abs(round_to(binary64, sum.coordinate(0)));
 }
 
 double TrialScale::amplified(Amplification kind) {
@@ -126,11 +124,11 @@ double TrialScale::rational_underflow(const BoundAtDegree& bound, const Arithmet
     return eta + eta * bound.underflow * (1 + w.largest_point) * ((1 + w.largest) / w.smallest);
   }
   if (!(w.smallest >= 0 && w.sum > 0)) return infinite;
-  const double of_numerator = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
-  const double of_denominator = bound.bound.underflow_scales_with_coefficients ? 1 + w.largest : 1;
+  const double numerator_size = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
+  const double denominator_size = bound.bound.underflow_scales_with_coefficients ? 1 + w.largest : 1;
   const double lost = eta * bound.underflow;
-  if (!(lost * of_denominator / w.sum <= 0.125)) return infinite;
-  return eta + lost * (of_numerator + of_denominator * p_tilde()) / w.sum;
+  if (!(lost * denominator_size / w.sum <= 0.125)) return infinite;
+  return eta + lost * (numerator_size + denominator_size * p_tilde()) / w.sum;
 }
 
 double TrialScale::bound(const BoundAtDegree& at_degree, const Arithmetic& arithmetic, std::optional<double> length) {
@@ -153,4 +151,4 @@ std::optional<BoundCheck> TrialScale::check(double error, const BoundAtDegree& a
   return BoundCheck{proved, in_bound_units(proved, arithmetic), violates(error, proved)};
 }
 
-}  // namespace bezierbench::metric
+}  // namespace bezierbench::reference

@@ -9,7 +9,7 @@
 
 #include "core/vector/lane_choice.hpp"
 
-namespace bezierbench::metric {
+namespace bezierbench::reference {
 
 [[nodiscard]] inline bool all_finite(std::span<const double> values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
@@ -43,4 +43,4 @@ Real norm(int dimension, const Coordinate& coordinate) {
   return sqrt(sum) * unscale;
 }
 
-}  // namespace bezierbench::metric
+}  // namespace bezierbench::reference

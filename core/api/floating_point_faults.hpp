@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/number/floating_point.hpp"
+// Checks at run time that floating-point arithmetic is what bounds and digests assume.
+#pragma once
 
 #include <limits>
+#include <string>
+#include <vector>
 
-namespace bezierbench::number {
-namespace {
+namespace bezierbench {
+
+namespace detail {
 
 /// Hides a value from the optimiser, so that the processor computes what follows.
-double opaque(double value) {
+inline double opaque(double value) {
   volatile double hidden = value;
   return hidden;
 }
 
-}  // namespace
+}  // namespace detail
 
-std::vector<std::string> floating_point_faults() {
+/// The ways in which this process differs from IEEE 754 double arithmetic to nearest, one line each: contraction,
+/// flushed subnormals, another rounding mode, excess precision. Empty where there is none.
+inline std::vector<std::string> floating_point_faults() {
+  using detail::opaque;
   std::vector<std::string> faults;
   // (1 + 2^-30)^2 = 1 + 2^-29 + 2^-60: the product rounds the last term away, a fused multiply-add keeps it.
   const double a = opaque(1 + 0x1p-30);
@@ -32,4 +39,4 @@ std::vector<std::string> floating_point_faults() {
   return faults;
 }
 
-}  // namespace bezierbench::number
+}  // namespace bezierbench

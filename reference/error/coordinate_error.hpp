@@ -6,10 +6,10 @@
 
 #include "core/bound/error_bound.hpp"
 #include "core/curve_view.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/rational.hpp"
 
-namespace bezierbench::metric {
+namespace bezierbench::reference {
 
 /// Errors are infinite where the value is not finite.
 struct CoordinateError {
@@ -20,15 +20,15 @@ struct CoordinateError {
 };
 
 /// Judges `value`; `p_tilde` is that of its axis.
-CoordinateError coordinate_error(double value, const reference::Rational& truth, const reference::Rational& p_tilde);
+CoordinateError coordinate_error(double value, const Rational& truth, const Rational& p_tilde);
 
 /// The bound of a method for coordinate `axis` of the point at t, in coordinate units; infinite where nothing is
 /// proved. `truth` is the true coordinate.
 double coordinate_bound(const ErrorBound& bound, const CurveView<double>& curve, int axis, double t,
-                        const reference::Rational& truth, const Arithmetic& arithmetic = double_arithmetic);
+                        const Rational& truth, const Arithmetic& arithmetic = double_arithmetic);
 
 /// bound / (u p~), rounded once; empty where the bound is infinite or p~ is 0.
-std::optional<double> bound_units(double bound, const reference::Rational& p_tilde,
+std::optional<double> bound_units(double bound, const Rational& p_tilde,
                                   const Arithmetic& arithmetic = double_arithmetic);
 
-}  // namespace bezierbench::metric
+}  // namespace bezierbench::reference
