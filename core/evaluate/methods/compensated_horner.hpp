@@ -15,7 +15,6 @@ namespace bezierbench {
 struct CompensatedHorner : TakenAsGiven<Form::power> {
   static constexpr MethodInfo info{.id = "compensated_horner",
                                    .label = "Horner, compensated",
-                                   .problem = Problem::evaluation,
                                    .form = Form::power,
                                    .bound = ErrorBound{.text = "u p~ + gamma_2n^2 p~",
                                                        .amplification = Amplification::p_tilde_power,
@@ -25,7 +24,6 @@ struct CompensatedHorner : TakenAsGiven<Form::power> {
                                                              return gamma * gamma * u;
                                                            },
                                                        .underflow = [](int n) { return 2.0 * n; },
-                                                       .underflow_scales_with_coefficients = false,
                                                        .growth = [](int n) { return n + 1.0; },
                                                        .result_roundings = 1},
                                    .flops = "11dn + d",

@@ -74,7 +74,6 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "compensated_volk_schumaker",
       .label = "Volk-Schumaker, compensated",
-      .problem = Problem::evaluation,
       .form = Form::bernstein,
       .max_degree_float = VolkSchumaker::info.max_degree_float,
       .bound = ErrorBound{.text = "u p~ + 2 gamma_(3n+9)^2 p~, and 4n u^2 p~ more past n = 54",

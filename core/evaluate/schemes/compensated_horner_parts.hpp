@@ -22,8 +22,8 @@
 namespace bezierbench {
 
 struct HornerRoundings {
-  static constexpr int of_value = 2;
-  static constexpr int of_error(int part) { return part + 1; }
+  static constexpr int value_roundings = 2;
+  static constexpr int error_roundings(int part) { return part + 1; }
   static constexpr int ahead = 1;  ///< the error of a sum is relative to the result of its step
 };
 

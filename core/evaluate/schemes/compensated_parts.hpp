@@ -13,6 +13,16 @@
 
 namespace bezierbench {
 
+namespace detail {
+
+/// The text for a scheme of K = 2, 3 or 4 parts.
+template <int K>
+constexpr std::string_view for_parts(std::string_view two, std::string_view three, std::string_view four) {
+  return K == 2 ? two : K == 3 ? three : four;
+}
+
+}  // namespace detail
+
 /// Magnitudes in a scheme of K parts.
 template <int K>
 struct PartSizes {
@@ -25,19 +35,19 @@ struct PartSizes {
 ///   L_1     <= gamma_r V_0
 ///   V_F     <= (1 + gamma_r) V_F + (1 + gamma_e(F)) L_F
 ///   L_(F+1) <= gamma_e(F) L_F + gamma_r V_F
-/// in every step, where r = `of_value` and e = `of_error`; L_K is dropped.
+/// in every step, where r = `value_gamma` and e = `of_error`; L_K is dropped.
 template <int K, class Roundings>
 constexpr PartSizes<K> after_steps(int n, double u, PartSizes<K> sizes) {
-  const double of_value = gamma_over_u(Roundings::of_value, u);
+  const double value_gamma = gamma_over_u(Roundings::value_roundings, u);
   auto& size = sizes.parts;
   for (int m = 1; m <= n; ++m) {
-    double local = of_value * size[0];  // L_(F+1) / (u^(F+1) p~)
-    size[0] *= 1 + of_value * u;
+    double local = value_gamma * size[0];  // L_(F+1) / (u^(F+1) p~)
+    size[0] *= 1 + value_gamma * u;
     for (int part = 1; part < K; ++part) {
       const auto f = static_cast<std::size_t>(part);
-      const double gamma = gamma_over_u(Roundings::of_error(part), u);
-      const double next = gamma * local + of_value * size[f];
-      size[f] = (1 + of_value * u) * size[f] + (1 + gamma * u) * local;
+      const double gamma = gamma_over_u(Roundings::error_roundings(part), u);
+      const double next = gamma * local + value_gamma * size[f];
+      size[f] = (1 + value_gamma * u) * size[f] + (1 + gamma * u) * local;
       local = next;
     }
     sizes.dropped += local;
@@ -50,7 +60,7 @@ constexpr PartSizes<K> after_steps(int n, double u, PartSizes<K> sizes) {
 template <int K, class Roundings>
 constexpr double remainder_of_parts(int n, double u) {
   PartSizes<K> first{{1}, 0};
-  for (int m = 0; m < Roundings::ahead; ++m) first.parts[0] *= 1 + gamma_over_u(Roundings::of_value, u) * u;
+  for (int m = 0; m < Roundings::ahead; ++m) first.parts[0] *= 1 + gamma_over_u(Roundings::value_roundings, u) * u;
   const auto sizes = after_steps<K, Roundings>(n, u, first);
   double power = 1;  // u^K
   double sum = 0;
@@ -74,7 +84,6 @@ constexpr ErrorBound bound_of_parts(std::string_view text, Amplification amplifi
                 return remainder_of_parts<K, Roundings>(n, u) / u + 3 * adding * adding * u;
               },
           .underflow = underflow,
-          .underflow_scales_with_coefficients = false,
           .growth = growth,
           .result_roundings = 1};
 }

@@ -22,8 +22,8 @@ namespace bezierbench {
 
 /// The roundings of a step: three of each value of a level, and for each error of a part those of its sums.
 struct TriangleRoundings {
-  static constexpr int of_value = 3;
-  static constexpr int of_error(int part) { return 5 * part; }
+  static constexpr int value_roundings = 3;
+  static constexpr int error_roundings(int part) { return 5 * part; }
   static constexpr int ahead = 0;
 };
 
