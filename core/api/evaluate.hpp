@@ -29,8 +29,9 @@ namespace detail {
 
 /// The degree that the type of the points says, or `dynamic`.
 template <ControlPoints Points>
-inline constexpr int fixed_degree = points_of<Points> == std::dynamic_extent ? dynamic
-                                                                             : static_cast<int>(points_of<Points>) - 1;
+inline constexpr int fixed_degree = fixed_count<Points> == std::dynamic_extent
+                                        ? dynamic
+                                        : static_cast<int>(fixed_count<Points>) - 1;
 
 template <class Points>
 inline constexpr int dimension_of_points = static_cast<int>(array_size<PointOf<Points>>);

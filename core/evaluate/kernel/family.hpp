@@ -8,12 +8,12 @@ namespace bezierbench::instantiate {
 
 /// `triangle`: methods for Bernstein form whose cost grows faster than the degree, as de Casteljau's does. `bernstein`:
 /// all others for Bernstein form. `rational`: all methods for rational form. `power`: the rest.
-enum class Family { triangle, bernstein, power, rational };
+enum class KernelFamily { triangle, bernstein, power, rational };
 
-constexpr Family family_of(const MethodInfo& info) {
-  if (info.form == Form::rational) return Family::rational;
-  if (info.form != Form::bernstein) return Family::power;
-  return info.cost_exponent > 1 ? Family::triangle : Family::bernstein;
+constexpr KernelFamily family_of(const MethodInfo& info) {
+  if (info.form == Form::rational) return KernelFamily::rational;
+  if (info.form != Form::bernstein) return KernelFamily::power;
+  return info.cost_exponent > 1 ? KernelFamily::triangle : KernelFamily::bernstein;
 }
 
 }  // namespace bezierbench::instantiate

@@ -34,7 +34,7 @@ template <class Scalar, int Dimension, class... Es>
 std::span<const Kernel<Scalar>> table_of(TypeList<Es...>) {
   static_assert((std::is_trivially_destructible_v<PreparedOf<Es, Scalar, Dimension>> && ...));
   static const std::array<Kernel<Scalar>, sizeof...(Es)> table{
-      kernel<Es, Scalar, Dimension>(points_of<EvaluatorOf<Es>, Scalar, Dimension>())...};
+      kernel<Es, Scalar, Dimension>(evaluate_function<EvaluatorOf<Es>, Scalar, Dimension>())...};
   return table;
 }
 

@@ -14,9 +14,9 @@
 namespace bezierbench::instantiate {
 
 /// The evaluators of a family, in roster order.
-template <Family F, class EvaluatorList = Evaluators>
+template <KernelFamily F, class EvaluatorList = Evaluators>
 struct Members;
-template <Family F, class... Es>
+template <KernelFamily F, class... Es>
 struct Members<F, TypeList<Es...>> {
   using Type = typename Concatenated<detail::OneIf<family_of(Es::info) == F, Es>...>::Type;
 };
@@ -25,8 +25,8 @@ template <class Scalar>
 using EvaluateFor = decltype(Kernel<Scalar>::evaluate_for);
 
 /// One for each evaluator of the family, in roster order. Defined in the units of the families.
-template <class Scalar, int Dimension, Family F>
-std::span<const EvaluateFor<Scalar>> points_of_family();
+template <class Scalar, int Dimension, KernelFamily F>
+std::span<const EvaluateFor<Scalar>> family_table();
 
 /// The place of an evaluator in a list.
 template <class E, class... Es>
@@ -38,9 +38,9 @@ constexpr std::size_t place_in(TypeList<Es...> /*list*/) {
 
 /// `Kernel::evaluate_for` of one evaluator.
 template <class E, class Scalar, int Dimension>
-EvaluateFor<Scalar> points_of() {
-  constexpr Family family = family_of(E::info);
-  return points_of_family<Scalar, Dimension, family>()[place_in<E>(typename Members<family>::Type())];
+EvaluateFor<Scalar> evaluate_function() {
+  constexpr KernelFamily family = family_of(E::info);
+  return family_table<Scalar, Dimension, family>()[place_in<E>(typename Members<family>::Type())];
 }
 
 }  // namespace bezierbench::instantiate

@@ -10,14 +10,14 @@
 namespace bezierbench::instantiate {
 
 template <class Scalar, int Dimension, class... Es>
-std::span<const EvaluateFor<Scalar>> points_of_all(TypeList<Es...> /*evaluators*/) {
+std::span<const EvaluateFor<Scalar>> evaluate_functions(TypeList<Es...> /*evaluators*/) {
   static constexpr std::array<EvaluateFor<Scalar>, sizeof...(Es)> table{evaluate_for<Es, Scalar, Dimension>...};
   return table;
 }
 
-template <class Scalar, int Dimension, Family F>
-std::span<const EvaluateFor<Scalar>> points_of_family() {
-  return points_of_all<Scalar, Dimension>(typename Members<F>::Type());
+template <class Scalar, int Dimension, KernelFamily F>
+std::span<const EvaluateFor<Scalar>> family_table() {
+  return evaluate_functions<Scalar, Dimension>(typename Members<F>::Type());
 }
 
 }  // namespace bezierbench::instantiate

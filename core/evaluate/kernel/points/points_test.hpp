@@ -68,10 +68,11 @@ void expect_every_way_to_agree() {
   if constexpr (instantiate::SideBySide<E, Scalar, Dimension>) {
     for (int n = E::info.min_degree; n <= largest_degree; ++n) {
       if (!E::info.template supports<Scalar>(n)) continue;
-      expect_same_bits<E, Scalar, Dimension>(n, "as it is timed", instantiate::points_of<E, Scalar, Dimension>()(n));
+      expect_same_bits<E, Scalar, Dimension>(n, "as it is timed",
+                                             instantiate::evaluate_function<E, Scalar, Dimension>()(n));
       // The function for max_degree evaluates curves of every degree.
       expect_same_bits<E, Scalar, Dimension>(n, "degree at run time",
-                                             instantiate::points_of<E, Scalar, Dimension>()(max_degree));
+                                             instantiate::evaluate_function<E, Scalar, Dimension>()(max_degree));
     }
   }
 }
