@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-// C(n,i) for one n and all i, by C(n,i) = C(n,i-1) (n-i+1) / i and symmetry.
+// C(n,i) for one n and all i, by C(n,i) = C(n,i-1) (n-i+1) / i and symmetry: as a row, as a row for reading, and with
+// twice the precision.
 //
 // Exact in double for n <= 54 (verified for every entry in the tests), although products pass 2^53 from n = 52 on;
 // beyond that each of the at most n/2 steps rounds twice. `binomial_roundings` counts them for the error bounds.
-//
-// Rows of C(n,i) for reading: up to the degree to which they are exact from a table, which the compiler fills by the
-// recurrence of binomial.hpp, so that `prepare` has no division for each of them.
-//
-// C(n,i) for one n and all i with twice the precision.
 #pragma once
 
 #include <array>
@@ -54,6 +50,8 @@ constexpr double binomial_roundings(int n, double u) {
 
 namespace detail {
 
+// Rows that are exact are tabulated at compile time, so that `prepare` has no division for each entry.
+
 /// The number of entries of the rows before row n, one after the other.
 constexpr std::size_t entries_before(int n) {
   return static_cast<std::size_t>(n) * (static_cast<std::size_t>(n) + 1) / 2;
@@ -75,7 +73,7 @@ inline constexpr auto binomial_table = [] {
 
 }  // namespace detail
 
-/// The values of `binomials<Scalar, Degree>(n)`.
+/// The values of `binomials<Scalar, Degree>(n)`, from the table where they are exact.
 template <class Scalar, int Degree>
 class BinomialRow {
  public:
@@ -111,8 +109,8 @@ struct BinomialPairs {
   PerCoefficient<SharedBy<Scalar>, Degree> low;
 };
 
-/// The row C(n,0..n), split into two Scalars: from the table where that is exact, else by the recurrence of
-/// binomial.hpp in double-double.
+/// The row C(n,0..n), split into two Scalars: from the table where that is exact, else by the recurrence in
+/// double-double.
 template <class Scalar, int Degree>
 BinomialPairs<Scalar, Degree> binomial_pairs(int n) {
   using Shared = SharedBy<Scalar>;

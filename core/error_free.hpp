@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// a b + c with one rounding. Fused methods have ids of their own and call this function; the compiler never contracts.
+// The fused multiply-add, and error-free transformations: a rounded operation together with its exact error.
 //
-// Error-free transformations: a rounded operation together with its exact error.
-//
-// They are exact while nothing overflows and, for products, while the error does not fall below the smallest subnormal.
-// All must be compiled without contraction and without reassociation.
+// These are exact while nothing overflows and, for products, while the error does not fall below the smallest
+// subnormal. All must be compiled without contraction and without reassociation.
 //
 // Source: [Knuth 1997], section 4.2.2, for two_sum; [Ogita et al. 2005], with fused multiply-add for two_prod.
 #pragma once
@@ -20,7 +18,8 @@ concept HasFused = requires(const Scalar& a) {
   { a.fused(a, a) } -> std::same_as<Scalar>;
 };
 
-/// std::fma for floating point; a b + c for exact scalars (the algebra tests), which do not round.
+/// a b + c with one rounding. Methods that use it have ids of their own, since the compiler never contracts. It is
+/// std::fma for floating point, and a b + c for exact scalars (the algebra tests), which do not round.
 template <class Scalar>
 Scalar fused(const Scalar& a, const Scalar& b, const Scalar& c) {
   if constexpr (std::floating_point<Scalar>)

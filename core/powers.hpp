@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The powers of two of a floating-point format that fixed-point arithmetic in it needs. Types that are not a
-// floating-point format of the processor have functions of the same names of their own, or compute exactly.
+// Integer powers of numbers; products with powers of two, and binary exponents.
 //
-// Products with powers of two and binary exponents. The results are those of std::ldexp and std::frexp, which are calls
-// of libm; here they come from the bits of a double wherever these suffice.
+// Exponents and powers of two come from the bits of a number wherever these suffice, since std::ldexp and std::frexp
+// are calls of libm. Scalars that are not a floating-point format of the processor compute exactly, or have functions
+// of these names of their own.
 #pragma once
 
 #include <bit>

@@ -63,8 +63,8 @@ template <class Real, class Mask, class Coefficient>
 Real moderate_or_scaled(const Mask& moderate, const Real& sum, int n, const Coefficient& c, const Real& x,
                         const Real& y, bool with_binomials) {
   return value_or(moderate, sum, [&](std::size_t lane) {
-    const auto of_lane = [&](int i) { return lane_of(c(i), lane); };
-    return scaled_sum(n, of_lane, lane_of(x, lane), lane_of(y, lane), with_binomials);
+    const auto coefficient = [&](int i) { return lane_of(c(i), lane); };
+    return scaled_sum(n, coefficient, lane_of(x, lane), lane_of(y, lane), with_binomials);
   });
 }
 

@@ -27,7 +27,7 @@ struct DerivativeBound {
   double (*differences)(int degree, int order, double u);
   double (*evaluation)(int degree, int order, double u);
   double (*underflow)(int degree, int order);
-  bool underflow_scales_with_coefficients;
+  bool underflow_scales_with_coefficients = false;
   double (*growth)(int degree, int order) = [](int, int) { return 1.0; };
 };
 

@@ -40,7 +40,7 @@ struct ErrorBound {
   Amplification amplification;
   double (*factor)(int degree, double u);  ///< u is the unit roundoff: 2^-53, or 2^-24 for float
   double (*underflow)(int degree);
-  bool underflow_scales_with_coefficients;
+  bool underflow_scales_with_coefficients = false;
   /// No result of an operation is larger than growth S_0 (x + y)^n, except for the roundings before it, which are
   /// at most 5 (n + 1)^2. Binomials and factorials stay in range by the degrees that the method declares.
   double (*growth)(int degree) = [](int) { return 1.0; };

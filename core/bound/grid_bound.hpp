@@ -18,7 +18,7 @@ struct GridBound {
   Amplification amplification;
   double (*factor)(int degree, int k, double u);
   double (*underflow)(int degree, int steps);
-  bool underflow_scales_with_coefficients;
+  bool underflow_scales_with_coefficients = false;
   double (*growth)(int degree, int steps) = [](int, int) { return 1.0; };
 };
 

@@ -41,20 +41,20 @@ struct PositiveSum : SameForEveryAxis {
   static Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> convert(
       const Curve<Form::power, Scalar, Dimension, Degree>& q) {
     const int n = q.degree();
-    const BinomialRow<Scalar, computed_degree<Degree>> of_n(n);
+    const BinomialRow<Scalar, computed_degree<Degree>> n_choose(n);
     Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> b(n);
     for (int i = 0; i <= n; ++i) {
       const bool tabulated = i <= exact_binomial_degree;
       const double* exact = detail::binomial_table<double>.data() + (tabulated ? detail::entries_before(i) : 0);
       const double scale = binomial_scale(i);
-      double of_i = 1 / scale;  // C(i, j) over the scale
+      double i_choose_j = 1 / scale;  // C(i, j) over the scale
       Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
       for (int j = 0; j <= i; ++j) {
         if (tabulated)
-          of_i = exact[j];  // here the scale is 1
+          i_choose_j = exact[j];  // here the scale is 1
         else if (j > 0)
-          of_i = of_i * (i - j + 1) / j;
-        const SharedBy<Scalar> weight = static_cast<SharedBy<Scalar>>(of_i * scale) / of_n[j];
+          i_choose_j = i_choose_j * (i - j + 1) / j;
+        const SharedBy<Scalar> weight = static_cast<SharedBy<Scalar>>(i_choose_j * scale) / n_choose[j];
         for (int axis = 0; axis < Dimension; ++axis) sum[axis] += weight * q(axis, j);
       }
       for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = sum[axis];

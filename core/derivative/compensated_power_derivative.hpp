@@ -23,11 +23,10 @@ struct CompensatedPowerDerivative {
       .differences = [](int, int, double) { return 0.0; },
       .evaluation =
           [](int n, int k, double u) {
-            const double of_result = falling_factorial(n, k) < 0x1p+53 ? 1 : gamma_over_u(k + 1, u);
-            return of_result + HornerDoubleDouble::info.bound->factor(std::max(n - k, 0), u);
+            const double result = falling_factorial(n, k) < 0x1p+53 ? 1 : gamma_over_u(k + 1, u);
+            return result + HornerDoubleDouble::info.bound->factor(std::max(n - k, 0), u);
           },
       .underflow = [](int n, int) { return 3 * n + 1.0; },
-      .underflow_scales_with_coefficients = false,
       .growth = [](int n, int k) { return std::max(n - k, 0) + 1.0; }};
   static constexpr MethodInfo info{.id = "compensated_power_derivative",
                                    .label = "Power form, Horner, compensated",

@@ -25,11 +25,11 @@ inline constexpr double always = -std::numeric_limits<double>::infinity();
 class Counting {
  public:
   Counting() = default;  ///< an input
-  explicit Counting(double value) : value_(value), of_degree_only_(true) {}
+  explicit Counting(double value) : value_(value), is_constant_in_t_(true) {}
   /// An input that is known at this time.
   static Counting input(double value, double ready = always) {
     Counting result(value);
-    result.of_degree_only_ = false;
+    result.is_constant_in_t_ = false;
     result.ready_ = ready;
     return result;
   }
@@ -73,7 +73,7 @@ class Counting {
 
  private:
   static Counting after(Operation kind, double value, std::initializer_list<Counting> operands) {
-    if (std::ranges::all_of(operands, &Counting::of_degree_only_)) return Counting(value);
+    if (std::ranges::all_of(operands, &Counting::is_constant_in_t_)) return Counting(value);
     tape.count[kind] += 1;
     double ready = always;
     for (const auto& operand : operands) ready = std::max(ready, operand.ready_);
@@ -82,7 +82,7 @@ class Counting {
 
   double value_ = 0;
   double ready_ = always;
-  bool of_degree_only_ = false;
+  bool is_constant_in_t_ = false;
 };
 
 }  // namespace bezierbench::counting

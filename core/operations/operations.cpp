@@ -123,7 +123,7 @@ Counted converted(int degree, const ByOperation& /*latency*/) {
 using Count = Counted (*)(int degree, const ByOperation& latency);
 
 /// The counts of a method.
-struct Entry {
+struct CountedMethod {
   const MethodInfo* info;
   int further_lanes;
   bool curve_counts;
@@ -133,7 +133,7 @@ struct Entry {
 };
 
 template <class E>
-constexpr Entry evaluator_entry() {
+constexpr CountedMethod evaluator_entry() {
   if constexpr (counts_point<E>)
     return {&E::info,
             OneVector<E>::further_lanes,
@@ -146,7 +146,7 @@ constexpr Entry evaluator_entry() {
 }
 
 template <class C>
-constexpr Entry conversion_entry() {
+constexpr CountedMethod conversion_entry() {
   if constexpr (counts_curve<C>)
     return {&C::info, 0, true, false, converted<C, 1>, {converted<C, 1>, converted<C, 2>}};
   else
@@ -154,16 +154,16 @@ constexpr Entry conversion_entry() {
 }
 
 template <class... Es, class... Cs>
-const Entry* find(const MethodInfo& method, TypeList<Es...> /*evaluators*/, TypeList<Cs...> /*conversions*/) {
+const CountedMethod* find(const MethodInfo& method, TypeList<Es...> /*evaluators*/, TypeList<Cs...> /*conversions*/) {
   static constexpr std::array entries{evaluator_entry<Es>()..., conversion_entry<Cs>()...};
-  const auto* const found = std::ranges::find(entries, &method, &Entry::info);
+  const auto* const found = std::ranges::find(entries, &method, &CountedMethod::info);
   return found == entries.end() ? nullptr : &*found;
 }
 
-const Entry* find(const MethodInfo& method) { return find(method, Evaluators{}, Conversions{}); }
+const CountedMethod* find(const MethodInfo& method) { return find(method, Evaluators{}, Conversions{}); }
 
 /// Numbers of operations on any number of axes: all axes are treated alike, so they grow with it by equal steps.
-ByOperation on_axes(const Entry& entry, ByOperation Counted::*part, int degree, int dimension, Layout layout) {
+ByOperation on_axes(const CountedMethod& entry, ByOperation Counted::*part, int degree, int dimension, Layout layout) {
   if (layout == Layout::axes) return entry.in_one_vector(degree, {}).*part;
   const auto one = entry.on_axes[0](degree, {}).*part;
   const auto two = entry.on_axes[1](degree, {}).*part;

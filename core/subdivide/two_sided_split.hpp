@@ -22,7 +22,6 @@ struct TwoSidedSplit {
                                     .amplification = SplitAmplification::p_tilde,
                                     .factor = [](int k, double u) { return gamma_over_u(3 * k, u); },
                                     .underflow = [](int k) { return 1.0 * k; },
-                                    .underflow_scales_with_coefficients = false,
                                     .growth = 2};
   static constexpr SplitPromises promises{.keeps_ends = true,
                                           .shares_junction = true,

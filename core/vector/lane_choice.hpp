@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a formula needs to run on a double or on many lanes of doubles with the same text: choices between values, and
+// What a formula needs to run on a number or on many lanes of numbers with the same text: choices between values, and
 // access to a lane. core/batch/lanes.hpp has the same functions for lanes.
 #pragma once
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Values that depend on the degree only, such as binomials. Where a scalar stands for many curves, all of them share
-// these values, which are computed once.
-//
-// Values that depend on t and the degree only. Where a scalar stands for all axes of a point, they are one number for
-// all axes: one division instead of one for each, and comparisons whose results are plain truth values.
+// Values that a scalar that stands for several numbers computes once. Those that depend on the degree only, such as
+// binomials, are shared by all curves. Those that depend on t as well are shared by all axes of a point: one division
+// instead of one for each axis, and comparisons whose results are plain truth values.
 #pragma once
 
 namespace bezierbench {

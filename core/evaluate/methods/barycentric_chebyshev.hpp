@@ -31,7 +31,6 @@ constexpr double chebyshev_node(int j, int n) {
 struct BarycentricChebyshev {
   static constexpr MethodInfo info{.id = "barycentric_chebyshev",
                                    .label = "Barycentric, Chebyshev nodes",
-                                   .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .flops = "(n+1)(3+2d) + d, n+1+d of them divisions",
                                    .prepare_exponent = 2,

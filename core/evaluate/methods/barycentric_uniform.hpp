@@ -17,7 +17,6 @@ namespace bezierbench {
 struct BarycentricUniform {
   static constexpr MethodInfo info{.id = "barycentric_uniform",
                                    .label = "Barycentric, uniform nodes",
-                                   .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .max_degree_float = 129,
                                    .flops = "(n+1)(3+2d) + d, n+1+d of them divisions",

@@ -38,7 +38,6 @@ struct CorrectlyRounded {
   static constexpr MethodInfo info{
       .id = "correctly_rounded",
       .label = "correctly rounded",
-      .problem = Problem::evaluation,
       .form = Form::bernstein,
       .max_degree = rounded_max_degree,
       .max_degree_float = 64,
@@ -47,7 +46,6 @@ struct CorrectlyRounded {
                           .amplification = Amplification::p_tilde_bernstein,
                           .factor = [](int /*n*/, double /*u*/) { return 0.0; },
                           .underflow = [](int /*n*/) { return 0.5; },  // where the result is subnormal
-                          .underflow_scales_with_coefficients = false,
                           .unit_interval_only = true,
                           .result_roundings = 1},
       .flops = "10dn + 10d + 8 log2 n + 12",
@@ -84,7 +82,7 @@ struct CorrectlyRounded {
   /// The least 1-t at which the sum begins at the start: a power of two, at most 1/2, whose n-th power is in range with
   /// the errors of a pair. At 1/2 the choice would fall differently at every other t.
   template <class Number>
-  static Number least_one_minus_t(int n) {
+  static Number min_one_minus_t(int n) {
     constexpr int bits = sizeof(Number) == sizeof(float) ? 64 : 800;
     const int exponent = std::max(1, bits / std::max(n, 1));
     return static_cast<Number>(std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52));
@@ -135,7 +133,7 @@ struct CorrectlyRounded {
   static Pairs<Scalar, Dimension> pairs(const Coefficients& coefficients, const Scalar& t) {
     const int n = coefficients.scaled.degree();
     const auto s = two_sum<Scalar>(Scalar(1), -t);
-    const auto from_start = Scalar(least_one_minus_t<typename NumberOf<Scalar>::Type>(n)) <= s.value;
+    const auto from_start = Scalar(min_one_minus_t<typename NumberOf<Scalar>::Type>(n)) <= s.value;
     const Expansion2<Scalar> base{select(from_start, s.value, t), s.error};
     const auto ratio = quotient<Scalar>(select(from_start, t, s.value), base);
     const auto scale = power<Scalar>(base, n);

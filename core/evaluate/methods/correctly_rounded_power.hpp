@@ -25,7 +25,6 @@ struct CorrectlyRoundedPower {
 
   static constexpr MethodInfo info{.id = "correctly_rounded",
                                    .label = "correctly rounded",
-                                   .problem = Problem::evaluation,
                                    .form = Form::power,
                                    .max_degree = rounded_max_degree,
                                    .max_degree_float = CorrectlyRounded::info.max_degree_float,
@@ -34,7 +33,6 @@ struct CorrectlyRoundedPower {
                                                        .amplification = Amplification::p_tilde_power,
                                                        .factor = CorrectlyRounded::info.bound->factor,
                                                        .underflow = CorrectlyRounded::info.bound->underflow,
-                                                       .underflow_scales_with_coefficients = false,
                                                        .growth = [](int n) { return n + 1.0; },
                                                        .unit_interval_only = true,
                                                        .result_roundings = 1},

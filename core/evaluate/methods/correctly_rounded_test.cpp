@@ -109,10 +109,10 @@ using All = testing::Types<std::pair<CorrectlyRounded, double>, std::pair<Correc
 TYPED_TEST_SUITE(CorrectlyRoundedIn, All);
 
 template <class E, class Scalar, class Of>
-void expect_all_nearest(std::uint64_t seed, const Of& of, int most_curves = 200) {
+void expect_all_nearest(std::uint64_t seed, const Of& of, int max_curves = 200) {
   Inputs<Scalar> inputs(seed);
   for (const int degree : {0, 1, 2, 3, 5, 8, 13, 20, 34, 64}) {
-    const int curves = degree > 20 ? most_curves / 8 : most_curves;
+    const int curves = degree > 20 ? max_curves / 8 : max_curves;
     for (int repeat = 0; repeat < curves; ++repeat) {
       const auto coefficients = inputs.coefficients(degree, of);
       for (int k = 0; k < 3; ++k) expect_nearest<E>(coefficients, inputs.any_unit());

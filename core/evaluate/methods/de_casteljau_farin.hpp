@@ -27,9 +27,9 @@ template <class Scalar, std::size_t Size>
   const Scalar right = t * b[Size - 1];
   std::array<Scalar, Size> next;
   next[Size - 1] = left + right;
-  const Scalar of_left = left / next[Size - 1];
-  const Scalar of_right = right / next[Size - 1];
-  for (std::size_t axis = 0; axis + 1 < Size; ++axis) next[axis] = of_left * a[axis] + of_right * b[axis];
+  const Scalar left_share = left / next[Size - 1];
+  const Scalar right_share = right / next[Size - 1];
+  for (std::size_t axis = 0; axis + 1 < Size; ++axis) next[axis] = left_share * a[axis] + right_share * b[axis];
   return next;
 }
 
@@ -62,7 +62,6 @@ Point<Scalar, Dimension> run_weighted_triangle(const Curve<Form::rational, Scala
 struct DeCasteljauFarin : TakenAsGiven<Form::rational> {
   static constexpr MethodInfo info{.id = "de_casteljau_farin",
                                    .label = "de Casteljau, Farin's convex combinations",
-                                   .problem = Problem::evaluation,
                                    .form = Form::rational,
                                    .bound = ErrorBound{.text = "gamma_8n p~ for positive weights",
                                                        .amplification = Amplification::p_tilde_bernstein,

@@ -56,7 +56,6 @@ class FixedPointFrame {
 struct DeCasteljauFixedPoint {
   static constexpr MethodInfo info{.id = "de_casteljau_fixed_point",
                                    .label = "de Casteljau, fixed point",
-                                   .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .unit_interval_only = true,
                                    .flops = "1 sub + 1 fma, d (n(n+1)/2 + 1) times",

@@ -23,13 +23,11 @@ namespace bezierbench {
 struct DeCasteljauFma : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau_fma",
                                    .label = "de Casteljau, fused",
-                                   .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .bound = ErrorBound{.text = "gamma_2n p~",
                                                        .amplification = Amplification::p_tilde_bernstein,
                                                        .factor = [](int n, double u) { return gamma_over_u(2 * n, u); },
-                                                       .underflow = [](int n) { return 2.0 * n; },
-                                                       .underflow_scales_with_coefficients = false},
+                                                       .underflow = [](int n) { return 2.0 * n; }},
                                    .flops = "2 fma, d n(n+1)/2 times",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 2002], with fused linear interpolation; bound derived here"};

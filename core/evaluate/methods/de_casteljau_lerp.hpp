@@ -16,7 +16,6 @@ namespace bezierbench {
 struct DeCasteljauLerp : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau_lerp",
                                    .label = "de Casteljau, a + t(b - a)",
-                                   .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .flops = "3d n(n+1)/2",
                                    .cost_exponent = 2,

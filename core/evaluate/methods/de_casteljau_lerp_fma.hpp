@@ -17,7 +17,6 @@ namespace bezierbench {
 struct DeCasteljauLerpFma : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau_lerp_fma",
                                    .label = "de Casteljau, a + t(b - a), fused",
-                                   .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .flops = "1 sub + 1 fma, d n(n+1)/2 times",
                                    .cost_exponent = 2,

@@ -19,13 +19,11 @@ namespace bezierbench {
 struct DeCasteljauTwoSided : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau_two_sided",
                                    .label = "de Casteljau, two-sided",
-                                   .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .bound = ErrorBound{.text = "gamma_4n p~ (gamma_3n for t <= 2)",
                                                        .amplification = Amplification::p_tilde_bernstein,
                                                        .factor = [](int n, double u) { return gamma_over_u(4 * n, u); },
                                                        .underflow = [](int n) { return 1.0 * n; },
-                                                       .underflow_scales_with_coefficients = false,
                                                        .growth = [](int) { return 2.0; }},
                                    .flops = "3d n(n+1)/2 + 1",
                                    .cost_exponent = 2,

@@ -23,7 +23,6 @@ struct Direct : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "direct",
       .label = "Direct (Bernstein sum)",
-      .problem = Problem::evaluation,
       .form = Form::bernstein,
       .max_degree = max_factorial,
       .max_degree_float = max_factorial_float,

@@ -16,7 +16,6 @@ namespace bezierbench {
 struct DirectPow {
   static constexpr MethodInfo info{.id = "direct_pow",
                                    .label = "Direct with pow()",
-                                   .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .max_degree_float = 131,
                                    .bit_stable = false,

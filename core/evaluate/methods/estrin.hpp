@@ -41,7 +41,6 @@ struct Estrin : TakenAsGiven<Form::power> {
   static constexpr MethodInfo info{
       .id = "estrin",
       .label = "Estrin",
-      .problem = Problem::evaluation,
       .form = Form::power,
       .bound = ErrorBound{.text = "gamma_(n+2L) p~, L = ceil(log2(n+1))",
                           .amplification = Amplification::p_tilde_power,

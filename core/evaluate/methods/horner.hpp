@@ -13,13 +13,11 @@ namespace bezierbench {
 struct Horner : TakenAsGiven<Form::power> {
   static constexpr MethodInfo info{.id = "horner",
                                    .label = "Horner",
-                                   .problem = Problem::evaluation,
                                    .form = Form::power,
                                    .bound = ErrorBound{.text = "gamma_2n p~",
                                                        .amplification = Amplification::p_tilde_power,
                                                        .factor = [](int n, double u) { return gamma_over_u(2 * n, u); },
                                                        .underflow = [](int n) { return 1.0 * n; },
-                                                       .underflow_scales_with_coefficients = false,
                                                        .growth = [](int n) { return n + 1.0; }},
                                    .flops = "2dn",
                                    .citation = "[Higham 2002], section 5.1"};

@@ -29,7 +29,6 @@ struct HornerBernstein : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "horner_bernstein",
       .label = "Horner-Bernstein",
-      .problem = Problem::evaluation,
       .form = Form::bernstein,
       .max_degree_float = 131,
       .bound =

@@ -21,7 +21,6 @@ struct HornerBernsteinFma : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "horner_bernstein_fma",
       .label = "Horner-Bernstein, fused",
-      .problem = Problem::evaluation,
       .form = Form::bernstein,
       .max_degree_float = HornerBernstein::info.max_degree_float,
       .bound =

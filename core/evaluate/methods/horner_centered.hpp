@@ -14,13 +14,11 @@ namespace bezierbench {
 struct HornerCentered : TakenAsGiven<Form::power_centered> {
   static constexpr MethodInfo info{.id = "horner_centered",
                                    .label = "Horner about t = 1/2",
-                                   .problem = Problem::evaluation,
                                    .form = Form::power_centered,
                                    .bound = ErrorBound{.text = "gamma_3n sum |q_j| |t - 1/2|^j",
                                                        .amplification = Amplification::p_tilde_centered,
                                                        .factor = [](int n, double u) { return gamma_over_u(3 * n, u); },
                                                        .underflow = [](int n) { return 1.0 * n; },
-                                                       .underflow_scales_with_coefficients = false,
                                                        .growth = [](int n) { return n + 1.0; }},
                                    .flops = "2dn + 1",
                                    .citation = "[Higham 2002], section 5.1; bound derived here"};

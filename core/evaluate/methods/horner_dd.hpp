@@ -19,7 +19,6 @@ namespace bezierbench {
 struct HornerDoubleDouble : TakenAsGiven<Form::power_double_double> {
   static constexpr MethodInfo info{.id = "horner_dd",
                                    .label = "Horner, double-double coefficients",
-                                   .problem = Problem::evaluation,
                                    .form = Form::power_double_double,
                                    .bound = ErrorBound{.text = "u p~ + gamma_(2n+3)^2 sum |q_j| t^j",
                                                        .amplification = Amplification::p_tilde_power,
@@ -29,7 +28,6 @@ struct HornerDoubleDouble : TakenAsGiven<Form::power_double_double> {
                                                              return gamma * gamma * u;
                                                            },
                                                        .underflow = [](int n) { return 2.0 * n; },
-                                                       .underflow_scales_with_coefficients = false,
                                                        .growth = [](int n) { return n + 1.0; },
                                                        .result_roundings = 1},
                                    .flops = "12dn + d",

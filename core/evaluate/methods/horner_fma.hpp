@@ -14,13 +14,11 @@ namespace bezierbench {
 struct HornerFma : TakenAsGiven<Form::power> {
   static constexpr MethodInfo info{.id = "horner_fma",
                                    .label = "Horner, fused",
-                                   .problem = Problem::evaluation,
                                    .form = Form::power,
                                    .bound = ErrorBound{.text = "gamma_n p~",
                                                        .amplification = Amplification::p_tilde_power,
                                                        .factor = [](int n, double u) { return gamma_over_u(n, u); },
                                                        .underflow = [](int n) { return 1.0 * n; },
-                                                       .underflow_scales_with_coefficients = false,
                                                        .growth = [](int n) { return n + 1.0; }},
                                    .flops = "dn fma",
                                    .citation = "[Higham 2002], section 5.1, with fused steps"};

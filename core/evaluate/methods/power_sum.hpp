@@ -14,7 +14,6 @@ namespace bezierbench {
 struct PowerSum : TakenAsGiven<Form::power> {
   static constexpr MethodInfo info{.id = "power_sum",
                                    .label = "Power sum, running t^j",
-                                   .problem = Problem::evaluation,
                                    .form = Form::power,
                                    .bound = ErrorBound{.text = "gamma_(n+1) p~",
                                                        .amplification = Amplification::p_tilde_power,

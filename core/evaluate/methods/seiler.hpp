@@ -26,7 +26,6 @@ struct Seiler : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "seiler",
       .label = "Seiler's interpolation",
-      .problem = Problem::evaluation,
       .form = Form::bernstein,
       .max_degree = 850,
       .max_degree_float = 95,
@@ -40,7 +39,6 @@ struct Seiler : SameForEveryAxis {
                                        integer_power(one_and_root_of_two, n);
                               },
                           .underflow = [](int n) { return 2.0 * (n + 3); },
-                          .underflow_scales_with_coefficients = false,
                           .growth = [](int n) { return 3 * integer_power(2.2360679774997899, n); },
                           .unit_interval_only = true},
       .flops = "3dn + 2, d fewer for even n",

@@ -26,7 +26,6 @@ struct VolkSchumaker : SameForEveryAxis {
   static constexpr MethodInfo info{
       .id = "volk_schumaker",
       .label = "Volk-Schumaker",
-      .problem = Problem::evaluation,
       .form = Form::bernstein,
       .max_degree_float = 127,
       .bound =

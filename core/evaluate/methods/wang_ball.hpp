@@ -23,7 +23,6 @@ namespace bezierbench {
 struct WangBall {
   static constexpr MethodInfo info{.id = "wang_ball",
                                    .label = "Wang-Ball",
-                                   .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .max_degree_float = 131,
                                    .flops = "9dn/2 + 1",

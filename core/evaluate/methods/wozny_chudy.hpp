@@ -15,7 +15,6 @@ namespace bezierbench {
 struct WoznyChudy : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "wozny_chudy",
                                    .label = "Wozny-Chudy",
-                                   .problem = Problem::evaluation,
                                    .form = Form::bernstein,
                                    .one_minus_t = OneMinusT::normalised,
                                    .flops = "n(5+3d) + 2, n + 1 of them divisions",
@@ -29,14 +28,14 @@ struct WoznyChudy : TakenAsGiven<Form::bernstein> {
     const Scalar s = Scalar(1) - t;
     const auto near_start = t + t <= Scalar(1);
     const Scalar ratio = select(near_start, t, s) / select(near_start, s, t);
-    const Scalar of_h = select(near_start, ratio, Scalar(1));  // the pair t : 1-t, over the larger of them
-    const Scalar of_k = select(near_start, Scalar(1), ratio);
+    const Scalar t_share = select(near_start, ratio, Scalar(1));  // the pair t : 1-t, over the larger of them
+    const Scalar rest_share = select(near_start, Scalar(1), ratio);
     Point<Scalar, Dimension> q;
     for (int axis = 0; axis < Dimension; ++axis) q[axis] = curve(axis, 0);
     Scalar h = Scalar(1);
     for (int k = 1; k <= n; ++k) {
-      const Scalar numerator = h * of_h * static_cast<Scalar>(n - k + 1);
-      h = numerator / (static_cast<Scalar>(k) * of_k + numerator);
+      const Scalar numerator = h * t_share * static_cast<Scalar>(n - k + 1);
+      h = numerator / (static_cast<Scalar>(k) * rest_share + numerator);
       const Scalar rest = Scalar(1) - h;
       for (int axis = 0; axis < Dimension; ++axis) q[axis] = rest * q[axis] + h * curve(axis, k);
     }

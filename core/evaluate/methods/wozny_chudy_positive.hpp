@@ -17,7 +17,6 @@ struct WoznyChudyPositive : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{
       .id = "wozny_chudy_positive",
       .label = "Wozny-Chudy, subtraction-free",
-      .problem = Problem::evaluation,
       .form = Form::bernstein,
       .bound = ErrorBound{.text = "gamma_((3n+2)(n+1)) p~ on [0,1]",
                           .amplification = Amplification::p_tilde_bernstein,
@@ -37,8 +36,7 @@ struct WoznyChudyPositive : TakenAsGiven<Form::bernstein> {
     for (int axis = 0; axis < Dimension; ++axis) q[axis] = curve(axis, 0);
     for (int k = 1; k <= n; ++k) {
       const auto weight = weights.next(k);
-      for (int axis = 0; axis < Dimension; ++axis)
-        q[axis] = weight.of_point * q[axis] + weight.of_control * curve(axis, k);
+      for (int axis = 0; axis < Dimension; ++axis) q[axis] = weight.point * q[axis] + weight.control * curve(axis, k);
     }
     return q;
   }

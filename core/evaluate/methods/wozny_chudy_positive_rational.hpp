@@ -17,7 +17,6 @@ struct WoznyChudyPositiveRational {
   static constexpr MethodInfo info{
       .id = "wozny_chudy_positive",
       .label = "Wozny-Chudy, rational, subtraction-free",
-      .problem = Problem::evaluation,
       .form = Form::rational,
       .bound = ErrorBound{.text = "gamma_((4.5n+2)(n+1)) p~ for positive weights",
                           .amplification = Amplification::p_tilde_bernstein,
@@ -44,13 +43,13 @@ struct WoznyChudyPositiveRational {
     const Scalar s = Scalar(1) - t;
     const auto near_start = t + t <= Scalar(1);
     const Scalar ratio = select(near_start, t, s) / select(near_start, s, t);
-    const Scalar of_h = select(near_start, ratio, Scalar(1));
+    const Scalar t_share = select(near_start, ratio, Scalar(1));
     const Scalar complement = select(near_start, Scalar(1), ratio);
     Point<Scalar, Dimension> q;
     for (int axis = 0; axis < Dimension; ++axis) q[axis] = prepared.points(axis, 0);
     Scalar h = Scalar(1);
     for (int k = 1; k <= n; ++k) {
-      const Scalar numerator = h * (of_h * prepared.ratios[k]);
+      const Scalar numerator = h * (t_share * prepared.ratios[k]);
       const Scalar denominator = complement + numerator;
       h = numerator / denominator;
       const Scalar rest = complement / denominator;

@@ -18,7 +18,6 @@ namespace bezierbench {
 struct WoznyChudyRational {
   static constexpr MethodInfo info{.id = "wozny_chudy",
                                    .label = "Wozny-Chudy, rational",
-                                   .problem = Problem::evaluation,
                                    .form = Form::rational,
                                    .one_minus_t = OneMinusT::normalised,
                                    .flops = "n(5+3d) + 2, n + 1 of them divisions",
@@ -50,13 +49,13 @@ struct WoznyChudyRational {
     const Scalar s = Scalar(1) - t;
     const auto near_start = t + t <= Scalar(1);
     const Scalar ratio = select(near_start, t, s) / select(near_start, s, t);
-    const Scalar of_h = select(near_start, ratio, Scalar(1));  // the pair t : 1-t, over the larger of them
+    const Scalar t_share = select(near_start, ratio, Scalar(1));  // the pair t : 1-t, over the larger of them
     const Scalar complement = select(near_start, Scalar(1), ratio);
     Point<Scalar, Dimension> q;
     for (int axis = 0; axis < Dimension; ++axis) q[axis] = prepared.points(axis, 0);
     Scalar h = Scalar(1);
     for (int k = 1; k <= n; ++k) {
-      const Scalar numerator = h * (of_h * prepared.ratios[k]);
+      const Scalar numerator = h * (t_share * prepared.ratios[k]);
       h = numerator / (complement + numerator);
       const Scalar rest = Scalar(1) - h;
       for (int axis = 0; axis < Dimension; ++axis) q[axis] = rest * q[axis] + h * prepared.points(axis, k);

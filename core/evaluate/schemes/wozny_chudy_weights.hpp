@@ -17,22 +17,22 @@ template <class Scalar>
 class WoznyChudyWeights {
  public:
   struct Step {
-    Scalar of_point;    ///< c_k
-    Scalar of_control;  ///< h_k
+    Scalar point;    ///< c_k
+    Scalar control;  ///< h_k
   };
 
   WoznyChudyWeights(int degree, const Scalar& t) : degree_(degree) {
     const Scalar s = Scalar(1) - t;
     const auto near_start = t + t <= Scalar(1);
     const Scalar ratio = select(near_start, t, s) / select(near_start, s, t);
-    of_t_ = select(near_start, ratio, Scalar(1));
-    of_rest_ = select(near_start, Scalar(1), ratio);
+    t_share_ = select(near_start, ratio, Scalar(1));
+    rest_share_ = select(near_start, Scalar(1), ratio);
   }
 
   /// Of step k; to be called for k = 1, ..., n, one after the other.
   Step next(int k) {
-    const Scalar numerator = h_ * of_t_ * static_cast<Scalar>(degree_ - k + 1);
-    const Scalar complement = static_cast<Scalar>(k) * of_rest_;
+    const Scalar numerator = h_ * t_share_ * static_cast<Scalar>(degree_ - k + 1);
+    const Scalar complement = static_cast<Scalar>(k) * rest_share_;
     const Scalar denominator = complement + numerator;
     h_ = numerator / denominator;
     return {complement / denominator, h_};
@@ -40,8 +40,8 @@ class WoznyChudyWeights {
 
  private:
   int degree_;
-  Scalar of_t_;  ///< the pair t : 1-t, over the larger of them
-  Scalar of_rest_;
+  Scalar t_share_;  ///< the pair t : 1-t, over the larger of them
+  Scalar rest_share_;
   Scalar h_ = Scalar(1);
 };
 
