@@ -44,9 +44,10 @@ struct TwoSidedSplit {
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
     const bool near_start = t + t <= Scalar(1);
     const Scalar r = near_start ? t : Scalar(1) - t;
-    auto from_nearer = split_by_triangle(seen(near_start, curve), [r](Scalar a, Scalar b) { return a + r * (b - a); });
+    auto from_nearer =
+        split_by_triangle(reversed_unless(near_start, curve), [r](Scalar a, Scalar b) { return a + r * (b - a); });
     if (near_start) return from_nearer;
-    return {seen(near_start, from_nearer.right), seen(near_start, from_nearer.left)};
+    return {reversed_unless(near_start, from_nearer.right), reversed_unless(near_start, from_nearer.left)};
   }
 };
 

@@ -133,14 +133,14 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
     Point<Scalar, Dimension> p;
     Point<Scalar, Dimension> error;
     for (int axis = 0; axis < Dimension; ++axis) {
-      p[axis] = counted(near_start, prepared.scaled, axis, n);
-      error[axis] = counted(near_start, prepared.lost, axis, n);
+      p[axis] = from_nearer_end(near_start, prepared.scaled, axis, n);
+      error[axis] = from_nearer_end(near_start, prepared.lost, axis, n);
     }
     for (int i = 1; i <= n; ++i)
       for (int axis = 0; axis < Dimension; ++axis) {
         const auto product = two_prod<Scalar>(p[axis], ratio.value);
-        const auto sum = two_sum<Scalar>(product.value, counted(near_start, prepared.scaled, axis, n - i));
-        const Scalar lost = counted(near_start, prepared.lost, axis, n - i);
+        const auto sum = two_sum<Scalar>(product.value, from_nearer_end(near_start, prepared.scaled, axis, n - i));
+        const Scalar lost = from_nearer_end(near_start, prepared.lost, axis, n - i);
         const Scalar local = p[axis] * ratio.error + ((product.error + sum.error) + lost);
         error[axis] = error[axis] * ratio.value + local;
         p[axis] = sum.value;

@@ -38,7 +38,7 @@ struct DeCasteljauTwoSided : TakenAsGiven<Form::bernstein> {
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
     const auto near_start = t + t <= Scalar(1);
     const Scalar r = select(near_start, t, Scalar(1) - t);
-    return run_triangle(seen(near_start, curve), [r](Scalar a, Scalar b) { return a + r * (b - a); });
+    return run_triangle(reversed_unless(near_start, curve), [r](Scalar a, Scalar b) { return a + r * (b - a); });
   }
 };
 

@@ -58,9 +58,9 @@ struct VolkSchumaker : SameForEveryAxis {
     const Parameter larger = select(near_start, s, x);
     const Scalar r(select(near_start, x, s) / larger);
     Point<Scalar, Dimension> p;
-    for (int axis = 0; axis < Dimension; ++axis) p[axis] = counted(near_start, c, axis, n);
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] = from_nearer_end(near_start, c, axis, n);
     for (int i = 1; i <= n; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + counted(near_start, c, axis, n - i);
+      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + from_nearer_end(near_start, c, axis, n - i);
     const Scalar scale(integer_power(larger, n));
     for (int axis = 0; axis < Dimension; ++axis) p[axis] *= scale;
     return p;

@@ -18,7 +18,7 @@ struct OneAxis {
 };
 
 template <class Scalar>
-Scalar counted(bool from_start, const OneAxis<Scalar>& curve, int axis, int i) {
+Scalar from_nearer_end(bool from_start, const OneAxis<Scalar>& curve, int axis, int i) {
   return curve(axis, from_start ? i : curve.degree() - i);
 }
 

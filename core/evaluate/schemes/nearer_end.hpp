@@ -11,18 +11,19 @@ namespace bezierbench {
 
 /// Coefficient i of an axis from the start, or from the other end.
 template <class Scalar, int Dimension, int Degree>
-Scalar counted(bool from_start, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, int axis, int i) {
+Scalar from_nearer_end(bool from_start, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, int axis,
+                       int i) {
   return curve(axis, from_start ? i : curve.degree() - i);
 }
 
 /// The curve, or the curve with its control points in reverse order.
 template <class Scalar, int Dimension, int Degree>
-Curve<Form::bernstein, Scalar, Dimension, Degree> seen(bool from_start,
-                                                       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+Curve<Form::bernstein, Scalar, Dimension, Degree> reversed_unless(
+    bool from_start, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
   if (from_start) return curve;
   Curve<Form::bernstein, Scalar, Dimension, Degree> backwards(curve.degree());
   for (int i = 0; i <= curve.degree(); ++i)
-    for (int axis = 0; axis < Dimension; ++axis) backwards(axis, i) = counted(from_start, curve, axis, i);
+    for (int axis = 0; axis < Dimension; ++axis) backwards(axis, i) = from_nearer_end(from_start, curve, axis, i);
   return backwards;
 }
 

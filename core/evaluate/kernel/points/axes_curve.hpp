@@ -158,8 +158,8 @@ class AxesFromEitherEnd {
 };
 
 template <class S, int Dimension, int Degree>
-AxesFromEitherEnd<S, Dimension, Degree> seen(bool from_start,
-                                             const Curve<Form::bernstein, Axes<S, Dimension>, 1, Degree>& curve) {
+AxesFromEitherEnd<S, Dimension, Degree> reversed_unless(
+    bool from_start, const Curve<Form::bernstein, Axes<S, Dimension>, 1, Degree>& curve) {
   return {from_start, curve};
 }
 
