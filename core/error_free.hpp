@@ -1,15 +1,34 @@
 // SPDX-License-Identifier: MIT
-// Error-free transformations: a rounded operation together with its exact error.
+// The fused multiply-add, and error-free transformations: a rounded operation together with its exact error.
 //
-// They are exact while nothing overflows and, for products, while the error does not fall below the smallest subnormal.
-// All must be compiled without contraction and without reassociation.
+// These are exact while nothing overflows and, for products, while the error does not fall below the smallest
+// subnormal. All must be compiled without contraction and without reassociation.
 //
 // Source: [Knuth 1997], section 4.2.2, for two_sum; [Ogita et al. 2005], with fused multiply-add for two_prod.
 #pragma once
 
-#include "core/basis/fused.hpp"
+#include <cmath>
+#include <concepts>
 
 namespace bezierbench {
+
+/// Scalars that have a member function for the fused multiply-add: vectors.
+template <class Scalar>
+concept HasFused = requires(const Scalar& a) {
+  { a.fused(a, a) } -> std::same_as<Scalar>;
+};
+
+/// a b + c with one rounding. Methods that use it have ids of their own, since the compiler never contracts. It is
+/// std::fma for floating point, and a b + c for exact scalars (the algebra tests), which do not round.
+template <class Scalar>
+Scalar fused(const Scalar& a, const Scalar& b, const Scalar& c) {
+  if constexpr (std::floating_point<Scalar>)
+    return std::fma(a, b, c);
+  else if constexpr (HasFused<Scalar>)
+    return a.fused(b, c);
+  else
+    return a * b + c;
+}
 
 /// value + error = the exact result; |error| <= u |value|.
 template <class Scalar>

@@ -9,13 +9,13 @@
 
 namespace bezierbench {
 
-/// `Entry::of<Method, dimension>()` for each method of the roster, in its order; for dimensions 1 to 3.
+/// `MakeKernel::of<Method, dimension>()` for each method of the roster, in its order; for dimensions 1 to 3.
 /// All dimensions are instantiated where this is called: kernels stay in the translation unit of their problem.
-template <class Kernel, class Entry, class... Methods>
+template <class Kernel, class MakeKernel, class... Methods>
 std::span<const Kernel> kernels_of(TypeList<Methods...> /*roster*/, int dimension) {
-  static constexpr std::array line{Entry::template of<Methods, 1>()...};
-  static constexpr std::array plane{Entry::template of<Methods, 2>()...};
-  static constexpr std::array space{Entry::template of<Methods, 3>()...};
+  static constexpr std::array line{MakeKernel::template of<Methods, 1>()...};
+  static constexpr std::array plane{MakeKernel::template of<Methods, 2>()...};
+  static constexpr std::array space{MakeKernel::template of<Methods, 3>()...};
   switch (dimension) {
     case 1: return line;
     case 2: return plane;

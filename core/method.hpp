@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 #include "core/curve_view.hpp"
 
 namespace bezierbench {

@@ -17,11 +17,11 @@ constexpr double smallest_t = 0x1p-100;  ///< below this the low part of the rat
 constexpr double smallest_magnitude = 0x1p-600;
 constexpr double largest_magnitude = 0x1p+1000;
 constexpr double smallest_weight = 0x1p-400;
-constexpr int weight_exponent = 200;          ///< of the largest weight
-constexpr int coefficient_exponent = 600;     ///< of the largest coefficient, where the degree allows it
-constexpr int term_exponent = 1000;           ///< of the largest sum of terms
-constexpr double least_of_weights = 0x1p-40;  ///< |D'| / Q
-constexpr int of_quotient = 16;               ///< its error, as pair.hpp has it
+constexpr int weight_exponent = 200;       ///< of the largest weight
+constexpr int coefficient_exponent = 600;  ///< of the largest coefficient, where the degree allows it
+constexpr int term_exponent = 1000;        ///< of the largest sum of terms
+constexpr double min_weight = 0x1p-40;     ///< |D'| / Q
+constexpr int quotient_error = 16;         ///< its error, as pair.hpp has it
 
 /// The factor that the header proves, and one unit for underflow; a relative margin of 2^-20 covers the second order.
 double error_factor(Form form, int n) {
@@ -34,8 +34,8 @@ int binomial_exponent(int n) { return n - n / 2; }
 
 double largest_coefficient(Form form, int n) {
   if (form == Form::power) return std::ldexp(1.0, coefficient_exponent);
-  const int of_weights = form == Form::rational ? weight_exponent : 0;
-  return std::ldexp(1.0, std::min(coefficient_exponent, term_exponent - of_weights - binomial_exponent(n)));
+  const int weight_bits = form == Form::rational ? weight_exponent : 0;
+  return std::ldexp(1.0, std::min(coefficient_exponent, term_exponent - weight_bits - binomial_exponent(n)));
 }
 
 bool is_moderate_weight(double weight) {
@@ -284,14 +284,14 @@ void CertifiedPoints::divide_by_weights() {
       largest[lane] = larger(largest[lane], std::abs(next.high));
     }
   }
-  const double more = of_quotient / error_factor(form_, degree_);
+  const double more = quotient_error / error_factor(form_, degree_);
   for (std::size_t lane = 0; lane < Count; ++lane) {
     const double divisor = std::abs(weight_sums_.high[lane]);
     const double weights = weight_magnitudes_[lane];
-    const double of_terms = magnitude_[lane] / divisor;
-    smallest_[lane] = smaller(smaller(smallest_[lane], weights), of_terms);
-    smallest_[lane] = divisor >= least_of_weights * weights ? smallest_[lane] : 0;
-    magnitude_[lane] = of_terms * (1 + more) + largest[lane] * (weights / divisor);
+    const double magnitude = magnitude_[lane] / divisor;
+    smallest_[lane] = smaller(smaller(smallest_[lane], weights), magnitude);
+    smallest_[lane] = divisor >= min_weight * weights ? smallest_[lane] : 0;
+    magnitude_[lane] = magnitude * (1 + more) + largest[lane] * (weights / divisor);
   }
 }
 

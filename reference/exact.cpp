@@ -9,7 +9,7 @@
 namespace bezierbench::reference {
 namespace {
 
-void require_finite(const CurveView<double>& curve, double t) {
+void require_finite_curve(const CurveView<double>& curve, double t) {
   const auto finite = [](double value) { return std::isfinite(value); };
   if (!std::isfinite(t) || !std::ranges::all_of(curve.coefficients, finite) ||
       !std::ranges::all_of(curve.weights, finite))
@@ -19,7 +19,7 @@ void require_finite(const CurveView<double>& curve, double t) {
 /// Calls use(axis, point) with the exact point of each coordinate as a curve of its own, so that any dimension will do.
 template <class Use>
 void each_axis(const CurveView<double>& curve, double t, const Use& use) {
-  require_finite(curve, t);
+  require_finite_curve(curve, t);
   ExactCurve exact;
   std::vector<double> coefficients(static_cast<std::size_t>(curve.degree) + 1);
   for (int axis = 0; axis < curve.dimension; ++axis) {

@@ -36,9 +36,9 @@ struct ExactInput {
       for (const auto coordinate : point) coefficients.push_back(static_cast<double>(coordinate));
   }
   template <WeightsOf<Points> Weights>
-  ExactInput(const Points& points, const Weights& of_points) : ExactInput(points) {
-    require_weights(points, of_points);
-    for (const auto weight : of_points) weights.push_back(static_cast<double>(weight));
+  ExactInput(const Points& points, const Weights& point_weights) : ExactInput(points) {
+    require_weights(points, point_weights);
+    for (const auto weight : point_weights) weights.push_back(static_cast<double>(weight));
   }
 
   [[nodiscard]] CurveView<double> view(Form form) const {

@@ -15,7 +15,7 @@ namespace {
 constexpr int expansion_bits = 3 * 53;
 
 /// floor(log2 |x|) of a normal number, read from its bits.
-int binary_exponent(double x) { return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52U) & 0x7ffU) - 1023; }
+int floor_log2(double x) { return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52U) & 0x7ffU) - 1023; }
 
 /// 2^e for -1022 <= e <= 1023.
 double power_of_two(int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52U); }
@@ -76,8 +76,8 @@ double ulp_of_length(const ExactPoint& point, double length, const Format& forma
   if (const auto decided = ulp_at_length(length, format)) return *decided;
   ExactPoint origin;
   origin.dimension = point.dimension;
-  const long of_square = floor_log2(squared_distance(point, origin));
-  return spacing(of_square >= 0 ? of_square / 2 : (of_square - 1) / 2, format);
+  const long square_exponent = floor_log2(squared_distance(point, origin));
+  return spacing(square_exponent >= 0 ? square_exponent / 2 : (square_exponent - 1) / 2, format);
 }
 
 Distance::Distance(const ExactPoint& exact) : exact_(&exact) {
@@ -130,7 +130,7 @@ Distance::Expansion Distance::expand(const mpz_class& numerator, const mpz_class
   const auto lower = fast_two_sum(chunk[1], chunk[2]);
   const auto upper = fast_two_sum(chunk[0], lower.value);
   const auto rest = fast_two_sum(upper.error, lower.error);
-  const int scale = binary_exponent(upper.value) + 1;
+  const int scale = floor_log2(upper.value) + 1;
   result.high = upper.value * power_of_two(-scale);
   result.middle = rest.value * power_of_two(-scale);
   result.low = rest.error * power_of_two(-scale);
@@ -148,7 +148,7 @@ Distance::Difference Distance::difference(double value, const Expansion& expansi
   result.exponent = expansion.exponent;
   double scaled = 0;
   if (value != 0) {
-    const long apart = binary_exponent(value) - expansion.exponent;
+    const long apart = floor_log2(value) - expansion.exponent;
     const bool safe = std::abs(apart) < safe_exponent && std::abs(expansion.exponent) < safe_exponent;
     if (!safe) {
       result.certain = false;
@@ -174,7 +174,7 @@ double Distance::to(std::span<const double> point) const {
   for (std::size_t axis = 0; axis < point.size(); ++axis) {
     auto& d = differences[axis] = difference(point[axis], expansions_[axis]);
     if (!d.certain) return exact_distance(point);
-    if (d.value != 0) largest = std::max(largest, d.exponent + binary_exponent(d.value));
+    if (d.value != 0) largest = std::max(largest, d.exponent + floor_log2(d.value));
   }
   if (largest == std::numeric_limits<long>::min()) return 0;
   if (std::abs(largest) > safe_exponent) return exact_distance(point);
@@ -182,7 +182,7 @@ double Distance::to(std::span<const double> point) const {
   for (std::size_t axis = 0; axis < point.size(); ++axis) {
     const auto& d = differences[axis];
     const long by = d.exponent - largest;
-    if (d.value == 0 || by + binary_exponent(d.value) < -safe_exponent / 2) continue;  // too small to change the sum
+    if (d.value == 0 || by + floor_log2(d.value) < -safe_exponent / 2) continue;  // too small to change the sum
     if (std::abs(by) > safe_exponent) return exact_distance(point);
     const double scaled = d.value * power_of_two(static_cast<int>(by));
     sum += scaled * scaled;

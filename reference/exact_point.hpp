@@ -56,7 +56,7 @@ class Distance {
   [[nodiscard]] double to(std::span<const double> point) const;
 
   /// The distance from the origin, rounded likewise.
-  [[nodiscard]] double of_origin(int dimension) const {
+  [[nodiscard]] double to_origin(int dimension) const {
     return to(std::span(origin).first(static_cast<std::size_t>(dimension)));
   }
 

@@ -14,7 +14,7 @@ namespace {
 
 double ulp_at(const std::vector<double>& coordinates, const Format& format) {
   const ExactPoint point = exactly(coordinates);
-  const double length = Distance(point).of_origin(point.dimension);
+  const double length = Distance(point).to_origin(point.dimension);
   return ulp_of_length(point, length, format);
 }
 

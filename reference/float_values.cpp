@@ -15,7 +15,7 @@ constexpr float near_zero_to = 0x1p-8F;
 constexpr double margin = 1 + 0x1p-20;
 constexpr double unit = 0x1p-53;
 constexpr double underflow = 0x1p-1000;
-constexpr double least_normal = 0x1p-126;
+constexpr double min_normal = 0x1p-126;
 constexpr float allowed = 0x1p-20F;  ///< error of a value, in its ulp
 constexpr std::int64_t exponent_bias = 1023;
 constexpr std::int64_t fraction_bits = 23;
@@ -83,11 +83,11 @@ FloatValuesOf::FloatValuesOf(std::span<const float> control_points)
       power_(power_coefficients(control_points_)),
       scaled_(with_binomials(control_points_)),
       pairs_(Form::bernstein, 1, static_cast<int>(control_points.size()) - 1) {
-  if (control_points.size() > most_control_points) throw std::invalid_argument("the degree is above 100");
+  if (control_points.size() > max_control_points) throw std::invalid_argument("the degree is above 100");
   const auto n = static_cast<double>(control_points.size() - 1);
   power_factor_ = (2 * n + 2) * unit * margin;
   scaled_factor_ = (3 * n + 5) * unit * margin;
-  if (std::any_of(power_.begin() + 1, power_.end(), [](double q) { return q != 0; })) least_error_ = underflow;
+  if (std::any_of(power_.begin() + 1, power_.end(), [](double q) { return q != 0; })) min_error_ = underflow;
   constexpr double splitter = 0x1p24 + 1;  // keeps the leading 29 bits ([Dekker 1971]); 24 more are those of t
   if (power_.size() < 2 || power_[0] != 0) return;
   const double shifted = power_[1] * splitter;
@@ -115,7 +115,7 @@ void FloatValuesOf::near_zero(std::span<const float> t, std::size_t count) {
       difference_[k] *= at;
       magnitude_[k] *= at;
     }
-  for (std::size_t k = 0; k < count; ++k) error_[k] = power_factor_ * magnitude_[k] + least_error_;
+  for (std::size_t k = 0; k < count; ++k) error_[k] = power_factor_ * magnitude_[k] + min_error_;
 }
 
 void FloatValuesOf::elsewhere(std::span<const float> t, std::size_t first) {
@@ -156,8 +156,8 @@ void FloatValuesOf::decide(std::size_t count, FloatValues& values) {
     const double low = odd_sum(bases[k], difference - bound);
     const double high = odd_sum(bases[k], difference + bound);
     // Of different signs are only values that round to 0, below all normal floats.
-    const auto exponent = exponent_of(larger(std::abs(low), least_normal));
-    const bool one_binade = exponent == exponent_of(larger(std::abs(high), least_normal));
+    const auto exponent = exponent_of(larger(std::abs(low), min_normal));
+    const bool one_binade = exponent == exponent_of(larger(std::abs(high), min_normal));
     const double per_ulp = power_of_two(fraction_bits - exponent);
     lows[k] = low;
     highs[k] = high;
@@ -208,17 +208,17 @@ void FloatValuesOf::decide_rest(std::span<const float> t, FloatValues& values) {
     std::ranges::copy(points.high[0], base_.begin());
     std::ranges::copy(points.low[0], difference_.begin());
     std::ranges::copy(points.error, error_.begin());
-    decide(certified_lanes, of_pairs_);
+    decide(certified_lanes, pair_values_);
     for (std::size_t lane = 0; lane < certified_lanes && first + lane < left_.size(); ++lane) {
       const std::size_t place = left_[first + lane];
       if (undecided_[lane] != 0) {
         decide_exactly(t[place], place, values);
         continue;
       }
-      values.nearest[place] = of_pairs_.nearest[lane];
-      values.rest[place] = of_pairs_.rest[lane];
-      values.scale[place] = of_pairs_.scale[lane];
-      values.scale_too[place] = of_pairs_.scale_too[lane];
+      values.nearest[place] = pair_values_.nearest[lane];
+      values.rest[place] = pair_values_.rest[lane];
+      values.scale[place] = pair_values_.scale[lane];
+      values.scale_too[place] = pair_values_.scale_too[lane];
     }
   }
 }

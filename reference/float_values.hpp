@@ -36,7 +36,7 @@ struct FloatValues {
 
 class FloatValuesOf {
  public:
-  static constexpr std::size_t most_control_points = 101;
+  static constexpr std::size_t max_control_points = 101;
 
   /// The control points, all finite. Throws std::invalid_argument for none, and for more than the bounds above allow.
   explicit FloatValuesOf(std::span<const float> control_points);
@@ -68,7 +68,7 @@ class FloatValuesOf {
   std::vector<double> scaled_;  ///< C(n,i) b_i
   double power_factor_ = 0;     ///< of the error, as above
   double scaled_factor_ = 0;    ///< likewise
-  double least_error_ = 0;      ///< for underflow; 0 where the curve is a constant
+  double min_error_ = 0;        ///< for underflow; 0 where the curve is a constant
   bool exact_head_ = false;     ///< b_0 = 0, and q_1 t is exact
   alignas(64) Doubles base_{};  ///< p = base + difference, within error
   alignas(64) Doubles difference_{};
@@ -77,7 +77,7 @@ class FloatValuesOf {
   alignas(64) Doubles magnitude_{};  ///< sum of magnitudes; then 1/ulp
   alignas(64) Doubles error_{};      ///< of the value; then in ulp, rounded, and 1 where the ulp is not known
   alignas(64) std::array<std::int32_t, float_values_at_once> undecided_{};
-  FloatValues of_pairs_{};
+  FloatValues pair_values_{};
   std::vector<std::size_t> left_;
   CertifiedPoints pairs_;
   ExactCurve exact_;

@@ -11,7 +11,7 @@ namespace {
 
 struct Case {
   std::vector<float> control_points;
-  std::uint64_t most_left_by_doubles;  ///< of about 36,000 values
+  std::uint64_t max_left_by_doubles;  ///< of about 36,000 values
 };
 
 /// Curves that begin or end at 0 or at a power of two, cross 0, go through many binades, are constant, or have tiny or
@@ -50,7 +50,7 @@ std::vector<std::vector<float>> parameters() {
 }
 
 TEST(FloatValues, AreThoseOfTheIntegers) {
-  for (const auto& [control_points, most_left] : cases()) {
+  for (const auto& [control_points, max_left] : cases()) {
     FloatValuesOf values_of(control_points);
     const std::vector<double> coefficients(control_points.begin(), control_points.end());
     const CurveView<double> curve{Form::bernstein, 1, static_cast<int>(coefficients.size()) - 1, coefficients};
@@ -71,7 +71,7 @@ TEST(FloatValues, AreThoseOfTheIntegers) {
         ASSERT_NEAR(double{values.rest[k]}, in_ulp, 0x1p-19);
       }
     }
-    EXPECT_LE(values_of.left_by_doubles(), most_left) << coefficients.size() << " points from " << coefficients.front();
+    EXPECT_LE(values_of.left_by_doubles(), max_left) << coefficients.size() << " points from " << coefficients.front();
   }
 }
 

@@ -14,24 +14,28 @@ from pathlib import Path
 TABLE = {
     "core": ([], ["Eigen", "Highway"]),
     "reference": (["core/curve_view.hpp", "core/api/control_points.hpp", "core/error_free.hpp"], ["Boost.Multiprecision", "GMP/MPFR", "Highway"]),
+    "reference/error": (
+        ["reference", "core/bound", "core/vector/lane_choice.hpp", "core/powers.hpp", "core/curve_view.hpp"],
+        [],
+    ),
     "experiments": ([], []),
     "experiments/number": ([], []),
     "experiments/suite": (["core/curve_view.hpp", "core/method.hpp"], ["toml++"]),
     "experiments/sample": (["experiments/suite", "core/curve_view.hpp"], ["Random123"]),
-    "experiments/metric": (["reference", "core/curve_view.hpp", "core/basis"], ["Boost.Math"]),
+    "experiments/metric": (["reference", "core/curve_view.hpp", "core/bound", "core/vector", "core/powers.hpp", "core/factorial.hpp"], ["Boost.Math"]),
     "experiments/requirements": (["core/evaluate", "core/curve_view.hpp", "core/method.hpp", "experiments/metric", "reference"], []),
     "experiments/judge": (
         ["core", "reference", "experiments/suite", "experiments/sample", "experiments/metric"],
         [],
     ),
     "experiments/race": (
-        ["core", "experiments/suite", "experiments/sample", "experiments/metric", "experiments/judge"],
+        ["core", "reference/error", "experiments/suite", "experiments/sample", "experiments/metric", "experiments/judge"],
         ["Google Benchmark"],
     ),
     "experiments/guarantees": (["core", "reference", "experiments/sample", "experiments/judge/workspace.hpp"], []),
     "experiments/bundle": ([], ["nlohmann/json", "OpenSSL"]),
     "experiments/tables": (
-        ["reference/published", "experiments/suite", "experiments/sample", "experiments/bundle", "experiments/metric"],
+        ["reference/published", "reference/error", "experiments/suite", "experiments/sample", "experiments/bundle", "experiments/metric"],
         [],
     ),
     "experiments/compare": (["experiments/bundle", "experiments/tables", "experiments/metric"], ["Boost.Math"]),
@@ -54,7 +58,7 @@ TABLE = {
     ),
     "experiments/cli": (["core", "reference", "experiments"], ["CLI11"]),
     "experiments/programs": (["core", "reference", "experiments"], []),
-    "bindings": (["core", "reference", "experiments/metric", "experiments/number"], ["GMP/MPFR"]),
+    "bindings": (["core", "reference"], ["GMP/MPFR"]),
     "experiments/examples": ([], ["bezierbench"]),  # what users of the installed package write
 }
 
@@ -81,12 +85,12 @@ ADDITIONS = [
     (r"experiments/metric/scale_lanes", "core/batch/lanes.hpp", "formulas over a double run on many lanes as well"),
     (r"experiments/race/timed_check", "reference/exact_curve.hpp", "a method is checked against the truth, then timed"),
     (r"experiments/judge/", "experiments/peers/peers.hpp", "methods of other libraries are judged as ours are"),
-    (r"experiments/peers/", "core/evaluate/kernel.hpp", "a peer is handed over as what the harness sees of any method"),
-    (r"experiments/outside/", "core/evaluate/kernel.hpp", "code from outside is handed over as what the harness sees"),
-    (r"experiments/outside/harness", "core/evaluate/kernel_of.hpp", "a method of a user's program becomes a kernel as ours do"),
+    (r"experiments/peers/", "core/evaluate/kernel/kernel.hpp", "a peer is handed over as what the harness sees of any method"),
+    (r"experiments/outside/", "core/evaluate/kernel/kernel.hpp", "code from outside is handed over as what the harness sees"),
+    (r"experiments/outside/harness", "core/evaluate/kernel/kernel_of.hpp", "a method of a user's program becomes a kernel as ours do"),
     (r"experiments/peers/", "core/arc_length/kernel.hpp", "likewise"),
     (r"experiments/peers/", "core/project/kernel.hpp", "likewise"),
-    (r"experiments/peers/", "core/evaluate/kernel_of.hpp", "an adapter becomes a kernel by the step that our methods take"),
+    (r"experiments/peers/", "core/evaluate/kernel/kernel_of.hpp", "an adapter becomes a kernel by the step that our methods take"),
 ]
 
 # The first prefix that matches names the package.

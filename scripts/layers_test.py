@@ -11,10 +11,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import layers  # noqa: E402
 
 ALLOWED = [
-    ("core/evaluate/horner.hpp", '#include "core/method.hpp"'),
-    ("core/evaluate/horner.hpp", "#include <Eigen/Core>"),
-    ("core/evaluate/horner.hpp", "#include <cmath>"),
-    ("core/evaluate/horner.hpp", "// #include <iostream>"),
+    ("core/evaluate/methods/horner.hpp", '#include "core/method.hpp"'),
+    ("core/evaluate/methods/horner.hpp", "#include <Eigen/Core>"),
+    ("core/evaluate/methods/horner.hpp", "#include <cmath>"),
+    ("core/evaluate/methods/horner.hpp", "// #include <iostream>"),
     ("core/convert/exact.hpp", "#include <boost/multiprecision/cpp_int.hpp>"),
     ("reference/exact.cpp", '#include "core/curve_view.hpp"'),
     ("reference/exact.cpp", '#include "reference/exact.hpp"'),
@@ -23,13 +23,13 @@ ALLOWED = [
     ("experiments/suite/parse.cpp", '#include "experiments/failure.hpp"'),
     ("experiments/bundle/write.cpp", "#include <openssl/evp.h>"),
     ("experiments/bundle/write.cpp", "#include <unistd.h>"),
-    ("experiments/metric/error.cpp", '#include "core/basis/amplification.hpp"'),
+    ("experiments/metric/error.cpp", '#include "core/bound/amplification.hpp"'),
     ("experiments/studies/accuracy/accuracy.cpp", '#include "experiments/bundle/bundle.hpp"'),
     ("experiments/studies/accuracy/accuracy.cpp", "#include <tbb/parallel_for.h>"),
     ("experiments/cli/main.cpp", '#include "experiments/studies/accuracy/accuracy.hpp"'),
     ("experiments/cli/main.cpp", "#include <fmt/format.h>"),
     ("experiments/cli/commands/doctor.cpp", '#include "build_facts.hpp"'),
-    ("bindings/c/exact.cpp", '#include "experiments/metric/coordinate_error.hpp"'),
+    ("bindings/c/exact.cpp", '#include "reference/error/coordinate_error.hpp"'),
     ("core/evaluate/horner_test.cpp", "#include <iostream>"),
     ("core/evaluate/evaluation_test.hpp", "#include <random>"),
     ("core/evaluate/horner_test.cpp", '#include "experiments/cli/run.hpp"'),
@@ -37,26 +37,27 @@ ALLOWED = [
 
 FORBIDDEN = [
     # a folder further down the pipeline
-    ("core/evaluate/horner.hpp", '#include "reference/exact.hpp"'),
-    ("core/evaluate/horner.hpp", '#include "experiments/failure.hpp"'),
+    ("core/evaluate/methods/horner.hpp", '#include "reference/exact.hpp"'),
+    ("core/evaluate/methods/horner.hpp", '#include "experiments/failure.hpp"'),
     ("reference/exact.hpp", '#include "experiments/failure.hpp"'),
     ("experiments/suite/parse.cpp", '#include "experiments/sample/sample.hpp"'),
     ("experiments/bundle/write.cpp", '#include "experiments/suite/suite.hpp"'),
     ("experiments/metric/error.cpp", '#include "experiments/suite/suite.hpp"'),
     ("experiments/studies/accuracy/accuracy.cpp", '#include "experiments/cli/options.hpp"'),
-    ("bindings/c/exact.cpp", '#include "experiments/bundle/bundle.hpp"'),
+    ("bindings/c/exact.cpp", '#include "experiments/metric/tally.hpp"'),
+    ("reference/exact.hpp", '#include "core/bound/error_bound.hpp"'),
     ("experiments/judge/judge.cpp", '#include "bindings/c/curve.hpp"'),
     # the right folder, the wrong file
-    ("reference/exact.hpp", '#include "core/evaluate/horner.hpp"'),
+    ("reference/exact.hpp", '#include "core/evaluate/methods/horner.hpp"'),
     ("reference/exact.hpp", '#include "core/curve.hpp"'),
     ("experiments/suite/parse.cpp", '#include "core/evaluate/roster.hpp"'),
     # other spellings of a path: with dots, angle brackets, blanks
-    ("reference/exact.hpp", '#include "reference/../core/evaluate/horner.hpp"'),
-    ("reference/exact.hpp", "#include <core/evaluate/horner.hpp>"),
-    ("reference/exact.hpp", '  #  include   "core/evaluate/horner.hpp"'),
+    ("reference/exact.hpp", '#include "reference/../core/evaluate/methods/horner.hpp"'),
+    ("reference/exact.hpp", "#include <core/evaluate/methods/horner.hpp>"),
+    ("reference/exact.hpp", '  #  include   "core/evaluate/methods/horner.hpp"'),
     # a path that does not begin at the root
-    ("core/evaluate/horner.hpp", '#include "curve.hpp"'),
-    ("core/evaluate/horner.hpp", '#include "../curve.hpp"'),
+    ("core/evaluate/methods/horner.hpp", '#include "curve.hpp"'),
+    ("core/evaluate/methods/horner.hpp", '#include "../curve.hpp"'),
     ("experiments/bundle/write.cpp", '#include "build_facts.hpp"'),
     # impure headers in core
     *[("core/curve.hpp", f"#include <{header}>") for header in "iostream fstream cstdio chrono random thread".split()],

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bindings/c/chosen.hpp"
-#include "core/evaluate/kernel.hpp"
-#include "experiments/metric/coordinate_error.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
+#include "reference/error/coordinate_error.hpp"
 #include "reference/exact_curve.hpp"
 
 using namespace bezierbench;
@@ -16,7 +16,7 @@ namespace {
 /// The bounds at every t of a curve in double, whose values may be those of floats. Throws Refused where there are none.
 template <class Scalar>
 void write_bounds(const MethodInfo& info, const CurveView<double>& curve, std::span<const Scalar> ts,
-                  const metric::Arithmetic& arithmetic, bb_bound* bounds) {
+                  const reference::Arithmetic& arithmetic, bb_bound* bounds) {
   c::require(info.bound.has_value(), BB_ERROR_NO_BOUND);
   if (ts.empty()) return;
   c::require_pointers(bounds);
@@ -27,8 +27,9 @@ void write_bounds(const MethodInfo& info, const CurveView<double>& curve, std::s
     c::require(truth.exists(), BB_ERROR_NO_POINT);
     const auto& p_tilde = exact.p_tilde(curve, at);
     for (int axis = 0; axis < curve.dimension; ++axis) {
-      const double bound = metric::coordinate_bound(*info.bound, curve, axis, at, truth.coordinate(axis), arithmetic);
-      const auto units = metric::bound_units(bound, p_tilde.coordinate(axis), arithmetic);
+      const double bound =
+          reference::coordinate_bound(*info.bound, curve, axis, at, truth.coordinate(axis), arithmetic);
+      const auto units = reference::bound_units(bound, p_tilde.coordinate(axis), arithmetic);
       result.push_back({bound, units.value_or(std::numeric_limits<double>::infinity())});
     }
   }
@@ -41,7 +42,7 @@ int bb_curve_bound(const char* method, const bb_curve* curve, const double* t, s
   return c::guarded([&] {
     const auto view = c::curve_of(curve);
     const auto& info = *c::chosen(kernels<double>(view.dimension), method, view).info;
-    write_bounds(info, view, c::parameters(info, t, count), metric::double_arithmetic, bounds);
+    write_bounds(info, view, c::parameters(info, t, count), reference::double_arithmetic, bounds);
   });
 }
 
@@ -52,6 +53,6 @@ int bb_bound_float(const char* method, int dimension, int degree, const float* p
     const auto& info = *c::chosen(kernels<float>(dimension), method, view).info;
     const std::vector<double> values(view.coefficients.begin(), view.coefficients.end());
     write_bounds(info, {Form::bernstein, dimension, degree, values}, c::parameters(info, t, count),
-                 metric::float_arithmetic, bounds);
+                 reference::float_arithmetic, bounds);
   });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Points by a method.
 #include "bindings/c/chosen.hpp"
-#include "core/evaluate/prepared_state.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 
 using namespace bezierbench;
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bindings/c/curve.hpp"
-#include "experiments/metric/coordinate_error.hpp"
+#include "reference/error/coordinate_error.hpp"
 #include "reference/exact_curve.hpp"
 
 using namespace bezierbench;
@@ -98,7 +98,7 @@ int bb_curve_error(const bb_curve* curve, const double* t, std::size_t count, co
       const auto& p_tilde = exact.p_tilde(view, at);
       for (int axis = 0; axis < view.dimension; ++axis) {
         const auto judged =
-            metric::coordinate_error(values[result.size()], truth.coordinate(axis), p_tilde.coordinate(axis));
+            reference::coordinate_error(values[result.size()], truth.coordinate(axis), p_tilde.coordinate(axis));
         result.push_back({judged.exact, judged.error, judged.error_ulp, judged.error_u});
       }
     }

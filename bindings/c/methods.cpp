@@ -8,7 +8,7 @@
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "core/derivative/kernel.hpp"
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "core/fit/kernel.hpp"
 #include "core/grid/kernel.hpp"
 #include "core/project/kernel.hpp"

@@ -3,7 +3,7 @@
 
 #include <new>
 
-#include "experiments/number/floating_point.hpp"
+#include "core/api/floating_point_faults.hpp"
 #include "reference/length/length_panels.hpp"
 
 namespace bezierbench::c {
@@ -32,7 +32,7 @@ bb_status status_of_exception() noexcept {
   }
 }
 
-bool computes_in_ieee_754() { return number::floating_point_faults().empty(); }
+bool computes_in_ieee_754() { return floating_point_faults().empty(); }
 
 }  // namespace bezierbench::c
 

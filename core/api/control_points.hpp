@@ -51,7 +51,7 @@ concept WeightsOf =
 
 /// The number of points that the type says, or std::dynamic_extent.
 template <ControlPoints Points>
-inline constexpr std::size_t points_of = decltype(std::span(std::declval<const Points&>()))::extent;
+inline constexpr std::size_t fixed_count = decltype(std::span(std::declval<const Points&>()))::extent;
 
 /// The degree of the curve with these points. Throws std::invalid_argument unless it is within `lowest` .. `highest`.
 template <ControlPoints Points>

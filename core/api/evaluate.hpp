@@ -18,7 +18,7 @@
 
 #include "core/api/control_points.hpp"
 #include "core/api/recommended.hpp"
-#include "core/basis/amplification.hpp"
+#include "core/bound/amplification.hpp"
 #include "core/convert/roster.hpp"
 #include "core/evaluate/roster.hpp"
 #include "core/evaluate/via.hpp"
@@ -29,8 +29,9 @@ namespace detail {
 
 /// The degree that the type of the points says, or `dynamic`.
 template <ControlPoints Points>
-inline constexpr int fixed_degree = points_of<Points> == std::dynamic_extent ? dynamic
-                                                                             : static_cast<int>(points_of<Points>) - 1;
+inline constexpr int fixed_degree = fixed_count<Points> == std::dynamic_extent
+                                        ? dynamic
+                                        : static_cast<int>(fixed_count<Points>) - 1;
 
 template <class Points>
 inline constexpr int dimension_of_points = static_cast<int>(array_size<PointOf<Points>>);
@@ -170,7 +171,7 @@ PointOf<Points> evaluate(const Points& points, const Weights& weights,
 
 namespace detail {
 
-/// The bound of core/basis/error_bound.hpp on one axis, with |p| <= p~, raised by more than its own rounding.
+/// The bound of core/bound/error_bound.hpp on one axis, with |p| <= p~, raised by more than its own rounding.
 template <class Scalar>
 double bound_on_axis(const ErrorBound& bound, Form form, std::span<const double> magnitudes, double t) {
   constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/api/floating_point.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact.hpp"
 
 namespace bezierbench {
@@ -117,11 +117,11 @@ TEST(Evaluate, RefusesWhatIsNoCurve) {
   EXPECT_THROW(evaluate(quadratic, std::vector<double>{1, 1}, 0.5), std::invalid_argument);
 }
 
-/// The bound that studies hold errors to. metric::TrialScale computes it without the code of error_bound().
+/// The bound that studies hold errors to. reference::TrialScale computes it without the code of error_bound().
 double bound_of_harness(const MethodInfo& info, Form form, std::span<const double> coefficients, double t) {
-  metric::TrialScale scale;
+  reference::TrialScale scale;
   scale.set({form, 1, static_cast<int>(coefficients.size()) - 1, coefficients, {}}, t);
-  return scale.bound(*info.bound, metric::double_arithmetic);
+  return scale.bound(*info.bound, reference::double_arithmetic);
 }
 
 template <class Method>

@@ -18,10 +18,10 @@
 #include <concepts>
 #include <limits>
 
-#include "core/evaluate/de_casteljau.hpp"
 #include "core/evaluate/homogeneous.hpp"
-#include "core/evaluate/horner.hpp"
-#include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/methods/de_casteljau.hpp"
+#include "core/evaluate/methods/horner.hpp"
+#include "core/evaluate/methods/horner_bernstein.hpp"
 
 namespace bezierbench::detail {
 

@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-#include "core/arc_length/result.hpp"
+#include "core/arc_length/kernel.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 

@@ -73,11 +73,11 @@ class ChebyshevSeries {
     static_assert(Degree <= degree_limit);
     std::array<double, Degree + 1> squares{};
     for (int axis = 0; axis < Dimension; ++axis) {
-      std::array<std::array<double, Degree + 1>, Degree + 1> of_point;
-      for (std::size_t i = 0; i <= Degree; ++i) of_point[i][0] = h(axis, static_cast<int>(i));
+      std::array<std::array<double, Degree + 1>, Degree + 1> triangle;
+      for (std::size_t i = 0; i <= Degree; ++i) triangle[i][0] = h(axis, static_cast<int>(i));
       for (std::size_t level = 1; level <= Degree; ++level)
-        for (std::size_t i = 0; i + level <= Degree; ++i) combine(of_point[i], of_point[i + 1], level);
-      for (std::size_t k = 0; k <= Degree; ++k) squares[k] += of_point[0][k] * of_point[0][k];
+        for (std::size_t i = 0; i + level <= Degree; ++i) combine(triangle[i], triangle[i + 1], level);
+      for (std::size_t k = 0; k <= Degree; ++k) squares[k] += triangle[0][k] * triangle[0][k];
     }
     degree_ = Degree;
     for (std::size_t k = 0; k <= Degree; ++k) sizes_[k] = std::sqrt(squares[k]);

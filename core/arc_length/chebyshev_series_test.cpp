@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/arc_length/fixed_degree.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 
 namespace bezierbench {
 namespace {

@@ -20,7 +20,7 @@
 
 #include "core/arc_length/arc_length.hpp"
 #include "core/arc_length/points.hpp"
-#include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/methods/horner_bernstein.hpp"
 
 namespace bezierbench {
 

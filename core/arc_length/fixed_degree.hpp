@@ -10,17 +10,17 @@ namespace bezierbench {
 /// Calls measure(h), with the degree in the type of h up to 4, the hodographs of quintics.
 template <int Dimension, class Measure>
 auto with_fixed_degree(const Curve<Form::bernstein, double, Dimension>& hodograph, const Measure& measure) {
-  const auto of_degree = [&]<int Degree>() {
+  const auto with_degree = [&]<int Degree>() {
     Curve<Form::bernstein, double, Dimension, Degree> h(Degree);
     for (int i = 0; i <= Degree; ++i)
       for (int axis = 0; axis < Dimension; ++axis) h(axis, i) = hodograph(axis, i);
     return measure(h);
   };
   switch (hodograph.degree()) {
-    case 1: return of_degree.template operator()<1>();
-    case 2: return of_degree.template operator()<2>();
-    case 3: return of_degree.template operator()<3>();
-    case 4: return of_degree.template operator()<4>();
+    case 1: return with_degree.template operator()<1>();
+    case 2: return with_degree.template operator()<2>();
+    case 3: return with_degree.template operator()<3>();
+    case 4: return with_degree.template operator()<4>();
     default: return measure(hodograph);
   }
 }

@@ -25,7 +25,7 @@ namespace detail {
 
 /// A lower bound of |h| on [0, 1], trivial where it is 0 or less.
 template <int Dimension, int Degree>
-double least_size(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
+double min_size(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
   std::array<double, Dimension> mean{};
   for (int i = 0; i <= h.degree(); ++i)
     for (std::size_t axis = 0; axis < Dimension; ++axis) mean[axis] += h(static_cast<int>(axis), i);
@@ -48,7 +48,7 @@ FourthDerivative fourth_derivative(const Curve<Form::bernstein, double, Dimensio
   constexpr double u = 0x1p-53;
   const int m = h.degree();
   const double longest = longest_vector(h);
-  const double least = detail::least_size(h) - 4 * Dimension * u * longest;
+  const double least = detail::min_size(h) - 4 * Dimension * u * longest;
   if (!(least > 0)) return {};
   std::array<double, 5> derivatives{};  // largest sizes of h and its derivatives
   FourthDerivative result;

@@ -7,9 +7,9 @@
 #include "core/arc_length/part.hpp"
 #include "core/arc_length/roster.hpp"
 #include "core/arc_length/scale.hpp"
-#include "core/basis/binary_exponent.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 namespace {
@@ -36,18 +36,18 @@ ArcLength measure(const CurveView<double>& view, double from, double to, double 
   auto h = scaled.h;
   restrict_to(h, from, to);
   // The width is scaled, too: with a subnormal width, the products of the length and of its error underflow.
-  const int of_width = binary_exponent(to - from);
-  const double width = times_power_of_two(to - from, -of_width);
-  const double rounding_of_whole = rounding_of_part(scaled.h, h, from, to, of_width);
+  const int width_exponent = binary_exponent(to - from);
+  const double width = times_power_of_two(to - from, -width_exponent);
+  const double rounding_of_whole = rounding_of_part(scaled.h, h, from, to, width_exponent);
   const int exponent = normalise(h);
   const double rounding = times_power_of_two(rounding_of_whole, -exponent);
-  scaled.exponent += exponent + of_width;
+  scaled.exponent += exponent + width_exponent;
   // A part that is 0 after cutting may have a length, below the roundings.
   const ArcLength part = is_zero(h) ? ArcLength{.error_estimate = 0} : M::measure(h, tolerance);
   return unscaled(part, scaled, width, rounding, tolerance);
 }
 
-struct Entry {
+struct MakeKernel {
   template <ArcLengthMethod M, int Dimension>
   static constexpr ArcLengthKernel of() {
     return {&M::info, Dimension, measure<M, Dimension>};
@@ -65,7 +65,7 @@ double whole_length(const CurveView<double>& curve) {
 }
 
 std::span<const ArcLengthKernel> arc_length_kernels(int dimension) {
-  return kernels_of<ArcLengthKernel, Entry>(ArcLengthMethods{}, dimension);
+  return kernels_of<ArcLengthKernel, MakeKernel>(ArcLengthMethods{}, dimension);
 }
 
 std::span<const MethodInfo* const> arc_length_infos() { return infos_of(ArcLengthMethods{}); }

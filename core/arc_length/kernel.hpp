@@ -2,13 +2,22 @@
 // The methods for arc lengths behind function pointers.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <span>
 
-#include "core/arc_length/result.hpp"
 #include "core/curve_view.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench {
+
+/// A length, with the method's estimate of its error.
+struct ArcLength {
+  double length = 0;
+  double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< absolute; NaN if the method has none
+  std::int64_t evaluations = 0;                                      ///< of the speed or, for chords, the curve
+  bool converged = false;  ///< error_estimate is at most tolerance times the length
+};
 
 /// One method, for Bezier curves of one dimension.
 struct ArcLengthKernel {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/basis/binary_exponent.hpp"
 #include "core/curve.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 #include "core/curve.hpp"
 
 namespace bezierbench {

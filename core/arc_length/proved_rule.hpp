@@ -14,8 +14,7 @@
 #include <cstddef>
 
 #include "core/arc_length/chebyshev_series.hpp"
-#include "core/basis/binary_exponent.hpp"
-#include "core/basis/integer_power.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 
@@ -44,7 +43,7 @@ inline constexpr Ellipses ellipses = [] {
     table.half_axis[i] = (rho + 1 / rho) / 2;
     const double by_eight_points = integer_power(1 / rho, 16);
     double missed = 32.0 / 15 * (1 + 0x1p-20) / (1 - 1 / (rho * rho));
-    for (auto& of_rule : table.missed) of_rule[i] = missed *= by_eight_points;
+    for (auto& row : table.missed) row[i] = missed *= by_eight_points;
   }
   return table;
 }();

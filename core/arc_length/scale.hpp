@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/basis/binary_exponent.hpp"
 #include "core/curve.hpp"
 #include "core/derivative/hodograph.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 
@@ -27,18 +27,19 @@ int exponent_of_axis(const Curve<Form::bernstein, double, Dimension>& curve, int
   return binary_exponent(largest);
 }
 
-/// Multiplies each axis by 2^(of_axis - common), with `common` such that the largest coordinate of all is in [1/2, 1).
+/// Multiplies each axis by 2^(axis_exponents - common), with `common` such that the largest coordinate of all is in
+/// [1/2, 1).
 /// Returns `common`.
 template <int Dimension>
-int normalise(Curve<Form::bernstein, double, Dimension>& h, const std::array<int, Dimension>& of_axis) {
+int normalise(Curve<Form::bernstein, double, Dimension>& h, const std::array<int, Dimension>& axis_exponents) {
   int common = no_exponent;
   for (int axis = 0; axis < Dimension; ++axis)
     if (const int exponent = exponent_of_axis(h, axis); exponent != no_exponent)
-      common = std::max(common, exponent + of_axis[static_cast<std::size_t>(axis)]);
+      common = std::max(common, exponent + axis_exponents[static_cast<std::size_t>(axis)]);
   if (common == no_exponent) return 0;
   for (int axis = 0; axis < Dimension; ++axis)
     for (int i = 0; i <= h.degree(); ++i)
-      h(axis, i) = times_power_of_two(h(axis, i), of_axis[static_cast<std::size_t>(axis)] - common);
+      h(axis, i) = times_power_of_two(h(axis, i), axis_exponents[static_cast<std::size_t>(axis)] - common);
   return common;
 }
 
@@ -85,12 +86,12 @@ struct ScaledHodograph {
 template <int Dimension>
 ScaledHodograph<Dimension> scaled_hodograph(Curve<Form::bernstein, double, Dimension> curve) {
   std::array<int, Dimension> taken{};
-  const int of_differences = 1 + static_cast<int>(std::bit_width(static_cast<unsigned>(curve.degree())));
+  const int difference_bits = 1 + static_cast<int>(std::bit_width(static_cast<unsigned>(curve.degree())));
   for (int axis = 0; axis < Dimension; ++axis) {
     const int exponent = detail::exponent_of_axis(curve, axis);
-    if (exponent <= std::numeric_limits<double>::max_exponent - of_differences) continue;
-    for (int i = 0; i <= curve.degree(); ++i) curve(axis, i) = times_power_of_two(curve(axis, i), -of_differences);
-    taken[static_cast<std::size_t>(axis)] = of_differences;
+    if (exponent <= std::numeric_limits<double>::max_exponent - difference_bits) continue;
+    for (int i = 0; i <= curve.degree(); ++i) curve(axis, i) = times_power_of_two(curve(axis, i), -difference_bits);
+    taken[static_cast<std::size_t>(axis)] = difference_bits;
   }
   ScaledHodograph<Dimension> result(hodograph(curve, 1));
   result.exponent = detail::normalise<Dimension>(result.h, taken);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/basis/error_bound.hpp"
-#include "core/evaluate/horner_bernstein.hpp"
+#include "core/bound/error_bound.hpp"
+#include "core/evaluate/methods/horner_bernstein.hpp"
 
 namespace bezierbench {
 

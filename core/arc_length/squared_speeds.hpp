@@ -28,9 +28,9 @@ class SquaredSpeeds {
   Eight operator()(const Curve<Form::bernstein, double, Dimension, Degree>& h,
                    std::span<const double, count> parameters) {
     if constexpr (Degree == dynamic)
-      return of_any_degree(h, parameters);
+      return at_any_degree(h, parameters);
     else
-      return of_degree(h, parameters);
+      return at_fixed_degree(h, parameters);
   }
 
  private:
@@ -38,8 +38,8 @@ class SquaredSpeeds {
   using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
 
   template <int Degree>
-  static Eight of_degree(const Curve<Form::bernstein, double, Dimension, Degree>& h,
-                         std::span<const double, count> parameters) {
+  static Eight at_fixed_degree(const Curve<Form::bernstein, double, Dimension, Degree>& h,
+                               std::span<const double, count> parameters) {
     Eight result;
     for (std::size_t first = 0; first < count; first += 4) {
       Four t;
@@ -58,7 +58,7 @@ class SquaredSpeeds {
     return result;
   }
 
-  Eight of_any_degree(const Curve<Form::bernstein, double, Dimension>& h, std::span<const double, count> parameters) {
+  Eight at_any_degree(const Curve<Form::bernstein, double, Dimension>& h, std::span<const double, count> parameters) {
     const int m = h.degree();
     Eight s;
     Eight t;

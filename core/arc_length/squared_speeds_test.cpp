@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "core/arc_length/fixed_degree.hpp"
-#include "core/evaluate/de_casteljau.hpp"
 #include "core/evaluate/evaluation_test.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
+#include "core/evaluate/methods/de_casteljau.hpp"
 
 namespace bezierbench {
 namespace {

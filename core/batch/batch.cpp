@@ -160,7 +160,7 @@ BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel) {
     const auto& family = *table.families[entry.family];
     if (entry.place >= family.count) return {};
     const auto dimension = static_cast<std::size_t>(kernel.dimension) - (is_rational ? 0 : 1);
-    return {entry.parts[dimension], family.kernels[entry.place].of_dimension[dimension],
+    return {entry.parts[dimension], family.kernels[entry.place].by_dimension[dimension],
             is_rational ? table.divide : nullptr, kernel.dimension};
   }
   return {};
@@ -177,9 +177,9 @@ GroupKernel<Scalar> find_group(const Target& target, const Kernel<Scalar>& kerne
   const auto dimension = static_cast<std::size_t>(kernel.dimension) - 1;
   GroupKernel<Scalar> found;
   for (std::size_t k = 0; k < table.evaluator_count; ++k)
-    if (evaluators[k] == kernel.evaluator) found.evaluate = table.evaluators[k].of_dimension[dimension];
+    if (evaluators[k] == kernel.evaluator) found.evaluate = table.evaluators[k].by_dimension[dimension];
   for (std::size_t k = 0; k < conversions.size(); ++k)
-    if (conversions[k] == kernel.conversion) found.convert = table.conversions[k].of_dimension[dimension];
+    if (conversions[k] == kernel.conversion) found.convert = table.conversions[k].by_dimension[dimension];
   return found;
 }
 

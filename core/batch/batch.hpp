@@ -10,7 +10,7 @@
 
 #include "core/batch/operation_work.hpp"
 #include "core/batch/target_table.hpp"
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 
 namespace bezierbench::batch {
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/batch/batch_test.hpp"
-#include "core/evaluate/barycentric_chebyshev.hpp"
-#include "core/evaluate/barycentric_uniform.hpp"
+#include "core/evaluate/methods/barycentric_chebyshev.hpp"
+#include "core/evaluate/methods/barycentric_uniform.hpp"
 
 namespace bezierbench::batch {
 namespace {

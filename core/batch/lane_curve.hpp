@@ -5,12 +5,12 @@
 
 #include "core/batch/lanes.hpp"
 #include "core/batch/target_table.hpp"
-#include "core/evaluate/barycentric.hpp"
-#include "core/evaluate/correctly_rounded_pair.hpp"
-#include "core/evaluate/de_casteljau_fixed_point.hpp"
-#include "core/evaluate/direct.hpp"
-#include "core/evaluate/nearer_end.hpp"
-#include "core/evaluate/wozny_chudy_rational.hpp"
+#include "core/evaluate/methods/de_casteljau_fixed_point.hpp"
+#include "core/evaluate/methods/direct.hpp"
+#include "core/evaluate/methods/wozny_chudy_rational.hpp"
+#include "core/evaluate/schemes/barycentric.hpp"
+#include "core/evaluate/schemes/correctly_rounded_pair.hpp"
+#include "core/evaluate/schemes/nearer_end.hpp"
 
 namespace bezierbench {
 
@@ -163,16 +163,16 @@ struct EitherEnd {
 };
 
 template <class S, int Count, Curves Which, int Dimension, int Degree>
-HWY_INLINE EitherEnd<S, Count, Which, Dimension, Degree> seen(
+HWY_INLINE EitherEnd<S, Count, Which, Dimension, Degree> reversed_unless(
     const LaneMask<S, Count>& from_start, const ControlPoints<S, Count, Which, Dimension, Degree>& curve) {
   return {from_start, curve};
 }
 
 template <class S, int Count, Curves Which, int Dimension, int Degree>
-HWY_INLINE Lanes<S, Count, Which> counted(const LaneMask<S, Count>& from_start,
-                                          const ControlPoints<S, Count, Which, Dimension, Degree>& curve, int axis,
-                                          int i) {
-  return seen(from_start, curve)(axis, i);
+HWY_INLINE Lanes<S, Count, Which> from_nearer_end(const LaneMask<S, Count>& from_start,
+                                                  const ControlPoints<S, Count, Which, Dimension, Degree>& curve,
+                                                  int axis, int i) {
+  return reversed_unless(from_start, curve)(axis, i);
 }
 
 }  // namespace batch::HWY_NAMESPACE

@@ -6,7 +6,7 @@
 
 #include "core/batch/lane_curve.hpp"
 #include "core/batch/lane_memory.hpp"
-#include "core/evaluate/estrin.hpp"
+#include "core/evaluate/methods/estrin.hpp"
 
 namespace bezierbench::batch::HWY_NAMESPACE {
 

@@ -13,8 +13,8 @@
 
 #include "core/batch/lane_curve.hpp"
 #include "core/batch/lane_memory.hpp"
-#include "core/evaluate/compensated_triangle.hpp"
-#include "core/evaluate/de_casteljau_farin.hpp"
+#include "core/evaluate/methods/de_casteljau_farin.hpp"
+#include "core/evaluate/schemes/compensated_triangle.hpp"
 
 namespace bezierbench::batch::HWY_NAMESPACE {
 

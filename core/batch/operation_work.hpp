@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/evaluate/operations.hpp"
+#include "core/operations/operations.hpp"
 
 namespace bezierbench::batch {
 

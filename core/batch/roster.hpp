@@ -11,7 +11,7 @@
 #include "core/convert/forward_substitution.hpp"
 #include "core/convert/positive_sum.hpp"
 #include "core/convert/triangle.hpp"
-#include "core/evaluate/family.hpp"
+#include "core/evaluate/kernel/family.hpp"
 #include "core/evaluate/roster.hpp"
 
 namespace bezierbench::batch {
@@ -51,7 +51,7 @@ struct OneCurve : EntryT {
 /// Whether a kernel for one axis evaluates all axes in turn. It does for triangles, whose axes share only t.
 template <class Evaluator>
 inline constexpr bool axis_by_axis =
-    PreparesNothing<Evaluator>&& instantiate::family_of(Evaluator::info) == instantiate::Family::triangle;
+    PreparesNothing<Evaluator>&& instantiate::family_of(Evaluator::info) == instantiate::KernelFamily::triangle;
 
 /// A triangle has a vector for each level of a sweep.
 template <class EvaluatorT>

@@ -114,12 +114,12 @@ void evaluate_all(const Parts<S>& parts, const S* t, std::size_t count, S* point
 }
 
 /// Evaluates one axis after the other; the coefficients of each are copied into a row first.
-template <class S, int Dimension, Evaluate<S> of_one_axis>
+template <class S, int Dimension, Evaluate<S> evaluate_axis>
 void evaluate_each_axis(const Parts<S>& parts, const S* t, std::size_t count, S* points) {
   S coefficients[max_degree + 1];
   for (int axis = 0; axis < Dimension; ++axis, points += count) {
     for (int i = 0; i <= parts.degree; ++i) coefficients[i] = parts.first[i * Dimension + axis];
-    of_one_axis({parts.degree, coefficients}, t, count, points);
+    evaluate_axis({parts.degree, coefficients}, t, count, points);
   }
 }
 

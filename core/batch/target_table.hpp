@@ -32,7 +32,7 @@ using Evaluate = void (*)(const Parts<Scalar>& parts, const Scalar* t, std::size
 /// curves, else null.
 template <class Scalar>
 struct TargetKernels {
-  Evaluate<Scalar> of_dimension[max_dimension + 1];
+  Evaluate<Scalar> by_dimension[max_dimension + 1];
 };
 
 /// The kernels of a family of evaluators, in its order, the fused ones last, or not at all.
@@ -63,10 +63,10 @@ using EvaluateGroup = void (*)(int degree, const Scalar* coefficients, const Sca
 template <class Scalar>
 struct GroupTable {
   struct Evaluators {
-    EvaluateGroup<Scalar> of_dimension[max_dimension];
+    EvaluateGroup<Scalar> by_dimension[max_dimension];
   };
   struct Conversions {
-    ConvertGroup<Scalar> of_dimension[max_dimension];
+    ConvertGroup<Scalar> by_dimension[max_dimension];
   };
   const Evaluators* evaluators;
   std::size_t evaluator_count;

@@ -21,9 +21,9 @@ PerCoefficient<Scalar, dynamic> basis_functions(const BsplineSpan<Scalar, Dimens
     Scalar carried(0);
     for (int i = 0; i < r; ++i) {
       const auto weights = knot_weights(span.knot(n - r + i), span.knot(n + i), t);
-      const Scalar of_lower_degree = basis[i];
-      basis[i] = carried + weights.left * of_lower_degree;
-      carried = weights.right * of_lower_degree;
+      const Scalar lower = basis[i];
+      basis[i] = carried + weights.left * lower;
+      carried = weights.right * lower;
     }
     basis[r] = carried;
   }

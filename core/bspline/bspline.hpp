@@ -8,7 +8,7 @@
 #include <concepts>
 #include <span>
 
-#include "core/basis/bspline_bound.hpp"
+#include "core/bound/bspline_bound.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 
@@ -19,9 +19,9 @@ template <class ScalarT, int DimensionT>
 struct BsplineSpan {
   using Scalar = ScalarT;
 
-  /// Room for the control points of a curve over `of_span`, 2m knots.
-  explicit BsplineSpan(std::span<const Scalar> of_span)
-      : control_points(static_cast<int>(of_span.size()) / 2), knots(of_span) {}
+  /// Room for the control points of a curve over `span_knots`, 2m knots.
+  explicit BsplineSpan(std::span<const Scalar> span_knots)
+      : control_points(static_cast<int>(span_knots.size()) / 2), knots(span_knots) {}
 
   /// The m + 1 control points of the B-spline curve, which are not in Bernstein form.
   Curve<Form::bernstein, Scalar, DimensionT> control_points;

@@ -71,9 +71,9 @@ struct ChudyWoznySpan {
     Scalar following = row[n];  // N_(i+1)^(k+1)
     row[n] = last;
     for (int k = n - 1; k >= 0; --k) {
-      const Scalar of_right_neighbour = v * (behind_y * row[k] + to_y * following);
+      const Scalar right_term = v * (behind_y * row[k] + to_y * following);
       following = row[k];
-      row[k] = (from_x * row[k + 1] + of_right_neighbour) / width;
+      row[k] = (from_x * row[k + 1] + right_term) / width;
     }
   }
 

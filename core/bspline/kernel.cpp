@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "core/bspline/roster.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 
 namespace bezierbench {
@@ -24,7 +24,7 @@ double* write(const P& point, int dimension, double* coordinates) {
   return coordinates;
 }
 
-struct Entry {
+struct MakeKernel {
   template <class M, int Dimension>
   static constexpr BsplineKernel of() {
     static_assert(BsplineEvaluator<M> || BsplineConversion<M>);
@@ -52,7 +52,7 @@ struct Entry {
 }  // namespace
 
 std::span<const BsplineKernel> bspline_kernels(int dimension) {
-  return kernels_of<BsplineKernel, Entry>(BsplineMethods{}, dimension);
+  return kernels_of<BsplineKernel, MakeKernel>(BsplineMethods{}, dimension);
 }
 
 std::span<const MethodInfo* const> bspline_infos() { return infos_of(BsplineMethods{}); }

@@ -4,11 +4,19 @@
 
 #include <span>
 
-#include "core/basis/bspline_bound.hpp"
-#include "core/bspline/span_view.hpp"
+#include "core/bound/bspline_bound.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench {
+
+/// A curve of degree m >= 1 in one knot span, as core/bspline/bspline.hpp describes it. Knots and control points
+/// stay in the caller's memory.
+struct BsplineSpanView {
+  int dimension = 2;
+  int degree = 1;
+  std::span<const double> knots;           ///< 2m
+  std::span<const double> control_points;  ///< (m + 1) * dimension coordinates, point by point
+};
 
 /// One method, for curves of one dimension.
 struct BsplineKernel {

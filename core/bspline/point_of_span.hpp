@@ -6,7 +6,7 @@
 
 #include "core/bspline/bspline.hpp"
 #include "core/bspline/knot_weights.hpp"
-#include "core/evaluate/triangle_scheme.hpp"
+#include "core/evaluate/schemes/triangle_scheme.hpp"
 
 namespace bezierbench {
 

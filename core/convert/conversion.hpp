@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-#include "core/basis/amplification.hpp"
+#include "core/bound/amplification.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 

@@ -7,10 +7,10 @@
 // Fails: the power coefficients themselves grow like 3^n, past the range from degree 641 on (77 in float).
 #pragma once
 
-#include "core/basis/binomial_table.hpp"
-#include "core/basis/same_for_every_axis.hpp"
+#include "core/binomial.hpp"
 #include "core/convert/conversion.hpp"
 #include "core/convert/neighbour_levels.hpp"
+#include "core/vector/same_for_every_axis.hpp"
 
 namespace bezierbench {
 

@@ -5,14 +5,14 @@
 // Source: [Farin 2002], derivatives by differences, then de Casteljau's algorithm.
 // Cost: d n(n+1)(2n+7)/6 + d(n+1) + 3n/2 flops: one triangle for each j. One triangle of midpoints and one of
 //   differences on its edge would suffice, but amplify like (1 + 4|t-1/2|)^n.
-// Bound: gamma_(n+1) times C(n,j) M^(n-j) (1 + E)^j |b_0|, whose sum core/basis/amplification.hpp derives. Each of the
+// Bound: gamma_(n+1) times C(n,j) M^(n-j) (1 + E)^j |b_0|, whose sum core/bound/amplification.hpp derives. Each of the
 //   n levels rounds once (halving is exact), then one product and the roundings of C(n,j) follow.
 // Fails: its cost is cubic. The amplification reaches 2^n at both ends.
 #pragma once
 
-#include "core/basis/binomial_table.hpp"
-#include "core/basis/same_for_every_axis.hpp"
+#include "core/binomial.hpp"
 #include "core/convert/conversion.hpp"
+#include "core/vector/same_for_every_axis.hpp"
 
 namespace bezierbench {
 

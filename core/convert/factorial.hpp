@@ -8,9 +8,9 @@
 // Fails: factorials overflow past n = 170 (34 in float). The power coefficients themselves grow like 3^n.
 #pragma once
 
-#include "core/basis/factorial.hpp"
-#include "core/basis/same_for_every_axis.hpp"
 #include "core/convert/conversion.hpp"
+#include "core/factorial.hpp"
+#include "core/vector/same_for_every_axis.hpp"
 
 namespace bezierbench {
 

@@ -14,10 +14,10 @@
 //   to Bernstein form; positive_sum does the same conversion without it.
 #pragma once
 
-#include "core/basis/amplification.hpp"
-#include "core/basis/factorial.hpp"
-#include "core/basis/same_for_every_axis.hpp"
+#include "core/bound/amplification.hpp"
 #include "core/convert/conversion.hpp"
+#include "core/factorial.hpp"
+#include "core/vector/same_for_every_axis.hpp"
 
 namespace bezierbench {
 

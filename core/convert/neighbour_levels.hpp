@@ -44,10 +44,10 @@ void levels_at_once(const At& at, int k, int n, const Combine& combine) {
 /// For k = 1, ..., n and i = n, ..., k replaces a_i by combine(a_i, a_(i-1)), where at(i) is a reference to a_i.
 template <class At, class Combine>
 void combine_neighbours(const At& at, int n, const Combine& combine) {
-  constexpr std::size_t most_levels = 4;
+  constexpr std::size_t max_levels = 4;
   int k = 1;
-  for (; k + static_cast<int>(most_levels) - 1 <= n; k += static_cast<int>(most_levels))
-    detail::levels_at_once<most_levels>(at, k, n, combine);
+  for (; k + static_cast<int>(max_levels) - 1 <= n; k += static_cast<int>(max_levels))
+    detail::levels_at_once<max_levels>(at, k, n, combine);
   for (; k <= n; ++k) detail::levels_at_once<1>(at, k, n, combine);
 }
 

@@ -4,14 +4,14 @@
 // Source: [Farouki and Rajan 1987]; [Farouki 2012].
 // Cost: (n+1)(n+2)/2 (3 + 2d) flops and one binomial row.
 // Bound: a weight has at most 2 binomials and a quotient rounded, its product 1, the sum n. The weights over row i
-//   times |q_j| sum to p~ of the power form (core/basis/amplification.hpp), so the amplification is at most n + 1. A
+//   times |q_j| sum to p~ of the power form (core/bound/amplification.hpp), so the amplification is at most n + 1. A
 //   product may underflow, by eta/2.
 // Fails: past degree 1029 (131 in float), as every method that needs binomials.
 #pragma once
 
-#include "core/basis/binomial_table.hpp"
-#include "core/basis/same_for_every_axis.hpp"
+#include "core/binomial.hpp"
 #include "core/convert/conversion.hpp"
+#include "core/vector/same_for_every_axis.hpp"
 
 namespace bezierbench {
 
@@ -41,20 +41,20 @@ struct PositiveSum : SameForEveryAxis {
   static Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> convert(
       const Curve<Form::power, Scalar, Dimension, Degree>& q) {
     const int n = q.degree();
-    const BinomialRow<Scalar, computed_degree<Degree>> of_n(n);
+    const BinomialRow<Scalar, computed_degree<Degree>> n_choose(n);
     Curve<Form::bernstein, Scalar, Dimension, computed_degree<Degree>> b(n);
     for (int i = 0; i <= n; ++i) {
       const bool tabulated = i <= exact_binomial_degree;
       const double* exact = detail::binomial_table<double>.data() + (tabulated ? detail::entries_before(i) : 0);
       const double scale = binomial_scale(i);
-      double of_i = 1 / scale;  // C(i, j) over the scale
+      double i_choose_j = 1 / scale;  // C(i, j) over the scale
       Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
       for (int j = 0; j <= i; ++j) {
         if (tabulated)
-          of_i = exact[j];  // here the scale is 1
+          i_choose_j = exact[j];  // here the scale is 1
         else if (j > 0)
-          of_i = of_i * (i - j + 1) / j;
-        const SharedBy<Scalar> weight = static_cast<SharedBy<Scalar>>(of_i * scale) / of_n[j];
+          i_choose_j = i_choose_j * (i - j + 1) / j;
+        const SharedBy<Scalar> weight = static_cast<SharedBy<Scalar>>(i_choose_j * scale) / n_choose[j];
         for (int axis = 0; axis < Dimension; ++axis) sum[axis] += weight * q(axis, j);
       }
       for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = sum[axis];

@@ -8,10 +8,10 @@
 // Fails: past degree 1029 (131 in float), as every method that needs binomials.
 #pragma once
 
-#include "core/basis/binomial_table.hpp"
-#include "core/basis/same_for_every_axis.hpp"
+#include "core/binomial.hpp"
 #include "core/convert/conversion.hpp"
 #include "core/convert/neighbour_levels.hpp"
+#include "core/vector/same_for_every_axis.hpp"
 
 namespace bezierbench {
 

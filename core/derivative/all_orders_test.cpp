@@ -8,8 +8,8 @@
 #include <set>
 
 #include "core/derivative/roster.hpp"
-#include "core/evaluate/counting.hpp"
 #include "core/evaluate/evaluation_test.hpp"
+#include "core/operations/counting.hpp"
 #include "experiments/metric/derivative_scale.hpp"
 
 namespace bezierbench {
@@ -66,7 +66,7 @@ TYPED_TEST(AllOrdersOf, KeepsTheBoundOfEachOrder) {
     TypeParam::all(curve, trial % 5, t, [&](int k, const Point<double, 1>& derivative) {
       scale.set(view, k, t);
       const double error = reference::Distance(exact.derivative(view, k, t)).to({derivative.data(), 1});
-      EXPECT_FALSE(metric::TrialScale::violates(error, scale.bound(TypeParam::bound, metric::double_arithmetic)))
+      EXPECT_FALSE(reference::TrialScale::violates(error, scale.bound(TypeParam::bound, reference::double_arithmetic)))
           << "degree " << n << " order " << k << " of " << trial % 5 << " t " << t;
     });
   }

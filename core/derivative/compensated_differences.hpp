@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: the differences D^k b_i as pairs high + low; de Casteljau's triangle in two parts on these pairs
-//   (core/evaluate/compensated_triangle.hpp); C^(k)(t) = (n)_k times their sum, rounded once.
+//   (core/evaluate/schemes/compensated_triangle.hpp); C^(k)(t) = (n)_k times their sum, rounded once.
 // Source: [Jiang et al. 2010], the compensated triangle, which they give for points and first derivatives. The
 //   differences as pairs and the bound are derived here.
 // Cost: once 14 d k (2n-k+1)/2, then 18 d (n-k)(n-k+1)/2 + 5d + 6 flops per point, products by fused multiply-add.
@@ -15,16 +15,16 @@
 
 #include <algorithm>
 
-#include "core/basis/falling_factorial.hpp"
 #include "core/derivative/derivative.hpp"
-#include "core/evaluate/compensated_triangle.hpp"
+#include "core/evaluate/schemes/compensated_triangle.hpp"
+#include "core/factorial.hpp"
 
 namespace bezierbench {
 
 namespace detail {
 
 /// In u p~, what the triangle drops and the last step rounds: of second order in u.
-constexpr double of_second_order(int n, int k, double u) {
+constexpr double second_order_roundings(int n, int k, double u) {
   const PartSizes<2> first{{1, 1}, 0};  // V_0 = p~, V_1 = u p~
   const auto sizes = after_steps<2, TriangleRoundings>(n - k, u, first);
   return (sizes.dropped + 2 * sizes.parts[1] + sizes.parts[0]) * u * (1 + gamma_over_u(k + 8.0, u) * u);
@@ -36,14 +36,13 @@ struct CompensatedDifferences {
   static constexpr DerivativeBound bound{
       .text = "u p~ + 4k u^2 A + (9m(m+3)/2 + 6m + 3) u^2 p~, m = n-k",
       .differences = [](int n, int k,
-                        double u) { return 4 * std::min(n, k) * u * (1 + detail::of_second_order(n, k, u)); },
+                        double u) { return 4 * std::min(n, k) * u * (1 + detail::second_order_roundings(n, k, u)); },
       .evaluation =
           [](int n, int k, double u) {
-            const double of_result = falling_factorial(n, k) < 0x1p+53 ? 1 : gamma_over_u(k + 1, u);
-            return of_result + detail::of_second_order(n, k, u);
+            const double result = falling_factorial(n, k) < 0x1p+53 ? 1 : gamma_over_u(k + 1, u);
+            return result + detail::second_order_roundings(n, k, u);
           },
-      .underflow = [](int n, int k) { return 5 * falling_factorial(n, k) * std::max(n - k, 0) + 2; },
-      .underflow_scales_with_coefficients = false};
+      .underflow = [](int n, int k) { return 5 * falling_factorial(n, k) * std::max(n - k, 0) + 2; }};
   static constexpr MethodInfo info{.id = "compensated_differences",
                                    .label = "Differences, compensated",
                                    .problem = Problem::derivative,

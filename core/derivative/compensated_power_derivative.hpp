@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: C^(k)(t) = sum_(j>=k) (j)_k q_j t^(j-k), (j)_k = j (j-1) ... (j-k+1), whose coefficients are kept as pairs
-//   high + low, by Horner's scheme on pairs (core/evaluate/horner_dd.hpp).
+//   high + low, by Horner's scheme on pairs (core/evaluate/methods/horner_dd.hpp).
 // Source: [Graillat et al. 2009], compensated Horner, on the coefficients of [Higham 2002], section 5.2.
 // Cost: (n-k+1)(k + 2d) once, then 12d (n-k) + d flops per point, products by fused multiply-add.
 // Bound: u |C^(k)| + gamma_(2m+3)^2 p~, m = n-k, and k more roundings of p~ where (n)_k is not below 2^53; here |C^(k)|
@@ -11,9 +11,9 @@
 
 #include <algorithm>
 
-#include "core/basis/falling_factorial.hpp"
 #include "core/derivative/derivative.hpp"
-#include "core/evaluate/horner_dd.hpp"
+#include "core/evaluate/methods/horner_dd.hpp"
+#include "core/factorial.hpp"
 
 namespace bezierbench {
 
@@ -23,11 +23,10 @@ struct CompensatedPowerDerivative {
       .differences = [](int, int, double) { return 0.0; },
       .evaluation =
           [](int n, int k, double u) {
-            const double of_result = falling_factorial(n, k) < 0x1p+53 ? 1 : gamma_over_u(k + 1, u);
-            return of_result + HornerDoubleDouble::info.bound->factor(std::max(n - k, 0), u);
+            const double result = falling_factorial(n, k) < 0x1p+53 ? 1 : gamma_over_u(k + 1, u);
+            return result + HornerDoubleDouble::info.bound->factor(std::max(n - k, 0), u);
           },
       .underflow = [](int n, int) { return 3 * n + 1.0; },
-      .underflow_scales_with_coefficients = false,
       .growth = [](int n, int k) { return std::max(n - k, 0) + 1.0; }};
   static constexpr MethodInfo info{.id = "compensated_power_derivative",
                                    .label = "Power form, Horner, compensated",

@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-#include "core/basis/derivative_bound.hpp"
+#include "core/bound/derivative_bound.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/derivative/hodograph.hpp"
-#include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/methods/de_casteljau.hpp"
 
 namespace bezierbench {
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/derivative/hodograph.hpp"
-#include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/methods/horner_bernstein.hpp"
 
 namespace bezierbench {
 

@@ -12,9 +12,9 @@
 
 #include <algorithm>
 
-#include "core/basis/falling_factorial.hpp"
 #include "core/derivative/derivative.hpp"
 #include "core/evaluate/evaluator.hpp"
+#include "core/factorial.hpp"
 
 namespace bezierbench {
 

@@ -2,7 +2,7 @@
 #include "core/derivative/kernel.hpp"
 
 #include "core/derivative/roster.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 
 namespace bezierbench {
@@ -16,7 +16,7 @@ constexpr const DerivativeBound* bound_of() {
     return nullptr;
 }
 
-struct Entry {
+struct MakeKernel {
   template <DerivativeMethod M, int Dimension>
   static constexpr DerivativeKernel of() {
     return {&M::info, bound_of<M>(), Dimension,
@@ -31,7 +31,7 @@ struct Entry {
 }  // namespace
 
 std::span<const DerivativeKernel> derivative_kernels(int dimension) {
-  return kernels_of<DerivativeKernel, Entry>(DerivativeMethods{}, dimension);
+  return kernels_of<DerivativeKernel, MakeKernel>(DerivativeMethods{}, dimension);
 }
 
 std::span<const MethodInfo* const> derivative_infos() { return infos_of(DerivativeMethods{}); }

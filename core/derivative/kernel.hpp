@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/basis/derivative_bound.hpp"
+#include "core/bound/derivative_bound.hpp"
 #include "core/curve_view.hpp"
 #include "core/method.hpp"
 

@@ -4,8 +4,8 @@
 // levels above follow by steps of the triangle.
 #pragma once
 
-#include "core/basis/falling_factorial.hpp"
 #include "core/derivative/derivative.hpp"
+#include "core/factorial.hpp"
 
 namespace bezierbench {
 

@@ -9,9 +9,9 @@
 
 #include <algorithm>
 
-#include "core/basis/falling_factorial.hpp"
 #include "core/derivative/derivative.hpp"
-#include "core/evaluate/horner.hpp"
+#include "core/evaluate/methods/horner.hpp"
+#include "core/factorial.hpp"
 
 namespace bezierbench {
 
@@ -21,7 +21,6 @@ struct PowerDerivative {
       .differences = [](int, int, double) { return 0.0; },
       .evaluation = [](int n, int k, double u) { return gamma_over_u(std::min(n, k) + 2 * std::max(n - k, 0), u); },
       .underflow = [](int n, int) { return n + 1.0; },
-      .underflow_scales_with_coefficients = false,
       .growth = [](int n, int k) { return std::max(n - k, 0) + 1.0; }};
   static constexpr MethodInfo info{.id = "power_derivative",
                                    .label = "Power form, Horner",

@@ -174,7 +174,7 @@ TEST(Derivative, CompensationKeepsAllDigits) {
     const double t = inputs.unit();
     const CurveView<double> curve{form, 1, n, c};
     const reference::Distance distance(exact.derivative(curve, order, t));
-    const double truth = std::abs(distance.of_origin(1));
+    const double truth = std::abs(distance.to_origin(1));
     metric::DerivativeScale scale;
     scale.set(curve, order, t);
     if (!(truth > 0x1p-8 * scale.p_tilde())) continue;
@@ -208,11 +208,11 @@ TEST(Derivative, KeepsItsBoundOnRandomAndNastyCurves) {
     const reference::Distance distance(exact.derivative(curve, order, t));
     for (const auto& kernel : derivative_kernels(d)) {
       if (kernel.info->form != form || kernel.bound == nullptr) continue;
-      const double bound = scale.bound(*kernel.bound, metric::double_arithmetic);
+      const double bound = scale.bound(*kernel.bound, reference::double_arithmetic);
       const double error = distance.to(derivative(kernel, curve, order, t));
       if (!std::isfinite(bound) || !std::isfinite(error)) continue;
       ++judged;
-      if (!metric::TrialScale::violates(error, bound)) continue;
+      if (!reference::TrialScale::violates(error, bound)) continue;
       ++violations;
       ADD_FAILURE() << kernel.info->id << " trial " << trial << " degree " << n << " order " << order << " t " << t
                     << ": error " << error << ", bound " << bound;

@@ -12,7 +12,7 @@
 #include <cstdint>
 
 #include "core/derivative/derivative.hpp"
-#include "core/evaluate/de_casteljau.hpp"
+#include "core/evaluate/methods/de_casteljau.hpp"
 
 namespace bezierbench {
 

@@ -13,9 +13,9 @@
 
 #include <algorithm>
 
-#include "core/basis/falling_factorial.hpp"
-#include "core/basis/integer_power.hpp"
 #include "core/derivative/level_derivatives.hpp"
+#include "core/factorial.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 
@@ -28,8 +28,7 @@ struct TriangleDerivatives : LevelDerivatives<TriangleDerivatives> {
       .underflow =
           [](int n, int k) {
             return falling_factorial(n, k) * integer_power(2.0, std::min(n, k)) * 2 * std::max(n - k, 0) + 1;
-          },
-      .underflow_scales_with_coefficients = false};
+          }};
   static constexpr MethodInfo info{.id = "triangle_derivatives",
                                    .label = "de Casteljau triangle, all orders",
                                    .problem = Problem::derivative,

@@ -19,11 +19,11 @@
 
 #include <algorithm>
 
-#include "core/basis/falling_factorial.hpp"
-#include "core/basis/integer_power.hpp"
 #include "core/derivative/level_derivatives.hpp"
 #include "core/derivative/triangle_derivatives.hpp"
-#include "core/evaluate/wozny_chudy_weights.hpp"
+#include "core/evaluate/schemes/wozny_chudy_weights.hpp"
+#include "core/factorial.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 
@@ -39,8 +39,8 @@ struct WoznyChudyDerivatives : LevelDerivatives<WoznyChudyDerivatives> {
       .underflow =
           [](int n, int k) {
             const int m = std::max(n - k, 0);
-            const double of_weights = 4 * (m + 1.0) * (m + 1.0) * integer_power(2.0, m);
-            return of_weights + falling_factorial(n, k) * integer_power(2.0, std::min(n, k)) * 2 * m + 1;
+            const double weight_terms = 4 * (m + 1.0) * (m + 1.0) * integer_power(2.0, m);
+            return weight_terms + falling_factorial(n, k) * integer_power(2.0, std::min(n, k)) * 2 * m + 1;
           },
       .underflow_scales_with_coefficients = true};
   static constexpr MethodInfo info{.id = "wozny_chudy_derivatives",
@@ -68,7 +68,7 @@ struct WoznyChudyDerivatives : LevelDerivatives<WoznyChudyDerivatives> {
       const auto weight = weights.next(k);
       for (int j = 0; j <= last; ++j)
         for (int axis = 0; axis < Dimension; ++axis)
-          q(axis, j) = weight.of_point * q(axis, j) + weight.of_control * curve(axis, j + k);
+          q(axis, j) = weight.point * q(axis, j) + weight.control * curve(axis, j + k);
     }
     return q;
   }

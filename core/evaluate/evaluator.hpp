@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/basis/same_for_every_axis.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
+#include "core/vector/same_for_every_axis.hpp"
 
 namespace bezierbench {
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Properties of a curve that its evaluation in floating point keeps or loses, and the data by which a method says which
 // of them it keeps: `guarantees` in its struct, with the proofs in its opening comment.
+//
+// What the evaluators of the roster say that they keep.
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 
 #include "core/curve_view.hpp"
+#include "core/method.hpp"
 
 namespace bezierbench {
 
@@ -60,5 +64,12 @@ struct Guarantee {
   Property property;
   int max_degree = bezierbench::max_degree;
 };
+
+/// What is proved of an evaluator of the roster: its `guarantees`. Empty for a method that states none, for converted
+/// paths and for methods from outside.
+std::span<const Guarantee> guarantees_of(const MethodInfo& info);
+
+/// Whether the property is proved of the method at this degree.
+bool is_proved(const MethodInfo& info, Property property, int degree);
 
 }  // namespace bezierbench

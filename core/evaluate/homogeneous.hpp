@@ -72,7 +72,6 @@ requires(Method::info.form == Form::bernstein) struct Homogeneous : FixedDegrees
   };
   static constexpr MethodInfo info{.id = Method::info.id,
                                    .label = detail::Joined<detail::LabelOf<Method>, LabelSuffix>::text,
-                                   .problem = Problem::evaluation,
                                    .form = Form::rational,
                                    .min_degree = Method::info.min_degree,
                                    .max_degree = Method::info.max_degree,

@@ -35,7 +35,7 @@ class SmallFloat {
   friend bool operator==(SmallFloat a, SmallFloat b) { return a.value_ == b.value_; }
   friend auto operator<=>(SmallFloat a, SmallFloat b) { return a.value_ <=> b.value_; }
 
-  /// As core/basis/power_of_two.hpp has them for double.
+  /// As core/powers.hpp has them for double.
   friend SmallFloat power_of_two_from(SmallFloat x) {
     const double least = std::ldexp(1.0, LowestExponent);
     if (x.value_ <= least) return SmallFloat(least);

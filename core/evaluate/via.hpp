@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "core/basis/amplification.hpp"
+#include "core/bound/amplification.hpp"
 #include "core/convert/conversion.hpp"
 #include "core/evaluate/joined.hpp"
 
@@ -95,7 +95,6 @@ requires(Converter::target == Method::info.form) struct Via {
   static constexpr MethodInfo info{
       .id = detail::Joined<detail::IdOf<Converter>, detail::Colon, detail::IdOf<Method>>::text,
       .label = detail::Joined<detail::LabelOf<Converter>, detail::Then, detail::LabelOf<Method>>::text,
-      .problem = Problem::evaluation,
       .form = Converter::info.form,
       .min_degree = std::max(Converter::info.min_degree, Method::info.min_degree),
       .max_degree = degree_in_range<double>(std::min(Converter::info.max_degree, Method::info.max_degree)),

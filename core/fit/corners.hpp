@@ -51,16 +51,16 @@ class Shape {
   }
 
   /// The chord from point `from` to the first point farther than an arm's length in the direction of `to`; to `to`, if
-  /// none is, and to the last of `most_steps` points, if the data are dense.
+  /// none is, and to the last of `max_steps` points, if the data are dense.
   [[nodiscard]] Point<double, Dimension> chord(int from, int to) const {
     const int step = to > from ? 1 : -1;
     int i = from + step;
-    while (i != to && !beyond(from, i, arm_) && std::abs(i - from) < most_steps) i += step;
+    while (i != to && !beyond(from, i, arm_) && std::abs(i - from) < max_steps) i += step;
     return data_.points.col(i) - data_.points.col(from);
   }
 
  private:
-  static constexpr int most_steps = 256;  ///< limits the time for long data, which would be quadratic
+  static constexpr int max_steps = 256;  ///< limits the time for long data, which would be quadratic
 
   struct Turn {
     double cosine = 1;
@@ -80,7 +80,7 @@ class Shape {
 
   /// The number of steps from i to the first point beyond this arm; 0 where there is none.
   [[nodiscard]] int steps_from(int i, int direction, double arm) const {
-    for (int k = 1; k <= std::min(most_steps, data_.last() - 1); ++k) {
+    for (int k = 1; k <= std::min(max_steps, data_.last() - 1); ++k) {
       const int other = i + direction * k;
       if (!data_.closed && (other < 0 || other > data_.last())) return 0;
       if (beyond(i, around(other), arm)) return k;

@@ -64,13 +64,13 @@ double squared(const Point<double, Dimension>& v) {
   return dot<Dimension>(v, v);
 }
 
-/// Takes at most `most_steps` steps from t in [0, 1] towards a foot point: Newton steps where the distance is convex,
+/// Takes at most `max_steps` steps from t in [0, 1] towards a foot point: Newton steps where the distance is convex,
 /// else Gauss-Newton steps. The curve at the parameter returned is never farther from the point than at t.
 template <int Dimension>
-double approach(const Cubic<Dimension>& b, const Point<double, Dimension>& point, double t, int most_steps) {
+double approach(const Cubic<Dimension>& b, const Point<double, Dimension>& point, double t, int max_steps) {
   auto at = offset_at<Dimension>(b, point, t);
   double distance = squared<Dimension>(at.offset);
-  for (int k = 0; k < most_steps; ++k) {
+  for (int k = 0; k < max_steps; ++k) {
     const Slope<Dimension> f(at);
     const double steepness = f.derivative > 0 ? f.derivative : f.speed_squared;
     if (f.value == 0 || !(steepness > 0)) return t;

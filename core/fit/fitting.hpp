@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/fit/cubic.hpp"
+#include "core/fit/kernel.hpp"
 #include "core/fit/polyline.hpp"
-#include "core/fit/result.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench {

@@ -37,7 +37,7 @@ struct GaussNewton {
 
   template <int Dimension>
   static Piece<Dimension> piece(const Section<Dimension>& section) {
-    if (section.points.cols() <= most_points) return best_of_starts(section);
+    if (section.points.cols() <= max_points) return best_of_starts(section);
     const auto some = thinned(section);
     const auto coarse = best_of_starts(some);
     Piece<Dimension> guess{coarse.cubic, parameters_between(some.t, coarse.t, section.t), coarse.iterations};
@@ -60,7 +60,7 @@ struct GaussNewton {
  private:
   using Parameters = std::vector<double>;
 
-  static constexpr Eigen::Index most_points = 513;  ///< more points than these are sampled first
+  static constexpr Eigen::Index max_points = 513;  ///< more points than these are sampled first
 
   /// The best of the fits from three choices of parameters.
   template <int Dimension>
@@ -83,18 +83,18 @@ struct GaussNewton {
     return best;
   }
 
-  /// A sample of `most_points` points at even steps, both ends among them.
+  /// A sample of `max_points` points at even steps, both ends among them.
   template <int Dimension>
   static Section<Dimension> thinned(const Section<Dimension>& section) {
-    Section<Dimension> some{Polygon<Dimension>(Dimension, most_points),
+    Section<Dimension> some{Polygon<Dimension>(Dimension, max_points),
                             {},
                             section.length,
-                            std::vector<double>(most_points - 1, std::numeric_limits<double>::infinity()),
+                            std::vector<double>(max_points - 1, std::numeric_limits<double>::infinity()),
                             section.start,
                             section.end,
                             section.tolerance};
-    for (Eigen::Index k = 0; k < most_points; ++k) {
-      const Eigen::Index i = k * (section.points.cols() - 1) / (most_points - 1);
+    for (Eigen::Index k = 0; k < max_points; ++k) {
+      const Eigen::Index i = k * (section.points.cols() - 1) / (max_points - 1);
       some.points.col(k) = section.points.col(i);
       some.t.push_back(section.t[static_cast<std::size_t>(i)]);
     }
@@ -134,14 +134,14 @@ struct GaussNewton {
 
   template <int Dimension>
   static Piece<Dimension> adjusted(const Section<Dimension>& section, Parameters start) {
-    constexpr int most_steps = 64;
-    constexpr double least_damping = 0x1p-40;
-    constexpr double most_damping = 0x1p+20;
+    constexpr int max_steps = 64;
+    constexpr double min_damping = 0x1p-40;
+    constexpr double max_damping = 0x1p+20;
     Adjustment<Dimension> adjustment(section);
     State<Dimension> now = adjustment.begin(std::move(start));
     bool kept = adjustment.keeps_promise(now);
     int steps = 0;
-    for (double damping = 0x1p-10; steps < most_steps && damping < most_damping; ++steps) {
+    for (double damping = 0x1p-10; steps < max_steps && damping < max_damping; ++steps) {
       auto next = adjustment.step(now, damping);
       if (!(next.cost < now.cost)) {
         if (kept) break;
@@ -154,16 +154,16 @@ struct GaussNewton {
       now = std::move(next);
       kept = next_kept;
       if (settled) break;
-      damping = std::max(damping / 16, least_damping);
+      damping = std::max(damping / 16, min_damping);
     }
     return {adjustment.cubic(now.handles), std::move(now.t), steps};
   }
 
   /// The unknowns of two handles in three dimensions. All dimensions use the same type, so that Eigen's solver is
   /// compiled once.
-  static constexpr int most_unknowns = 6;
-  using Handles = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
-  using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
+  static constexpr int max_unknowns = 6;
+  using Handles = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_unknowns, 1>;
+  using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_unknowns, max_unknowns>;
 
   template <int Dimension>
   struct State {
@@ -177,8 +177,8 @@ struct GaussNewton {
    public:
     explicit Adjustment(const Section<Dimension>& section)
         : section_(section),
-          of_start_(section.start.bound ? 1 : Dimension),
-          unknowns_(of_start_ + (section.end.bound ? 1 : Dimension)) {}
+          start_unknowns_(section.start.bound ? 1 : Dimension),
+          unknowns_(start_unknowns_ + (section.end.bound ? 1 : Dimension)) {}
 
     /// The best handles for these parameters. Handles that are not positive are replaced by a third of the polyline's
     /// length.
@@ -186,9 +186,9 @@ struct GaussNewton {
       const double third = section_.length / 3;
       Handles handles(unknowns_);
       for (int k = 0; k < unknowns_; ++k) {
-        const bool start = k < of_start_;
+        const bool start = k < start_unknowns_;
         const auto& end = start ? section_.start : section_.end;
-        handles[k] = end.bound ? third : third * end.direction[start ? k : k - of_start_];
+        handles[k] = end.bound ? third : third * end.direction[start ? k : k - start_unknowns_];
       }
       State<Dimension> thirds{handles, std::move(t), 0};
       State<Dimension> best{handles + change(thirds, 0x1p-30, [](const auto&) { return Square::Identity(); }), thirds.t,
@@ -201,7 +201,8 @@ struct GaussNewton {
     [[nodiscard]] Cubic<Dimension> cubic(const Handles& handles) const {
       const Point<double, Dimension> first = section_.points.col(0);
       const Point<double, Dimension> last = section_.points.col(section_.points.cols() - 1);
-      return {first, first + handle(section_.start, handles, 0), last + handle(section_.end, handles, of_start_), last};
+      return {first, first + handle(section_.start, handles, 0), last + handle(section_.end, handles, start_unknowns_),
+              last};
     }
 
     [[nodiscard]] bool keeps_promise(const State<Dimension>& state) const {
@@ -269,7 +270,7 @@ struct GaussNewton {
         }
       };
       fill(section_.start, 0, basis[1]);
-      fill(section_.end, of_start_, basis[2]);
+      fill(section_.end, start_unknowns_, basis[2]);
       return jacobian;
     }
 
@@ -288,22 +289,22 @@ struct GaussNewton {
       if (!(length<Dimension>(curve[1] - curve[0]) <= most && length<Dimension>(curve[2] - curve[3]) <= most))
         return false;
       return (!section_.start.bound || handles[0] >= least * section_.length) &&
-             (!section_.end.bound || handles[of_start_] >= least * section_.length);
+             (!section_.end.bound || handles[start_unknowns_] >= least * section_.length);
     }
 
     /// Moves the parameters of a state to foot points nearby and sums up the squared distances there.
     void settle(State<Dimension>& state) const {
-      constexpr int most_steps = 3;
+      constexpr int max_steps = 3;
       const auto curve = cubic(state.handles);
       state.cost = 0;
       for (std::size_t i = 1; i + 1 < state.t.size(); ++i) {
-        state.t[i] = approach<Dimension>(curve, point(i), state.t[i], most_steps);
+        state.t[i] = approach<Dimension>(curve, point(i), state.t[i], max_steps);
         state.cost += squared<Dimension>(offset_at<Dimension>(curve, point(i), state.t[i]).offset);
       }
     }
 
     const Section<Dimension>& section_;
-    int of_start_;  ///< number of unknowns of the first handle
+    int start_unknowns_;  ///< number of unknowns of the first handle
     int unknowns_;
   };
 };

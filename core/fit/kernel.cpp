@@ -8,7 +8,7 @@
 namespace bezierbench {
 namespace {
 
-struct Entry {
+struct MakeKernel {
   template <FittingMethod M, int Dimension>
   static constexpr FittingKernel of() {
     return {&M::info, Dimension, [](std::span<const double> points, double tolerance, const FitEnds& ends) {
@@ -20,7 +20,7 @@ struct Entry {
 }  // namespace
 
 std::span<const FittingKernel> fitting_kernels(int dimension) {
-  return kernels_of<FittingKernel, Entry>(FittingMethods{}, dimension);
+  return kernels_of<FittingKernel, MakeKernel>(FittingMethods{}, dimension);
 }
 
 std::span<const MethodInfo* const> fitting_infos() { return infos_of(FittingMethods{}); }

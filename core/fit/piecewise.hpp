@@ -157,11 +157,11 @@ class Piecewise {
   /// A bound of the largest distance, and the number of the inner point that has it. Moves the parameters to foot
   /// points first.
   std::pair<double, int> farthest(const Section<Dimension>& section, Piece<Dimension>& piece) const {
-    constexpr int most_steps = 8;
+    constexpr int max_steps = 8;
     std::pair<double, int> result{0, static_cast<int>(piece.t.size() / 2)};
     for (std::size_t i = 1; i + 1 < piece.t.size(); ++i) {
       const Vector point = section.points.col(static_cast<Eigen::Index>(i));
-      piece.t[i] = approach<Dimension>(piece.cubic, point, piece.t[i], most_steps);
+      piece.t[i] = approach<Dimension>(piece.cubic, point, piece.t[i], max_steps);
       const double distance = distance_bound<Dimension>(piece.cubic, point, piece.t[i]) + 4 * data_.quantum();
       if (distance > result.first) result = {distance, static_cast<int>(i)};
     }
@@ -180,12 +180,12 @@ class Piecewise {
   /// The segment between two points: straight unless a joint is smooth. Handles of smooth joints are a third of the
   /// chord, or shorter where the segment would leave it.
   [[nodiscard]] Cubic<Dimension> between_two(const Range& range) const {
-    constexpr int most_halvings = 30;
+    constexpr int max_halvings = 30;
     const auto line = straight(range);
     if (!range.start && !range.end) return line;
     const auto points = data_.points.middleCols(range.first, 2);
     double handle = length<Dimension>(line[3] - line[0]) / 3;
-    for (int k = 0; k < most_halvings; ++k, handle /= 2) {
+    for (int k = 0; k < max_halvings; ++k, handle /= 2) {
       auto curve = line;
       if (range.start) curve[1] = line[0] + handle * *range.start;
       if (range.end) curve[2] = line[3] + handle * *range.end;

@@ -69,7 +69,7 @@ std::vector<double> step_limits(const FitData<Dimension>& data, double tolerance
 /// roundings of the distances. The distance from a convex set is a convex function, so it is nowhere larger than at the
 /// control points of the halves, quarters and so on that decide it.
 template <int Dimension>
-bool stays_near(const Cubic<Dimension>& b, const Point<double, Dimension>& step, double limit, int most_halvings) {
+bool stays_near(const Cubic<Dimension>& b, const Point<double, Dimension>& step, double limit, int max_halvings) {
   const double square = squared<Dimension>(step);
   const auto near = [&](const Point<double, Dimension>& point) {
     const double along = dot<Dimension>(point, step) / square;
@@ -83,9 +83,9 @@ bool stays_near(const Cubic<Dimension>& b, const Point<double, Dimension>& step,
   const Point<double, Dimension> r2 = 0.5 * (b[2] + b[3]);
   const Point<double, Dimension> r1 = 0.5 * (middle + r2);
   const Point<double, Dimension> cut = 0.5 * (l2 + r1);
-  if (most_halvings == 0 || !near(b[0]) || !near(cut) || !near(b[3])) return false;
-  return stays_near<Dimension>({b[0], l1, l2, cut}, step, limit, most_halvings - 1) &&
-         stays_near<Dimension>({cut, r1, r2, b[3]}, step, limit, most_halvings - 1);
+  if (max_halvings == 0 || !near(b[0]) || !near(cut) || !near(b[3])) return false;
+  return stays_near<Dimension>({b[0], l1, l2, cut}, step, limit, max_halvings - 1) &&
+         stays_near<Dimension>({cut, r1, r2, b[3]}, step, limit, max_halvings - 1);
 }
 
 /// The control points, minus `point`, of the part of a cubic between two parameters, by its blossom.
@@ -110,7 +110,7 @@ Cubic<Dimension> part_between(const Cubic<Dimension>& b, const Point<double, Dim
 template <int Dimension>
 std::optional<int> first_departure(const Polygon<Dimension>& points, const std::vector<double>& limits,
                                    const Cubic<Dimension>& cubic, const std::vector<double>& t) {
-  constexpr int most_halvings = 8;
+  constexpr int max_halvings = 8;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const Point<double, Dimension> from = points.col(static_cast<Eigen::Index>(i));
     const Point<double, Dimension> step = points.col(static_cast<Eigen::Index>(i) + 1) - from;
@@ -118,7 +118,7 @@ std::optional<int> first_departure(const Polygon<Dimension>& points, const std::
     for (const auto& control : cubic)
       for (int axis = 0; axis < Dimension; ++axis) largest = std::max(largest, std::abs(control[axis] - from[axis]));
     const double limit = limits[i] - 0x1p-46 * largest;
-    if (!stays_near<Dimension>(part_between<Dimension>(cubic, from, t[i], t[i + 1]), step, limit, most_halvings))
+    if (!stays_near<Dimension>(part_between<Dimension>(cubic, from, t[i], t[i + 1]), step, limit, max_halvings))
       return static_cast<int>(i);
   }
   return std::nullopt;

@@ -31,13 +31,13 @@ struct Schneider {
 
   template <int Dimension>
   static Piece<Dimension> piece(const Section<Dimension>& section) {
-    constexpr int most_steps = 20;
+    constexpr int max_steps = 20;
     Piece<Dimension> piece{{}, section.t, 0};
     while (true) {
       piece.cubic = with_handles(section, piece.t);
       ++piece.iterations;
       const double error = largest_error(section, piece);
-      if (error <= section.tolerance || error > 2 * section.tolerance || piece.iterations > most_steps) return piece;
+      if (error <= section.tolerance || error > 2 * section.tolerance || piece.iterations > max_steps) return piece;
       reparametrise(section, piece);
     }
   }

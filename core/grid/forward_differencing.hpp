@@ -15,10 +15,10 @@
 
 #include <cmath>
 
-#include "core/basis/factorial.hpp"
-#include "core/basis/integer_power.hpp"
 #include "core/convert/differences.hpp"
+#include "core/factorial.hpp"
 #include "core/grid/grid.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 
@@ -35,7 +35,6 @@ struct ForwardDifferencing {
       .amplification = Amplification::p_tilde_power,
       .factor = [](int n, int k, double u) { return gamma_over_u(2.0 * n + k, u); },
       .underflow = [](int n, int steps) { return (n + 1) * integer_power(1.0 * steps, n); },
-      .underflow_scales_with_coefficients = false,
       .growth = [](int n, int steps) { return (n + 1) * integer_power(1 + 1.0 * n / steps, n); }};
   static constexpr MethodInfo info{.id = "forward_differencing",
                                    .label = "Forward differencing",
@@ -90,13 +89,12 @@ struct ForwardDifferencingBernstein {
             return conversion + steps + conversion * u * steps;
           },
       .underflow = ForwardDifferencing::bound.underflow,
-      .underflow_scales_with_coefficients = false,
       .growth = [](int n, int steps) { return growth_to_power(n) * ForwardDifferencing::bound.growth(n, steps); }};
   static constexpr MethodInfo info = [] {
-    auto of_bernstein = ForwardDifferencing::info;
-    of_bernstein.form = Form::bernstein;
-    of_bernstein.promise = bound.text;
-    return of_bernstein;
+    auto data = ForwardDifferencing::info;
+    data.form = Form::bernstein;
+    data.promise = bound.text;
+    return data;
   }();
 
   template <int Dimension>

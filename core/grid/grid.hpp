@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-#include "core/basis/grid_bound.hpp"
+#include "core/bound/grid_bound.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 

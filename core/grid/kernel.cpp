@@ -3,14 +3,14 @@
 
 #include <cassert>
 
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/grid/roster.hpp"
 #include "core/kernel_tables.hpp"
 
 namespace bezierbench {
 namespace {
 
-struct Entry {
+struct MakeKernel {
   template <GridMethod M, int Dimension>
   static constexpr GridKernel of() {
     return {&M::info, &M::bound, Dimension, [](const CurveView<double>& view, int steps, double* coordinates) {
@@ -26,7 +26,7 @@ struct Entry {
 }  // namespace
 
 std::span<const GridKernel> grid_kernels(int dimension) {
-  return kernels_of<GridKernel, Entry>(GridMethods{}, dimension);
+  return kernels_of<GridKernel, MakeKernel>(GridMethods{}, dimension);
 }
 
 std::span<const MethodInfo* const> grid_infos() { return infos_of(GridMethods{}); }

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/basis/grid_bound.hpp"
+#include "core/bound/grid_bound.hpp"
 #include "core/curve_view.hpp"
 #include "core/method.hpp"
 

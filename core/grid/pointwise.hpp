@@ -7,10 +7,10 @@
 // Fails: where the evaluator does.
 #pragma once
 
-#include "core/basis/integer_power.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/joined.hpp"
 #include "core/grid/grid.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 

@@ -2,9 +2,9 @@
 // Every method for points on grids. One line here makes it exist everywhere.
 #pragma once
 
-#include "core/evaluate/de_casteljau.hpp"
-#include "core/evaluate/horner.hpp"
-#include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/methods/de_casteljau.hpp"
+#include "core/evaluate/methods/horner.hpp"
+#include "core/evaluate/methods/horner_bernstein.hpp"
 #include "core/grid/forward_differencing.hpp"
 #include "core/grid/pointwise.hpp"
 

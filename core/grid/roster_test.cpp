@@ -12,7 +12,7 @@
 
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/grid/kernel.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/exact_point.hpp"
 
@@ -70,8 +70,8 @@ constexpr int nasty_kinds = 7;
 /// The largest error in u p~ over a grid, every point within its bound.
 double judged(const GridKernel& kernel, const CurveView<double>& curve, int steps) {
   reference::ExactCurve exact;
-  metric::TrialScale scale;
-  const double u = metric::double_arithmetic.unit_roundoff;
+  reference::TrialScale scale;
+  const double u = reference::double_arithmetic.unit_roundoff;
   double largest = 0;
   for (const double c : curve.coefficients) largest = std::max(largest, std::abs(c));
   const double size = kernel.bound->underflow_scales_with_coefficients ? 1 + largest : 1;
@@ -87,11 +87,11 @@ double judged(const GridKernel& kernel, const CurveView<double>& curve, int step
     const double bound =
         kernel.bound->factor(curve.degree, k, u) * u * amplification(kernel.bound->amplification, magnitudes, t) + lost;
     if (!std::isfinite(error) || !std::isfinite(bound)) continue;
-    EXPECT_FALSE(metric::TrialScale::violates(error, bound))
+    EXPECT_FALSE(reference::TrialScale::violates(error, bound))
         << kernel.info->id << " degree " << curve.degree << " k " << k << " of " << steps << ": " << error << ", bound "
         << bound;
     scale.set(curve, t);
-    worst = std::max(worst, scale.in_bound_units(error, metric::double_arithmetic));
+    worst = std::max(worst, scale.in_bound_units(error, reference::double_arithmetic));
   }
   return worst;
 }

@@ -45,7 +45,7 @@ Length root(Length length) {
 }  // namespace
 
 std::vector<double> knot_steps(std::span<const double> points, int dimension, Parameters parameters, bool closed) {
-  constexpr int least_exponent = -900;  // below that, slopes would overflow
+  constexpr int min_exponent = -900;  // below that, slopes would overflow
   const auto d = static_cast<std::size_t>(dimension);
   const std::size_t count = points.size() / d;
   std::vector<double> steps(closed ? count : count - 1, 1);
@@ -66,8 +66,7 @@ std::vector<double> knot_steps(std::span<const double> points, int dimension, Pa
   double unit = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const auto [significand, exponent] = lengths[i];
-    steps[i] =
-        significand == 0 || exponent < largest + least_exponent ? 0 : std::ldexp(significand, exponent - largest);
+    steps[i] = significand == 0 || exponent < largest + min_exponent ? 0 : std::ldexp(significand, exponent - largest);
     unit = std::max(unit, steps[i]);
   }
   if (unit > 0)

@@ -39,10 +39,10 @@ double zero_of_control_polygon(const Polygon<1, Points>& f) {
 /// no guaranteed accuracy: next to the root, values of f may consist of rounding errors only.
 template <int Points>
 RootEstimate estimate_root(const Polygon<1, Points>& f) {
-  constexpr int most_steps = 16;
+  constexpr int max_steps = 16;
   constexpr double short_step = 0x1p-18;
   RootEstimate root{zero_of_control_polygon(f), 1};
-  for (int k = 0; k < most_steps && std::abs(root.step) > short_step; ++k) {
+  for (int k = 0; k < max_steps && std::abs(root.step) > short_step; ++k) {
     const auto [value, derivative] = bernstein_slope(f, root.t);
     const double next = root.t - value / (degree_of<1>(f) * derivative);
     if (!(next > 0 && next < 1)) return {root.t, 1};

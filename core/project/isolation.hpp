@@ -32,14 +32,14 @@ class Isolation {
     isolate({HalvedPolygon(offset_.offsets()), HalvedPolygon(offset_.differences_of_points())});
     const auto best = nearest_neighbour(offset_, nearest_candidate(offset_, std::move(candidates_)));
     const FootPoint foot{best.t, offset_.unscaled(best.scaled_distance), best.candidates + maxima_,
-                         judged_ < most_pieces};
+                         judged_ < max_pieces};
     if (best.t > 0 && best.t < 1) return foot;
     const double t = polished(offset_, best.t);  // a root so near to the end that it is not farther away
     return t == best.t ? foot : FootPoint{t, offset_.distance(t), foot.candidates, foot.converged};
   }
 
  private:
-  static constexpr int most_pieces = 20'000;
+  static constexpr int max_pieces = 20'000;
   static constexpr double smallest_width = 0x1p-60;
 
   /// A part of the curve, divided by m as in OffsetCurve.
@@ -54,13 +54,13 @@ class Isolation {
 
   /// Adds a candidate for each root in the piece.
   void isolate(const Piece& piece) {
-    if (judged_ == most_pieces) {
+    if (judged_ == max_pieces) {
       candidates_.push_back(polished(offset_, piece.middle()));
       return;
     }
     ++judged_;
     const auto f = product_(piece.offset, piece.difference);
-    const int most = f.most_variations();
+    const int most = f.max_variations();
     if (most == 0) return;
     if (most == 1 && f.sign(0) > 0 && f.sign(f.degree()) < 0)
       ++maxima_;

@@ -171,13 +171,13 @@ TEST(PolygonProduct, IsNeverOffByMoreThanItsErrorHoweverOftenHalved) {
 }
 
 /// The largest number of sign variations, by trying every choice for the uncertain signs.
-int most_variations_by_trial(std::vector<int> signs, std::size_t from = 0) {
+int max_variations_by_trial(std::vector<int> signs, std::size_t from = 0) {
   for (std::size_t k = from; k < signs.size(); ++k)
     if (signs[k] == 0) {
       signs[k] = 1;
-      const int with_plus = most_variations_by_trial(signs, k + 1);
+      const int with_plus = max_variations_by_trial(signs, k + 1);
       signs[k] = -1;
-      return std::max(with_plus, most_variations_by_trial(signs, k + 1));
+      return std::max(with_plus, max_variations_by_trial(signs, k + 1));
     }
   int variations = 0;
   for (std::size_t k = 1; k < signs.size(); ++k) variations += signs[k] != signs[k - 1] ? 1 : 0;
@@ -198,7 +198,7 @@ TEST(UncertainPolynomial, CountsTheMostVariationsOfAnyChoice) {
       f.weighted[k] = binomials[k] * (signs.back() == 0 ? inputs.symmetric() : 2.0 * signs.back());
       EXPECT_EQ(f.sign(k), signs.back());
     }
-    EXPECT_EQ(f.most_variations(), most_variations_by_trial(signs));
+    EXPECT_EQ(f.max_variations(), max_variations_by_trial(signs));
     EXPECT_EQ(f.is_unknown(), std::ranges::all_of(signs, [](int sign) { return sign == 0; }));
   }
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/project/kernel.hpp"
 
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 #include "core/project/roster.hpp"
 
 namespace bezierbench {
 namespace {
 
-struct Entry {
+struct MakeKernel {
   template <ProjectionMethod M, int Dimension>
   static constexpr ProjectionKernel of() {
     ProjectionKernel kernel{&M::info, Dimension,
@@ -26,7 +26,7 @@ struct Entry {
 }  // namespace
 
 std::span<const ProjectionKernel> projection_kernels(int dimension) {
-  return kernels_of<ProjectionKernel, Entry>(ProjectionMethods{}, dimension);
+  return kernels_of<ProjectionKernel, MakeKernel>(ProjectionMethods{}, dimension);
 }
 
 std::span<const MethodInfo* const> projection_infos() { return infos_of(ProjectionMethods{}); }

@@ -6,9 +6,16 @@
 
 #include "core/curve_view.hpp"
 #include "core/method.hpp"
-#include "core/project/result.hpp"
 
 namespace bezierbench {
+
+/// The parameter at which a method finds the curve nearest to the point.
+struct FootPoint {
+  double t = 0;
+  double distance = 0;    ///< |C(t) - P|, in coordinate units
+  int candidates = 0;     ///< parameters or pieces among which the nearest was sought
+  bool converged = true;  ///< false where the method gave up early
+};
 
 /// One method, for curves of one dimension.
 struct ProjectionKernel {

@@ -3,12 +3,12 @@
 //
 // With m a power of two at or above all coordinates, and at least 2^-1000, b_i and P are divided by m, exactly, and
 // b_i - P = high + low is an error-free sum. De Casteljau's triangle in two parts
-// (core/evaluate/compensated_triangle.hpp) evaluates C - P, so that its error is one rounding of itself and c_2 u^2 of
-// the coordinates, also next to the curve, where C and P agree in all digits.
+// (core/evaluate/schemes/compensated_triangle.hpp) evaluates C - P, so that its error is one rounding of itself and
+// c_2 u^2 of the coordinates, also next to the curve, where C and P agree in all digits.
 #pragma once
 
-#include "core/basis/binary_exponent.hpp"
-#include "core/evaluate/compensated_triangle.hpp"
+#include "core/evaluate/schemes/compensated_triangle.hpp"
+#include "core/powers.hpp"
 #include "core/project/polygon.hpp"
 
 namespace bezierbench {
@@ -26,7 +26,7 @@ class OffsetCurve {
     constexpr int coordinates = Degree == dynamic ? dynamic : Dimension * (Degree + 1);
     const double largest = std::max(largest_coordinate<Dimension>(point),
                                     largest_magnitude<coordinates>(curve.data(), Dimension * (n + 1)));
-    if (largest != 0) exponent_ = std::max(binary_exponent(largest), least_exponent);
+    if (largest != 0) exponent_ = std::max(binary_exponent(largest), min_exponent);
     const double scale = times_power_of_two(1.0, -exponent_);
     Points scaled;
     scaled.resize(Dimension, n + 1);
@@ -61,13 +61,13 @@ class OffsetCurve {
   [[nodiscard, gnu::flatten]] Vector at(double t) const {
     if (t == 0) return high_.col(0);  // same bits as the code below
     if (t == 1) return high_.col(degree());
-    const Coordinates of_next(t);
-    const auto s = two_sum(Coordinates(1.0), -of_next);
+    const Coordinates next_weight(t);
+    const auto s = two_sum(Coordinates(1.0), -next_weight);
     auto high = high_;
     auto low = low_;
     const auto parts_of = [&](int i) { return std::array{column<Dimension>(high, i), column<Dimension>(low, i)}; };
     each_of_triangle<Degree>(degree(), [&](int i) {
-      const auto parts = compensated_step<2, Coordinates>(parts_of(i), parts_of(i + 1), s, of_next);
+      const auto parts = compensated_step<2, Coordinates>(parts_of(i), parts_of(i + 1), s, next_weight);
       set_column<Dimension>(high, i, parts[0]);
       set_column<Dimension>(low, i, parts[1]);
     });
@@ -110,7 +110,7 @@ class OffsetCurve {
 
  private:
   using Coordinates = Axes<double, Dimension>;
-  static constexpr int least_exponent = -1000;  // makes 1/m a double
+  static constexpr int min_exponent = -1000;  // makes 1/m a double
 
   Points high_;
   Points low_;

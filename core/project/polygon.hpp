@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/curve.hpp"
-#include "core/evaluate/points/axes.hpp"
+#include "core/evaluate/kernel/points/axes.hpp"
 #include "core/project/written_out.hpp"
 
 namespace bezierbench {
@@ -98,9 +98,9 @@ template <int Dimension, int Points>
 Point<double, Dimension> point_at(Polygon<Dimension, Points> b, double t) {
   if (b.cols() == 0) return Point<double, Dimension>::Zero();
   const Axes<double, Dimension> s(1 - t);
-  const Axes<double, Dimension> of_next(t);
+  const Axes<double, Dimension> next_weight(t);
   each_of_triangle<count_of(Points, -1)>(degree_of<Dimension>(b), [&](int i) {
-    set_column<Dimension>(b, i, s * column<Dimension>(b, i) + of_next * column<Dimension>(b, i + 1));
+    set_column<Dimension>(b, i, s * column<Dimension>(b, i) + next_weight * column<Dimension>(b, i + 1));
   });
   return b.col(0);
 }

@@ -5,7 +5,7 @@
 // Source: [Farouki and Rajan 1988], products in Bernstein form.
 #pragma once
 
-#include "core/basis/binomial_table.hpp"
+#include "core/binomial.hpp"
 #include "core/project/halved_polygon.hpp"
 #include "core/project/written_out_product.hpp"
 
@@ -37,12 +37,10 @@ struct UncertainPolynomial {
   [[nodiscard]] bool is_unknown() const { return sign(0) == 0 && largest_coordinate<1>(coefficients()) <= error; }
 
   /// The largest number of sign variations over all choices for the uncertain signs.
-  [[nodiscard]] int most_variations() const {
-    return is_surely_certain() ? variations() : most_variations_of_choices();
-  }
+  [[nodiscard]] int max_variations() const { return is_surely_certain() ? variations() : max_variations_of_choices(); }
 
  private:
-  [[nodiscard]] int most_variations_of_choices() const {
+  [[nodiscard]] int max_variations_of_choices() const {
     const int none = -degree() - 2;
     int after_plus = -1;  // two values for which the first sign is not a variation
     int after_minus = -1;
@@ -75,17 +73,18 @@ struct UncertainPolynomial {
 template <int Degree = dynamic>
 class PolygonProduct {
  public:
-  explicit PolygonProduct(int n) : of_curve_(n), of_difference_(n - 1), of_product_(2 * n - 1) {}
+  explicit PolygonProduct(int n) : curve_binomials_(n), difference_binomials_(n - 1), product_binomials_(2 * n - 1) {}
 
   template <int Dimension>
   [[nodiscard]] UncertainPolynomial<count_of(Degree, Degree)> operator()(
       const HalvedPolygon<Dimension, count_of(Degree, 1)>& offset,
       const HalvedPolygon<Dimension, Degree>& difference) const {
     if constexpr (Degree == dynamic)
-      return {sums<Dimension>(offset.b, difference.b), &of_product_[0], error_of(offset, difference)};
+      return {sums<Dimension>(offset.b, difference.b), &product_binomials_[0], error_of(offset, difference)};
     else
-      return {WrittenOutProduct<Dimension, Degree>::sums(offset.b, difference.b, of_curve_, of_difference_),
-              &of_product_[0], error_of(offset, difference)};
+      return {
+          WrittenOutProduct<Dimension, Degree>::sums(offset.b, difference.b, curve_binomials_, difference_binomials_),
+          &product_binomials_[0], error_of(offset, difference)};
   }
 
  private:
@@ -96,7 +95,7 @@ class PolygonProduct {
     Polygon<1> f = Polygon<1>::Zero(1, 2 * n);
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j < n; ++j)
-        f[i + j] += of_curve_[i] * of_difference_[j] * dot<Dimension>(offset.col(i), difference.col(j));
+        f[i + j] += curve_binomials_[i] * difference_binomials_[j] * dot<Dimension>(offset.col(i), difference.col(j));
     return f;
   }
 
@@ -112,9 +111,9 @@ class PolygonProduct {
     return Dimension * (1 + 0x1p-20) * (carried + roundings * largest_offset * largest_difference);
   }
 
-  BinomialRow<double, Degree> of_curve_;
-  BinomialRow<double, count_of(Degree, -1)> of_difference_;
-  BinomialRow<double, count_of(Degree, Degree - 1)> of_product_;
+  BinomialRow<double, Degree> curve_binomials_;
+  BinomialRow<double, count_of(Degree, -1)> difference_binomials_;
+  BinomialRow<double, count_of(Degree, Degree - 1)> product_binomials_;
 };
 
 }  // namespace bezierbench

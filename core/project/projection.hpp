@@ -7,7 +7,7 @@
 
 #include "core/curve.hpp"
 #include "core/method.hpp"
-#include "core/project/result.hpp"
+#include "core/project/kernel.hpp"
 
 namespace bezierbench {
 

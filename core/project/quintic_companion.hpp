@@ -11,7 +11,7 @@
 //   point; where several points are about equally near, the polished one may then be another.
 #pragma once
 
-#include "core/basis/binomial.hpp"
+#include "core/binomial.hpp"
 #include "core/project/companion_projection.hpp"
 
 namespace bezierbench {
@@ -33,15 +33,15 @@ struct QuinticCompanion : CompanionProjection<QuinticCompanion> {
   template <int Dimension>
   static std::vector<double> coefficients(const OffsetCurve<Dimension>& offset) {
     const int n = offset.degree();
-    const auto of_curve = binomials<double, dynamic>(n);
-    const auto of_difference = binomials<double, dynamic>(n - 1);
+    const auto curve_binomials = binomials<double, dynamic>(n);
+    const auto difference_binomials = binomials<double, dynamic>(n - 1);
     const auto curve = first_differences(offset.offsets());
     const auto difference = first_differences(offset.differences_of_points());
     std::vector<double> f(static_cast<std::size_t>(2 * n), 0.0);
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j < n; ++j)
         f[static_cast<std::size_t>(i + j)] +=
-            of_curve[i] * of_difference[j] * dot<Dimension>(curve.col(i), difference.col(j));
+            curve_binomials[i] * difference_binomials[j] * dot<Dimension>(curve.col(i), difference.col(j));
     return f;
   }
 

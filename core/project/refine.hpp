@@ -21,9 +21,9 @@ struct RootEstimate {
 template <int Dimension, int Degree>
 double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, double b, bool rising,
                        const RootEstimate& estimate) {
-  constexpr int most_steps = 200;  // every second step halves the bracket, of at most 2^53 doubles per binade
+  constexpr int max_steps = 200;  // every second step halves the bracket, of at most 2^53 doubles per binade
   auto [t, last_step] = estimate;
-  for (int k = 0; k < most_steps; ++k) {
+  for (int k = 0; k < max_steps; ++k) {
     const auto f = curve.slope(t);
     if (f.value == 0) break;
     ((f.value < 0) == rising ? a : b) = t;
@@ -49,7 +49,7 @@ double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, do
 /// on.
 template <int Dimension, int Degree>
 double polished(const OffsetCurve<Dimension, Degree>& curve, double t) {
-  constexpr double least_step = 0x1p-52;
+  constexpr double min_step = 0x1p-52;
   constexpr double rounding = 1 + 8 * 0x1p-53;  // of two distances
   const auto f = curve.slope(t);
   if (f.value == 0) return t;
@@ -61,7 +61,7 @@ double polished(const OffsetCurve<Dimension, Degree>& curve, double t) {
   double near = t;
   double far = t;
   double at_far = f.value;
-  for (double step = std::max(2 * newton, least_step); far != end && falls(at_far); step *= 2) {
+  for (double step = std::max(2 * newton, min_step); far != end && falls(at_far); step *= 2) {
     near = far;
     far = std::clamp(falls_to_the_right ? t + step : t - step, 0.0, 1.0);
     at_far = curve.slope(far).value;

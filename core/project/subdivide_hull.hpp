@@ -16,7 +16,7 @@
 
 #include <vector>
 
-#include "core/basis/binomial.hpp"
+#include "core/binomial.hpp"
 #include "core/project/projection.hpp"
 #include "core/project/refine.hpp"
 
@@ -44,7 +44,7 @@ struct SubdivideHull {
     best.take(1, offset.scaled_distance(1));
     std::vector<Piece<Dimension>> level{{offset.offsets(), 0, 0}};
     int judged = 0;
-    for (double width = 1; !level.empty() && width >= smallest_width && judged < most_pieces; width /= 2) {
+    for (double width = 1; !level.empty() && width >= smallest_width && judged < max_pieces; width /= 2) {
       std::vector<Piece<Dimension>> next;
       for (auto& piece : level) {
         ++judged;
@@ -62,11 +62,11 @@ struct SubdivideHull {
       level = std::move(next);
     }
     best.t = polished(offset, best.t);
-    return {best.t, offset.distance(best.t), judged, judged < most_pieces};
+    return {best.t, offset.distance(best.t), judged, judged < max_pieces};
   }
 
  private:
-  static constexpr int most_pieces = 20'000;
+  static constexpr int max_pieces = 20'000;
   static constexpr double smallest_width = 0x1p-54;
 
   struct Best {
@@ -88,9 +88,9 @@ struct SubdivideHull {
 
   struct Binomials {
     using Row = PerCoefficient<double, dynamic>;
-    explicit Binomials(int n) : of_curve(binomials<double, dynamic>(n)), of_square(binomials<double, dynamic>(2 * n)) {}
-    Row of_curve;
-    Row of_square;
+    explicit Binomials(int n) : curve(binomials<double, dynamic>(n)), square(binomials<double, dynamic>(2 * n)) {}
+    Row curve;
+    Row square;
   };
 
   /// Whether a point of the piece may be nearer than `best`; false where every point is at least as far away, up to
@@ -105,9 +105,9 @@ struct SubdivideHull {
     for (int k = 0; k <= 2 * n; ++k) {
       double sum = 0;
       for (int i = std::max(0, k - n); i <= std::min(k, n); ++i)
-        sum += binomials.of_curve[i] * binomials.of_curve[k - i] *
-               dot<Dimension>(piece.offset.col(i), piece.offset.col(k - i));
-      if (sum / binomials.of_square[k] - roundings * largest * largest < nearer * nearer) return true;
+        sum +=
+            binomials.curve[i] * binomials.curve[k - i] * dot<Dimension>(piece.offset.col(i), piece.offset.col(k - i));
+      if (sum / binomials.square[k] - roundings * largest * largest < nearer * nearer) return true;
     }
     return false;
   }

@@ -20,17 +20,17 @@ class WrittenOutProduct {
 
  public:
   /// C(2n-1,k) f_k from b_i - P, b_(j+1) - b_j and the binomials C(n,i) and C(n-1,j).
-  template <class OfCurve, class OfDifference>
+  template <class CurveRow, class DifferenceRow>
   static Polygon<1, 2 * Degree> sums(const Polygon<Dimension, Degree + 1>& offset,
-                                     const Polygon<Dimension, Degree>& difference, const OfCurve& of_curve,
-                                     const OfDifference& of_difference) {
+                                     const Polygon<Dimension, Degree>& difference, const CurveRow& curve_binomials,
+                                     const DifferenceRow& difference_binomials) {
     std::array<Four, Dimension> differences;
     for (int axis = 0; axis < Dimension; ++axis)
       differences[static_cast<std::size_t>(axis)] = first_of([&](int j) { return difference(axis, j); });
-    const Four binomials = first_of([&](int j) { return of_difference[j]; });
+    const Four binomials = first_of([&](int j) { return difference_binomials[j]; });
     Sums sums;
     [&]<int... I>(std::integer_sequence<int, I...> /*all*/) {
-      (sums.template add<I>(of_curve[I] * binomials * dots(offset.col(I), differences)), ...);
+      (sums.template add<I>(curve_binomials[I] * binomials * dots(offset.col(I), differences)), ...);
     }
     (std::make_integer_sequence<int, Degree + 1>());
     return sums.all();

@@ -17,8 +17,7 @@ struct DeCasteljauSplit {
   static constexpr SplitBound bound{.text = "gamma_3k p~ of a control point of k levels",
                                     .amplification = SplitAmplification::p_tilde,
                                     .factor = [](int k, double u) { return gamma_over_u(3 * k, u); },
-                                    .underflow = [](int k) { return 2.0 * k; },
-                                    .underflow_scales_with_coefficients = false};
+                                    .underflow = [](int k) { return 2.0 * k; }};
   static constexpr SplitPromises promises{.keeps_ends = true,
                                           .shares_junction = true,
                                           .exact_at_zero = true,

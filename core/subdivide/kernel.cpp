@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/subdivide/kernel.hpp"
 
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 #include "core/subdivide/roster.hpp"
 
@@ -30,7 +30,7 @@ void write(const Curve<Form::rational, Scalar, Dimension>& half, Scalar* numbers
   }
 }
 
-struct Entry {
+struct MakeKernel {
   template <SplitMethod M, int Dimension>
   static constexpr SplitKernel of() {
     return {&M::info, &M::promises, bound_of<M>(), Dimension,
@@ -45,7 +45,7 @@ struct Entry {
 }  // namespace
 
 std::span<const SplitKernel> split_kernels(int dimension) {
-  return kernels_of<SplitKernel, Entry>(SplitMethods{}, dimension);
+  return kernels_of<SplitKernel, MakeKernel>(SplitMethods{}, dimension);
 }
 
 std::span<const MethodInfo* const> split_infos() { return infos_of(SplitMethods{}); }

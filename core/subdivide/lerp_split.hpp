@@ -19,7 +19,6 @@ struct LerpSplit {
                                     .amplification = SplitAmplification::largest,
                                     .factor = [](int k, double u) { return gamma_over_u(5 * k, u); },
                                     .underflow = [](int k) { return 1.0 * k; },
-                                    .underflow_scales_with_coefficients = false,
                                     .growth = 2};
   static constexpr SplitPromises promises{.keeps_ends = true,
                                           .shares_junction = true,

@@ -13,8 +13,8 @@
 // Fails: t^j and (1-t)^(k-j) underflow for large degrees; C(n,j) overflows past degree 1029 (131 in float).
 #pragma once
 
-#include "core/basis/binomial.hpp"
-#include "core/basis/integer_power.hpp"
+#include "core/binomial.hpp"
+#include "core/powers.hpp"
 #include "core/subdivide/subdivision.hpp"
 
 namespace bezierbench {

@@ -11,7 +11,7 @@
 #include <limits>
 #include <string_view>
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 
 namespace bezierbench {
 
@@ -31,7 +31,7 @@ struct SplitBound {
   SplitAmplification amplification;
   double (*factor)(int levels, double u);
   double (*underflow)(int levels);
-  bool underflow_scales_with_coefficients;
+  bool underflow_scales_with_coefficients = false;
   double growth = 1;
 };
 
@@ -91,12 +91,12 @@ inline double split_quotient_bound(const SplitBound& bound, const SplitScale& po
   const double phi = u * bound.factor(point.levels, u);
   const double sum = weight.p_tilde;
   const bool by_p_tilde = bound.amplification == SplitAmplification::p_tilde;
-  const double of_numerator = by_p_tilde ? point.p_tilde : point.largest / sum;  // over W
-  const double of_weight = by_p_tilde ? 1 : weight.largest / sum;
-  const double w = phi * of_weight + detail::split_underflow(bound, weight, arithmetic) / sum;
+  const double point_size = by_p_tilde ? point.p_tilde : point.largest / sum;  // over W
+  const double weight_size = by_p_tilde ? 1 : weight.largest / sum;
+  const double w = phi * weight_size + detail::split_underflow(bound, weight, arithmetic) / sum;
   if (!(w < 1)) return std::numeric_limits<double>::infinity();
   const double v =
-      (phi * (1 + u) + u) * of_numerator + ((1 + phi) * eta + detail::split_underflow(bound, point, arithmetic)) / sum;
+      (phi * (1 + u) + u) * point_size + ((1 + phi) * eta + detail::split_underflow(bound, point, arithmetic)) / sum;
   return (1 + u) * (v + point.p_tilde * w) / (1 - w) + u * point.p_tilde + 3 * eta;
 }
 

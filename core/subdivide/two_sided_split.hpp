@@ -12,7 +12,7 @@
 //   taken, so there the curve run backwards may have halves with other bits.
 #pragma once
 
-#include "core/evaluate/nearer_end.hpp"
+#include "core/evaluate/schemes/nearer_end.hpp"
 #include "core/subdivide/triangle_split.hpp"
 
 namespace bezierbench {
@@ -22,7 +22,6 @@ struct TwoSidedSplit {
                                     .amplification = SplitAmplification::p_tilde,
                                     .factor = [](int k, double u) { return gamma_over_u(3 * k, u); },
                                     .underflow = [](int k) { return 1.0 * k; },
-                                    .underflow_scales_with_coefficients = false,
                                     .growth = 2};
   static constexpr SplitPromises promises{.keeps_ends = true,
                                           .shares_junction = true,
@@ -45,9 +44,10 @@ struct TwoSidedSplit {
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
     const bool near_start = t + t <= Scalar(1);
     const Scalar r = near_start ? t : Scalar(1) - t;
-    auto from_nearer = split_by_triangle(seen(near_start, curve), [r](Scalar a, Scalar b) { return a + r * (b - a); });
+    auto from_nearer =
+        split_by_triangle(reversed_unless(near_start, curve), [r](Scalar a, Scalar b) { return a + r * (b - a); });
     if (near_start) return from_nearer;
-    return {seen(near_start, from_nearer.right), seen(near_start, from_nearer.left)};
+    return {reversed_unless(near_start, from_nearer.right), reversed_unless(near_start, from_nearer.left)};
   }
 };
 

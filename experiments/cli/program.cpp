@@ -12,12 +12,12 @@
 #include <string_view>
 #include <utility>
 
+#include "core/api/floating_point_faults.hpp"
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/number/floating_point.hpp"
 #include "experiments/outside/harness.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/terminal.hpp"
@@ -117,7 +117,7 @@ int run(int argc, char** argv, std::span<const outside::OwnMethod> own) {
     reference::on_exhausted_memory([] { end_without_memory(); });  // no exception can pass through GMP
     bundle::ignore_file_size_signal();
     run::watch_for_interruption();
-    const auto faults = number::floating_point_faults();
+    const auto faults = floating_point_faults();
     if (!faults.empty())
       return fail(Exit::environment,
                   fmt::format("this build or process does not compute in IEEE 754 double: {}; run `bezierbench doctor`",

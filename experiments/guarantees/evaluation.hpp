@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/judge/workspace.hpp"
 
 namespace bezierbench::guarantees {

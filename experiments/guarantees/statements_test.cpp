@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/evaluate/guarantees.hpp"
+#include "core/evaluate/guarantee.hpp"
 #include "experiments/guarantees/draws.hpp"
 #include "experiments/guarantees/shrink.hpp"
 

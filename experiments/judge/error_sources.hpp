@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/metric/tally.hpp"
 #include "reference/exact_curve.hpp"
 

@@ -13,6 +13,7 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/metric/error_units.hpp"
+#include "experiments/metric/scale_lanes.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/long_double.hpp"
 
@@ -59,7 +60,7 @@ struct GroupJudge<Scalar>::Lane {
   TrialNumber number;
   std::uint64_t counted;  ///< trial number, counted on through the replicates
   TrialInputs<Scalar> inputs;
-  metric::TrialScale scale;
+  reference::TrialScale scale;
   reference::ExactCurve exact;
   std::optional<reference::TruePoint> truth;
 };
@@ -152,7 +153,8 @@ void GroupJudge<Scalar>::find_scales(Group group, Scratch& scratch) const {
       scratch.scales.load(k, group[k].inputs.true_curve(), group[k].inputs.true_t());
     scratch.scales.compute(methods_.amplifications());
     for (std::size_t k = 0; k < group.size(); ++k)
-      group[k].scale.set(group[k].inputs.true_curve(), group[k].inputs.true_t(), scratch.scales, k);
+      group[k].scale.set(group[k].inputs.true_curve(), group[k].inputs.true_t(), scratch.scales.largest(k),
+                         scratch.scales.amplified(k));
   }
   for (std::size_t k = 0; k < group.size(); ++k) scratch.p_tilde[k] = group[k].scale.p_tilde();
 }

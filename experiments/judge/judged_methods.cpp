@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "core/basis/amplification.hpp"
+#include "core/bound/amplification.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/suite/fault.hpp"

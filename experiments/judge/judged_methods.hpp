@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "experiments/judge/group_points.hpp"
-#include "experiments/metric/trial_scale.hpp"
 #include "experiments/sample/cell.hpp"
+#include "reference/error/trial_scale.hpp"
 
 namespace bezierbench::judge {
 
@@ -25,7 +25,9 @@ class JudgedMethods {
   [[nodiscard]] std::size_t baseline_count() const { return baselines_.size(); }
   [[nodiscard]] const GroupMethod<Scalar>& operator[](std::size_t method) const { return methods_[method]; }
   [[nodiscard]] const MethodInfo& info(std::size_t method) const { return *methods_[method].kernel->info; }
-  [[nodiscard]] const std::optional<metric::BoundAtDegree>& bound(std::size_t method) const { return bounds_[method]; }
+  [[nodiscard]] const std::optional<reference::BoundAtDegree>& bound(std::size_t method) const {
+    return bounds_[method];
+  }
   /// Empty for the exact reference.
   [[nodiscard]] const std::optional<GroupMethod<Scalar>>& baseline(std::size_t baseline) const {
     return baselines_[baseline];
@@ -60,7 +62,7 @@ class JudgedMethods {
 
   int degree_;
   std::vector<GroupMethod<Scalar>> methods_;
-  std::vector<std::optional<metric::BoundAtDegree>> bounds_;
+  std::vector<std::optional<reference::BoundAtDegree>> bounds_;
   std::set<Amplification> amplifications_;
   std::vector<std::optional<GroupMethod<Scalar>>> baselines_;
 };

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/arc_length/kernel.hpp"
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "core/method.hpp"
 #include "core/project/kernel.hpp"
 #include "experiments/sample/cell.hpp"

@@ -8,12 +8,12 @@
 #include <optional>
 #include <span>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/metric/tally.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/true_point.hpp"
 
 namespace bezierbench::judge {
@@ -89,7 +89,7 @@ class PointJudge {
       verdict.error_u = metric::to_24_bits(scale_.in_bound_units(error, arithmetic));
     }
     if (!kernel.info->bound) return;
-    const metric::BoundAtDegree bound(*kernel.info->bound, inputs.true_curve().degree, arithmetic);
+    const reference::BoundAtDegree bound(*kernel.info->bound, inputs.true_curve().degree, arithmetic);
     const auto checked = scale_.check(error, bound, arithmetic, length);
     if (!checked) return;
     verdict.bound_u = checked->bound_u;
@@ -100,7 +100,7 @@ class PointJudge {
   PreparedStorage storage_;
   std::optional<reference::CertifiedPoints> certified_;  ///< of the last form, dimension and degree
   reference::ExactCurve exact_;
-  metric::TrialScale scale_;
+  reference::TrialScale scale_;
 };
 
 }  // namespace bezierbench::judge

@@ -2,8 +2,8 @@
 // Properties of the scalar type that methods compute in.
 #pragma once
 
-#include "experiments/metric/trial_scale.hpp"
 #include "experiments/suite/suite.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/rational.hpp"
 
 namespace bezierbench::judge {
@@ -14,14 +14,14 @@ struct ScalarFacts;
 template <>
 struct ScalarFacts<float> {
   static constexpr suite::ScalarKind kind = suite::ScalarKind::float32;
-  static constexpr metric::Arithmetic arithmetic = metric::float_arithmetic;
+  static constexpr reference::Arithmetic arithmetic = reference::float_arithmetic;
   static constexpr reference::Format format = reference::binary32;
 };
 
 template <>
 struct ScalarFacts<double> {
   static constexpr suite::ScalarKind kind = suite::ScalarKind::float64;
-  static constexpr metric::Arithmetic arithmetic = metric::double_arithmetic;
+  static constexpr reference::Arithmetic arithmetic = reference::double_arithmetic;
   static constexpr reference::Format format = reference::binary64;
 };
 

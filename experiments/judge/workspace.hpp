@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 
 namespace bezierbench::judge {
 

@@ -5,20 +5,21 @@
 #include <cmath>
 #include <limits>
 
-#include "core/basis/bspline_bound.hpp"
-#include "core/basis/grid_bound.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "core/bound/bspline_bound.hpp"
+#include "core/bound/grid_bound.hpp"
+#include "reference/error/trial_scale.hpp"
 
 namespace bezierbench::metric {
 
 /// The bound of point k of `steps`, for a curve of this degree.
-inline BoundAtDegree bound_at(const GridBound& bound, int degree, int k, int steps, const Arithmetic& arithmetic) {
+inline reference::BoundAtDegree bound_at(const GridBound& bound, int degree, int k, int steps,
+                                         const reference::Arithmetic& arithmetic) {
   const ErrorBound of_no_point{.text = bound.text,
                                .amplification = bound.amplification,
                                .factor = [](int, double) { return 0.0; },
                                .underflow = [](int) { return 0.0; },
                                .underflow_scales_with_coefficients = bound.underflow_scales_with_coefficients};
-  BoundAtDegree at(of_no_point, degree, arithmetic);
+  reference::BoundAtDegree at(of_no_point, degree, arithmetic);
   at.factor = bound.factor(degree, k, arithmetic.unit_roundoff);
   at.underflow = std::ceil(bound.underflow(degree, steps));
   at.growth = bound.growth(degree, steps);
@@ -37,7 +38,8 @@ struct BsplineSizes {
 };
 
 /// Infinite where a result on the way may overflow.
-inline double bound_at(const BsplineBound::Part& bound, const BsplineSizes& sizes, const Arithmetic& arithmetic) {
+inline double bound_at(const BsplineBound::Part& bound, const BsplineSizes& sizes,
+                       const reference::Arithmetic& arithmetic) {
   const double u = arithmetic.unit_roundoff;
   if (!stays_in_range(sizes.largest, sizes.degree, u)) return std::numeric_limits<double>::infinity();
   const double lost = std::ceil(bound.underflow(sizes.degree)) * sizes.axes * (1 + sizes.largest);

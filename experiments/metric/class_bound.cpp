@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/basis/amplification.hpp"
+#include "core/bound/amplification.hpp"
 
 namespace bezierbench::metric {
 namespace {
@@ -18,7 +18,7 @@ double largest_norm(const CurveClass& of) { return of.range * std::sqrt(static_c
 
 /// The parameters at which an amplification, or its quotient by p~, can be largest over the interval: with all
 /// coefficients equal each is monotone on every piece between and beyond 0 and 1, or has a single minimum there
-/// (core/basis/amplification.hpp has the formulas: powers of |t|, 1 + |t|, |t| + |1 - t|, 3|t| + |1 - t| and 1/2 + |t -
+/// (core/bound/amplification.hpp has the formulas: powers of |t|, 1 + |t|, |t| + |1 - t|, 3|t| + |1 - t| and 1/2 + |t -
 /// 1/2|).
 std::vector<double> extreme_parameters(const CurveClass& of) {
   std::vector<double> all{of.t_min, of.t_max};
@@ -58,32 +58,35 @@ double largest_reach(const CurveClass& of) {
   return largest;
 }
 
-bool in_range(const BoundAtDegree& at_degree, const CurveClass& of, const Arithmetic& arithmetic) {
+bool in_range(const reference::BoundAtDegree& at_degree, const CurveClass& of,
+              const reference::Arithmetic& arithmetic) {
   const double size =
       at_degree.bound.underflow_scales_with_coefficients ? std::max(largest_norm(of), 1.0) : largest_norm(of);
   return stays_in_range(at_degree.growth * size * largest_reach(of), of.degree, arithmetic.unit_roundoff);
 }
 
-bool is_covered(const BoundAtDegree& at_degree, const CurveClass& of, const Arithmetic& arithmetic) {
+bool is_covered(const reference::BoundAtDegree& at_degree, const CurveClass& of,
+                const reference::Arithmetic& arithmetic) {
   if (of.form != Form::bernstein && of.form != Form::power) return false;
   if (at_degree.bound.unit_interval_only && (of.t_min < 0 || of.t_max > 1)) return false;
   return std::isfinite(at_degree.factor) && in_range(at_degree, of, arithmetic);
 }
 
 /// What underflow adds, in coordinate units.
-double underflow(const BoundAtDegree& at_degree, const CurveClass& of, const Arithmetic& arithmetic) {
+double underflow(const reference::BoundAtDegree& at_degree, const CurveClass& of,
+                 const reference::Arithmetic& arithmetic) {
   const double size = at_degree.bound.underflow_scales_with_coefficients ? 1 + largest_norm(of) : 1;
   return of.dimension * (arithmetic.smallest_subnormal * size * at_degree.underflow * largest_reach(of));
 }
 
 }  // namespace
 
-double least_p_tilde(const CurveClass& of, const Arithmetic& arithmetic) {
+double least_p_tilde(const CurveClass& of, const reference::Arithmetic& arithmetic) {
   return of.range / std::sqrt(arithmetic.range);
 }
 
-ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const Arithmetic& arithmetic) {
-  const BoundAtDegree at_degree(bound, of.degree, arithmetic);
+ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const reference::Arithmetic& arithmetic) {
+  const reference::BoundAtDegree at_degree(bound, of.degree, arithmetic);
   if (!is_covered(at_degree, of, arithmetic)) return {infinite, infinite};
   const double u = arithmetic.unit_roundoff;
   const double lost = underflow(at_degree, of, arithmetic);

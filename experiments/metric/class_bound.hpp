@@ -2,9 +2,9 @@
 // A method's proved bound over a whole class of curves; it does not depend on what was drawn.
 #pragma once
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 #include "core/curve_view.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 
 namespace bezierbench::metric {
 
@@ -26,11 +26,11 @@ struct ClassBound {
 };
 
 /// For a smaller p~ the class has no bound in units of u p~, because underflow terms do not shrink with p~.
-double least_p_tilde(const CurveClass& of, const Arithmetic& arithmetic);
+double least_p_tilde(const CurveClass& of, const reference::Arithmetic& arithmetic);
 
 /// The bound of a method with its worst amplification over the class. Known to a relative 2^-20, as TrialScale::bound.
 /// Infinite for rational curves, because the class says nothing about weights, and where a result on the way may
 /// overflow.
-ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const Arithmetic& arithmetic);
+ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const reference::Arithmetic& arithmetic);
 
 }  // namespace bezierbench::metric

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/basis/falling_factorial.hpp"
-#include "core/basis/integer_power.hpp"
-#include "experiments/metric/error_units.hpp"
-#include "experiments/metric/norm.hpp"
+#include "core/factorial.hpp"
+#include "core/powers.hpp"
+#include "reference/error/norm.hpp"
 #include "reference/exact_point.hpp"
 
 namespace bezierbench::metric {
@@ -26,7 +25,7 @@ void DerivativeScale::set(const CurveView<double>& curve, int order, double t) {
   const auto coefficients = exact_.derivative_coefficients(curve, order);
   const int degree = std::max(curve.degree - order, 0);
   p_tilde_ = infinite;
-  if (all_finite(coefficients)) {
+  if (reference::all_finite(coefficients)) {
     scale_.set({curve.form, curve.dimension, degree, coefficients}, t);
     p_tilde_ = scale_.p_tilde();
   }
@@ -46,7 +45,7 @@ std::vector<double> DerivativeScale::magnitudes(const CurveView<double>& curve) 
   const auto d = static_cast<std::size_t>(curve.dimension);
   std::vector<double> sums;
   for (std::size_t i = 0; i < curve.coefficients.size(); i += d)
-    sums.push_back(reference::Distance(curve.coefficients.subspan(i, d)).of_origin(curve.dimension));
+    sums.push_back(reference::Distance(curve.coefficients.subspan(i, d)).to_origin(curve.dimension));
   for (int k = 0; k < order_; ++k) {
     for (std::size_t i = 0; i + 1 < sums.size(); ++i) sums[i] += sums[i + 1];
     sums.pop_back();
@@ -55,11 +54,11 @@ std::vector<double> DerivativeScale::magnitudes(const CurveView<double>& curve) 
   return sums;
 }
 
-double DerivativeScale::in_bound_units(double error, const Arithmetic& arithmetic) const {
-  return in_units(error, p_tilde_, arithmetic.unit_roundoff);
+double DerivativeScale::in_bound_units(double error, const reference::Arithmetic& arithmetic) const {
+  return reference::in_units(error, p_tilde_, arithmetic.unit_roundoff);
 }
 
-double DerivativeScale::bound(const DerivativeBound& bound, const Arithmetic& arithmetic) const {
+double DerivativeScale::bound(const DerivativeBound& bound, const reference::Arithmetic& arithmetic) const {
   const double u = arithmetic.unit_roundoff;
   if (!std::isfinite(p_tilde_) || !std::isfinite(differences_)) return infinite;
   const bool scales = bound.underflow_scales_with_coefficients;

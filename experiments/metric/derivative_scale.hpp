@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The scales of a derivative's error: p~ and A of core/basis/derivative_bound.hpp, and the proved bound, with Euclidean
+// The scales of a derivative's error: p~ and A of core/bound/derivative_bound.hpp, and the proved bound, with Euclidean
 // norms as in TrialScale.
 #pragma once
 
 #include <vector>
 
-#include "core/basis/derivative_bound.hpp"
+#include "core/bound/derivative_bound.hpp"
 #include "core/curve_view.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::metric {
@@ -22,10 +22,10 @@ class DerivativeScale {
   [[nodiscard]] double p_tilde() const { return p_tilde_; }
 
   /// error / (u p~); where p~ is 0: 0 for error 0, else infinite.
-  [[nodiscard]] double in_bound_units(double error, const Arithmetic& arithmetic) const;
+  [[nodiscard]] double in_bound_units(double error, const reference::Arithmetic& arithmetic) const;
 
   /// The bound in coordinate units; to be compared by TrialScale::violates.
-  [[nodiscard]] double bound(const DerivativeBound& bound, const Arithmetic& arithmetic) const;
+  [[nodiscard]] double bound(const DerivativeBound& bound, const reference::Arithmetic& arithmetic) const;
 
  private:
   /// (n)_k sum_j C(k,j) |b_(i+j)|, the coefficients of A.
@@ -39,7 +39,7 @@ class DerivativeScale {
   double differences_ = 0;  ///< A
   double largest_ = 0;      ///< of the coefficients of A, or of the derivative where no differences are formed
   reference::ExactCurve exact_;
-  TrialScale scale_;
+  reference::TrialScale scale_;
 };
 
 }  // namespace bezierbench::metric

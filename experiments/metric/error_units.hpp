@@ -6,15 +6,9 @@
 
 namespace bezierbench::metric {
 
-/// error / divisor / unit; 0 for error 0, whatever the divisor. An error over a divisor of 0 is infinite.
-inline double in_units(double error, double divisor, double unit = 1) {
-  const double quotient = error / divisor / unit;
-  return error == 0 ? 0 : quotient;
-}
-
 using ErrorLanes = reference::CertifiedLanes;
 
-/// in_units() of every trial of a group, rounded to 24 bits.
+/// reference::in_units() of every trial of a group, rounded to 24 bits.
 ErrorLanes in_units(const ErrorLanes& errors, const ErrorLanes& divisors, double unit = 1);
 
 }  // namespace bezierbench::metric

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/metric/scale_lanes.hpp"
 
-#include "core/basis/amplification.hpp"
 #include "core/batch/lanes.hpp"
-#include "experiments/metric/norm.hpp"
+#include "core/bound/amplification.hpp"
+#include "reference/error/norm.hpp"
 
 namespace bezierbench::metric {
 namespace {
@@ -33,9 +33,9 @@ void ScaleLanes::compute(const std::set<Amplification>& kinds) {
     Pack largest(0);
     for (std::size_t i = 0; i < norms_.size(); ++i) {
       const Lanes* const point = &coefficients_[i * static_cast<std::size_t>(dimension_)];
-      const Pack length = norm<Pack>(dimension_, [&](int axis) { return pack(point[axis]); });
+      const Pack length = reference::norm<Pack>(dimension_, [&](int axis) { return pack(point[axis]); });
       length.store(&norms_[i][first]);
-      largest = larger(largest, length);
+      largest = reference::larger(largest, length);
     }
     largest.store(&largest_[first]);
     const auto norm_of = [&](int i) { return pack(norms_[static_cast<std::size_t>(i)]); };

@@ -8,9 +8,10 @@
 #include <set>
 #include <vector>
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 #include "core/curve_view.hpp"
 #include "reference/certified_points.hpp"
+#include "reference/error/trial_scale.hpp"
 
 namespace bezierbench::metric {
 
@@ -28,10 +29,11 @@ class ScaleLanes {
   /// The largest norm of a coefficient.
   [[nodiscard]] double largest(std::size_t lane) const { return largest_[lane]; }
   /// The amplifications that were computed.
-  [[nodiscard]] const std::set<Amplification>& kinds() const { return kinds_; }
-  /// The amplification of one of these kinds.
-  [[nodiscard]] double amplified(Amplification kind, std::size_t lane) const {
-    return amplified_[static_cast<std::size_t>(kind)][lane];
+  [[nodiscard]] reference::Amplifications amplified(std::size_t lane) const {
+    reference::Amplifications result;
+    for (const Amplification kind : kinds_)
+      result[static_cast<std::size_t>(kind)] = amplified_[static_cast<std::size_t>(kind)][lane];
+    return result;
   }
 
  private:

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 
 namespace bezierbench::metric {
 namespace {
@@ -59,18 +59,20 @@ TEST_P(ScaleLanesOf, HasTheBitsOfTrialScale) {
     group.compute(kinds);
     for (std::size_t k = 0; k < reference::certified_lanes; ++k) {
       const CurveView<double> curve{form, dimension, degree, values[k]};
-      TrialScale alone;
+      reference::TrialScale alone;
       alone.set(curve, t[k]);
-      TrialScale of_group;
-      of_group.set(curve, t[k], group, k);
+      reference::TrialScale of_group;
+      of_group.set(curve, t[k], group.largest(k), group.amplified(k));
       for (const Amplification kind : kinds) {
         const ErrorBound bound{.text = "",
                                .amplification = kind,
                                .factor = [](int n, double) { return n + 1.0; },
                                .underflow = [](int n) { return n + 1.0; },
                                .underflow_scales_with_coefficients = true};
-        EXPECT_EQ(of_group.bound(bound, float_arithmetic), alone.bound(bound, float_arithmetic)) << k;
-        EXPECT_EQ(of_group.bound(bound, double_arithmetic), alone.bound(bound, double_arithmetic)) << k;
+        EXPECT_EQ(of_group.bound(bound, reference::float_arithmetic), alone.bound(bound, reference::float_arithmetic))
+            << k;
+        EXPECT_EQ(of_group.bound(bound, reference::double_arithmetic), alone.bound(bound, reference::double_arithmetic))
+            << k;
       }
       EXPECT_EQ(of_group.p_tilde(), alone.p_tilde()) << k;
     }

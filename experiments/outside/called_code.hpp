@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/outside/batch.hpp"
 #include "experiments/outside/child.hpp"
 

@@ -10,7 +10,7 @@
 #include <array>
 #include <span>
 
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "experiments/outside/own_method.hpp"
 
 namespace bezierbench::harness {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/outside/batch.hpp"
 #include "experiments/outside/child.hpp"
 #include "experiments/suite/outside.hpp"

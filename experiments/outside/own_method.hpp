@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 
 namespace bezierbench::outside {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 
 namespace bezierbench::peers {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/arc_length/kernel.hpp"
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "core/project/kernel.hpp"
 
 namespace bezierbench::peers {

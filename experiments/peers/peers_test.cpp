@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/evaluate/evaluation_test.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::peers {
@@ -46,9 +46,9 @@ double error_in_u(const Kernel<double>& kernel, const CurveView<double>& curve, 
       .underflow = [](int) { return 0.0; },
       .underflow_scales_with_coefficients = false};
   reference::ExactCurve exact;
-  metric::TrialScale scale;
+  reference::TrialScale scale;
   scale.set(curve, t);
-  return reference::Distance(exact.point(curve, t)).to(point) / scale.bound(unit, metric::double_arithmetic);
+  return reference::Distance(exact.point(curve, t)).to(point) / scale.bound(unit, reference::double_arithmetic);
 }
 
 constexpr double allowed = 64;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/evaluate/prepared_state.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/race/kernel_rival.hpp"
 
 namespace bezierbench::programs {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/batch/batch.hpp"
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/suite/suite.hpp"
 

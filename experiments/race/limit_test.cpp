@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 
 namespace bezierbench::race {
 namespace {

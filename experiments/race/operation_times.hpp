@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/evaluate/operations.hpp"
+#include "core/operations/operations.hpp"
 #include "experiments/race/clock.hpp"
 
 namespace bezierbench::race {

@@ -7,7 +7,7 @@
 
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::race {
@@ -23,7 +23,7 @@ template <class Scalar>
 JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs) {
   constexpr auto arithmetic = judge::ScalarFacts<Scalar>::arithmetic;
   reference::ExactCurve exact;
-  metric::TrialScale scale;
+  reference::TrialScale scale;
   judge::PreparedStorage storage;
   const auto dimension = static_cast<std::size_t>(inputs.dimension);
   JudgedPoints<Scalar> judged{std::vector<Scalar>(inputs.t.size() * dimension), true, std::nullopt};
@@ -42,7 +42,7 @@ JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const
     judged.right = judged.right && std::isfinite(error);
     const double bound = proved ? scale.bound(*proved, arithmetic) : std::numeric_limits<double>::infinity();
     if (std::isfinite(bound))
-      judged.right = judged.right && !metric::TrialScale::violates(error, bound);
+      judged.right = judged.right && !reference::TrialScale::violates(error, bound);
     else
       judged.max_error_u = std::max(judged.max_error_u.value_or(0), scale.in_bound_units(error, arithmetic));
   }

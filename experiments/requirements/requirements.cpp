@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/metric/trial_scale.hpp"
 #include "experiments/requirements/seeded_curves.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::requirements {
 namespace {
 
 template <class Scalar>
-constexpr auto arithmetic_of = sizeof(Scalar) == sizeof(float) ? metric::float_arithmetic : metric::double_arithmetic;
+constexpr auto arithmetic_of = sizeof(Scalar) == sizeof(float) ? reference::float_arithmetic
+                                                               : reference::double_arithmetic;
 
 template <class To, class From>
 std::vector<To> converted(const std::vector<From>& values) {
@@ -50,12 +51,12 @@ class BoundedPoints {
 
  private:
   void judge(const CurveView<double>& curve, double t, std::span<const double> point,
-             const metric::Arithmetic& arithmetic) {
+             const reference::Arithmetic& arithmetic) {
     scale_.set(curve, t);
     const double error = reference::Distance(exact_.point(curve, t)).to(point);
     const double bound = scale_.bound(*info_.bound, arithmetic);
     bounded_ += std::isfinite(bound) ? 1 : 0;
-    outcome_.expect(!metric::TrialScale::violates(error, bound), [&] {
+    outcome_.expect(!reference::TrialScale::violates(error, bound), [&] {
       return fmt::format("degree {}, {} axes, t {}: error {}, bound {}", curve.degree, curve.dimension, t, error,
                          bound);
     });
@@ -63,7 +64,7 @@ class BoundedPoints {
 
   const MethodInfo& info_;
   reference::ExactCurve exact_;
-  metric::TrialScale scale_;
+  reference::TrialScale scale_;
   std::size_t bounded_ = 0;
   Outcome outcome_;
 };

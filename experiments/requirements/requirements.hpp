@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 
 namespace bezierbench::requirements {
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "core/evaluate/prepared_state.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench::requirements {

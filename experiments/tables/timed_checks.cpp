@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "experiments/metric/observed_error.hpp"
-#include "experiments/metric/trial_scale.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
 #include "experiments/tables/judged_tables.hpp"
+#include "reference/error/trial_scale.hpp"
 
 namespace bezierbench::tables {
 namespace {
@@ -43,7 +43,7 @@ std::map<JudgedCell, double> observed_errors(const Tables& tables) {
 
 double unit_roundoff_of(const TableRow& row) {
   const bool in_float = row.text("scalar") == suite::name(suite::ScalarKind::float32);
-  return (in_float ? metric::float_arithmetic : metric::double_arithmetic).unit_roundoff;
+  return (in_float ? reference::float_arithmetic : reference::double_arithmetic).unit_roundoff;
 }
 
 }  // namespace

@@ -239,13 +239,13 @@ IntegerPolynomial minimal_polynomial(const IntegerPolynomial& value, const Integ
   std::vector<Row> rows(modulus.size());  // at the size of their remainders
   const auto eliminate = [&rows](Row& row) {
     const Row& other = rows[row.remainder.size()];
-    const mpz_class of_row = other.remainder.back();
-    const mpz_class of_other = row.remainder.back();
+    const mpz_class row_leading = other.remainder.back();
+    const mpz_class other_leading = row.remainder.back();
     for (auto [mine, others] : {std::pair(&row.remainder, &other.remainder), std::pair(&row.p, &other.p)}) {
-      for (auto& c : *mine) c *= of_row;
+      for (auto& c : *mine) c *= row_leading;
       for (std::size_t i = 0; i < others->size(); ++i) {
         StopWhen::poll();
-        (*mine)[i] -= of_other * (*others)[i];
+        (*mine)[i] -= other_leading * (*others)[i];
       }
     }
     trim(row.remainder);

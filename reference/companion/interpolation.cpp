@@ -108,14 +108,14 @@ class SplineEquations {
 
   /// The derivatives of `order` of two neighbouring segments, steps g and h, agree at their common knot.
   void join(std::size_t order, std::size_t before, const mpq_class& g, std::size_t after, const mpq_class& h) {
-    mpq_class of_g = 1;
-    mpq_class of_h = 1;
+    mpq_class g_factor = 1;
+    mpq_class h_factor = 1;
     for (std::size_t k = 0; k < order; ++k) {
-      of_g /= g;
-      of_h /= h;
+      g_factor /= g;
+      h_factor /= h;
     }
-    auto terms = difference(order, before, 3, of_g);
-    const auto more = difference(order, after, order, -of_h);
+    auto terms = difference(order, before, 3, g_factor);
+    const auto more = difference(order, after, order, -h_factor);
     terms.insert(terms.end(), more.begin(), more.end());
     add(terms, 0);
   }

@@ -37,11 +37,11 @@ void raise_to_distance(const Cubic& b, const Vector& step, double roundings, dou
   const auto centre = middle(b[1], b[2]);
   const auto left = middle(b[0], b[1]);
   const auto right = middle(b[2], b[3]);
-  const auto of_left = middle(left, centre);
-  const auto of_right = middle(centre, right);
-  const auto cut = middle(of_left, of_right);
-  raise_to_distance({b[0], left, of_left, cut}, step, roundings, largest);
-  raise_to_distance({cut, of_right, right, b[3]}, step, roundings, largest);
+  const auto left_middle = middle(left, centre);
+  const auto right_middle = middle(centre, right);
+  const auto cut = middle(left_middle, right_middle);
+  raise_to_distance({b[0], left, left_middle, cut}, step, roundings, largest);
+  raise_to_distance({cut, right_middle, right, b[3]}, step, roundings, largest);
 }
 
 /// The part of a cubic between two parameters, by its blossom.

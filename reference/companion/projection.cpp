@@ -66,12 +66,12 @@ IntegerPolynomial common_zeros(const Problem& problem) {
   return common.size() < 2 ? common : square_free(common);
 }
 
-constexpr unsigned long least_bits = 128;
-constexpr unsigned long most_bits = 1200;  // beyond the smallest double
+constexpr unsigned long min_bits = 128;
+constexpr unsigned long max_bits = 1200;  // beyond the smallest double
 
 /// Narrow enough for the distance, and for t rounded to double.
 void refine_root(const IntegerPolynomial& p, RootInterval& root) {
-  for (unsigned long bits = least_bits; !root.exact && bits <= most_bits; bits *= 2) {
+  for (unsigned long bits = min_bits; !root.exact && bits <= max_bits; bits *= 2) {
     refine(p, root, bits);
     const Dyadic other{root.t.k + 1, root.t.shift};
     if (root.exact || round_to(binary64, rational(root.t)) == round_to(binary64, rational(other))) return;
@@ -98,25 +98,25 @@ class Nearest {
   /// Whether the curve is nearer at `a` than at `b`. Narrows both where that is required.
   bool is_nearer(RootInterval& a, RootInterval& b) {
     for (;;) {
-      const Range of_a = range(a);
-      const Range of_b = range(b);
-      const auto shift = std::max(of_a.value.shift, of_b.value.shift);
+      const Range range_a = range(a);
+      const Range range_b = range(b);
+      const auto shift = std::max(range_a.value.shift, range_b.value.shift);
       const auto at_shift = [shift](const Range& range, const mpz_class& k) {
         return mpz_class(k << (shift - range.value.shift));
       };
-      const mpz_class low_of_a = at_shift(of_a, of_a.value.k - of_a.off);
-      const mpz_class low_of_b = at_shift(of_b, of_b.value.k - of_b.off);
-      const mpz_class high_of_a = at_shift(of_a, of_a.value.k + of_a.off);
-      const mpz_class high_of_b = at_shift(of_b, of_b.value.k + of_b.off);
-      if (high_of_a < low_of_b) return true;
-      if (high_of_b < low_of_a || (a.exact && b.exact)) return false;
+      const mpz_class low_a = at_shift(range_a, range_a.value.k - range_a.off);
+      const mpz_class low_b = at_shift(range_b, range_b.value.k - range_b.off);
+      const mpz_class high_a = at_shift(range_a, range_a.value.k + range_a.off);
+      const mpz_class high_b = at_shift(range_b, range_b.value.k + range_b.off);
+      if (high_a < low_b) return true;
+      if (high_b < low_a || (a.exact && b.exact)) return false;
       if (!is_narrow(a) || !is_narrow(b)) {
         for (auto* root : {&a, &b}) refine(slope_, *root, narrow_bits());
         continue;
       }
-      const mpz_class low = std::min(low_of_a, low_of_b) - 1;
-      const mpz_class high = std::max(high_of_a, high_of_b) + 1;
-      if (is_critical(a, of_a.value) && is_critical(b, of_b.value) &&
+      const mpz_class low = std::min(low_a, low_b) - 1;
+      const mpz_class high = std::max(high_a, high_b) + 1;
+      if (is_critical(a, range_a.value) && is_critical(b, range_b.value) &&
           has_one_root(critical_values(), {low, shift}, high - low))
         return false;
       for (auto* root : {&a, &b}) refine(slope_, *root, 2 * root->t.shift);
@@ -242,9 +242,9 @@ double distance_error(const Format& format, double a, const Rational& b) {
 double foot_error(const Format& format, double t, double distance, const ExactProjection& exact) {
   if (!std::isfinite(t) || !std::isfinite(distance)) return std::numeric_limits<double>::infinity();
   const auto& least = exact.foot().distance_squared;
-  const double of_distance = distance_error(format, distance, least);
-  const double of_place = round_to(format, abs(root_of(exact.distance_squared_at(t)) - root_of(least)));
-  return of_place > 2 * of_distance ? of_place : of_distance;
+  const double distance_part = distance_error(format, distance, least);
+  const double place_part = round_to(format, abs(root_of(exact.distance_squared_at(t)) - root_of(least)));
+  return place_part > 2 * distance_part ? place_part : distance_part;
 }
 
 }  // namespace bezierbench::reference

@@ -100,7 +100,7 @@ Real LengthAlong<Real>::parameter_at(const Real& length) const {
   if (length >= whole()) return 1;
   const auto behind = std::upper_bound(cumulative_.begin(), cumulative_.end(), length);
   const auto k = static_cast<std::size_t>(behind - cumulative_.begin()) - 1;
-  const Real negligible = whole() * Precision<Real>::of_parameter;
+  const Real negligible = whole() * Precision<Real>::parameter_error;
   return panels_[k].begin + panels_[k].width * local_parameter<Real>(panels_[k], length - cumulative_[k], negligible);
 }
 
@@ -108,7 +108,7 @@ template <class Real>
 std::optional<Real> LengthAlong<Real>::known_parameter_at(const Real& length) const {
   const Real t = parameter_at(length);
   if (t == 0 || t == 1) return t;
-  const Real slack = uncertainty_ + 2 * whole() * Precision<Real>::of_parameter;
+  const Real slack = uncertainty_ + 2 * whole() * Precision<Real>::parameter_error;
   const auto low = parameter_at(length - slack).template convert_to<double>();
   const auto high = parameter_at(length + slack).template convert_to<double>();
   return low == high ? std::optional(t) : std::nullopt;

@@ -9,10 +9,10 @@ namespace {
 
 constexpr int largest_degree = 24;
 constexpr double largest_size = 0x1p+300;
-constexpr double least_size = 0x1p-300;
-constexpr double most_uncertain = 0x1p-60;  ///< part of a length; one that is less certain decides nothing
-constexpr double of_digits = 2e-30;  ///< part of the whole length by which 70 digits may be off, and as much again
-constexpr double of_difference = 0x1p-100;  ///< part of two numbers by which their difference may be off
+constexpr double min_size = 0x1p-300;
+constexpr double max_uncertain = 0x1p-60;  ///< part of a length; one that is less certain decides nothing
+constexpr double digits_error = 2e-30;  ///< part of the whole length by which 70 digits may be off, and as much again
+constexpr double difference_error = 0x1p-100;  ///< part of two numbers by which their difference may be off
 
 bool is_moderate(const CurveView<double>& curve) {
   if (curve.degree > largest_degree) return false;
@@ -20,13 +20,13 @@ bool is_moderate(const CurveView<double>& curve) {
 }
 
 bool is_certain(const PairReal& length, const PairReal& off) {
-  return length >= least_size && length <= largest_size && off <= length * most_uncertain;
+  return length >= min_size && length <= largest_size && off <= length * max_uncertain;
 }
 
 /// Of |a - b|, where b is right to `off`; empty where it may be no more than what 70 digits cannot tell from 0.
 std::optional<Enclosure> enclosed_difference(const PairReal& a, const PairReal& b, const PairReal& off) {
   const PairReal difference = abs(a - b);
-  const PairReal uncertain = off + (abs(a) + abs(b)) * of_difference;
+  const PairReal uncertain = off + (abs(a) + abs(b)) * difference_error;
   const PairReal low = difference - uncertain;
   if (low <= uncertain) return std::nullopt;
   return Enclosure{low.convert_to<double>(), PairReal(difference + uncertain).convert_to<double>()};
@@ -49,7 +49,7 @@ LengthTruth::LengthTruth(const CurveView<double>& curve, double from, double to,
   const LengthPanels<PairReal> integral(h);
   const PairReal width = PairReal(to) - PairReal(from);
   value_ = width * integral.length();
-  off_ = width * integral.uncertainty() + value_ * (of_digits + of_difference);
+  off_ = width * integral.uncertainty() + value_ * (digits_error + difference_error);
   certified_ = is_certain(value_, off_);
 }
 
@@ -72,7 +72,7 @@ const TrueLength& LengthTruth::exact() const {
 AlongTruth::AlongTruth(const CurveView<double>& curve, Tier tier) : curve_(curve) {
   if (tier == Tier::exact || !is_moderate(curve)) return;
   pairs_.emplace(curve);
-  off_ = 8 * pairs_->uncertainty() + pairs_->whole() * (of_digits + of_difference);
+  off_ = 8 * pairs_->uncertainty() + pairs_->whole() * (digits_error + difference_error);
   if (!is_certain(pairs_->whole(), off_)) pairs_.reset();
 }
 
@@ -85,7 +85,7 @@ double AlongTruth::whole() const {
 double AlongTruth::length_at_share(double share) const {
   if (pairs_) {
     const PairReal length = share * pairs_->whole();
-    if (const auto decided = nearest(length, std::abs(share) * off_ + abs(length) * of_difference)) return *decided;
+    if (const auto decided = nearest(length, std::abs(share) * off_ + abs(length) * difference_error)) return *decided;
   }
   return LongReal(share * exact().whole()).convert_to<double>();
 }
@@ -102,12 +102,12 @@ AlongTruth::Bracket AlongTruth::bracket(double length) const {
     found.low = found.high = 0;
     return found;
   }
-  const PairReal off = off_ + length * of_difference;
+  const PairReal off = off_ + length * difference_error;
   if (length + off >= pairs_->whole()) return found;
   const PairReal t = pairs_->parameter_at(length);
   const PairReal speed = pairs_->speed_at(t);
-  if (!(speed >= least_size)) return found;
-  const PairReal step = 1.5 * off / speed + of_difference;
+  if (!(speed >= min_size)) return found;
+  const PairReal step = 1.5 * off / speed + difference_error;
   const PairReal low = t - step;
   const PairReal high = t + step;
   if (low <= 0)

@@ -270,13 +270,13 @@ Real SpeedSeries<Real>::proved_miss(const Real& allowed) const {
   if (stays_ahead()) return 0;
   const Real first = size_of<Real>(dimension_, [&](std::size_t axis) { return coefficients_[axis]; });
   if (first == 0 || allowed <= 0) return -1;
-  constexpr double least_rho = 1.1;
+  constexpr double min_rho = 1.1;
   constexpr int exponent = 2 * Precision<Real>::points_of_rule;
   constexpr double up = 1 + 1e-9;  // more than all roundings in double
   const auto wanted = Real(2 * first * Real(32) / 15 / allowed).template convert_to<double>();
   const double log_wanted = wanted > 1 ? std::log(wanted) : 0;
-  const double least_fall = 1 - 1 / (least_rho * least_rho);
-  const double rho = std::max(least_rho, std::exp((log_wanted - std::log(least_fall)) / exponent) * up);
+  const double min_fall = 1 - 1 / (min_rho * min_rho);
+  const double rho = std::max(min_rho, std::exp((log_wanted - std::log(min_fall)) / exponent) * up);
   Real sum = 0;
   double power = 1;
   for (std::size_t k = 1; k <= degree(); ++k) {

@@ -24,10 +24,11 @@ struct Precision;
 template <>
 struct Precision<LongReal> {
   static constexpr int points_of_rule = 44;
-  static constexpr double negligible = 1e-36;    ///< part of a length that a panel may miss
-  static constexpr double straight = 1e-60;      ///< part by which polygon and chord of a straight line differ
-  static constexpr double of_parameter = 1e-40;  ///< part of the whole length by which that at a parameter may be off
-  static constexpr double work_limit = 1.5e8;    ///< products, some ten seconds; then panels are taken as they are
+  static constexpr double negligible = 1e-36;  ///< part of a length that a panel may miss
+  static constexpr double straight = 1e-60;    ///< part by which polygon and chord of a straight line differ
+  static constexpr double parameter_error =
+      1e-40;                                   ///< part of the whole length by which that at a parameter may be off
+  static constexpr double work_limit = 1.5e8;  ///< products, some ten seconds; then panels are taken as they are
   static LongReal unit() { return 4 * std::numeric_limits<LongReal>::epsilon(); }
 };
 
@@ -36,7 +37,7 @@ struct Precision<PairReal> {
   static constexpr int points_of_rule = 30;
   static constexpr double negligible = 1e-28;
   static constexpr double straight = 0x1p-90;
-  static constexpr double of_parameter = 1e-27;
+  static constexpr double parameter_error = 1e-27;
   static constexpr double work_limit = 2e6;
   static PairReal unit() { return 0x1p-100; }
 };

@@ -22,13 +22,13 @@
 #include "core/arc_length/inverse/inverse_arc_length.hpp"
 #include "core/arc_length/inverse/part_length.hpp"
 #include "core/arc_length/points.hpp"
-#include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/methods/horner_bernstein.hpp"
 
 namespace bezierbench {
 
 struct ChordEqualising {
   static constexpr std::size_t fewest_chords = 8;
-  static constexpr std::size_t most_chords = 1024;
+  static constexpr std::size_t max_chords = 1024;
   static constexpr int rounds = 12;             ///< for each number of chords
   static constexpr double even = 1 + 1.0 / 64;  ///< largest ratio of the longest chord to the mean one
 
@@ -54,7 +54,7 @@ struct ChordEqualising {
       result.t = t;
       result.error_estimate = std::max(std::abs(target - before), std::abs(latest - target)) + polygon.rounding();
       result.converged = result.error_estimate <= tolerance * (whole.length - whole.error_estimate);
-      if (result.converged || polygon.chords() == most_chords) break;
+      if (result.converged || polygon.chords() == max_chords) break;
     }
     result.evaluations = whole.evaluations + polygon.evaluations();
     return result;

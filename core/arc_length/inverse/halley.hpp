@@ -11,7 +11,7 @@
 
 #include "core/arc_length/inverse/bracket.hpp"
 #include "core/derivative/hodograph.hpp"
-#include "core/evaluate/horner_bernstein.hpp"
+#include "core/evaluate/methods/horner_bernstein.hpp"
 
 namespace bezierbench {
 

@@ -4,7 +4,7 @@
 
 #include <concepts>
 
-#include "core/arc_length/inverse/result.hpp"
+#include "core/arc_length/inverse/kernel.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
 

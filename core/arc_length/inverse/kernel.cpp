@@ -5,7 +5,7 @@
 
 #include "core/arc_length/inverse/roster.hpp"
 #include "core/arc_length/scale.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 
 namespace bezierbench {
@@ -23,7 +23,7 @@ InverseArcLength solve(const CurveView<double>& view, double target, double tole
   return result;
 }
 
-struct Entry {
+struct MakeKernel {
   template <InverseArcLengthMethod M, int Dimension>
   static constexpr InverseArcLengthKernel of() {
     return {&M::info, Dimension, solve<M, Dimension>};
@@ -33,7 +33,7 @@ struct Entry {
 }  // namespace
 
 std::span<const InverseArcLengthKernel> inverse_arc_length_kernels(int dimension) {
-  return kernels_of<InverseArcLengthKernel, Entry>(InverseArcLengthMethods{}, dimension);
+  return kernels_of<InverseArcLengthKernel, MakeKernel>(InverseArcLengthMethods{}, dimension);
 }
 
 std::span<const MethodInfo* const> inverse_arc_length_infos() { return infos_of(InverseArcLengthMethods{}); }

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/basis/error_bound.hpp"
+#include "core/bound/error_bound.hpp"
 
 namespace bezierbench::cli {
 namespace {

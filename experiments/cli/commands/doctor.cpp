@@ -3,11 +3,11 @@
 #include <unistd.h>
 
 #include "build_facts.hpp"
+#include "core/api/floating_point_faults.hpp"
 #include "experiments/bundle/machine.hpp"
 #include "experiments/bundle/timing_fitness.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/number/floating_point.hpp"
 #include "experiments/race/clock.hpp"
 #include "experiments/race/counters.hpp"
 #include "experiments/terminal.hpp"
@@ -30,7 +30,7 @@ void print(std::string_view aspect, std::string_view state, std::string_view tex
 
 void add_doctor(Command program, Exit& exit) {
   program.command("doctor", "check whether this machine is fit for measurements").action([&exit] {
-    const auto faults = number::floating_point_faults();
+    const auto faults = floating_point_faults();
     for (const auto& fault : faults) print("floating point", "unfit", fault);
     if (faults.empty()) print("floating point", "fine", "IEEE 754 double, to nearest, no contraction, subnormals kept");
     const auto machine =

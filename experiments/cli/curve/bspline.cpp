@@ -123,7 +123,7 @@ void add_rows(const BsplineKernel& method, const BsplineTarget& target, bundle::
                                      largest_of(target.span, axis)};
     const auto bound = [&] {
       return metric::bound_at(place == 0 ? method.bound->point : *method.bound->control, sizes,
-                              metric::double_arithmetic);
+                              reference::double_arithmetic);
     };
     row.push_back(method.bound == nullptr ? "" : bound_field(bound(), p_tilde));
     table.add_row(std::move(row));

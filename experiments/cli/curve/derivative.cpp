@@ -58,7 +58,7 @@ void add_rows(const DerivativeKernel& method, const CurveFile& curve, int order,
       row.push_back(std::move(field));
     row.push_back(method.bound == nullptr
                       ? ""
-                      : bound_field(target.scales[k].bound(*method.bound, metric::double_arithmetic), p_tilde));
+                      : bound_field(target.scales[k].bound(*method.bound, reference::double_arithmetic), p_tilde));
     table.add_row(std::move(row));
   }
 }

@@ -12,8 +12,8 @@
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "experiments/metric/coordinate_error.hpp"
 #include "experiments/number/number.hpp"
+#include "reference/error/coordinate_error.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::cli {
@@ -29,7 +29,7 @@ struct EvalOptions {
 std::string bound_of(const MethodInfo& info, const CurveFile& curve, int axis, double t,
                      const reference::Rational& truth, const reference::Rational& p_tilde) {
   if (!info.bound) return "";
-  return bound_field(metric::coordinate_bound(*info.bound, curve.view(), axis, t, truth), p_tilde);
+  return bound_field(reference::coordinate_bound(*info.bound, curve.view(), axis, t, truth), p_tilde);
 }
 
 /// The methods that chosen() returns, without those that have no point at some t. Throws Failure(usage) for a method

@@ -37,12 +37,12 @@ void add_grid_rows(const GridKernel& method, const CurveFile& curve, int steps, 
   std::vector<double> points(static_cast<std::size_t>(steps + 1) * d);
   method.points(curve.view(), steps, points.data());
   reference::ExactCurve exact;
-  metric::TrialScale scale;
+  reference::TrialScale scale;
   for (int k = 0; k <= steps; ++k) {
     const double t = static_cast<double>(k) / steps;
     const auto truth = exact.point(curve.view(), t);
     const auto p_tilde = exact.p_tilde(curve.view(), t);
-    const auto at = metric::bound_at(*method.bound, curve.degree(), k, steps, metric::double_arithmetic);
+    const auto at = metric::bound_at(*method.bound, curve.degree(), k, steps, reference::double_arithmetic);
     for (int axis = 0; axis < curve.dimension; ++axis) {
       const auto coefficients = axis_of(curve, axis);
       scale.set({curve.form, 1, curve.degree(), coefficients}, t);
@@ -51,7 +51,7 @@ void add_grid_rows(const GridKernel& method, const CurveFile& curve, int steps, 
       const double value = points[static_cast<std::size_t>(k) * d + static_cast<std::size_t>(axis)];
       for (auto& field : judged_coordinate(value, truth.coordinate(axis), p_tilde.coordinate(axis)))
         row.push_back(std::move(field));
-      row.push_back(bound_field(scale.bound(at, metric::double_arithmetic), p_tilde.coordinate(axis)));
+      row.push_back(bound_field(scale.bound(at, reference::double_arithmetic), p_tilde.coordinate(axis)));
       table.add_row(std::move(row));
     }
   }

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "build_facts.hpp"
-#include "core/evaluate/guarantees.hpp"
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/guarantee.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/sample/draw.hpp"

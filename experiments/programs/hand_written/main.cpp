@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/evaluate/compensated_horner.hpp"
-#include "core/evaluate/de_casteljau.hpp"
 #include "core/evaluate/evaluator.hpp"
-#include "core/evaluate/horner.hpp"
-#include "core/evaluate/horner_bernstein.hpp"
-#include "core/evaluate/kernel.hpp"
-#include "core/evaluate/prepared_state.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
+#include "core/evaluate/methods/compensated_horner.hpp"
+#include "core/evaluate/methods/de_casteljau.hpp"
+#include "core/evaluate/methods/horner.hpp"
+#include "core/evaluate/methods/horner_bernstein.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 #include "experiments/programs/hand_written/codings.hpp"

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "core/batch/batch.hpp"
-#include "core/evaluate/guarantees.hpp"
+#include "core/evaluate/guarantee.hpp"
 #include "experiments/guarantees/draws.hpp"
 #include "experiments/guarantees/statements.hpp"
 #include "experiments/number/number.hpp"

@@ -19,9 +19,9 @@
 #include <vector>
 
 #include "core/batch/batch.hpp"
-#include "core/evaluate/correctly_rounded.hpp"
-#include "core/evaluate/correctly_rounded_power.hpp"
-#include "core/evaluate/kernel_of.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
+#include "core/evaluate/methods/correctly_rounded.hpp"
+#include "core/evaluate/methods/correctly_rounded_power.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/studies/hard_cases/families.hpp"
 #include "reference/certified_points.hpp"

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "core/batch/batch.hpp"
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"

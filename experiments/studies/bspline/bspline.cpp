@@ -8,13 +8,13 @@
 #include <limits>
 
 #include "experiments/metric/bound_at.hpp"
-#include "experiments/metric/norm.hpp"
-#include "experiments/metric/trial_scale.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/bspline/problem.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
 #include "reference/companion/exact_bspline.hpp"
+#include "reference/error/norm.hpp"
+#include "reference/error/trial_scale.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -36,11 +36,11 @@ std::vector<reference::ExactBsplineWeights> exact_weights(const BsplineProblem::
 double bound_of(const BsplineKernel& method, const BsplineProblem::Drawn& drawn, std::size_t k) {
   if (method.bound == nullptr) return infinite;
   const metric::BsplineSizes sizes{drawn.span.degree, drawn.span.dimension, drawn.p_tilde[k], drawn.largest};
-  return metric::bound_at(k == 0 ? method.bound->point : *method.bound->control, sizes, metric::double_arithmetic);
+  return metric::bound_at(k == 0 ? method.bound->point : *method.bound->control, sizes, reference::double_arithmetic);
 }
 
 double in_bound_units(double error, double p_tilde) {
-  return error == 0 ? 0 : error / p_tilde / metric::double_arithmetic.unit_roundoff;
+  return error == 0 ? 0 : error / p_tilde / reference::double_arithmetic.unit_roundoff;
 }
 
 double error_of(const BsplineProblem::Drawn& drawn, const BsplineProblem::Answer& answer, std::size_t k) {
@@ -74,7 +74,7 @@ void BsplineProblem::draw(std::uint64_t number, Drawn& drawn) const {
   std::vector<double> norms;
   const auto d = static_cast<std::size_t>(cell_.dimension);
   for (std::size_t i = 0; i <= n; ++i)
-    norms.push_back(metric::norm<double>(
+    norms.push_back(reference::norm<double>(
         cell_.dimension, [&](int axis) { return drawn.trial.coefficients[i * d + static_cast<std::size_t>(axis)]; }));
   drawn.largest = std::ranges::max(norms);
   drawn.truth.clear();
@@ -89,7 +89,7 @@ void BsplineProblem::draw(std::uint64_t number, Drawn& drawn) const {
 
 void BsplineProblem::judge(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer,
                            std::uint64_t number, Errors& errors) {
-  if (!metric::all_finite(answer)) {
+  if (!reference::all_finite(answer)) {
     ++errors.non_finite;
     if (std::isfinite(bound_of(method, drawn, 0))) errors.violations.add(number);
     return;
@@ -102,7 +102,7 @@ void BsplineProblem::judge(const Kernel& method, const Drawn& drawn, double /*to
     metric::add_rounded(in_bound_units(error, drawn.p_tilde[k]), k == 0 ? errors.error_u : errors.control_error_u);
     const double bound_u = in_bound_units(bound, drawn.p_tilde[k]);
     if (std::isfinite(bound_u)) (k == 0 ? errors.bound_u : errors.control_bound_u).add(bound_u);
-    violated = violated || metric::TrialScale::violates(error, bound);
+    violated = violated || reference::TrialScale::violates(error, bound);
   }
   if (std::isfinite(bound_of(method, drawn, 0))) ++errors.bounded;
   if (violated) errors.violations.add(number);
@@ -112,7 +112,7 @@ bool BsplineProblem::is_right(const Kernel& method, const Drawn& drawn, double /
   for (std::size_t k = 0; k < points_in(drawn, answer); ++k) {
     const double error = error_of(drawn, answer, k);
     const bool near_enough = method.bound != nullptr
-                                 ? !metric::TrialScale::violates(error, bound_of(method, drawn, k))
+                                 ? !reference::TrialScale::violates(error, bound_of(method, drawn, k))
                                  : in_bound_units(error, drawn.p_tilde[k]) <= judge::half_of_the_digits;
     if (!std::isfinite(error) || !near_enough) return false;
   }

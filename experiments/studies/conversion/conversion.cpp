@@ -11,11 +11,10 @@
 #include <limits>
 #include <map>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/study_inputs.hpp"
 #include "experiments/metric/counts.hpp"
-#include "experiments/metric/norm.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
@@ -25,6 +24,7 @@
 #include "experiments/suite/keys.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/statistics.hpp"
+#include "reference/error/norm.hpp"
 #include "reference/exact_conversion.hpp"
 
 namespace bezierbench::studies {
@@ -81,7 +81,7 @@ std::vector<Chain> chains_of(const suite::Study& study, int dimension) {
 /// The largest distance of corresponding coefficients; infinite if one is not finite.
 double largest_distance(std::span<const double> computed, const std::vector<reference::ExactPoint>& truth,
                         std::size_t d) {
-  if (!metric::all_finite(computed)) return std::numeric_limits<double>::infinity();
+  if (!reference::all_finite(computed)) return std::numeric_limits<double>::infinity();
   double distance = 0;
   for (std::size_t i = 0; i < truth.size(); ++i)
     distance = std::max(distance, reference::Distance(truth[i]).to(computed.subspan(i * d, d)));
@@ -89,7 +89,7 @@ double largest_distance(std::span<const double> computed, const std::vector<refe
 }
 
 double largest_distance(std::span<const double> computed, std::span<const double> truth, std::size_t d) {
-  if (!metric::all_finite(computed)) return std::numeric_limits<double>::infinity();
+  if (!reference::all_finite(computed)) return std::numeric_limits<double>::infinity();
   double distance = 0;
   for (std::size_t i = 0; i < truth.size(); i += d)
     distance = std::max(distance, reference::Distance(truth.subspan(i, d)).to(computed.subspan(i, d)));

@@ -19,7 +19,7 @@ double error_of(const DerivativeProblem::Drawn& drawn, const DerivativeProblem::
 /// The proved bound of the error; infinite where there is none.
 double bound_of(const DerivativeKernel& method, const DerivativeProblem::Drawn& drawn) {
   return method.bound == nullptr ? std::numeric_limits<double>::infinity()
-                                 : drawn.scale.bound(*method.bound, metric::double_arithmetic);
+                                 : drawn.scale.bound(*method.bound, reference::double_arithmetic);
 }
 
 }  // namespace
@@ -40,20 +40,20 @@ void DerivativeProblem::judge(const Kernel& method, const Drawn& drawn, double /
     return;
   }
   errors.error.add(error);
-  metric::add_rounded(drawn.scale.in_bound_units(error, metric::double_arithmetic), errors.error_u);
+  metric::add_rounded(drawn.scale.in_bound_units(error, reference::double_arithmetic), errors.error_u);
   if (!std::isfinite(bound)) return;
   ++errors.bounded;
-  const double bound_u = drawn.scale.in_bound_units(bound, metric::double_arithmetic);
+  const double bound_u = drawn.scale.in_bound_units(bound, reference::double_arithmetic);
   if (std::isfinite(bound_u)) errors.bound_u.add(bound_u);
-  if (metric::TrialScale::violates(error, bound)) errors.violations.add(number);
+  if (reference::TrialScale::violates(error, bound)) errors.violations.add(number);
 }
 
 bool DerivativeProblem::is_right(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer) {
   const double error = error_of(drawn, answer);
   if (!std::isfinite(error)) return false;
   if (method.bound == nullptr)
-    return drawn.scale.in_bound_units(error, metric::double_arithmetic) <= judge::half_of_the_digits;
-  return !metric::TrialScale::violates(error, bound_of(method, drawn));
+    return drawn.scale.in_bound_units(error, reference::double_arithmetic) <= judge::half_of_the_digits;
+  return !reference::TrialScale::violates(error, bound_of(method, drawn));
 }
 
 namespace {

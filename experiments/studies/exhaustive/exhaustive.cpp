@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/batch/batch.hpp"
-#include "core/evaluate/prepared_state.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
@@ -180,7 +180,7 @@ std::optional<double> exact_error(const NamedCurve& curve, const Kernel<float>& 
     const auto& truth = exact.point({Form::bernstein, 1, curve.degree(), coefficients}, t);
     const reference::Distance distance(truth);
     const double error = distance.to(std::span(&computed, 1));
-    largest = std::max(largest, error / ulp_of_length(truth, distance.of_origin(1), reference::binary32));
+    largest = std::max(largest, error / ulp_of_length(truth, distance.to_origin(1), reference::binary32));
   }
   return largest;
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/evaluate/kernel.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/number/number.hpp"

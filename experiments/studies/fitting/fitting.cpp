@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "experiments/judge/methods.hpp"
-#include "experiments/metric/norm.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/fitting/problem.hpp"
 #include "experiments/studies/roster.hpp"
@@ -18,6 +17,7 @@
 #include "experiments/suite/keys.hpp"
 #include "experiments/suite/kind.hpp"
 #include "reference/companion/fit_distance.hpp"
+#include "reference/error/norm.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -72,7 +72,7 @@ void FittingProblem::judge(const Kernel& method, const Drawn& data, double toler
   errors.one_segment += segments == 1 ? 1 : 0;
   errors.iterations.add(static_cast<std::uint64_t>(fit.iterations));
   errors.non_converged += fit.converged ? 0 : 1;
-  if (!metric::all_finite(fit.control_points) || !std::isfinite(fit.max_error)) {
+  if (!reference::all_finite(fit.control_points) || !std::isfinite(fit.max_error)) {
     ++errors.non_finite;
     return;
   }
@@ -89,7 +89,7 @@ void FittingProblem::judge(const Kernel& method, const Drawn& data, double toler
 }
 
 bool FittingProblem::is_right(const Kernel& method, const Drawn& data, double tolerance, const Answer& fit) {
-  return metric::all_finite(fit.control_points) &&
+  return reference::all_finite(fit.control_points) &&
          right(true_distance(method.dimension, data, fit), tolerance, departure_of(method, data, fit, tolerance));
 }
 

@@ -24,14 +24,14 @@ bool each_point(const GridKernel& method, const GridProblem::Drawn& drawn, const
                 Judge judge) {
   const auto d = static_cast<std::size_t>(drawn.curve.dimension);
   const int steps = static_cast<int>(drawn.truth.size()) - 1;
-  metric::TrialScale scale;
+  reference::TrialScale scale;
   for (int k = 0; k <= steps; ++k) {
     const auto place = static_cast<std::size_t>(k);
     const double error = drawn.distances[place].to(std::span(answer).subspan(place * d, d));
     scale.set(drawn.curve, static_cast<double>(k) / steps);
     const double bound =
-        scale.bound(metric::bound_at(*method.bound, drawn.curve.degree, k, steps, metric::double_arithmetic),
-                    metric::double_arithmetic);
+        scale.bound(metric::bound_at(*method.bound, drawn.curve.degree, k, steps, reference::double_arithmetic),
+                    reference::double_arithmetic);
     if (!judge(k, error, bound, scale)) return false;
   }
   return true;
@@ -61,7 +61,7 @@ void GridProblem::judge(const Kernel& method, const Drawn& drawn, double /*toler
                         std::uint64_t number, Errors& errors) {
   if (!std::ranges::all_of(answer, [](double value) { return std::isfinite(value); })) {
     ++errors.non_finite;
-    const auto unproved = [](int /*k*/, double error, double bound, metric::TrialScale& /*scale*/) {
+    const auto unproved = [](int /*k*/, double error, double bound, reference::TrialScale& /*scale*/) {
       return std::isfinite(error) || !std::isfinite(bound);
     };
     if (!each_point(method, drawn, answer, unproved)) errors.violations.add(number);
@@ -69,24 +69,24 @@ void GridProblem::judge(const Kernel& method, const Drawn& drawn, double /*toler
   }
   bool violated = false;
   const int steps = static_cast<int>(drawn.truth.size()) - 1;
-  each_point(method, drawn, answer, [&](int k, double error, double bound, metric::TrialScale& scale) {
+  each_point(method, drawn, answer, [&](int k, double error, double bound, reference::TrialScale& scale) {
     errors.error.add(error);
-    const double error_u = scale.in_bound_units(error, metric::double_arithmetic);
+    const double error_u = scale.in_bound_units(error, reference::double_arithmetic);
     metric::add_rounded(error_u, errors.error_u);
     if (k == steps) metric::add_rounded(error_u, errors.last_error_u);
     if (!std::isfinite(bound)) return true;
     ++errors.bounded;
-    const double bound_u = scale.in_bound_units(bound, metric::double_arithmetic);
+    const double bound_u = scale.in_bound_units(bound, reference::double_arithmetic);
     if (std::isfinite(bound_u)) errors.bound_u.add(bound_u);
-    violated = violated || metric::TrialScale::violates(error, bound);
+    violated = violated || reference::TrialScale::violates(error, bound);
     return true;
   });
   if (violated) errors.violations.add(number);
 }
 
 bool GridProblem::is_right(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer) {
-  return each_point(method, drawn, answer, [](int /*k*/, double error, double bound, metric::TrialScale& /*scale*/) {
-    return std::isfinite(error) && !metric::TrialScale::violates(error, bound);
+  return each_point(method, drawn, answer, [](int /*k*/, double error, double bound, reference::TrialScale& /*scale*/) {
+    return std::isfinite(error) && !reference::TrialScale::violates(error, bound);
   });
 }
 

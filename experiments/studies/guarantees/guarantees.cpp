@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Studies of kind `guarantees`: what methods keep of a curve's properties, proved or refuted by an input.
 
-#include "core/evaluate/guarantees.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/evaluate/guarantee.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"

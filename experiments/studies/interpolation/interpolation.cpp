@@ -9,12 +9,12 @@
 #include <limits>
 
 #include "experiments/judge/methods.hpp"
-#include "experiments/metric/norm.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/interpolation/problem.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
 #include "experiments/suite/keys.hpp"
+#include "reference/error/norm.hpp"
 
 namespace bezierbench::studies {
 
@@ -65,7 +65,7 @@ SplineJudge::SplineJudge(std::span<const double> points, int dimension, bool wit
 
 void SplineJudge::judge(std::span<const double> segments, double bound, std::uint64_t trial,
                         SplineErrors& errors) const {
-  if (!metric::all_finite(segments)) {
+  if (!reference::all_finite(segments)) {
     ++errors.non_finite;
     return;
   }
@@ -105,7 +105,7 @@ void SplineJudge::judge(std::span<const double> segments, double bound, std::uin
 }
 
 bool SplineJudge::meets(std::span<const double> segments, double bound) const {
-  bool right = metric::all_finite(segments);
+  bool right = reference::all_finite(segments);
   for (std::size_t k = 0; right && k < axes_.size(); ++k) {
     const auto residuals = reference::spline_residuals(axes_[k].coordinates, axis_of(segments, axes_.size(), k));
     right = within(residuals, bound, axes_[k].unit);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/evaluate/operations.hpp"
+#include "core/operations/operations.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"

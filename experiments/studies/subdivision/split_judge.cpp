@@ -5,9 +5,9 @@
 #include <bit>
 #include <cmath>
 
-#include "experiments/metric/norm.hpp"
-#include "experiments/metric/trial_scale.hpp"
 #include "experiments/studies/subdivision/problem.hpp"
+#include "reference/error/norm.hpp"
+#include "reference/error/trial_scale.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -35,11 +35,11 @@ bool judge_control(const SplitKernel& method, const CurveView<double>& curve, co
   metric::add_rounded(point.error_u, errors.error_u);
   if (std::isfinite(point.bound)) ++errors.bounded;
   if (std::isfinite(point.bound_u)) errors.bound_u.add(point.bound_u);
-  bool kept = !metric::TrialScale::violates(point.error, point.bound);
+  bool kept = !reference::TrialScale::violates(point.error, point.bound);
   if (curve.form == Form::rational) {
     const auto weight = truth.of_weight(method.bound, side, i, control.back());
     errors.weight_error_u.add(weight.error_u);
-    kept = kept && !metric::TrialScale::violates(weight.error, weight.bound);
+    kept = kept && !reference::TrialScale::violates(weight.error, weight.bound);
   }
   return kept;
 }
@@ -51,7 +51,7 @@ bool breaks_bound(const SplitKernel& method, const CurveView<double>& curve, con
     for (int i = 0; i <= curve.degree; ++i) {
       const auto control = computed.control(side, i);
       const auto point = control.first(static_cast<std::size_t>(curve.dimension));
-      if (!metric::all_finite(control) && std::isfinite(truth.of_point(method.bound, side, i, point).bound))
+      if (!reference::all_finite(control) && std::isfinite(truth.of_point(method.bound, side, i, point).bound))
         return true;
     }
   return false;
@@ -70,7 +70,7 @@ void judge_bits(const SplitKernel& method, const CurveView<double>& curve, doubl
 }
 
 bool near_enough(const SplitError& error) {
-  return std::isfinite(error.bound) ? !metric::TrialScale::violates(error.error, error.bound)
+  return std::isfinite(error.bound) ? !reference::TrialScale::violates(error.error, error.bound)
                                     : error.error_u <= judge::half_of_the_digits;
 }
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "experiments/metric/norm.hpp"
-#include "experiments/metric/trial_scale.hpp"
+#include "reference/error/norm.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::studies {
@@ -16,7 +16,7 @@ namespace {
 using reference::binary64;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double u = metric::double_arithmetic.unit_roundoff;
+constexpr double u = reference::double_arithmetic.unit_roundoff;
 
 /// The Euclidean norm, without intermediate overflow or underflow.
 double norm(std::span<const double> values) {
@@ -70,7 +70,7 @@ std::span<const double> ComputedHalves::control(Side side, int i) const {
   return std::span(numbers_).subspan((place + static_cast<std::size_t>(i)) * columns, columns);
 }
 
-bool ComputedHalves::all_finite() const { return metric::all_finite(numbers_); }
+bool ComputedHalves::all_finite() const { return reference::all_finite(numbers_); }
 
 CurveView<double> ComputedHalves::curve(Side side) const {
   const auto k = static_cast<std::size_t>(side);
@@ -127,7 +127,7 @@ double SplitTruth::point_bound(const SplitBound* bound, Side side, int i) const 
   const auto k = static_cast<std::size_t>(i);
   if (bound == nullptr || !proved_ || !half(side).exact.points[k].exists()) return infinite;
   // Every axis has the error of underflow.
-  const SplitArithmetic arithmetic{u, curve_.dimension * metric::double_arithmetic.smallest_subnormal};
+  const SplitArithmetic arithmetic{u, curve_.dimension * reference::double_arithmetic.smallest_subnormal};
   const SplitScale& point = half(side).points[k];
   return curve_.form == Form::rational ? split_quotient_bound(*bound, point, half(side).weights[k], arithmetic)
                                        : split_bound(*bound, point, arithmetic);
@@ -136,7 +136,7 @@ double SplitTruth::point_bound(const SplitBound* bound, Side side, int i) const 
 double SplitTruth::weight_bound(const SplitBound* bound, Side side, int i) const {
   if (bound == nullptr || !proved_) return infinite;
   return split_bound(*bound, half(side).weights[static_cast<std::size_t>(i)],
-                     {u, metric::double_arithmetic.smallest_subnormal});
+                     {u, reference::double_arithmetic.smallest_subnormal});
 }
 
 SplitError SplitTruth::of_point(const SplitBound* bound, Side side, int i, std::span<const double> computed) const {
@@ -183,7 +183,7 @@ bool SplitTruth::middles_agree(const SplitBound* bound, const ComputedHalves& co
       const auto k = static_cast<std::size_t>(axis);
       difference[k] = rounded(abs(point.coordinate(axis) - truth[k]));
     }
-    if (metric::TrialScale::violates(norm(difference), most)) return false;
+    if (reference::TrialScale::violates(norm(difference), most)) return false;
   }
   return true;
 }

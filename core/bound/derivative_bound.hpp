@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// A proved error bound of a derivative as data, like ErrorBound of a point.
+//
+// With D b_i = b_(i+1) - b_i, D^k the differences of the k-th order and (n)_k = n (n-1) ... (n-k+1), the k-th
+// derivative has the Bernstein coefficients (n)_k D^k b_i, and two sums rule its error:
+//   p~ = (n)_k sum_i |D^k b_i| B_i,n-k(t)                       scales the error of evaluating these coefficients
+//   A  = (n)_k sum_i (sum_j C(k,j) |b_(i+j)|) B_i,n-k(t)        scales the error of forming the differences
+// A / p~ is the condition number of the derivative: the factor by which it amplifies relative errors of the control
+// points. The differences of points within a factor of two of each other are exact (Sterbenz), so a method that takes
+// differences first can do far better than its bound. In power form the coefficients j (j-1) ... (j-k+1) q_j of t^(j-k)
+// are formed without differences, and p~ is the sum of their magnitudes times |t|^(j-k).
+#pragma once
+
+#include <string_view>
+
+namespace bezierbench {
+
+/// The bound on each axis, for a curve of degree n and a derivative of order k:
+///   |computed - true| <= u (differences(n, k, u) A + evaluation(n, k, u) p~)
+///                        + underflow(n, k) eta S (|t| + |1 - t|)^(n-k),
+/// where eta is the smallest subnormal and S = 1 or, where powers of t are rounded apart from the coefficients,
+/// S = 1 + (n)_k max_i sum_j C(k,j) |b_(i+j)|. Infinite where no bound is proved, so also where growth(n, k) S_0
+/// (|t| + |1 - t|)^(n-k) leaves the range, with S_0 this maximum, or the largest coefficient of the derivative in power
+/// form; where S is 1 + this maximum, S_0 is at least 1 (core/bound/error_bound.hpp).
+struct DerivativeBound {
+  std::string_view text;  ///< for people
+  double (*differences)(int degree, int order, double u);
+  double (*evaluation)(int degree, int order, double u);
+  double (*underflow)(int degree, int order);
+  bool underflow_scales_with_coefficients = false;
+  double (*growth)(int degree, int order) = [](int, int) { return 1.0; };
+};
+
+}  // namespace bezierbench

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// `Kernel::evaluate_for` of an evaluator. Its functions evaluate one point after the other, with the axes of a point in
+// one vector, and with the degree known at compile time where that is faster. Each gives the same bits as the
+// method evaluated with plain numbers.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "core/evaluate/kernel/kernel_of.hpp"
+#include "core/evaluate/kernel/points/along_curve.hpp"
+#include "core/evaluate/kernel/points/axes_curve.hpp"
+#include "core/evaluate/kernel/points/axes_triangle.hpp"
+
+namespace bezierbench::instantiate {
+
+/// An evaluator whose prepared state can be read with all axes of a coefficient at once.
+template <class E, class S, int Dimension>
+concept SideBySide = requires(const PreparedOf<E, S, Dimension>& state) {
+  as_axes<dynamic>(state);
+};
+
+// CMakePresets.json lowers it for sanitizers, under which a unit would compile for minutes.
+#ifndef BEZIERBENCH_LARGEST_FIXED_DEGREE
+#define BEZIERBENCH_LARGEST_FIXED_DEGREE max_degree
+#endif
+
+/// The largest degree with a kernel of its own: what the method says (-1: none), else 20 for a triangle, whose values
+/// then stay in registers, and 12 for other methods, beyond which the loop over the degree costs little.
+template <class E>
+constexpr int largest_fixed_degree() {
+  int largest = E::info.cost_exponent > 1 ? 20 : 12;
+  if constexpr (requires { E::largest_fixed_degree; }) largest = E::largest_fixed_degree;
+  return std::min(largest, BEZIERBENCH_LARGEST_FIXED_DEGREE);
+}
+
+/// All axes side by side, the degree fixed or dynamic.
+template <class E, class S, int Dimension, int Degree>
+[[gnu::flatten]] void evaluate_side_by_side(const void* prepared, std::span<const S> t, S* points) {
+  const auto view = as_axes<Degree>(*static_cast<const PreparedOf<E, S, Dimension>*>(prepared));
+  using A = typename AxesOf<std::remove_const_t<decltype(view)>>::Type;
+  for (const S at : t) {
+    E::evaluate(view, A(at))[0].template store<Dimension>(points);
+    points += Dimension;
+  }
+}
+
+template <class E, class S, int Dimension, int... Degree>
+constexpr auto fixed_degrees(std::integer_sequence<int, Degree...> /*degrees*/) {
+  return std::array{EvaluatePoints<S>(evaluate_side_by_side<E, S, Dimension, Degree>)...};
+}
+
+/// The function for prepared curves of this degree.
+template <class E, class S, int Dimension>
+EvaluatePoints<S> evaluate_for([[maybe_unused]] int degree) {
+  if constexpr (SideBySide<E, S, Dimension>) {
+    constexpr int largest = largest_fixed_degree<E>();
+    if constexpr (largest >= 0) {
+      static constexpr auto fixed = fixed_degrees<E, S, Dimension>(std::make_integer_sequence<int, largest + 1>());
+      if (degree <= largest) return fixed[static_cast<std::size_t>(degree)];
+    }
+    return evaluate_side_by_side<E, S, Dimension, dynamic>;
+  } else {
+    return evaluate_one_by_one<E, S, Dimension>;
+  }
+}
+
+}  // namespace bezierbench::instantiate

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Formula: w_i^k = (1-t) w_i^(k-1) + t w_(i+1)^(k-1); p(t) = b_0^n with
+//   b_i^k = ((1-t) w_i^(k-1) / w_i^k) b_i^(k-1) + (t w_(i+1)^(k-1) / w_i^k) b_(i+1)^(k-1).
+//   Every intermediate point is a convex combination of control points.
+// Source: [Farin 1983].
+// Cost: (5 + 3d) n(n+1)/2 + 1 flops per point, n(n+1) of them divisions.
+// Bound: gamma_8n p~ for weights > 0 and 0 <= t <= 1. Along a path through the triangle each computed w_i^k divides at
+//   one level and multiplies at the next, so that their errors cancel except those of the last weight, 3n. The other
+//   roundings of a level are 1-t, its product with a weight, the quotient, the product with a point and the sum: 5n.
+//   Underflow costs a level eta / min w in the product, eta in the quotient and 2 eta in the points, and eta / min w in
+//   the last weight; each times max|b|.
+// Fails: a weight of 0 can make 0/0. Outside [0,1] or with weights of both signs an intermediate weight may vanish.
+#pragma once
+
+#include <array>
+
+#include "core/evaluate/evaluator.hpp"
+
+namespace bezierbench {
+
+/// One step of the triangle: the convex combination of two points, each with its weight behind its coordinates.
+template <class Scalar, std::size_t Size>
+[[gnu::always_inline]] inline std::array<Scalar, Size> weighted_step(const std::array<Scalar, Size>& a,
+                                                                     const std::array<Scalar, Size>& b, const Scalar& s,
+                                                                     const Scalar& t) {
+  const Scalar left = s * a[Size - 1];
+  const Scalar right = t * b[Size - 1];
+  std::array<Scalar, Size> next;
+  next[Size - 1] = left + right;
+  const Scalar left_share = left / next[Size - 1];
+  const Scalar right_share = right / next[Size - 1];
+  for (std::size_t axis = 0; axis + 1 < Size; ++axis) next[axis] = left_share * a[axis] + right_share * b[axis];
+  return next;
+}
+
+/// Runs the triangle in place on a copy of the control points and weights.
+template <class Scalar, int Dimension, int Degree>
+Point<Scalar, Dimension> run_weighted_triangle(const Curve<Form::rational, Scalar, Dimension, Degree>& curve,
+                                               const Scalar& t) {
+  const int n = curve.degree();
+  const Scalar s = Scalar(1) - t;
+  constexpr auto size = static_cast<std::size_t>(Dimension) + 1;
+  auto b = working_copy(curve.points);
+  auto w = working_copy<Degree>(curve.weights, n);
+  const auto load = [&](int i) {
+    std::array<Scalar, size> values;
+    for (int axis = 0; axis < Dimension; ++axis) values[static_cast<std::size_t>(axis)] = b(axis, i);
+    values[size - 1] = w[i];
+    return values;
+  };
+  for (int k = 1; k <= n; ++k)
+    for (int i = 0; i <= n - k; ++i) {
+      const auto next = weighted_step<Scalar>(load(i), load(i + 1), s, t);
+      for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = next[static_cast<std::size_t>(axis)];
+      w[i] = next[size - 1];
+    }
+  Point<Scalar, Dimension> point;
+  for (int axis = 0; axis < Dimension; ++axis) point[axis] = b(axis, 0);
+  return point;
+}
+
+struct DeCasteljauFarin : TakenAsGiven<Form::rational> {
+  static constexpr MethodInfo info{.id = "de_casteljau_farin",
+                                   .label = "de Casteljau, Farin's convex combinations",
+                                   .form = Form::rational,
+                                   .bound = ErrorBound{.text = "gamma_8n p~ for positive weights",
+                                                       .amplification = Amplification::p_tilde_bernstein,
+                                                       .factor = [](int n, double u) { return gamma_over_u(8 * n, u); },
+                                                       .underflow = [](int n) { return 8.0 * n; },
+                                                       .underflow_scales_with_coefficients = true,
+                                                       .unit_interval_only = true,
+                                                       .positive_weights_only = true},
+                                   .one_minus_t = OneMinusT::normalised,
+                                   .flops = "(5+3d) n(n+1)/2 + 1, n(n+1) of them divisions",
+                                   .cost_exponent = 2,
+                                   .citation = "[Farin 1983]"};
+
+  static constexpr int largest_fixed_degree = 3;  ///< beyond, its divisions take longer than the loops around them
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Curve<Form::rational, Scalar, Dimension, Degree>& curve, Scalar t) {
+    return run_weighted_triangle(curve, t);
+  }
+};
+
+}  // namespace bezierbench

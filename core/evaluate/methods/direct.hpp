@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Formula: p(t) = sum n!/(i!(n-i)!) t^i (1-t)^(n-i) b_i, terms formed and added in ascending order.
+// Source: [Report 001], section 1.4: tables of 0!..n!, t^0..t^n and (1-t)^0..(1-t)^n, then one sum.
+// Cost: about 4n + d (2n + 1) flops per point.
+// Bound: gamma_(3n+2) p~. Term i has i-1 and n-i-1 roundings in its powers, n-i in (1-t)^(n-i) through 1-t, 3 products
+//   and n additions; the most are 3n + 2, for i = 0. Factorials add 2 f(n) + 2 once they are no longer exact. Powers of
+//   t that underflow lose up to C(n,i) max|b| eta. C(n,i) |t|^i is at most (1 + |t|)^n, which stays in range up to
+//   |t| = 2 and is below (|t| + |1-t|)^n beyond; a term and the sum are at most (|t| + |1-t|)^n max|b|.
+// Fails: factorials overflow past n = 170 (34 in float). The rounding of 1-t, common to most methods, is magnified n
+//   times for small t.
+#pragma once
+
+#include <tuple>
+
+#include "core/bound/amplification.hpp"
+#include "core/evaluate/evaluator.hpp"
+#include "core/factorial.hpp"
+#include "core/vector/same_for_every_axis.hpp"
+
+namespace bezierbench {
+
+struct Direct : SameForEveryAxis {
+  static constexpr MethodInfo info{
+      .id = "direct",
+      .label = "Direct (Bernstein sum)",
+      .form = Form::bernstein,
+      .max_degree = max_factorial,
+      .max_degree_float = max_factorial_float,
+      .bound = ErrorBound{.text = "gamma_(3n+2) p~, and 2(n-22)+2 more roundings past n = 22",
+                          .amplification = Amplification::p_tilde_bernstein,
+                          .factor =
+                              [](int n, double u) {
+                                const double f = factorial_roundings(n, u);
+                                return gamma_over_u(3 * n + 2 + (f > 0 ? 2 * f + 2 : 0), u);
+                              },
+                          .underflow = [](int n) { return 2 * (n + 1) * integer_power(2.0, n); },
+                          .underflow_scales_with_coefficients = true},
+      .one_minus_t = OneMinusT::summed,
+      .flops = "4n + d(2n+1)",
+      .citation = "[Report 001], section 1.4"};
+
+  template <class Scalar, int Dimension, int Degree>
+  struct Prepared {
+    Curve<Form::bernstein, Scalar, Dimension, Degree> curve;
+    PreparedRow<SharedBy<Scalar>, Degree> binomial;
+
+    [[nodiscard]] auto parts() const { return std::tie(curve, binomial); }
+  };
+
+  template <class Scalar, int Dimension, int Degree>
+  static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    constexpr int computed = computed_degree<Degree>;
+    const int n = curve.degree();
+    const auto factorial = factorials<Scalar, computed>(n);
+    Prepared<Scalar, Dimension, computed> prepared{working_copy(curve), per_coefficient<SharedBy<Scalar>, computed>(n)};
+    for (int i = 0; i <= n; ++i) prepared.binomial[i] = factorial[n] / (factorial[i] * factorial[n - i]);
+    return prepared;
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
+    const int n = prepared.curve.degree();
+    const Scalar s = Scalar(1) - t;
+    auto t_power = per_coefficient<Scalar, Degree>(n);
+    auto s_power = per_coefficient<Scalar, Degree>(n);
+    t_power[0] = s_power[0] = Scalar(1);
+    for (int i = 1; i <= n; ++i) {
+      t_power[i] = t_power[i - 1] * t;
+      s_power[i] = s_power[i - 1] * s;
+    }
+    Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
+    for (int i = 0; i <= n; ++i) {
+      const Scalar basis = prepared.binomial[i] * t_power[i] * s_power[n - i];
+      for (int axis = 0; axis < Dimension; ++axis) sum[axis] += basis * prepared.curve(axis, i);
+    }
+    return sum;
+  }
+};
+
+}  // namespace bezierbench

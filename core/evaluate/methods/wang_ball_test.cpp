@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// The conversion to Wang-Ball form: exact over rationals, nothing cancels in its weights, and the bound it allows.
+#include "core/evaluate/methods/wang_ball.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/evaluate/methods/rational_curve_test.hpp"
+
+namespace bezierbench {
+namespace {
+
+constexpr double u = 0x1p-53;
+
+Rational power(const Rational& base, int exponent) { return integer_power<Rational>(base, exponent); }
+
+/// The definition of the basis ([Phien and Dejdumrong 2000]).
+Rational basis_function(int n, int i, const Rational& t) {
+  if (2 * i > n) return basis_function(n, n - i, 1 - t);
+  return i < n / 2 ? Rational(power(2 * t, i) * power(1 - t, i + 2)) : Rational(power(2 * t, i) * power(1 - t, n - i));
+}
+
+TEST(WangBall, EvaluatesItsBasis) {
+  for (int n = 0; n <= 9; ++n)
+    for (int i = 0; i <= n; ++i)
+      for (const Rational& t : {Rational(0), Rational(1, 3), Rational(5, 7), Rational(1), Rational(-3, 2)}) {
+        const WangBall::Prepared<Rational, 1, dynamic> prepared{curve_of(unit_vector<Rational>(n, i))};
+        EXPECT_EQ(WangBall::evaluate(prepared, t)[0], basis_function(n, i, t)) << "n " << n << " i " << i << " t " << t;
+      }
+}
+
+TEST(WangBall, IsDeCasteljauWhenNothingRounds) { expect_de_casteljau_when_nothing_rounds<WangBall>(); }
+
+/// Ball's cubic ([Ball 1974]): b_1 = (v_0 + 2 v_1)/3, b_2 = (2 v_2 + v_3)/3.
+TEST(WangBall, TheCubicIsBalls) {
+  const auto prepared = WangBall::prepare(curve_of<double>({2, 4, 10, 6}));
+  EXPECT_EQ(prepared.ball(0, 0), 2);
+  EXPECT_EQ(prepared.ball(0, 1), 5);
+  EXPECT_EQ(prepared.ball(0, 2), 12);
+  EXPECT_EQ(prepared.ball(0, 3), 6);
+}
+
+/// Each weight of b_k in v_i is right to the roundings of S (n+1) and of C(n,k), and two products.
+TEST(WangBall, NothingCancelsInItsWeights) {
+  for (const int n : {1, 2, 7, 20, 33, 50, 53}) {
+    const double allowed = gamma_over_u(n + 3, u) * u;
+    for (int k = 0; k <= n; ++k) {
+      const auto computed = WangBall::prepare(curve_of(unit_vector<double>(n, k)));
+      const auto exact = WangBall::prepare(curve_of(unit_vector<Rational>(n, k)));
+      for (int i = 0; i <= n; ++i)
+        EXPECT_LE(abs(Rational(computed.ball(0, i)) - exact.ball(0, i)), Rational(allowed) * abs(exact.ball(0, i)))
+            << "n " << n << " k " << k << " i " << i;
+    }
+  }
+}
+
+TEST(WangBall, KeepsTheBoundOfItsOwnAmplification) {
+  std::mt19937_64 words(1);
+  for (const int n : {0, 1, 2, 3, 8, 20, 41, 50}) {
+    std::vector<decltype(WangBall::prepare(curve_of<Rational>({0})))> weights;
+    for (int k = 0; k <= n; ++k) weights.push_back(WangBall::prepare(curve_of(unit_vector<Rational>(n, k))));
+    for (const double t : {0x1p-20, 0.2, 0.5, 0.7, static_cast<double>(words() >> 11U) * 0x1p-53}) {
+      std::vector<double> values;
+      std::vector<Rational> exact_values;
+      for (int i = 0; i <= n; ++i) {
+        values.push_back(static_cast<double>(static_cast<std::int64_t>(words())) * 0x1p-63);
+        exact_values.emplace_back(values.back());
+      }
+      Rational amplification = 0;
+      for (int i = 0; i <= n; ++i) {
+        Rational sum = 0;
+        for (int k = 0; k <= n; ++k)
+          sum += abs(weights[static_cast<std::size_t>(k)].ball(0, i) * exact_values[static_cast<std::size_t>(k)]);
+        amplification += sum * basis_function(n, i, Rational(t));
+      }
+      const double computed = WangBall::evaluate(WangBall::prepare(curve_of(values)), t)[0];
+      const Rational exact = DeCasteljau::evaluate(curve_of(exact_values), Rational(t))[0];
+      EXPECT_LE(abs(Rational(computed) - exact), Rational(gamma_over_u(5 * n + 5, u) * u) * amplification)
+          << "n " << n << " t " << t;
+    }
+  }
+}
+
+template <class Scalar>
+void expect_ends(int n) {
+  std::vector<Scalar> values;
+  for (int i = 0; i <= n; ++i) values.push_back(Scalar(i % 7) - Scalar(3.1));
+  const auto prepared = WangBall::prepare(curve_of(values));
+  EXPECT_EQ(WangBall::evaluate(prepared, Scalar(0))[0], values.front()) << "n " << n;
+  EXPECT_EQ(WangBall::evaluate(prepared, Scalar(1))[0], values.back()) << "n " << n;
+  for (int i = 0; i <= n; ++i) EXPECT_TRUE(std::isfinite(prepared.ball(0, i))) << "n " << n << " i " << i;
+}
+
+TEST(WangBall, EndsAreExactUpToTheDegreesThatItStates) {
+  for (const int n : {0, 1, 2, 7, 20, 90, WangBall::info.max_degree}) expect_ends<double>(n);
+  for (const int n : {0, 1, 2, 7, 20, 90, WangBall::info.max_degree_float}) expect_ends<float>(n);
+}
+
+}  // namespace
+}  // namespace bezierbench

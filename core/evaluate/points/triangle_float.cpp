@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "core/evaluate/points/points.hpp"
-
-namespace bezierbench::instantiate {
-
-template std::span<const EvaluateFor<float>> points_of_family<float, 1, Family::triangle>();
-template std::span<const EvaluateFor<float>> points_of_family<float, 2, Family::triangle>();
-
-}  // namespace bezierbench::instantiate
