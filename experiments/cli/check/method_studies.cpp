@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
@@ -14,7 +13,6 @@
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
-#include "experiments/suite/text/reader.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -37,11 +35,12 @@ bool names(const suite::Study& study, const std::string& id) {
   return std::ranges::any_of(study.methods, [&](const auto& pattern) { return suite::means(pattern, id); });
 }
 
-/// Whether a method takes the curves of the study and solves its problem.
-bool applies(const suite::Study& study, const std::vector<const MethodInfo*>& methods) {
+/// Whether the method takes the curves of the study and solves its problem.
+bool applies(const suite::Study& study, const std::string& id) {
   const auto problem = problem_of(study);
-  return std::ranges::any_of(
-      methods, [&](const MethodInfo* info) { return problem == info->problem && study.curve == info->form; });
+  return std::ranges::any_of(every_method(), [&](const MethodInfo* info) {
+    return info->id == id && problem == info->problem && study.curve == info->form;
+  });
 }
 
 /// The studies that `keep` keeps, with no other method.
@@ -57,35 +56,26 @@ std::vector<suite::Suite> only(std::vector<suite::Suite> suites, const std::stri
 
 }  // namespace
 
-std::vector<const MethodInfo*> methods_named(const std::string& id) {
-  auto named = every_method();
+void require_method(const std::string& id) {
   std::vector<std::string> known;
-  for (const auto* info : named) known.emplace_back(info->id);
-  std::erase_if(named, [&](const MethodInfo* info) { return info->id != id; });
-  if (named.empty())
+  for (const auto* info : every_method()) known.emplace_back(info->id);
+  if (std::ranges::find(known, id) == known.end())
     throw Failure(Exit::usage,
                   fmt::format("{}: no such method{}; see `list methods`", echo(id), suite::suggestion(id, known)));
-  return named;
 }
 
 std::vector<suite::Suite> studies_that_judge(const std::vector<suite::Suite>& suites, const std::string& id) {
-  const auto methods = methods_named(id);
   return only(suites, id, [&](const suite::Study& study) {
-    return !suite::kind_of(study).timed && names(study, id) && applies(study, methods);
+    return !suite::kind_of(study).timed && names(study, id) && applies(study, id);
   });
 }
 
 std::vector<suite::Suite> studies_that_time(const std::vector<suite::Suite>& suites, const std::string& id) {
-  const auto methods = methods_named(id);
   const auto times = [&](const suite::Study& study) {
-    return studies::is_kind(study, studies::timing_kind) && applies(study, methods);
+    return studies::is_kind(study, studies::timing_kind) && applies(study, id);
   };
-  const bool named = std::ranges::any_of(suites, [&](const suite::Suite& one) {
-    return std::ranges::any_of(one.studies, [&](const auto& study) { return times(study) && names(study, id); });
-  });
-  return only(suites, id, [&](const suite::Study& study) { return times(study) && (!named || names(study, id)); });
+  auto naming = only(suites, id, [&](const suite::Study& study) { return times(study) && names(study, id); });
+  return naming.empty() ? only(suites, id, times) : naming;
 }
-
-std::vector<suite::Suite> quick_suite() { return suite::read_suites(suite_file("quick"), vocabulary()); }
 
 }  // namespace bezierbench::cli

@@ -7,27 +7,27 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "experiments/compare/rows.hpp"
+#include "experiments/compare/join.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 
 namespace bezierbench::cli {
 
-struct PairedTime {
-  compare::Inputs inputs;   ///< the row of timing.csv
-  metric::Interval before;  ///< nanoseconds per point
-  metric::Interval after;   ///< likewise
-  metric::Interval ratio;   ///< after over before, of the pairs
-  metric::Verdict verdict;  ///< unresolved where there are too few pairs for an interval
-  bool right = true;        ///< whether every timed result was the judged one
-};
+/// The times of one row of timing.csv, in nanoseconds per point; element k of both is pair k. Not empty.
+struct PairedTimes {
+  std::vector<double> before;
+  std::vector<double> after;
+  bool checked = true;  ///< whether every timed result was the judged one
 
-/// What one row says; element k of both is pair k. Not empty.
-PairedTime paired_time(compare::Inputs inputs, const std::vector<double>& before_ns,
-                       const std::vector<double>& after_ns);
+  /// After over before, of the pairs.
+  [[nodiscard]] metric::Interval ratio() const;
+  /// Unresolved where there are too few pairs for an interval.
+  [[nodiscard]] metric::Verdict verdict() const;
+};
 
 struct TimedPrograms {
   std::filesystem::path before;
@@ -37,6 +37,7 @@ struct TimedPrograms {
 };
 
 /// Runs both programs `pairs` times. Rows that only one of them has are left out. Throws Failure where a program fails.
-std::vector<PairedTime> paired_times(const TimedPrograms& programs, const std::string& method, int pairs);
+std::map<compare::Inputs, PairedTimes> paired_times(const TimedPrograms& programs, const std::string& method,
+                                                    int pairs);
 
 }  // namespace bezierbench::cli
