@@ -99,7 +99,7 @@ class Choose(Case):
         self.assertEqual([wide[c] for c in ("method", "coordinate_range", "t_min", "t_max")], ["de_casteljau", "8", "0", "1"])
 
     def test_no_bound_where_a_trial_has_none(self):
-        """What is proved of some of the trials is nothing that pareto.csv or choose may state."""
+        """pareto.csv and choose do not state a bound that holds for some of the trials only."""
         method = "wozny_chudy_positive"  # proved for t in [0, 1] only
         both = f'methods = ["de_casteljau", "{method}"]\nt_interval = [[-10, 10]]\n'
         (self.folder / "partly.toml").write_text("\n".join(HEAD + [
