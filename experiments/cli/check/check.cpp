@@ -4,21 +4,26 @@
 #include <fmt/ranges.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/cli/check/against.hpp"
-#include "experiments/cli/check/method_studies.hpp"
+#include "experiments/cli/check/programs.hpp"
 #include "experiments/cli/check/report.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/echo.hpp"
 #include "experiments/race/repetition.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/kind.hpp"
+#include "experiments/suite/nearest.hpp"
+#include "experiments/suite/pattern.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/text/writer.hpp"
 
@@ -36,6 +41,69 @@ struct CheckOptions {
   bool all = false;
   bool quiet = false;
 };
+
+/// The problem that the methods of a study solve; empty for a study without methods.
+std::optional<Problem> problem_of(const suite::Study& study) {
+  const auto& kind = suite::kind_of(study);
+  if (suite::find_field(kind, "methods") == nullptr) return std::nullopt;
+  if (kind.chains) return Problem::conversion;
+  if (kind.problem) return kind.problem;
+  if (!kind.timed || study.methods.empty()) return Problem::evaluation;
+  for (const auto* info : every_method())
+    if (info->problem != Problem::conversion && suite::means(study.methods.front(), info->id)) return info->problem;
+  return std::nullopt;
+}
+
+/// Whether the study names the method, or all that apply, which peers are not among.
+bool names(const suite::Study& study, const std::string& id) {
+  if (study.methods.empty()) return !suite::is_peer(id);
+  return std::ranges::any_of(study.methods, [&](const auto& pattern) { return suite::means(pattern, id); });
+}
+
+/// Whether the method takes the curves of the study and solves its problem.
+bool applies(const suite::Study& study, const std::string& id) {
+  const auto problem = problem_of(study);
+  return std::ranges::any_of(every_method(), [&](const MethodInfo* info) {
+    return info->id == id && problem == info->problem && study.curve == info->form;
+  });
+}
+
+/// The studies that `keep` keeps, with no other method.
+template <class Keep>
+Suites only(Suites suites, const std::string& id, const Keep& keep) {
+  for (auto& one : suites) {
+    std::erase_if(one.studies, [&](const suite::Study& study) { return !keep(study); });
+    for (auto& study : one.studies) study.methods = {id};
+  }
+  std::erase_if(suites, [](const suite::Suite& one) { return one.studies.empty(); });
+  return suites;
+}
+
+/// Throws Failure(Exit::usage) where there is no method with this id.
+void require_method(const std::string& id) {
+  std::vector<std::string> known;
+  for (const auto* info : every_method()) known.emplace_back(info->id);
+  if (std::ranges::find(known, id) == known.end())
+    throw Failure(Exit::usage,
+                  fmt::format("{}: no such method{}; see `list methods`", echo(id), suite::suggestion(id, known)));
+}
+
+/// The studies of errors that have the method, with no other methods in them; suites without one are left out. A cell's
+/// inputs do not depend on its methods, so these give the rows that the whole suite gives.
+Suites studies_that_judge(const Suites& suites, const std::string& id) {
+  return only(suites, id, [&](const suite::Study& study) {
+    return !suite::kind_of(study).timed && names(study, id) && applies(study, id);
+  });
+}
+
+/// The timing studies that name the method or, where none does, all of its problem, with this method instead.
+Suites studies_that_time(const Suites& suites, const std::string& id) {
+  const auto times = [&](const suite::Study& study) {
+    return studies::is_kind(study, studies::timing_kind) && applies(study, id);
+  };
+  auto naming = only(suites, id, [&](const suite::Study& study) { return times(study) && names(study, id); });
+  return naming.empty() ? only(suites, id, times) : naming;
+}
 
 /// The folder of the bundles of a check: the user's, or a temporary one. It is removed at the end unless it is kept, so
 /// that after a failure the same command can be given again.

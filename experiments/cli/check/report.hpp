@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cli/check/paired_times.hpp"
+#include "experiments/cli/check/programs.hpp"
 #include "experiments/compare/side.hpp"
 #include "experiments/run/run.hpp"
 

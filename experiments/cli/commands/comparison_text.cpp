@@ -26,7 +26,7 @@ std::string table(const Lines& lines) { return fitted(lines, terminal_width(STDO
 
 /// A sentence in the width of the terminal.
 std::string sentence(const std::string& text) { return wrapped("", printable(text), 4); }
-/// One that belongs to the sentence before it.
+/// The same, indented below another sentence.
 std::string detail(const std::string& text) { return wrapped("  ", printable(text), 4); }
 
 std::string side_line(std::string_view label, const compare::Side& side) {
@@ -83,6 +83,26 @@ std::string accuracy_words(const compare::Comparison& comparison) {
   if (rows == 0) return "no accuracy rows in common";
   return differing == 0 ? fmt::format("accuracy identical in {} rows", rows)
                         : fmt::format("accuracy differs in {} of {} rows", differing, rows);
+}
+
+/// The results that differ: a line for each method with its largest growth, or with `all` for each row.
+std::string results_table(const compare::Comparison& comparison, bool all) {
+  std::map<std::string, std::size_t> rows;
+  for (const auto& row : comparison.results) ++rows[row.inputs.field("method")];
+  const auto differing = comparison.differing();
+  std::map<std::string, std::size_t> changed;
+  for (const auto* row : differing) ++changed[row->inputs.field("method")];
+  std::set<std::string> shown;
+  Lines lines{{"method", "rows", "of", "result", "a", "b", "where"}};
+  for (const auto* row : differing) {
+    const auto& method = row->inputs.field("method");
+    const bool is_first = shown.insert(method).second;
+    if (is_first || all)
+      lines.push_back({method, is_first ? std::to_string(changed[method]) : "",
+                       is_first ? std::to_string(rows[method]) : "", row->column, row->a, row->b,
+                       row_words(row->inputs)});
+  }
+  return table(lines);
 }
 
 std::string accuracy_text(const compare::Comparison& comparison, bool all) {
@@ -185,25 +205,6 @@ std::string row_words(const compare::Inputs& inputs) {
   add("t to ", "t_max", number::decimal(usual.t_interval.front().max));
   add("against ", "baseline", usual.baseline.front());
   return printable(text);
-}
-
-std::string results_table(const compare::Comparison& comparison, bool all) {
-  std::map<std::string, std::size_t> rows;
-  for (const auto& row : comparison.results) ++rows[row.inputs.field("method")];
-  const auto differing = comparison.differing();
-  std::map<std::string, std::size_t> changed;
-  for (const auto* row : differing) ++changed[row->inputs.field("method")];
-  std::set<std::string> shown;
-  Lines lines{{"method", "rows", "of", "result", "a", "b", "where"}};
-  for (const auto* row : differing) {
-    const auto& method = row->inputs.field("method");
-    const bool is_first = shown.insert(method).second;
-    if (is_first || all)
-      lines.push_back({method, is_first ? std::to_string(changed[method]) : "",
-                       is_first ? std::to_string(rows[method]) : "", row->column, row->a, row->b,
-                       row_words(row->inputs)});
-  }
-  return table(lines);
 }
 
 std::string comparison_text(const compare::Comparison& comparison, bool times, bool all) {

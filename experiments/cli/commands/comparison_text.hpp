@@ -13,9 +13,6 @@ namespace bezierbench::cli {
 /// `quick-bezier, float, degree 12`.
 std::string row_words(const compare::Inputs& inputs);
 
-/// The results that differ: a line for each method with its largest growth, or with `all` for each row.
-std::string results_table(const compare::Comparison& comparison, bool all);
-
 /// The verdict in one line; the differences between machines and builds; whether results differ, with the largest
 /// change of each method and a replay of the largest of all; the counts of the verdicts on times. With `times`, the
 /// times that changed and the ranks follow. With `all`, every row and every reading of the machines is listed.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/check/paired_times.hpp"
+#include "experiments/cli/check/programs.hpp"
 
 #include <gtest/gtest.h>
 
