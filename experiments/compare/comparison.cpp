@@ -93,7 +93,7 @@ std::string worse(std::string_view a, std::string_view b) {
 
 /// Whether the times of fixed work (sentinel or sweep) beside these two rows differ by more than the tolerated drift.
 /// On the same machine with the same build this means that the machine was disturbed or ran at another speed, so that a
-/// difference between the rows says nothing about the methods.
+/// difference between the rows does not concern the methods.
 bool machine_changed(const tables::TableRow& ours, const tables::TableRow& theirs) {
   return std::ranges::any_of(std::array{"sentinel_ns", "sweep_ns"}, [&](std::string_view column) {
     const auto a = ours.optional_number(column);

@@ -59,7 +59,7 @@ TEST(Results, RowsOfOneSideAreListedNotJudged) {
   EXPECT_TRUE(comparison.only_a.empty());
   ASSERT_EQ(comparison.only_b.size(), 2U);
   EXPECT_EQ(comparison.only_b[0].inputs.field("method"), "estrin");
-  EXPECT_EQ(comparison.only_b[1].file, "conversion.csv") << "a table that a lacks";
+  EXPECT_EQ(comparison.only_b[1].file, "conversion.csv") << "a table that is missing in a";
   EXPECT_EQ(comparison.only_b[1].inputs.field("method"), "exact");
   EXPECT_EQ(recorded_input(a, comparison.results.front().inputs), "");
 }

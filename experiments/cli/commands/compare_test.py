@@ -234,11 +234,11 @@ class Compare(Case):
         self.assertRegex(text, r"method horner_bernstein, .*: 1 in a, 5 in b")
 
     def test_ranks_are_among_what_all_bundles_have(self):
-        """A method that one of them lacks has no rank in any pair."""
+        """A method that is missing in one of them has no rank in any pair."""
         shutil.copytree(BASELINE, self.folder / "c")
-        lacking = self.folder / "c/timing.csv"
-        kept = [line for line in lacking.read_text().splitlines(keepends=True) if line.split(",")[2] != "direct"]
-        lacking.write_text("".join(kept))
+        without = self.folder / "c/timing.csv"
+        kept = [line for line in without.read_text().splitlines(keepends=True) if line.split(",")[2] != "direct"]
+        without.write_text("".join(kept))
         self.list_anew("c")
         ranks = {}
         for row in self.table("a", "b", "c"):
