@@ -76,7 +76,7 @@ class CommandLine(Case):
         self.refused(USAGE, ["run", self.suite(TIMING), "--no-timing", "--out", "b"], "--no-timing")
 
     def test_doctor(self):
-        """Warnings are no failure: few machines are free of them."""
+        """Warnings do not fail: few machines are free of them."""
         lines = [line.split(maxsplit=1) for line in self.fine("doctor").replace("floating point", "arithmetic").splitlines()]
         self.assertEqual([aspect for aspect, _ in lines],
                          ["arithmetic", "clock", "governor", "boost", "load", "virtualised", "counters"])

@@ -73,7 +73,7 @@ class Peers(Case):
     def test_lengths_and_foot_points_of_libraries_like_our_own(self):
         listed = {r["id"] for r in rows(self.fine("list", "methods", "--format", "csv"))}
         if not {"peer_2geom_length", "peer_occt_length", "peer_sisl_closest"} <= listed:
-            self.skipTest("this build lacks 2geom, Open CASCADE or SISL")
+            self.skipTest("this build is without 2geom, Open CASCADE or SISL")
         self.fine("run", SUITE.parent / "companion_peers.toml", "--out", "b", "--trials", "20", "--no-timing", "--quiet")
         lengths = {r["method"]: r for r in self.table("b/arc_length.csv") + self.table("b/arc_length_unstable.csv")}
         self.assertEqual(set(lengths), {"gauss_legendre_adaptive", "peer_2geom_length", "peer_occt_length"})

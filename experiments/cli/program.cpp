@@ -21,7 +21,6 @@
 #include "experiments/outside/harness.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/terminal.hpp"
-#include "reference/exhausted_memory.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -62,14 +61,6 @@ std::string welcome() {
 int fail(Exit exit, const std::string& line) {
   say(line);
   return static_cast<int>(exit);
-}
-
-/// Writes one line without allocating memory, and ends the program with all its threads.
-[[noreturn]] void end_without_memory() {
-  constexpr std::string_view line =
-      "bezierbench: memory is exhausted; raise its limit (ulimit -v), or use fewer --jobs\n";
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
-  _exit(static_cast<int>(Exit::environment));
 }
 
 int standard_output_failed() {
@@ -114,7 +105,6 @@ namespace bezierbench::harness {
 int run(int argc, char** argv, std::span<const outside::OwnMethod> own) {
   using namespace cli;
   try {
-    reference::on_exhausted_memory([] { end_without_memory(); });  // no exception can pass through GMP
     bundle::ignore_file_size_signal();
     run::watch_for_interruption();
     const auto faults = floating_point_faults();
@@ -126,7 +116,7 @@ int run(int argc, char** argv, std::span<const outside::OwnMethod> own) {
   } catch (const Failure& failure) {
     return fail(failure.exit(), failure.what());
   } catch (const std::bad_alloc&) {
-    end_without_memory();
+    return fail(Exit::environment, "memory is exhausted; raise its limit (ulimit -v), or use fewer --jobs");
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) return standard_output_failed();
     return fail(Exit::input_output, error.what());

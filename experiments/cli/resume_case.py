@@ -33,7 +33,7 @@ class ResumeCase(Case):
         return [self.folder / bundle / "blocks" / name for name in sorted(names) if name.endswith(".blocks")]
 
     def change(self, bundle, name, content):
-        """Another content of a file, and the checksum that belongs to it."""
+        """Another content of a file, with its checksum."""
         path, sums = self.folder / bundle / name, self.folder / bundle / "SHA256SUMS"
         self.assertNotEqual(path.read_text(), content)
         path.write_text(content)

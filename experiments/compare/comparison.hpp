@@ -1,66 +1,103 @@
 // SPDX-License-Identifier: MIT
-// Bundles compared with a first one: machines and builds, accuracy, times, and the rank of each bundle.
+// A bundle compared with another one: machines and builds, results bit for bit, and times.
 #pragma once
 
-#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
-#include "experiments/compare/accuracy.hpp"
+#include "experiments/compare/join.hpp"
 #include "experiments/compare/side.hpp"
-#include "experiments/compare/timing.hpp"
+#include "experiments/metric/order_statistics.hpp"
+#include "experiments/metric/verdict.hpp"
 
 namespace bezierbench::compare {
 
-/// One bundle compared with the first.
-struct Pair {
-  std::string against;  ///< name of a
-  std::string bundle;   ///< name of b
-  std::vector<FactDifference> facts;
+// The verdicts on results; those on times are the names of metric::Verdict.
+inline constexpr std::string_view identical = "identical";
+inline constexpr std::string_view different = "different";
+
+/// The ratio of two values, b over a, and the verdict on both.
+struct Ratio {
+  /// The median is NaN where a is 0 or one of them is not a number; the limits of a result are NaN.
+  metric::Interval value{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+                         std::numeric_limits<double>::quiet_NaN()};
+  std::string_view verdict;
+};
+
+/// What only rows of times have.
+struct Timed {
+  metric::Interval a;  ///< nanoseconds per point
+  metric::Interval b;
+  std::optional<Ratio> normalised = {};  ///< in units of the sentinel, where both sides have them
+  /// The worse quality of the two sides: `ok`, or the word in the file; `unchecked` where timed output was wrong.
+  /// `noisy` also where the same build on the same machine took different times for the fixed work beside the row.
+  std::string quality = {};
+  int rank_a = 0;  ///< 1 + number of methods in the same race that are certainly faster; 0 if not ranked
+  int rank_b = 0;
+  /// Whether a ranked method of the same race is faster in one bundle and slower in the other, each by the verdict on
+  /// the ratio of both in that bundle. Ranks may differ without that, where only one bundle tells two methods apart.
+  bool changed_place = false;
+};
+
+/// Two rows, one of each bundle, with the same inputs.
+struct Row {
+  std::string file;
+  Inputs inputs;
+  std::string column;  ///< of the result: the largest error if it differs, else the first result that does
+  std::string a;       ///< the values in that column
+  std::string b;
+  Ratio ratio = {};
+  std::optional<Timed> timed = {};
+
+  /// |b/a|; infinite where that is not a number.
+  [[nodiscard]] double growth() const;
+  /// The row of the fixed work that runs beside every race.
+  [[nodiscard]] bool is_sentinel() const { return inputs.field("method") == "sentinel"; }
+  /// The ratio that compares methods: in units of the sentinel where the machines differ.
+  [[nodiscard]] const Ratio& judged(bool same_machine) const;
+  /// Whether b took longer by every measure: the interval of b lies above that of a, the verdict on the ratio is
+  /// `slower`, in units of the sentinel too, and the quality is `ok`.
+  [[nodiscard]] bool is_certainly_slower() const;
+};
+
+/// The inputs of a row without a partner in the other bundle.
+struct Single {
+  std::string file;
+  Inputs inputs;
+};
+
+/// One bundle compared with the first. The sides must outlive it.
+struct Comparison {
+  const Side* a;
+  const Side* b;
   bool same_machine;
-  AccuracyComparison accuracy;
-  TimingComparison timing;
+  std::vector<Row> results = {};  ///< by file, and within a file in a's order
+  std::vector<Row> times = {};    ///< in a's order
+  std::vector<Single> only_a = {};
+  std::vector<Single> only_b = {};
+  std::vector<std::string> left_out = {};  ///< files of both bundles whose rows do not determine their inputs
 
-  [[nodiscard]] bool has_common_rows() const { return !accuracy.rows.empty() || !timing.rows.empty(); }
+  /// The results that differ, by descending growth.
+  [[nodiscard]] std::vector<const Row*> differing() const;
 };
 
-[[nodiscard]] Pair compare_pair(const Side& a, const Side& b);
+/// Compares the deterministic tables bit for bit, and the times by metric::verdict, but `unresolved` where a race had
+/// too few rounds for an interval. Bundles with different seeds have different inputs, so that only times are compared.
+/// For different suites only tables with a column `trials` are compared: the rows of any other table do not say how many
+/// trials they cover. Throws Failure(Exit::input_output) for a time that is not a number.
+[[nodiscard]] Comparison compare_sides(const Side& a, const Side& b);
 
-/// Ranks the methods of each race among the timings that all bundles have in common, so that the ranks of all pairs are
-/// ranks among the same methods. A bundle that has no timing in common with the first is not counted.
-void rank_in_all(std::vector<Pair>& pairs);
+/// The worst_id of the input that `side` recorded for the cell and method of `inputs`, which can be replayed; empty
+/// where none was recorded.
+[[nodiscard]] std::string recorded_input(const Side& side, const Inputs& inputs);
 
-/// The place of one bundle among all of them, over the timings that all bundles have in common. A bundle that has no
-/// timing in common with the first is not counted.
-struct Standing {
-  std::optional<std::ptrdiff_t> rank;  ///< by mean_ratio; empty without a mean
-  std::string bundle;
-  std::string cpu;
-  std::string compiler;
-  bool same_machine = true;                                      ///< whether its machine is that of the first bundle
-  std::size_t differing = 0;                                     ///< accuracy rows that differ from the first bundle's
-  std::size_t timings = 0;                                       ///< the number of common timings; 0 means no mean
-  double mean_ratio = std::numeric_limits<double>::quiet_NaN();  ///< geometric mean of times over the first bundle's
-  double mean_normalised = std::numeric_limits<double>::quiet_NaN();  ///< the same in units of the sentinel
-};
-
-/// The standing of every bundle, the fastest first and those without times last. `pairs` holds the comparison of `base`
-/// with each of `others`, in their order. The means are geometric: only then does the order not depend on the bundle
-/// that the times are divided by (Fleming and Wallace 1986, Communications of the ACM 29:218).
-[[nodiscard]] std::vector<Standing> standings(const Side& base, const std::vector<Side>& others,
-                                              const std::vector<Pair>& pairs);
-
-/// Every row of every pair: kind,study,method,scalar,dimension,degree,mode,a,b,ratio,ratio_low,ratio_high,verdict, then
-/// the further inputs of the row and the columns that explain the verdict. Where `kind` is `accuracy`, `verdict` is
-/// `identical` or `different`, and `a` and `b` are the values in `column` of `file`.
-[[nodiscard]] bundle::CsvTable comparison_table(const std::vector<Pair>& pairs);
-
-/// against,bundle,fact,a,b: every fact in which a bundle differs from the first.
-[[nodiscard]] bundle::CsvTable facts_table(const std::vector<Pair>& pairs);
-
-[[nodiscard]] bundle::CsvTable standings_table(const std::vector<Standing>& standings);
+/// Every row: kind,study,method,scalar,dimension,degree,mode,a,b,ratio,ratio_low,ratio_high,verdict, then the further
+/// inputs of the row and the columns that explain the verdict. `kind` is `accuracy` or `timing`; `a` and `b` are the
+/// values in `column` of `file`.
+[[nodiscard]] bundle::CsvTable comparison_table(const std::vector<Comparison>& comparisons);
 
 }  // namespace bezierbench::compare

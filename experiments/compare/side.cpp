@@ -13,15 +13,6 @@ namespace {
 
 constexpr std::string_view unknown = "unknown";
 
-void read_facts(bundle::CheckedReader& reader, std::string_view file, Side& side) {
-  std::ranges::move(bundle::facts(reader.read(file), reader.place(file)), std::back_inserter(side.facts));
-}
-
-void read_table(bundle::CheckedReader& reader, std::string_view file, Side& side) {
-  if (!reader.has(file)) return;
-  side.tables.emplace(file, bundle::parse_csv(reader.read(file), reader.place(file)));
-}
-
 }  // namespace
 
 std::string Side::fact(std::string_view fact_name) const {
@@ -29,18 +20,20 @@ std::string Side::fact(std::string_view fact_name) const {
   return found == facts.end() ? std::string(unknown) : found->value;
 }
 
-const bundle::CsvDocument* Side::table(const std::string& file) const {
+const bundle::CsvDocument& Side::table(const std::string& file) const {
+  static const bundle::CsvDocument none;
   const auto found = tables.find(file);
-  return found == tables.end() ? nullptr : &found->second;
+  return found == tables.end() ? none : found->second;
 }
 
 Side read_side(const std::filesystem::path& path, bundle::Damage damage) {
   bundle::CheckedReader reader(path, damage);
-  Side side{.name = path.string(), .manifest = reader.manifest(), .facts = {}, .tables = {}};
-  read_facts(reader, "machine.json", side);
-  read_facts(reader, bundle::manifest_name, side);
+  Side side{.name = path.string(), .manifest = reader.manifest()};
+  for (const auto file : {std::string_view("machine.json"), bundle::manifest_name})
+    std::ranges::move(bundle::facts(reader.read(file), reader.place(file)), std::back_inserter(side.facts));
   for (const auto& table : bundle::declared_tables())
-    if (table.is_deterministic || table.file == timing_file) read_table(reader, table.file, side);
+    if ((table.is_deterministic || table.file == timing_file) && reader.has(table.file))
+      side.tables.emplace(table.file, bundle::parse_csv(reader.read(table.file), reader.place(table.file)));
   side.damaged = reader.told();
   return side;
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/bundle/check/checked_reader.hpp"
@@ -14,21 +15,21 @@
 
 namespace bezierbench::compare {
 
+inline constexpr const char* timing_file = "timing.csv";
+
 /// What is compared of a bundle, all read at once.
 struct Side {
   std::string name;  ///< as the user gave it
-  bundle::Manifest manifest;
-  std::vector<bundle::Fact> facts;                    ///< those of machine.json, then those of bundle.json
-  std::map<std::string, bundle::CsvDocument> tables;  ///< timing.csv and the deterministic tables, by file name
-  std::vector<std::string> damaged = {};              ///< files that differ from their line in SHA256SUMS
+  bundle::Manifest manifest = {};
+  std::vector<bundle::Fact> facts = {};                    ///< those of machine.json, then those of bundle.json
+  std::map<std::string, bundle::CsvDocument> tables = {};  ///< timing.csv and the deterministic tables, by file name
+  std::vector<std::string> damaged = {};                   ///< files that differ from their line in SHA256SUMS
 
   /// The value of the fact `fact_name`; `unknown` where the bundle does not have it.
   [[nodiscard]] std::string fact(std::string_view fact_name) const;
-  /// The table of this name; null where the bundle has none.
-  [[nodiscard]] const bundle::CsvDocument* table(const std::string& file) const;
+  /// The table of this name; one without columns and rows where the bundle does not have it.
+  [[nodiscard]] const bundle::CsvDocument& table(const std::string& file) const;
 };
-
-inline constexpr const char* timing_file = "timing.csv";
 
 /// Reads the bundle in `path`. Throws Failure(Exit::input_output) where `path` is not a bundle, where a file cannot be
 /// parsed, and, if damage is to be refused, where a file differs from its checksum.

@@ -29,7 +29,7 @@ struct ClassBound {
 double least_p_tilde(const CurveClass& of, const reference::Arithmetic& arithmetic);
 
 /// The bound of a method with its worst amplification over the class. Known to a relative 2^-20, as TrialScale::bound.
-/// Infinite for rational curves, because the class says nothing about weights, and where a result on the way may
+/// Infinite for rational curves, because the class does not limit weights, and where a result on the way may
 /// overflow.
 ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const reference::Arithmetic& arithmetic);
 

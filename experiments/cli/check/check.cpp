@@ -4,21 +4,26 @@
 #include <fmt/ranges.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/cli/check/against.hpp"
-#include "experiments/cli/check/method_studies.hpp"
-#include "experiments/cli/check/paired_times.hpp"
+#include "experiments/cli/check/programs.hpp"
 #include "experiments/cli/check/report.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/echo.hpp"
 #include "experiments/race/repetition.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/kind.hpp"
+#include "experiments/suite/nearest.hpp"
+#include "experiments/suite/pattern.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/text/writer.hpp"
 
@@ -26,6 +31,7 @@ namespace bezierbench::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Suites = std::vector<suite::Suite>;
 
 struct CheckOptions {
   std::string method;
@@ -36,41 +42,93 @@ struct CheckOptions {
   bool quiet = false;
 };
 
-/// The folder of the bundles of a check: the user's, or a temporary one that is removed at the end. The user's is
-/// removed as well where the check fails, so that the same command can be given again.
+/// The problem that the methods of a study solve; empty for a study without methods.
+std::optional<Problem> problem_of(const suite::Study& study) {
+  const auto& kind = suite::kind_of(study);
+  if (suite::find_field(kind, "methods") == nullptr) return std::nullopt;
+  if (kind.chains) return Problem::conversion;
+  if (kind.problem) return kind.problem;
+  if (!kind.timed || study.methods.empty()) return Problem::evaluation;
+  for (const auto* info : every_method())
+    if (info->problem != Problem::conversion && suite::means(study.methods.front(), info->id)) return info->problem;
+  return std::nullopt;
+}
+
+/// Whether the study names the method, or all that apply, which peers are not among.
+bool names(const suite::Study& study, const std::string& id) {
+  if (study.methods.empty()) return !suite::is_peer(id);
+  return std::ranges::any_of(study.methods, [&](const auto& pattern) { return suite::means(pattern, id); });
+}
+
+/// Whether the method takes the curves of the study and solves its problem.
+bool applies(const suite::Study& study, const std::string& id) {
+  const auto problem = problem_of(study);
+  return std::ranges::any_of(every_method(), [&](const MethodInfo* info) {
+    return info->id == id && problem == info->problem && study.form == info->form;
+  });
+}
+
+/// The studies that `keep` keeps, with no other method.
+template <class Keep>
+Suites only(Suites suites, const std::string& id, const Keep& keep) {
+  for (auto& one : suites) {
+    std::erase_if(one.studies, [&](const suite::Study& study) { return !keep(study); });
+    for (auto& study : one.studies) study.methods = {id};
+  }
+  std::erase_if(suites, [](const suite::Suite& one) { return one.studies.empty(); });
+  return suites;
+}
+
+/// Throws Failure(Exit::usage) where there is no method with this id.
+void require_method(const std::string& id) {
+  std::vector<std::string> known;
+  for (const auto* info : every_method()) known.emplace_back(info->id);
+  if (std::ranges::find(known, id) == known.end())
+    throw Failure(Exit::usage,
+                  fmt::format("{}: no such method{}; see `list methods`", echo(id), suite::suggestion(id, known)));
+}
+
+/// The studies of errors that have the method, with no other methods in them; suites without one are left out. A cell's
+/// inputs do not depend on its methods, so these give the rows that the whole suite gives.
+Suites studies_that_judge(const Suites& suites, const std::string& id) {
+  return only(suites, id, [&](const suite::Study& study) {
+    return !suite::kind_of(study).timed && names(study, id) && applies(study, id);
+  });
+}
+
+/// The timing studies that name the method or, where none does, all of its problem, with this method instead.
+Suites studies_that_time(const Suites& suites, const std::string& id) {
+  const auto times = [&](const suite::Study& study) {
+    return studies::is_kind(study, studies::timing_kind) && applies(study, id);
+  };
+  auto naming = only(suites, id, [&](const suite::Study& study) { return times(study) && names(study, id); });
+  return naming.empty() ? only(suites, id, times) : naming;
+}
+
+/// The folder of the bundles of a check: the user's, or a temporary one. It is removed at the end unless it is kept, so
+/// that after a failure the same command can be given again.
 class Workplace {
  public:
-  explicit Workplace(const std::optional<std::string>& out) : is_users_(out.has_value()) {
-    if (out) {
-      if (fs::exists(*out)) throw Failure(Exit::usage, fmt::format("--out {}: exists; choose another folder", *out));
-      fs::create_directories(*out);
-      folder_ = *out;
-      return;
-    }
-    std::string name = (fs::temp_directory_path() / "bezierbench-check-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
+  explicit Workplace(const std::optional<std::string>& out) {
+    std::string name = out ? *out : (fs::temp_directory_path() / "bezierbench-check-XXXXXX").string();
+    if (out && fs::exists(name))
+      throw Failure(Exit::usage, fmt::format("--out {}: exists; choose another folder", name));
+    if (out ? !fs::create_directories(name) : mkdtemp(name.data()) == nullptr)
       throw Failure(Exit::input_output, fmt::format("{}: cannot be created; see --out", name));
-    folder_ = name;
+    folder = name;
   }
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
   ~Workplace() {
     std::error_code ignored;
-    fs::remove_all(is_kept_ && is_users_ ? folder_ / "times" : folder_, ignored);
+    fs::remove_all(is_kept ? folder / "times" : folder, ignored);
   }
 
-  void keep() { is_kept_ = true; }
-
-  [[nodiscard]] fs::path operator/(const char* name) const { return folder_ / name; }
-  [[nodiscard]] const fs::path& folder() const { return folder_; }
-
- private:
-  fs::path folder_;
-  bool is_users_;
-  bool is_kept_ = false;
+  fs::path folder;
+  bool is_kept = false;
 };
 
-run::Outcome judge(const std::vector<suite::Suite>& suites, const fs::path& out) {
+run::Outcome judge(const Suites& suites, const fs::path& out) {
   auto request = request_of_this_build();
   request.suites = suites;
   request.out = out;
@@ -78,65 +136,60 @@ run::Outcome judge(const std::vector<suite::Suite>& suites, const fs::path& out)
   return run::run(request);
 }
 
-/// Runs the other program on the cells of the method, and both in turn for times.
-void compare_with_program(const CheckOptions& options, const Against& program, const Workplace& place,
-                          const std::vector<suite::Suite>& judged, Report& report) {
-  bundle::write_file(place / "cells.toml", suite::to_toml(judged));
-  run_suite(program.path, place / "cells.toml", place / "before");
-  report.add_changes(program.name, compare::read_side(place / "before"), compare::read_side(place / "after"));
-  const auto timed = studies_that_time(quick_suite(), options.method);
+/// The times of both programs, in turn.
+void compare_times(const CheckOptions& options, const fs::path& program, const fs::path& folder, const Suites& quick,
+                   Report& report) {
+  const auto timed = studies_that_time(quick, options.method);
   if (options.pairs == 0 || timed.empty()) {
-    report.sections.push_back(
-        {"  times", timed.empty() ? "none: no study of suite quick times such methods" : "none: not asked for"});
+    report.add("  times",
+               timed.empty() ? "none: no study of suite quick times such methods" : "none: --pairs 0 leaves them out");
     return;
   }
   if (!options.quiet) say(fmt::format("times both programs in turn, {} times each", options.pairs));
-  bundle::write_file(place / "times.toml", suite::to_toml(timed));
-  report.add_times(
-      paired_times({program.path, fs::read_symlink("/proc/self/exe"), place / "times.toml", place.folder()},
-                   options.method, options.pairs),
-      options.pairs, options.all);
+  bundle::write_file(folder / "times.toml", suite::to_toml(timed));
+  report.add_times(paired_times({program, fs::read_symlink("/proc/self/exe"), folder / "times.toml", folder},
+                                options.method, options.pairs),
+                   options.pairs);
 }
 
-/// The suites whose cells a bundle has, as far as they judge the method.
-std::vector<suite::Suite> judged_in_bundle(const fs::path& path, const std::string& method) {
+Suites suites_of_bundle(const fs::path& path) {
   bundle::CheckedReader reader(path, bundle::Damage::refused);
   constexpr const char* file = "suite.toml";
-  const auto suites = suite::parse_suites(reader.read(file), reader.place(file), vocabulary_of_all_builds());
-  auto judged = studies_that_judge(suites, method);
-  if (judged.empty())
-    throw Failure(Exit::usage,
-                  fmt::format("{}: does not have errors of {}; name another bundle", path.string(), method));
-  return judged;
+  return suite::parse_suites(reader.read(file), reader.place(file), vocabulary_of_all_builds());
 }
 
 Exit check(const CheckOptions& options) {
-  methods_named(options.method);  // before anything is built
+  require_method(options.method);  // before anything is built
   std::optional<Against> against;
   if (options.against) against = find_against(*options.against, options.quiet);
   const bool has_bundle = against && against->is_bundle;
-  const auto judged =
-      has_bundle ? judged_in_bundle(against->path, options.method) : studies_that_judge(quick_suite(), options.method);
+  const auto quick = suite::read_suites(suite_file("quick"), vocabulary());
+  const auto judged = studies_that_judge(has_bundle ? suites_of_bundle(against->path) : quick, options.method);
   if (judged.empty())
-    throw Failure(Exit::usage,
-                  fmt::format("{}: is a method of another library, which suites judge only where they name "
-                              "it; see --against BUNDLE",
-                              options.method));
+    throw Failure(Exit::usage, has_bundle ? fmt::format("{}: does not have errors of {}; name another bundle",
+                                                        against->path.string(), options.method)
+                                          : fmt::format("{}: is a method of another library, which suites judge only "
+                                                        "where they name it; see --against BUNDLE",
+                                                        options.method));
   std::optional<compare::Side> before;
   if (has_bundle) before = compare::read_side(against->path);  // a damaged bundle is refused before anything is judged
   Workplace place(options.out);
   if (!options.quiet && has_bundle)
     say(fmt::format("judges the cells that {} has of {} again", against->name, options.method));
-  Report report{.method = options.method};
+  Report report{.method = options.method, .all = options.all};
   report.add_properties();
-  const auto outcome = judge(judged, place / "after");
-  report.add_errors(place / "after", has_bundle ? against->name : "suite quick", outcome);
-  if (before)
-    report.add_changes(against->name, *before, compare::read_side(place / "after"));
-  else if (against)
-    compare_with_program(options, *against, place, judged, report);
-  place.keep();
-  fmt::print("{}", report.text(options.all));
+  const auto after = place.folder / "after";
+  const auto outcome = judge(judged, after);
+  report.add_errors(after, has_bundle ? against->name : "suite quick", outcome);
+  if (against && !has_bundle) {
+    bundle::write_file(place.folder / "cells.toml", suite::to_toml(judged));
+    run_suite(against->path, place.folder / "cells.toml", place.folder / "before");
+    before = compare::read_side(place.folder / "before");
+  }
+  if (before) report.add_changes(against->name, *before, compare::read_side(after));
+  if (against && !has_bundle) compare_times(options, against->path, place.folder, quick, report);
+  place.is_kept = options.out.has_value();
+  fmt::print("{}", report.text());
   if (report.findings.empty()) return Exit::fine;
   say(fmt::format("{}: {}; see the lines below the verdict", options.method, fmt::join(report.findings, "; ")));
   return Exit::finding;
@@ -146,7 +199,8 @@ Exit check(const CheckOptions& options) {
 
 void add_check(Command program, Exit& exit) {
   auto options = std::make_shared<CheckOptions>();
-  auto command = program.command("check", "check a changed method: properties, bound, errors; against what it was");
+  auto command = program.command(
+      "check", "check a changed method: properties, bound and errors; compare it with a previous state");
   command.option("METHOD", options->method, "its id; see list methods").required().takes("METHOD", all_methods());
   command
       .option("--against", options->against,

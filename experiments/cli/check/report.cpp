@@ -11,7 +11,7 @@
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/cli/commands/comparison_text.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/compare/accuracy.hpp"
+#include "experiments/compare/comparison.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/requirements/requirements.hpp"
@@ -20,7 +20,10 @@
 namespace bezierbench::cli {
 namespace {
 
-using metric::Verdict;
+std::string labelled(const std::string& label, const std::string& text) {
+  constexpr std::size_t indent = 12;
+  return wrapped(padded(label, indent), text, indent);
+}
 
 /// The errors of a method over all rows against the exact value.
 struct Errors {
@@ -55,8 +58,8 @@ Errors errors_of(const std::string& method, const std::filesystem::path& bundle)
     const auto table = bundle::parse_csv(reader.read(declared.file), reader.place(declared.file));
     for (std::size_t at = 0; at < table.row_count(); ++at) {
       const tables::TableRow row(table, at);
-      const bool against_truth = !row.has("baseline") || row.text("baseline") == "exact";
-      if (row.text(declared.method) == method && row.text("status") == "ok" && against_truth)
+      const bool is_exact = !row.has("baseline") || row.text("baseline") == "exact";
+      if (row.text(declared.method) == method && row.text("status") == "ok" && is_exact)
         errors.add(row, compare::Inputs(declared, table, at, table));
     }
   }
@@ -65,8 +68,16 @@ Errors errors_of(const std::string& method, const std::filesystem::path& bundle)
 
 }  // namespace
 
+void Report::add(const std::string& label, const std::string& text, const std::vector<std::string>& details,
+                 std::size_t shown) {
+  shown = all ? details.size() : std::min(shown, details.size());
+  const auto hidden = details.size() - shown;
+  lines += labelled(label, hidden > 0 ? fmt::format("{}; {} more with --all", text, hidden) : text);
+  for (std::size_t k = 0; k < shown; ++k) lines += labelled("", details[k]);
+}
+
 void Report::add_properties() {
-  Section section{"properties", "apply to evaluators only"};
+  std::vector<std::string> broken;
   std::size_t decided = 0;
   std::size_t cases = 0;
   for (const auto& evaluator : requirements::evaluators())
@@ -76,35 +87,34 @@ void Report::add_properties() {
       ++decided;
       cases += outcome.cases();
       if (outcome.broken() == 0) continue;
-      section.details.push_back(fmt::format("{}: {}; broken in {} of {} cases, first in {} form, {}", property.id,
-                                            property.statement, outcome.broken(), outcome.cases(),
-                                            name(evaluator.info().form), outcome.first()));
+      broken.push_back(fmt::format("{}: {}; broken in {} of {} cases, first in {} form, {}", property.id,
+                                   property.statement, outcome.broken(), outcome.cases(), name(evaluator.info().form),
+                                   outcome.first()));
       findings.push_back(fmt::format("property {} does not hold", property.id));
     }
-  if (decided > 0)
-    section.head = fmt::format("{} of {} hold, in {} cases", decided - section.details.size(), decided, cases);
-  sections.push_back(std::move(section));
+  add("properties",
+      decided == 0 ? "apply to evaluators only"
+                   : fmt::format("{} of {} hold, in {} cases", decided - broken.size(), decided, cases),
+      broken);
 }
 
 void Report::add_errors(const std::filesystem::path& bundle, const std::string& cells, const run::Outcome& judged) {
   const auto errors = errors_of(method, bundle);
-  auto head = fmt::format("{} rows of {}, {} trials", errors.rows, printable(cells), number::decimal(errors.trials));
-  if (errors.largest) head += fmt::format("; largest error {:.4g} {}", *errors.largest, errors.where);
-  if (errors.non_finite > 0) head += fmt::format("; {} results are not finite", number::decimal(errors.non_finite));
-  sections.push_back({"accuracy", std::move(head)});
+  auto text = fmt::format("{} rows of {}, {} trials", errors.rows, printable(cells), number::decimal(errors.trials));
+  if (errors.largest) text += fmt::format("; largest error {:.4g} {}", *errors.largest, errors.where);
+  if (errors.non_finite > 0) text += fmt::format("; {} results are not finite", number::decimal(errors.non_finite));
+  add("accuracy", text);
   add_bound(errors.bound_used, judged);
 }
 
 void Report::add_bound(std::optional<double> used, const run::Outcome& judged) {
   constexpr double percent = 100;
   if (judged.violations > 0) {
-    sections.push_back({"bound", fmt::format("violated {} times", judged.violations)});
+    add("bound", fmt::format("violated {} times", judged.violations));
     findings.emplace_back("the bound is violated");
   } else {
-    sections.push_back({"bound", used ? fmt::format("holds in every trial; the largest error is {:.2g} % "
-                                                    "of it",
-                                                    percent * *used)
-                                      : "none is stated in units of u p~"});
+    add("bound", used ? fmt::format("holds in every trial; the largest error is {:.2g} % of it", percent * *used)
+                      : "none is stated in units of u p~");
   }
   if (judged.broken_promises > 0)
     findings.push_back(fmt::format("the guarantee does not hold in {} trials", judged.broken_promises));
@@ -112,73 +122,69 @@ void Report::add_bound(std::optional<double> used, const run::Outcome& judged) {
 }
 
 void Report::add_changes(const std::string& name, const compare::Side& before, const compare::Side& after) {
-  Section builds{"against", printable(name)};
+  std::vector<std::string> builds;
   for (const std::string fact : {"build.compiler", "build.flags"})
     if (before.fact(fact) != after.fact(fact))
-      builds.details.push_back(fmt::format("{} differs: {} before, {} now", fact, printable(before.fact(fact)),
-                                           printable(after.fact(fact))));
-  sections.push_back(std::move(builds));
+      builds.push_back(fmt::format("{} differs: {} before, {} now", fact, printable(before.fact(fact)),
+                                   printable(after.fact(fact))));
+  add("against", printable(name), builds);
 
-  const auto accuracy = compare::compare_accuracy(before, after);
-  Section section{"  accuracy", "no rows to compare"};
-  const auto rows = std::ranges::count_if(
-      accuracy.rows, [&](const compare::AccuracyRow& row) { return row.inputs.field("method") == method; });
-  for (const auto& change : compare::method_changes(accuracy)) {
-    if (change.method != method) continue;
-    for (const auto* row : change.differing)
-      section.details.push_back(fmt::format("{} {} -> {} at {}", row->shown.column, printable(row->shown.a),
-                                            printable(row->shown.b), row_words(row->inputs)));
-  }
-  const auto changed = section.details.size();
-  for (const auto& [others, count] : accuracy.methods)
-    if (others.method == method && count.only_a + count.only_b > 0)
-      section.details.push_back(
-          fmt::format("{} rows are missing and {} are new: {}", count.only_a, count.only_b, printable(others.words())));
-  if (rows > 0 || !section.details.empty())
-    section.head = fmt::format("the same bits in {} of {} rows", static_cast<std::size_t>(rows) - changed, rows);
+  const auto comparison = compare::compare_sides(before, after);
+  const auto is_of_method = [&](const auto& row) { return row.inputs.field("method") == method; };
+  const auto rows = std::ranges::count_if(comparison.results, is_of_method);
+  std::vector<std::string> details;
+  for (const auto* row : comparison.differing())
+    if (is_of_method(*row))
+      details.push_back(
+          fmt::format("{} {} -> {} at {}", row->column, printable(row->a), printable(row->b), row_words(row->inputs)));
+  const auto changed = details.size();
+  for (const auto& [singles, what] : {std::pair(&comparison.only_a, "missing"), std::pair(&comparison.only_b, "new")})
+    for (const auto& one : *singles)
+      if (is_of_method(one) && one.file != compare::timing_file)
+        details.push_back(printable(fmt::format("a row of {} is {}: {}", one.file, what, one.inputs.words())));
+  add("  accuracy",
+      rows == 0 && details.empty()
+          ? "no rows to compare"
+          : fmt::format("the same bits in {} of {} rows", static_cast<std::size_t>(rows) - changed, rows),
+      details);
   if (changed > 0)
     findings.push_back(fmt::format("accuracy differs in {} of {} rows", changed, rows));
-  else if (!section.details.empty())
+  else if (!details.empty())
     findings.emplace_back("rows are missing or new");
-  sections.push_back(std::move(section));
 }
 
-void Report::add_times(std::vector<PairedTime> times, int pairs, bool all) {
-  const auto count = [&](Verdict verdict) { return std::ranges::count(times, verdict, &PairedTime::verdict); };
-  const auto slower = count(Verdict::slower);
-  const bool wrong = std::ranges::count(times, false, &PairedTime::right) > 0;
-  Section section{"  times", fmt::format("{} slower, {} faster, {} same, {} unresolved of {}; now over before, {} "
-                                         "pairs of runs",
-                                         slower, count(Verdict::faster), count(Verdict::same),
-                                         count(Verdict::unresolved), times.size(), pairs)};
-  if (slower > 0) findings.push_back(fmt::format("slower in {} of {} races", slower, times.size()));
-  if (wrong) findings.emplace_back("timed results differ from the judged ones");
-  if (slower == 0 && !wrong && count(Verdict::faster) == 0) section.most = 1;  // nothing is decided
-  std::erase_if(times, [&](const PairedTime& time) { return !all && time.right && time.verdict == Verdict::same; });
-  std::ranges::stable_sort(times, std::greater(), [](const PairedTime& time) { return time.ratio.median; });
-  for (const auto& time : times)
-    section.details.push_back(fmt::format("{:.3f} [{:.3f}, {:.3f}] {:<10}  {:.4g} -> {:.4g} ns  {}{}",
-                                          time.ratio.median, time.ratio.low, time.ratio.high,
-                                          metric::name(time.verdict), time.before.median, time.after.median,
-                                          row_words(time.inputs), time.right ? "" : ", wrong results"));
-  sections.push_back(std::move(section));
-}
-
-std::string Report::text(bool all) const {
-  constexpr std::size_t indent = 12;
-  const auto line = [](const std::string& label, const std::string& text) {
-    return wrapped(padded(label, indent), text, indent);
-  };
-  auto text = line("verdict",
-                   fmt::format("{}: {}", method,
-                               findings.empty() ? "no problem was found" : fmt::to_string(fmt::join(findings, "; "))));
-  for (const auto& section : sections) {
-    const auto shown = all ? section.details.size() : std::min(section.most, section.details.size());
-    const auto left = section.details.size() - shown;
-    text += line(section.label, left > 0 ? fmt::format("{}; {} more with --all", section.head, left) : section.head);
-    for (std::size_t k = 0; k < shown; ++k) text += line("", section.details[k]);
+void Report::add_times(const std::map<compare::Inputs, PairedTimes>& times, int pairs) {
+  using metric::Verdict;
+  std::map<Verdict, std::size_t> counts;
+  std::multimap<double, std::string, std::greater<>> details;
+  bool all_checked = true;
+  for (const auto& [inputs, time] : times) {
+    const auto verdict = time.verdict();
+    ++counts[verdict];
+    all_checked = all_checked && time.checked;
+    if (!all && time.checked && verdict == Verdict::same) continue;
+    const auto ratio = time.ratio();
+    details.emplace(ratio.median,
+                    fmt::format("{:.3f} [{:.3f}, {:.3f}] {:<10}  {:.4g} -> {:.4g} ns  {}{}", ratio.median, ratio.low,
+                                ratio.high, metric::name(verdict), metric::median(time.before),
+                                metric::median(time.after), row_words(inputs), time.checked ? "" : ", wrong results"));
   }
-  return text;
+  std::vector<std::string> slowest_first;
+  for (auto& [ratio, text] : details) slowest_first.push_back(std::move(text));
+  const bool is_decided = counts[Verdict::slower] + counts[Verdict::faster] > 0 || !all_checked;
+  add("  times",
+      fmt::format("{} slower, {} faster, {} same, {} unresolved of {}; now over before, {} pairs of runs",
+                  counts[Verdict::slower], counts[Verdict::faster], counts[Verdict::same], counts[Verdict::unresolved],
+                  times.size(), pairs),
+      slowest_first, is_decided ? 3 : 1);
+  if (counts[Verdict::slower] > 0)
+    findings.push_back(fmt::format("slower in {} of {} races", counts[Verdict::slower], times.size()));
+  if (!all_checked) findings.emplace_back("timed results differ from the judged ones");
+}
+
+std::string Report::text() const {
+  const auto found = findings.empty() ? "no problem was found" : fmt::to_string(fmt::join(findings, "; "));
+  return labelled("verdict", fmt::format("{}: {}", method, found)) + lines;
 }
 
 }  // namespace bezierbench::cli

@@ -12,17 +12,21 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST(Report, SaysTheVerdictFirstAndThreeDetailsOfASection) {
-  const Report report{.method = "m", .sections = {{"a", "one", {"a1", "a2", "a3", "a4"}}, {"b", "two"}}};
-  EXPECT_EQ(report.text(false),
+TEST(Report, SaysTheVerdictFirstAndThreeDetailsOfALine) {
+  Report report{.method = "m"};
+  report.add("a", "one", {"a1", "a2", "a3", "a4"});
+  report.add("b", "two");
+  EXPECT_EQ(report.text(),
             "verdict     m: no problem was found\n"
             "a           one; 1 more with --all\n"
             "            a1\n"
             "            a2\n"
             "            a3\n"
             "b           two\n");
-  EXPECT_THAT(report.text(true), HasSubstr("a           one\n"));
-  EXPECT_THAT(report.text(true), HasSubstr("            a4\nb "));
+  Report whole{.method = "m", .all = true};
+  whole.add("a", "one", {"a1", "a2", "a3", "a4"});
+  EXPECT_THAT(whole.text(), HasSubstr("a           one\n"));
+  EXPECT_THAT(whole.text(), HasSubstr("            a4\n"));
 }
 
 /// A companion method has no bound in the tables, but says of an answer that it keeps its tolerance.
@@ -37,23 +41,31 @@ TEST(Report, WhatTheRunFoundIsAFinding) {
   report.add_bound({}, outcome);
   EXPECT_THAT(report.findings,
               ElementsAre("the bound is violated", "the guarantee does not hold in 3 trials", "2 proofs are refuted"));
-  EXPECT_THAT(report.text(false), HasSubstr("violated 7 times"));
+  EXPECT_THAT(report.text(), HasSubstr("violated 7 times"));
 }
 
-/// A time of the method, pair by pair: before, and after as a multiple of it.
-PairedTime time_with(double factor, bool right = true) {
-  auto time = paired_time({}, std::vector<double>(8, 10), std::vector<double>(8, factor * 10));
-  time.right = right;
-  return time;
+/// The inputs of a row of timing.csv.
+compare::Inputs at_degree(int degree) {
+  const auto table = bundle::parse_csv("study,degree\ns," + std::to_string(degree) + "\n", "timing.csv");
+  return {*bundle::declared_table("timing.csv"), table, 0, table};
+}
+
+/// Times of the method, pair by pair: before, and after as a multiple of it.
+PairedTimes times_with(double factor, bool checked = true) {
+  return {std::vector<double>(8, 10), std::vector<double>(8, factor * 10), checked};
 }
 
 TEST(Report, SlowerOrWrongTimesAreFindings) {
   Report report{.method = "m"};
-  report.add_times({time_with(1), time_with(0.5)}, 8, false);
+  report.add_times({{at_degree(1), times_with(1)}, {at_degree(2), times_with(0.5)}}, 8);
   EXPECT_TRUE(report.findings.empty());
-  report.add_times({time_with(1), time_with(2), time_with(1, false)}, 8, false);
+  report.lines.clear();
+  report.add_times({{at_degree(1), times_with(1)}, {at_degree(2), times_with(2)}, {at_degree(3), times_with(1, false)}},
+                   8);
   EXPECT_THAT(report.findings, ElementsAre("slower in 1 of 3 races", "timed results differ from the judged ones"));
-  EXPECT_EQ(report.sections.back().details.size(), 2U) << "without the one that is the same";
+  EXPECT_THAT(report.text(), HasSubstr("degree 2"));
+  EXPECT_THAT(report.text(), HasSubstr("degree 3, wrong results"));
+  EXPECT_THAT(report.text(), testing::Not(HasSubstr("degree 1"))) << "its time is the same";
 }
 
 }  // namespace

@@ -2,134 +2,298 @@
 // `choose`: the methods of a bundle that are fast and accurate enough, best first.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "experiments/bundle/csv.hpp"
-#include "experiments/cli/choose/choice.hpp"
 #include "experiments/cli/choose/class_choice.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/terminal/fitted.hpp"
+#include "experiments/cli/terminal/shell_word.hpp"
+#include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
-#include "experiments/judge/methods.hpp"
+#include "experiments/metric/pareto.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/choices.hpp"
+#include "experiments/terminal.hpp"
 
 namespace bezierbench::cli {
 namespace {
+
+using tables::Choice;
+using tables::ChoiceGroup;
+
+struct Wish {
+  std::string bundle;
+  int degree = 0;
+  std::string tolerance_text;
+  double tolerance = 0;
+  std::string unit = "u";
+  std::optional<std::string> range_text;
+  std::optional<double> range;
+  std::string form = "bernstein";
+  std::string mode = "point";
+  std::string scalar = "double";
+  int dimension = 2;
+  std::string study;
+  std::string accuracy_study;
+  std::string format = "text";
+  bool use_damaged = false;
+
+  [[nodiscard]] const tables::LargestError& error_of(const Choice& choice) const {
+    return unit == "u" ? choice.errors.in_u : choice.errors.absolute;
+  }
+  [[nodiscard]] std::string_view unit_words() const { return unit == "u" ? "u p~" : "coordinate units"; }
+};
 
 /// The tables of a bundle that a choice uses.
 struct Evidence {
   bundle::CsvDocument timing;
   tables::JudgedTables judged;
   std::optional<bundle::CsvDocument> methods;
+  std::vector<std::string> damaged;  ///< damaged files that were used nevertheless
 };
 
-Evidence read_evidence(Wish& wish) {
+/// The methods of one race cell, the fastest first, and the class of curves of the choice.
+struct JudgedRace {
+  ChoiceGroup group;
+  DrawnClass of;
+  std::vector<std::string> cells;  ///< in which the methods were judged
+};
+
+constexpr std::string_view proved = "proved";
+
+/// A method within the tolerance, with the evidence that it keeps it.
+struct Candidate {
+  const Choice* choice;
+  double error;  ///< the largest that was observed, in the unit of the tolerance
+  std::string_view assurance = "observed";
+  std::optional<double> bound = {};  ///< the bound that proves it, or the only one there is
+  std::string_view bound_of = {};    ///< `class` or `trials`
+  metric::Front front = metric::Front::on;
+};
+
+/// `coordinates in [-1, 1], t in [0, 1]`.
+std::string class_words(const DrawnClass& of) {
+  return fmt::format("coordinates in [{0}, {1}], t in [{2}, {3}]", number::decimal(-of.range),
+                     number::decimal(of.range), number::decimal(of.t.min), number::decimal(of.t.max));
+}
+
+/// The timing study and how its curves were drawn: `speed-bezier: coordinates in [-1, 1], t in [0, 1], continuous`.
+std::string timed_curves(const JudgedRace& race) {
+  auto text = fmt::format("{}: {}", race.group.study, class_words(race.of));
+  return race.group.drawn.empty() ? text : fmt::format("{}, {}", text, race.group.drawn.back());
+}
+
+/// The value to four digits, for people.
+std::string brief(double value) { return fmt::format("{:.4g}", value); }
+
+/// The command that makes a bundle in which such a choice can be made, as the end of a message. Empty where no suite
+/// that comes with the program has errors and times of such methods.
+std::string remedy(const Wish& wish) {
+  // as in the ids of studies
+  const std::string_view form = wish.form == name(Form::bernstein) ? "bezier"
+                                : wish.form == name(Form::power)   ? "polynomial"
+                                                                   : "rational";
+  const bool in_quick = wish.mode == suite::name(suite::Mode::point) || wish.mode == suite::name(suite::Mode::one_shot);
+  const bool can_be_run = wish.degree >= 0 && wish.degree <= max_degree && wish.dimension >= 1 && wish.dimension <= 3;
+  if (!can_be_run || (!in_quick && form == name(Form::rational))) return "";
+  const std::string suite = in_quick ? "quick" : "speed";
+  std::string out = fmt::format("{}-{}", suite, wish.degree);
+  while (std::filesystem::exists(out)) out += "-new";
+  std::string set = fmt::format("--set degree={}", wish.degree);
+  if (wish.range) set += fmt::format(" --set coordinate_range={}", number::decimal(*wish.range));
+  if (wish.scalar != suite::name(suite::ScalarKind::float64)) set += " --set scalar=" + wish.scalar;
+  if (wish.dimension != Wish().dimension) set += fmt::format(" --set dimension={}", wish.dimension);
+  return fmt::format("; `{} run {} --only '{}*-{}{}' {} --out {}` makes a suitable bundle", this_program(), suite,
+                     suite, form, in_quick ? "*" : "", set, out);
+}
+
+[[noreturn]] void refuse(const Wish& wish, const std::string& what) {
+  throw Failure(Exit::usage, fmt::format("{}: {}{}", wish.bundle, what, remedy(wish)));
+}
+
+Evidence read_evidence(const Wish& wish) {
   bundle::CheckedReader reader(wish.bundle, damage_of(wish.use_damaged));
   const auto table = [&](const std::string& file) -> std::optional<bundle::CsvDocument> {
     if (!reader.has(file)) return std::nullopt;
     return bundle::parse_csv(reader.read(file), reader.place(file));
   };
   auto timing = table("timing.csv");
-  if (!timing)
-    throw Failure(Exit::usage,
-                  fmt::format("{}: does not have times; choose from another bundle{}", wish.bundle, remedy(wish)));
+  if (!timing) refuse(wish, "does not have times; choose from another bundle");
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
     if (auto found = table(file)) accuracies.push_back(std::move(*found));
   Evidence evidence{std::move(*timing), tables::JudgedTables(std::move(accuracies), table("reference.csv")),
-                    table("methods.csv")};
-  wish.damaged = reader.told();
+                    table("methods.csv"), reader.told()};
   return evidence;
 }
 
-/// One demand on a group of races: what it is about, the value that is demanded, and the value of a group.
-struct Demand {
-  std::string what;
-  std::string value;
-  std::string (*of)(const tables::ChoiceGroup& group);
-};
-
-std::vector<Demand> demands_of(const Wish& wish) {
-  using Group = tables::ChoiceGroup;
-  std::vector<Demand> demands{
-      {"form", wish.form, [](const Group& group) { return group.form; }},
-      {"scalar", wish.scalar, [](const Group& group) { return group.scalar; }},
-      {"dimension", std::to_string(wish.dimension), [](const Group& group) { return group.dimension; }},
-      {"mode", wish.mode, [](const Group& group) { return group.mode; }},
-      {"degree", std::to_string(wish.degree), [](const Group& group) { return group.degree; }}};
-  if (!wish.study.empty())
-    demands.insert(demands.begin(), {"study", wish.study, [](const Group& group) { return group.study; }});
-  return demands;
-}
-
-/// The groups that meet all demands. Where there is none, throws Failure with the values that a demand could have.
-std::vector<tables::ChoiceGroup> matching(std::vector<tables::ChoiceGroup> groups, const Wish& wish) {
+/// The races of the wish. Where there is none, throws Failure with the values that are available.
+std::vector<ChoiceGroup> races_of(const Evidence& evidence, const Wish& wish) {
+  auto groups = tables::timed_groups(evidence.timing);
+  std::erase_if(groups, [&](const ChoiceGroup& group) {
+    return judged_ranges(group, evidence.judged, wish.accuracy_study).empty();
+  });
   if (groups.empty())
-    throw Failure(Exit::usage,
-                  fmt::format("{}: no method{} has both a time and an error; choose from another bundle{}", wish.bundle,
-                              wish.accuracy_study.empty() ? "" : " of study " + wish.accuracy_study, remedy(wish)));
-  for (const auto& demand : demands_of(wish)) {
-    std::vector<std::string> there;
+    refuse(wish, fmt::format("no method{} has both a time and an error; choose from another bundle",
+                             wish.accuracy_study.empty() ? "" : " of study " + wish.accuracy_study));
+  const auto require = [&](std::string_view what, const std::string& wanted, std::string ChoiceGroup::*field) {
+    std::vector<std::string> available;
     for (const auto& group : groups)
-      if (auto value = demand.of(group); std::ranges::find(there, value) == there.end()) there.push_back(value);
-    std::erase_if(groups, [&](const auto& group) { return demand.of(group) != demand.value; });
+      if (std::ranges::find(available, group.*field) == available.end()) available.push_back(group.*field);
+    std::erase_if(groups, [&](const ChoiceGroup& group) { return group.*field != wanted; });
     if (groups.empty())
-      throw Failure(Exit::usage,
-                    fmt::format("{}: no method has both a time and an error at {} {} (available: {}){}", wish.bundle,
-                                demand.what, demand.value, fmt::join(there, ", "), remedy(wish)));
-  }
+      refuse(wish, fmt::format("no method has both a time and an error at {} {} (available: {})", what, wanted,
+                               fmt::join(available, ", ")));
+  };
+  if (!wish.study.empty()) require("study", wish.study, &ChoiceGroup::study);
+  require("form", wish.form, &ChoiceGroup::form);
+  require("scalar", wish.scalar, &ChoiceGroup::scalar);
+  require("dimension", std::to_string(wish.dimension), &ChoiceGroup::dimension);
+  require("mode", wish.mode, &ChoiceGroup::mode);
+  require("degree", std::to_string(wish.degree), &ChoiceGroup::degree);
   return groups;
 }
 
-/// The race cells whose methods were judged on the class of the choice.
-std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& groups, const Evidence& evidence,
-                                     const Wish& wish) {
+/// The race cells whose methods were judged on the class of the choice, that with the most methods first.
+std::vector<JudgedRace> judged_races(const Evidence& evidence, const Wish& wish) {
   std::vector<JudgedRace> races;
   std::string missing;  // of the first, which most of the users of a bundle are after
-  for (auto group : groups) {
+  for (auto group : races_of(evidence, wish)) {
     const auto of = class_of(group, wish.range);
     if (!of) continue;
     if (missing.empty())
       missing = fmt::format(
-          "{}: no timed method was judged at degree {} with {} (judged ranges of coordinates: {}); see --range{}",
-          wish.bundle, wish.degree, in_words(*of),
-          fmt::join(judged_ranges(group, evidence.judged, wish.accuracy_study), ", "), remedy(wish));
+          "no timed method was judged at degree {} with {} (judged ranges of coordinates: {}); see --range",
+          wish.degree, class_words(*of), fmt::join(judged_ranges(group, evidence.judged, wish.accuracy_study), ", "));
     auto cells = judge_class(group, *of, evidence.judged, evidence.methods, wish.accuracy_study);
+    std::ranges::stable_sort(group.choices, {}, [](const Choice& choice) { return choice.ns.median; });
     if (!group.choices.empty()) races.push_back({std::move(group), *of, std::move(cells)});
   }
-  if (missing.empty() && races.empty())
-    missing = fmt::format("{}: timing.csv does not state the range of the timed curves in numbers{}", wish.bundle,
-                          remedy(wish));
-  if (races.empty()) throw Failure(Exit::usage, missing);
+  if (races.empty())
+    refuse(wish, missing.empty() ? "timing.csv does not state the range of the timed curves in numbers" : missing);
+  std::ranges::stable_sort(races, std::greater(), [](const JudgedRace& race) { return race.group.choices.size(); });
   return races;
 }
 
-/// The race cell with the most methods, with the names of the others.
-JudgedRace one_of(const std::vector<JudgedRace>& races) {
-  const auto size = [](const JudgedRace& race) { return race.group.choices.size(); };
-  const auto best = std::ranges::max_element(races, {}, size);
-  auto chosen = *best;
-  for (auto race = races.begin(); race != races.end(); ++race)
-    if (race != best) chosen.others.push_back(timed_curves(*race));
-  return chosen;
+/// The methods within the tolerance, in the order of the race.
+std::vector<Candidate> candidates_of(const JudgedRace& race, const Wish& wish) {
+  std::vector<metric::Tradeoff> tradeoffs;
+  for (const auto& choice : race.group.choices) tradeoffs.push_back({choice.ns, wish.error_of(choice).observed});
+  const auto fronts = metric::pareto_front(tradeoffs);
+  std::vector<Candidate> candidates;
+  for (std::size_t k = 0; k < fronts.size(); ++k) {
+    const auto& choice = race.group.choices[k];
+    const auto& error = wish.error_of(choice);
+    if (error.observed > wish.tolerance) continue;
+    const auto within = [&](const std::optional<double>& bound) { return bound && *bound <= wish.tolerance; };
+    Candidate one{.choice = &choice, .error = error.observed, .front = fronts[k]};
+    const bool by_trials = !within(error.class_bound) && within(error.bound);
+    one.assurance = within(error.class_bound) ? proved : by_trials ? "proved for the trials" : "observed";
+    one.bound = by_trials || !error.class_bound ? error.bound : error.class_bound;
+    one.bound_of = !one.bound ? "" : by_trials || !error.class_bound ? "trials" : "class";
+    candidates.push_back(one);
+  }
+  return candidates;
 }
 
-bool is_quick_to_slow(const tables::Choice& a, const tables::Choice& b) { return a.ns.median < b.ns.median; }
+/// Lines in the width of the terminal, those after the first four characters to the right.
+std::string paragraph(const std::string& text) { return wrapped("", printable(text), 4); }
+std::string indented(const std::string& text) { return wrapped("  ", printable(text), 4); }
+
+std::string in_few_words(const Candidate& one, const Wish& wish) {
+  const auto& ns = one.choice->ns;
+  return fmt::format("{} ns [{}, {}] a point, error {} {}", brief(ns.median), brief(ns.low), brief(ns.high),
+                     brief(one.error), wish.unit_words());
+}
+
+/// The fastest method and why it is the first, and what speaks for others. Empty where no method is within.
+std::string winner_text(const std::vector<Candidate>& candidates, const JudgedRace& race, const Wish& wish) {
+  if (candidates.empty()) return "";
+  const auto& best = candidates.front();
+  auto text =
+      paragraph(fmt::format("{}, the fastest of {} (of {}) within {} {}", best.choice->method, candidates.size(),
+                            race.group.choices.size(), wish.tolerance_text, wish.unit_words())) +
+      indented(fmt::format("{}; {}", in_few_words(best, wish), best.assurance));
+  constexpr std::size_t most_named = 2;
+  std::vector<std::string> equals;
+  for (const auto& one : candidates)
+    if (&one != &best && one.choice->ns.low <= best.choice->ns.high) equals.push_back(one.choice->method);
+  const auto count = equals.size();
+  equals.resize(std::min(count, most_named));
+  if (count > 0)
+    text += indented(fmt::format("not certainly faster than {}{}", fmt::join(equals, ", "),
+                                 count > most_named ? fmt::format(" and {} more", count - most_named) : ""));
+  const auto sure = std::ranges::find(candidates, proved, &Candidate::assurance);
+  if (best.assurance != proved && sure != candidates.end())
+    text += indented(fmt::format("the fastest with a proof: {}", sure->choice->method)) +
+            indented(in_few_words(*sure, wish));
+  return text + "\n";
+}
+
+/// The class, the cells that the errors are of, and an explanation of the words in the table.
+std::string heading_text(const std::vector<JudgedRace>& races, const Wish& wish) {
+  const auto& race = races.front();
+  const auto& group = race.group;
+  auto text = paragraph(fmt::format("degree {}, {} form, {}, {} axes, mode {}", group.degree, wish.form, group.scalar,
+                                    group.dimension, group.mode)) +
+              paragraph(class_words(race.of)) +
+              paragraph(fmt::format("times of study {}; largest errors of {} cell{}:", group.study, race.cells.size(),
+                                    race.cells.size() == 1 ? "" : "s"));
+  constexpr std::size_t most_cells = 4;
+  for (std::size_t k = 0; k < std::min(most_cells, race.cells.size()); ++k) text += indented(race.cells[k]);
+  if (race.cells.size() > most_cells) text += indented(fmt::format("and {} more", race.cells.size() - most_cells));
+  if (races.size() > 1) text += paragraph("other timing studies, see --study:");
+  for (std::size_t k = 1; k < races.size(); ++k) text += indented(timed_curves(races[k]));
+  const auto scope =
+      wish.unit == "u" ? fmt::format(" with p~ of at least {}", brief(least_p_tilde(group, race.of))) : "";
+  return text + paragraph(fmt::format("proved: for every such curve and t{}", scope)) +
+         paragraph("proved for the trials: for the inputs that were judged") + paragraph("~: unreliable timing") +
+         paragraph("pareto: no other method is both faster and more accurate; unresolved: the times do not decide") +
+         "\n";
+}
+
+std::string methods_table(const std::vector<Candidate>& candidates) {
+  std::vector<std::vector<std::string>> lines{{"method", "ns", "error", "bound", "tolerance", "pareto"}};
+  for (const auto& one : candidates)
+    lines.push_back({one.choice->method, brief(one.choice->ns.median) + (one.choice->quality == "ok" ? "" : " ~"),
+                     brief(one.error), one.bound ? brief(*one.bound) : "", std::string(one.assurance),
+                     std::string(metric::name(one.front))});
+  return fitted(std::move(lines), terminal_width(STDOUT_FILENO));
+}
+
+bundle::CsvTable csv_table(const std::vector<Candidate>& candidates, const JudgedRace& race, const Wish& wish) {
+  using number::decimal;
+  bundle::CsvTable table({"method", "mode", "ns", "ns_low", "ns_high", "observed_max", "bound", "unit", "pareto",
+                          "tolerance", "quality", "bound_of", "coordinate_range", "t_min", "t_max", "least_p_tilde"});
+  for (const auto& one : candidates) {
+    const auto& ns = one.choice->ns;
+    table.add_row({one.choice->method, race.group.mode, decimal(ns.median), decimal(ns.low), decimal(ns.high),
+                   decimal(one.error), one.bound ? decimal(*one.bound) : "", wish.unit,
+                   std::string(metric::name(one.front)), std::string(one.assurance), one.choice->quality,
+                   std::string(one.bound_of), decimal(race.of.range), decimal(race.of.t.min), decimal(race.of.t.max),
+                   decimal(least_p_tilde(race.group, race.of))});
+  }
+  return table;
+}
 
 std::string none_is_accurate_enough(const JudgedRace& race, const Wish& wish) {
-  const auto best = std::ranges::min_element(
-      race.group.choices, {}, [&](const tables::Choice& choice) { return wish.error_of(choice).observed; });
-  return fmt::format("{}: no method stays within {} at degree {}, {}; the most accurate is {} with {}{}", wish.bundle,
-                     wish.tolerance_text, wish.degree, in_words(race.of), best->method, error_text(*best, wish),
+  const auto error = [&](const Choice& choice) { return wish.error_of(choice).observed; };
+  const auto best = std::ranges::min_element(race.group.choices, {}, error);
+  return fmt::format("{}: no method stays within {} at degree {}, {}; the most accurate is {} with {} {}{}",
+                     wish.bundle, wish.tolerance_text, wish.degree, class_words(race.of), best->method,
+                     brief(error(*best)), wish.unit_words(),
                      wish.unit == "u" ? "; --unit coordinate takes a tolerance in coordinates" : "");
 }
 
@@ -151,21 +315,18 @@ void read_numbers(Wish& wish) {
 Exit choose(Wish wish) {
   read_numbers(wish);
   const auto evidence = read_evidence(wish);
-  auto groups = tables::timed_groups(evidence.timing);
-  std::erase_if(groups, [&](const tables::ChoiceGroup& group) {
-    return judged_ranges(group, evidence.judged, wish.accuracy_study).empty();
-  });
-  auto race = one_of(judged_races(matching(std::move(groups), wish), evidence, wish));
-  std::ranges::stable_sort(race.group.choices, is_quick_to_slow);
-  print_damage(wish.damaged);
+  const auto races = judged_races(evidence, wish);
+  const auto& race = races.front();
+  const auto candidates = candidates_of(race, wish);
+  print_damage(evidence.damaged);
   if (wish.format == "csv") {
-    for (const auto& other : race.others)
-      say(fmt::format("times of another study are left out: {}; see --study", other));
-    fmt::print("{}", csv_table(race, wish).text());
+    for (std::size_t k = 1; k < races.size(); ++k)
+      say(fmt::format("times of another study are left out: {}; see --study", timed_curves(races[k])));
+    fmt::print("{}", csv_table(candidates, race, wish).text());
   } else {
-    fmt::print("{}", choice_text(race, wish));
+    fmt::print("{}{}{}", winner_text(candidates, race, wish), heading_text(races, wish), methods_table(candidates));
   }
-  if (!within(race, wish).empty()) return Exit::fine;
+  if (!candidates.empty()) return Exit::fine;
   say(none_is_accurate_enough(race, wish));
   return Exit::finding;
 }
@@ -177,16 +338,17 @@ void add_choose(Command program, Exit& exit) {
   auto command = program.command("choose", "list the methods of a bundle that are accurate enough, fastest first");
   command.option("BUNDLE", wish->bundle, "folder of the bundle").required();
   command.option("--degree", wish->degree, "degree of the curves").required();
-  command.option("--tolerance", wish->tolerance_text, "largest error that is accepted").required();
-  command.option("--unit", wish->unit, "of the tolerance: u (units of u p~) or coordinate").one_of({"u", "coordinate"});
-  command.option("--range", wish->range_text, "R of coordinates in [-R, R]; left out, that of the timed curves");
-  command.option("--form", wish->form, "in which the curves are given").one_of(suite::all_words<Form>());
-  command.option("--mode", wish->mode, "of the times").one_of(suite::all_words<suite::Mode>());
+  command.option("--tolerance", wish->tolerance_text, "the largest error that is accepted").required();
+  command.option("--unit", wish->unit, "unit of the tolerance: u (units of u p~) or coordinate")
+      .one_of({"u", "coordinate"});
+  command.option("--range", wish->range_text, "R of coordinates in [-R, R]; default: that of the timed curves");
+  command.option("--form", wish->form, "form of the given curves").one_of(suite::all_words<Form>());
+  command.option("--mode", wish->mode, "mode of the times").one_of(suite::all_words<suite::Mode>());
   command.option("--scalar", wish->scalar, "type that the methods compute in")
       .one_of(suite::all_words<suite::ScalarKind>());
-  command.option("--dimension", wish->dimension, "axes of the curves");
-  command.option("--study", wish->study, "whose times to take, where several have some");
-  command.option("--accuracy-study", wish->accuracy_study, "whose errors to take, where several have some");
+  command.option("--dimension", wish->dimension, "number of axes of the curves");
+  command.option("--study", wish->study, "the study whose times are used, where several have some");
+  command.option("--accuracy-study", wish->accuracy_study, "the study whose errors are used, where several have some");
   command.option("--format", wish->format, "text or csv").one_of({"text", "csv"});
   add_damaged(command, wish->use_damaged);
   command.action([wish, &exit] { exit = choose(*wish); });

@@ -87,19 +87,8 @@ class Choose(Case):
         self.assertIn("coordinates in [-1, 1], t in [0, 1]", told)
         self.assertIn("proved for the trials", told)
 
-    def test_takes_every_row_of_the_class(self):
-        """Of both studies, with ranges up to that of the class and intervals in its own."""
-        def largest(*ranges):
-            return max(float(row["max_error_u"]) for row in self.table("accuracy.csv") if row["method"] == "de_casteljau"
-                       and row["coordinate_range"] in ranges and (row["t_min"], row["t_max"]) == ("0", "1"))
-        rows = {row["method"]: row for row in self.chosen("--tolerance", "1e300")}
-        self.assertEqual(float(rows["de_casteljau"]["observed_max"]), largest("0.5", "1"))
-        [wide] = self.chosen("--tolerance", "1e300", "--range", "8")  # nobody judged the others there
-        self.assertEqual(float(wide["observed_max"]), largest("0.5", "1", "8"))
-        self.assertEqual([wide[c] for c in ("method", "coordinate_range", "t_min", "t_max")], ["de_casteljau", "8", "0", "1"])
-
     def test_no_bound_where_a_trial_has_none(self):
-        """What is proved of some of the trials is nothing that pareto.csv or choose may state."""
+        """pareto.csv and choose do not state a bound that holds for some of the trials only."""
         method = "wozny_chudy_positive"  # proved for t in [0, 1] only
         both = f'methods = ["de_casteljau", "{method}"]\nt_interval = [[-10, 10]]\n'
         (self.folder / "partly.toml").write_text("\n".join(HEAD + [

@@ -15,12 +15,13 @@
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/compare/comparison.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::cli {
 namespace {
+
+using compare::Comparison;
 
 struct CompareOptions {
   std::vector<std::string> bundles;
@@ -32,23 +33,18 @@ struct CompareOptions {
   bool damaged = false;
 };
 
-struct Compared {
-  compare::Side base;
-  std::vector<compare::Side> others;
-  std::vector<compare::Pair> pairs;
-};
-
 /// Leaves the rows of the methods that the glob matches.
-void keep_methods(const std::string& glob, std::vector<compare::Pair>& pairs) {
-  const auto is_other = [&](const auto& row) { return !suite::matches(glob, row.inputs.field("method")); };
+void keep_methods(const std::string& glob, std::vector<Comparison>& comparisons) {
   bool found = false;
-  for (auto& pair : pairs) {
-    std::erase_if(pair.timing.rows, is_other);
-    std::erase_if(pair.accuracy.rows, is_other);
-    // The counts of rows without a partner are of all methods; those by method say which of these have some.
-    pair.timing.only_a = pair.timing.only_b = pair.accuracy.only_a = pair.accuracy.only_b = 0;
-    std::erase_if(pair.accuracy.methods, [&](const auto& entry) { return !suite::matches(glob, entry.first.method); });
-    found = found || pair.has_common_rows();
+  const auto keep = [&](auto& rows) {
+    std::erase_if(rows, [&](const auto& row) { return !suite::matches(glob, row.inputs.field("method")); });
+  };
+  for (auto& one : comparisons) {
+    keep(one.results);
+    keep(one.times);
+    keep(one.only_a);
+    keep(one.only_b);
+    found = found || !one.results.empty() || !one.times.empty();
   }
   if (!found)
     throw Failure(Exit::usage, fmt::format("--method {}: no method that the bundles have in common matches; see "
@@ -56,32 +52,38 @@ void keep_methods(const std::string& glob, std::vector<compare::Pair>& pairs) {
                                            echo(glob)));
 }
 
-Compared compared(const std::vector<std::string>& bundles, bundle::Damage damage) {
-  if (bundles.size() < 2)
-    throw Failure(Exit::usage, "compare: takes two bundles or more; name first the one to compare with");
-  Compared all{.base = compare::read_side(bundles.front(), damage), .others = {}, .pairs = {}};
-  for (std::size_t k = 1; k < bundles.size(); ++k) {
-    all.others.push_back(compare::read_side(bundles[k], damage));
-    all.pairs.push_back(compare::compare_pair(all.base, all.others.back()));
-    if (!all.pairs.back().has_common_rows())
+/// Every side with the first; the sides must outlive the comparisons.
+std::vector<Comparison> compared(const std::vector<compare::Side>& sides) {
+  std::vector<Comparison> comparisons;
+  for (std::size_t k = 1; k < sides.size(); ++k) {
+    const auto& one = comparisons.emplace_back(compare::compare_sides(sides.front(), sides[k]));
+    if (one.results.empty() && one.times.empty())
       throw Failure(
           Exit::usage,
           fmt::format("{}: does not have a row in common with {}; compare bundles of the same studies and seed",
-                      bundles[k], bundles.front()));
+                      sides[k].name, sides.front().name));
   }
-  compare::rank_in_all(all.pairs);
-  return all;
+  compare::rank(comparisons);
+  return comparisons;
 }
 
-void print_text(const Compared& all, bool every_row) {
-  const bool two = all.pairs.size() == 1;
-  for (std::size_t k = 0; k < all.pairs.size(); ++k)
-    fmt::print("{}{}", pair_text(all.base, all.others[k], all.pairs[k], two, every_row), two ? "" : "\n");
-  if (!two || (!all.pairs.front().same_machine && !all.pairs.front().timing.rows.empty()))
-    fmt::print("{}", standings_text(compare::standings(all.base, all.others, all.pairs)));
+void print_text(const std::vector<Comparison>& comparisons, bool all) {
+  const bool two = comparisons.size() == 1;
+  for (const auto& one : comparisons) fmt::print("{}{}", comparison_text(one, two, all), two ? "" : "\n");
+  if (!two || (!comparisons.front().same_machine && !comparisons.front().times.empty()))
+    fmt::print("{}", standings_text(compare::standings(comparisons)));
 }
 
-void write_files(const Compared& all, const std::filesystem::path& out) {
+/// against,bundle,fact,a,b: every fact in which a bundle differs from the first.
+bundle::CsvTable facts_table(const std::vector<Comparison>& comparisons) {
+  bundle::CsvTable table({"against", "bundle", "fact", "a", "b"});
+  for (const auto& one : comparisons)
+    for (const auto& fact : compare::fact_differences(*one.a, *one.b))
+      table.add_row({one.a->name, one.b->name, fact.name, fact.a, fact.b});
+  return table;
+}
+
+void write_files(const std::vector<Comparison>& comparisons, const std::filesystem::path& out) {
   if (std::filesystem::exists(out / bundle::manifest_name))
     throw Failure(Exit::usage, fmt::format("{}: is a bundle itself; choose another --out", out.string()));
   std::error_code error;
@@ -89,51 +91,53 @@ void write_files(const Compared& all, const std::filesystem::path& out) {
   if (error)
     throw Failure(Exit::input_output,
                   fmt::format("{}: cannot be created: {}; choose another --out", out.string(), error.message()));
-  bundle::write_file(out / "facts.csv", compare::facts_table(all.pairs).text());
-  bundle::write_file(out / "comparison.csv", compare::comparison_table(all.pairs).text());
-  bundle::write_file(out / "standings.csv",
-                     compare::standings_table(compare::standings(all.base, all.others, all.pairs)).text());
+  bundle::write_file(out / "facts.csv", facts_table(comparisons).text());
+  bundle::write_file(out / "comparison.csv", compare::comparison_table(comparisons).text());
+  bundle::write_file(out / "standings.csv", compare::standings_table(compare::standings(comparisons)).text());
 }
 
-Exit judge(const Compared& all, bool slower_fails) {
-  Exit exit = Exit::fine;
-  for (const auto& pair : all.pairs) {
-    if (const auto differing = pair.accuracy.differing(); differing > 0) {
-      say(fmt::format("{}: accuracy differs from {} in {} of {} rows", pair.bundle, all.base.name, differing,
-                      pair.accuracy.rows.size()));
-      exit = Exit::finding;
-    }
+/// Says what differs and, if asked, what is slower; returns the exit code that this means.
+Exit findings_of(const std::vector<Comparison>& comparisons, bool slower_fails) {
+  std::vector<std::string> findings;
+  for (const auto& one : comparisons) {
+    if (const auto differing = one.differing().size(); differing > 0)
+      findings.push_back(fmt::format("{}: accuracy differs from {} in {} of {} rows", one.b->name, one.a->name,
+                                     differing, one.results.size()));
     const auto count = [&](bool certainly) {
-      return std::ranges::count_if(pair.timing.rows, [&](const compare::TimingRow& row) {
-        return !row.is_sentinel() && row.raw.verdict == metric::Verdict::slower &&
-               row.is_certainly_slower() == certainly;
+      return std::ranges::count_if(one.times, [&](const compare::Row& row) {
+        return !row.is_sentinel() && row.ratio.verdict == "slower" && row.is_certainly_slower() == certainly;
       });
     };
-    if (slower_fails && count(true) > 0) {
-      say(fmt::format("{}: {} times are slower than in {}, and {} more are unreliable; see their verdict and quality",
-                      pair.bundle, count(true), all.base.name, count(false)));
-      exit = Exit::finding;
-    }
+    if (slower_fails && count(true) > 0)
+      findings.push_back(
+          fmt::format("{}: {} times are slower than in {}, and {} more are unreliable; see their verdict and quality",
+                      one.b->name, count(true), one.a->name, count(false)));
   }
-  return exit;
+  return say_findings(findings);
 }
 
 Exit run_compare(const CompareOptions& options) {
+  if (options.bundles.size() < 2)
+    throw Failure(Exit::usage, "compare: takes two bundles or more; name first the one to compare with");
   if (options.damaged && !options.out.empty())
     throw Failure(
         Exit::usage,
         "--damaged: not with --out, since the tables would not say that files were damaged; leave one of them out");
-  Compared all = compared(options.bundles, damage_of(options.damaged));
-  if (options.method != "*") keep_methods(options.method, all.pairs);
-  auto damaged = all.base.damaged;
-  for (const auto& other : all.others) damaged.insert(damaged.end(), other.damaged.begin(), other.damaged.end());
+  std::vector<compare::Side> sides;
+  std::vector<std::string> damaged;
+  for (const auto& bundle : options.bundles) {
+    const auto& side = sides.emplace_back(compare::read_side(bundle, damage_of(options.damaged)));
+    damaged.insert(damaged.end(), side.damaged.begin(), side.damaged.end());
+  }
+  auto comparisons = compared(sides);
+  if (options.method != "*") keep_methods(options.method, comparisons);
   print_damage(damaged);
-  if (!options.out.empty()) write_files(all, options.out);
+  if (!options.out.empty()) write_files(comparisons, options.out);
   if (options.format == "csv")
-    fmt::print("{}", compare::comparison_table(all.pairs).text());
+    fmt::print("{}", compare::comparison_table(comparisons).text());
   else
-    print_text(all, options.all);
-  return judge(all, options.fail_on == "slower");
+    print_text(comparisons, options.all);
+  return findings_of(comparisons, options.fail_on == "slower");
 }
 
 }  // namespace

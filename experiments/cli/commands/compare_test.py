@@ -72,7 +72,7 @@ class Compare(Case):
     def test_a_bundle_is_itself(self):
         text = self.fine("compare", "a", "b")
         self.assertIn("no recorded difference", text)
-        self.assertIn("accuracy: identical in all", text)
+        self.assertIn("\naccuracy identical in ", text)
         self.assertIn("ranks: none changed, among the methods of a race that both bundles have", text)
         table = self.table("a", "b")
         self.assertEqual(list(table[0])[:len(CONTRACT)], CONTRACT)
@@ -93,8 +93,8 @@ class Compare(Case):
         self.list_anew("b")
         text = self.fine("compare", "a", "b")
         self.assertIn("Clang 99", text)
-        self.assertLess(text.index("build.compiler"), text.index("accuracy: "))
-        self.assertLess(text.index("accuracy: "), text.index("timing, b over a"))
+        self.assertLess(text.index("build.compiler"), text.index("\naccuracy "))
+        self.assertLess(text.index("\naccuracy "), text.index("timing, b over a"))
 
     def test_one_bit_of_accuracy(self):
         """The last digit of one value: its cell, both values, and an input that replays."""
@@ -111,7 +111,7 @@ class Compare(Case):
         self.assertEqual(result.returncode, FINDING)
         self.assert_one_line(result, "b: accuracy differs from a in 1 of ")
         text = result.stdout.decode()
-        for needle in (victim["study"], "max_error " + victim["max_error"], "max_error " + other):
+        for needle in (victim["study"], victim["max_error"], other):
             self.assertIn(needle, text)
         replay = next(line for line in text.splitlines() if "bezierbench replay a " in line).split()
         self.assertIn("the same\n", self.fine(*replay[1:]))
@@ -150,13 +150,6 @@ class Compare(Case):
         self.assertIn("slower", {row["verdict"] for row in self.table("a", "b") if row["method"] == "de_casteljau"})
         self.assertEqual(self.run_program("compare", "a", "b", "--fail-on", "slower").returncode, FINE)
 
-    def test_a_slower_machine_is_the_same_in_sentinels(self):
-        self.scale_times(2)
-        for row in self.table("a", "b"):
-            if row["kind"] == "timing" and row["method"] != "sentinel":
-                self.assertEqual(row["verdict"], "slower")
-                self.assertAlmostEqual(float(row["normalised"]), 1, places=12)
-
     def test_the_verdict_comes_first(self):
         def first_line(*more, code=FINE):
             result = self.run_program("compare", "a", "b", *more)
@@ -181,7 +174,7 @@ class Compare(Case):
         result = self.run_program("compare", "a", "b")
         self.assertEqual(result.returncode, FINDING)
         text = result.stdout.decode()
-        accuracy, times = text[text.index("accuracy: "):].split("timing, b over a")
+        accuracy, times = text[text.index("\naccuracy "):].split("timing, b over a")
         self.assertEqual([line.split()[0] for line in accuracy.splitlines() if " max_error_u " in line and "line" not in line],
                          ["de_casteljau", "direct"])
         names = [line.split()[0] for line in times.splitlines() if re.search(r"\] +(slower|faster) ", line)]
@@ -233,21 +226,6 @@ class Compare(Case):
         self.assertIn("ranks that changed", text)
         self.assertRegex(text, r"method horner_bernstein, .*: 1 in a, 5 in b")
 
-    def test_ranks_are_among_what_all_bundles_have(self):
-        """A method that one of them lacks has no rank in any pair."""
-        shutil.copytree(BASELINE, self.folder / "c")
-        lacking = self.folder / "c/timing.csv"
-        kept = [line for line in lacking.read_text().splitlines(keepends=True) if line.split(",")[2] != "direct"]
-        lacking.write_text("".join(kept))
-        self.list_anew("c")
-        ranks = {}
-        for row in self.table("a", "b", "c"):
-            if row["kind"] == "timing" and row["method"] != "sentinel":
-                self.assertEqual(row["rank_a"] == "", row["method"] == "direct", row)
-                key = tuple(row[name] for name in ("study", "method", "degree", "mode", "form"))
-                self.assertEqual(ranks.setdefault(key, row["rank_a"]), row["rank_a"])  # whatever a is compared with
-        self.assertIn("", ranks.values())
-
     def test_many_bundles_give_one_table(self):
         shutil.copytree(BASELINE, self.folder / "c")
         self.scale_times(0.5)
@@ -275,7 +253,7 @@ class Compare(Case):
         gone = lines[0].index("p50_error")
         path.write_text("".join(",".join(line[:gone] + line[gone + 1:]) + ",extra\n" for line in lines))
         self.list_anew("x")
-        self.assertIn("accuracy: identical in all 2 ", self.fine("compare", "x", "y"))
+        self.assertIn("\naccuracy identical in 2 rows\n", self.fine("compare", "x", "y"))
 
     # What it refuses.
 

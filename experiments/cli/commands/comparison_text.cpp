@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "experiments/cli/terminal/fitted.hpp"
 #include "experiments/cli/terminal/shell_word.hpp"
@@ -24,209 +25,163 @@ using Lines = std::vector<std::vector<std::string>>;
 std::string table(const Lines& lines) { return fitted(lines, terminal_width(STDOUT_FILENO)); }
 
 /// A sentence in the width of the terminal.
-std::string told(const std::string& text) { return wrapped("", text, 4); }
-/// One that belongs to the sentence before it.
-std::string also_told(const std::string& text) { return wrapped("  ", text, 4); }
+std::string sentence(const std::string& text) { return wrapped("", printable(text), 4); }
+/// The same, indented below another sentence.
+std::string detail(const std::string& text) { return wrapped("  ", printable(text), 4); }
 
 std::string side_line(std::string_view label, const compare::Side& side) {
-  return told(printable(fmt::format("{}  {}: {}, {}, {}", label, side.name, side.fact("cpu.model_name"),
-                                    side.fact("build.compiler"), side.fact("build.flags"))));
+  return sentence(fmt::format("{}  {}: {}, {}, {}", label, side.name, side.fact("cpu.model_name"),
+                              side.fact("build.compiler"), side.fact("build.flags")));
 }
 
-std::string facts_text(const compare::Pair& pair, bool all) {
-  constexpr std::size_t most_characters = 12;
+std::string facts_text(const compare::Comparison& comparison, bool all) {
+  const auto facts = compare::fact_differences(*comparison.a, *comparison.b);
   Lines lines{{"differs", "a", "b"}};
-  for (const auto& [name, a, b] : pair.facts) {
+  for (const auto& [name, a, b] : facts) {
     const bool is_reading = name.starts_with("load_average.") || name == "clock.resolution_ns";
-    if (all)
-      lines.push_back({name, a, b});
-    else if (name == "git_commit")
-      lines.push_back({name, a.substr(0, most_characters), b.substr(0, most_characters)});
-    else if (!is_reading && !name.ends_with("digest"))
-      lines.push_back({name, a, b});
+    if (all || (!is_reading && !name.ends_with("digest"))) lines.push_back({name, a, b});
   }
-  const auto left_out = pair.facts.size() - (lines.size() - 1);
-  const auto see = fmt::format("{} readings and digests, see --all", left_out);
-  if (lines.size() > 1) return table(lines) + (left_out == 0 ? "" : told("and " + see));
-  return told(left_out == 0 ? "machines and builds: no recorded difference"
-                            : "machines and builds: the same, except for " + see);
+  const auto hidden = facts.size() - (lines.size() - 1);
+  const auto see = fmt::format("{} readings and digests, see --all", hidden);
+  if (lines.size() > 1) return table(lines) + (hidden == 0 ? "" : sentence("and " + see));
+  return sentence(hidden == 0 ? "machines and builds: no recorded difference"
+                              : "machines and builds: the same, except for " + see);
 }
 
-/// The row with the largest change, and how to replay the worst input of its cell.
-std::string difference_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyRow& row) {
-  std::string text = also_told(fmt::format("the first of them: {}, {}", row.file, printable(row.inputs.words())));
-  const auto side_text = [&](std::string_view label, const compare::Side& side, const std::string& value,
-                             std::size_t line) {
-    text += also_told(fmt::format("{}: {} {}, line {}", label, row.first.column, printable(value), line));
-    if (const auto id = compare::recorded_input(side, row.inputs); !id.empty())
-      text += fmt::format("     {} replay {} {}\n", printable(this_program()), printable(shell_word(side.name)),
+/// How to replay the worst input of the cell with the largest change.
+std::string replays_text(const compare::Comparison& comparison) {
+  const auto& row = *comparison.differing().front();
+  auto text = detail(fmt::format("the largest change: {}, {}", row.file, row.inputs.words()));
+  for (const auto* side : {comparison.a, comparison.b})
+    if (const auto id = compare::recorded_input(*side, row.inputs); !id.empty())
+      text += fmt::format("    {} replay {} {}\n", printable(this_program()), printable(shell_word(side->name)),
                           printable(shell_word(id)));
-  };
-  side_text("a", a, row.first.a, row.line_a);
-  side_text("b", b, row.first.b, row.line_b);
   return text;
 }
 
-/// How many methods of a study and table agree, and the names of a few that do not.
-std::string methods_text(const std::map<bundle::Rows, compare::RowCounts>& methods) {
-  constexpr std::size_t most = 5;
-  std::map<std::string_view, std::vector<const bundle::Rows*>> others;
-  std::size_t agreeing = 0;
-  for (const auto& [rows, count] : methods) {
-    if (count.differing > 0)
-      others["differ"].push_back(&rows);
-    else if (count.pairs + count.only_b == 0)
-      others["only in a"].push_back(&rows);
-    else if (count.pairs + count.only_a == 0)
-      others["only in b"].push_back(&rows);
-    else if (count.only_a + count.only_b > 0)
-      others["have other cells or trials"].push_back(&rows);
-    else
-      ++agreeing;
-  }
-  std::string text = fmt::format("by table, study and method: {} agree", agreeing);
-  std::string names;
-  for (const auto& [what, all] : others) {
-    text += fmt::format(", {} {}", all.size(), what);
-    for (std::size_t k = 0; k < std::min(all.size(), most); ++k)
-      names += wrapped("    ", fmt::format("{}: {}", what, printable(all[k]->words())), 6);
-    if (all.size() > most) names += fmt::format("    {}: {} more\n", what, all.size() - most);
-  }
-  return also_told(text) + names;
+/// How many rows of each study and method have no partner in the other bundle.
+std::string singles_text(const compare::Comparison& comparison, bool all) {
+  if (comparison.only_a.empty() && comparison.only_b.empty()) return "";
+  std::map<std::string, std::pair<std::size_t, std::size_t>> counts;
+  const auto words = [](const compare::Single& one) {
+    return fmt::format("{}, {} {}", one.file, one.inputs.field("study"), one.inputs.field("method"));
+  };
+  for (const auto& one : comparison.only_a) ++counts[words(one)].first;
+  for (const auto& one : comparison.only_b) ++counts[words(one)].second;
+  constexpr std::size_t shown = 5;
+  Lines lines{{"only in a", "only in b", "rows of"}};
+  for (const auto& [of, count] : counts)
+    if (all || lines.size() <= shown) lines.push_back({std::to_string(count.first), std::to_string(count.second), of});
+  const auto hidden = counts.size() - (lines.size() - 1);
+  return sentence(fmt::format("{} rows only in a, {} only in b", comparison.only_a.size(), comparison.only_b.size())) +
+         table(lines) + (hidden == 0 ? "" : sentence(fmt::format("and {} more, see --all", hidden))) + "\n";
 }
 
-/// A line for each method that differs, or for each of its rows, the largest growth first.
-std::string changed_methods_text(const compare::AccuracyComparison& accuracy, bool all) {
+std::string accuracy_words(const compare::Comparison& comparison) {
+  const auto rows = comparison.results.size();
+  const auto differing = comparison.differing().size();
+  if (rows == 0) return "no accuracy rows in common";
+  return differing == 0 ? fmt::format("accuracy identical in {} rows", rows)
+                        : fmt::format("accuracy differs in {} of {} rows", differing, rows);
+}
+
+/// The results that differ: a line for each method with its largest growth, or with `all` for each row.
+std::string results_table(const compare::Comparison& comparison, bool all) {
+  std::map<std::string, std::size_t> rows;
+  for (const auto& row : comparison.results) ++rows[row.inputs.field("method")];
+  const auto differing = comparison.differing();
+  std::map<std::string, std::size_t> changed;
+  for (const auto* row : differing) ++changed[row->inputs.field("method")];
+  std::set<std::string> shown;
   Lines lines{{"method", "rows", "of", "result", "a", "b", "where"}};
-  for (const auto& change : compare::method_changes(accuracy)) {
-    const auto add = [&](const compare::AccuracyRow& row, bool is_first) {
-      lines.push_back({is_first ? change.method : "", is_first ? std::to_string(change.differing.size()) : "",
-                       is_first ? std::to_string(change.rows) : "", row.shown.column, row.shown.a, row.shown.b,
-                       row_words(row.inputs)});
-    };
-    for (const auto* row : change.differing) {
-      add(*row, row == change.differing.front());
-      if (!all) break;
-    }
+  for (const auto* row : differing) {
+    const auto& method = row->inputs.field("method");
+    const bool is_first = shown.insert(method).second;
+    if (is_first || all)
+      lines.push_back({method, is_first ? std::to_string(changed[method]) : "",
+                       is_first ? std::to_string(rows[method]) : "", row->column, row->a, row->b,
+                       row_words(row->inputs)});
   }
   return table(lines);
 }
 
-std::string accuracy_text(const compare::Side& a, const compare::Side& b, const compare::AccuracyComparison& accuracy,
-                          bool all) {
-  std::string text;
-  if (accuracy.rows.empty())
-    text = "accuracy: no common rows\n";
-  else if (accuracy.differing() == 0)
-    text = fmt::format("accuracy: identical in all {} common rows\n", accuracy.rows.size());
-  else
-    text = fmt::format("accuracy: {} of {} common rows differ\n{}", accuracy.differing(), accuracy.rows.size(),
-                       changed_methods_text(accuracy, all) +
-                           difference_text(a, b, *compare::method_changes(accuracy).front().differing.front()));
-  if (a.manifest.seed != b.manifest.seed)
-    text += also_told(fmt::format("the seeds {} and {} give different inputs, so no rows can be compared",
-                                  a.manifest.seed, b.manifest.seed));
-  else
-    text += methods_text(accuracy.methods);
-  if (accuracy.only_a + accuracy.only_b > 0)
-    text += fmt::format("  {} rows only in a, {} only in b\n", accuracy.only_a, accuracy.only_b);
-  for (const auto& file : accuracy.left_out)
-    text += also_told(
+std::string accuracy_text(const compare::Comparison& comparison, bool all) {
+  auto text = sentence(accuracy_words(comparison));
+  if (!comparison.differing().empty()) text += results_table(comparison, all) + replays_text(comparison);
+  const auto seed_a = comparison.a->manifest.seed;
+  const auto seed_b = comparison.b->manifest.seed;
+  if (seed_a != seed_b)
+    text +=
+        detail(fmt::format("the seeds {} and {} give different inputs, so only times are compared", seed_a, seed_b));
+  for (const auto& file : comparison.left_out)
+    text += detail(
         fmt::format("{} is left out: the suites differ, and its rows do not say how many trials they cover", file));
   return text;
 }
 
-std::string ratio_text(const compare::TimeRatio& of) {
-  return fmt::format("{:.3f} [{:.3f}, {:.3f}]", of.ratio.median, of.ratio.low, of.ratio.high);
+std::string ratio_text(const compare::Ratio& ratio) {
+  return fmt::format("{:.3f} [{:.3f}, {:.3f}]", ratio.value.median, ratio.value.low, ratio.value.high);
 }
 
-/// The rows of timings, what matters most first: a narrow terminal has the rest below.
-std::string times_table(const std::vector<const compare::TimingRow*>& rows) {
+/// The counts of the verdicts on the times of methods.
+std::string counts_text(const compare::Comparison& comparison) {
+  std::map<std::string_view, std::size_t> counts;
+  std::size_t methods = 0;
+  for (const auto& row : comparison.times) {
+    if (row.is_sentinel()) continue;
+    ++methods;
+    ++counts[row.judged(comparison.same_machine).verdict];
+  }
+  if (methods == 0) return "no times in common";
+  return fmt::format("{} slower, {} same, {} faster, {} unresolved of {} times{}", counts["slower"], counts["same"],
+                     counts["faster"], counts["unresolved"], methods,
+                     comparison.same_machine ? "" : " in sentinels; different machines");
+}
+
+/// The times that are slower or faster, the slowest first, or with `all` every time in the order of a. A narrow
+/// terminal has the last columns below.
+std::string times_text(const compare::Comparison& comparison, bool all) {
+  const auto judged = [&](const compare::Row* row) { return row->judged(comparison.same_machine); };
+  std::vector<const compare::Row*> rows;
+  for (const auto& row : comparison.times)
+    if (all || (!row.is_sentinel() && (judged(&row).verdict == "slower" || judged(&row).verdict == "faster")))
+      rows.push_back(&row);
+  if (rows.empty()) return "  none is certainly slower or faster\n";
+  if (!all) std::ranges::stable_sort(rows, {}, [&](const auto* row) { return -judged(row).value.median; });
   Lines lines{{"method", "b/a", "verdict", "a ns", "b ns", "in sentinels", "rank a b", "quality", "where"}};
   for (const auto* row : rows) {
-    const auto& normalised = row->normalised;
-    lines.push_back({row->inputs.field("method"), ratio_text(row->raw), std::string(metric::name(row->raw.verdict)),
-                     fmt::format("{:.4g}", row->a.median), fmt::format("{:.4g}", row->b.median),
-                     normalised ? fmt::format("{} {}", ratio_text(*normalised), metric::name(normalised->verdict)) : "",
-                     row->rank_a == 0 ? "" : fmt::format("{} {}", row->rank_a, row->rank_b),
-                     row->is_ok() ? "" : row->quality, row_words(row->inputs)});
+    const auto& timed = *row->timed;
+    const auto& units = timed.normalised;
+    lines.push_back({row->inputs.field("method"), ratio_text(row->ratio), std::string(row->ratio.verdict),
+                     fmt::format("{:.4g}", timed.a.median), fmt::format("{:.4g}", timed.b.median),
+                     units ? fmt::format("{} {}", ratio_text(*units), units->verdict) : "",
+                     timed.rank_a == 0 ? "" : fmt::format("{} {}", timed.rank_a, timed.rank_b),
+                     timed.quality == "ok" ? "" : timed.quality, row_words(row->inputs)});
   }
   return table(lines);
 }
 
-/// The verdict that compares methods: in sentinels where the machines differ.
-const compare::TimeRatio& judged_ratio(const compare::TimingRow& row, bool same_machine) {
-  return same_machine || !row.normalised ? row.raw : *row.normalised;
-}
-
-std::string counts_text(const compare::Pair& pair) {
-  std::map<metric::Verdict, std::size_t> counts;
-  std::size_t methods = 0;
-  for (const auto& row : pair.timing.rows) {
-    if (row.is_sentinel()) continue;
-    ++methods;
-    ++counts[judged_ratio(row, pair.same_machine).verdict];
-  }
-  using metric::Verdict;
-  return fmt::format("{} slower, {} same, {} faster, {} unresolved of {} times{}", counts[Verdict::slower],
-                     counts[Verdict::same], counts[Verdict::faster], counts[Verdict::unresolved], methods,
-                     pair.same_machine ? "" : " in sentinels");
-}
-
-std::string verdict_line(const compare::Pair& pair) {
-  const auto& accuracy = pair.accuracy;
-  std::string text = "no accuracy rows in common";
-  if (accuracy.differing() > 0)
-    text = fmt::format("accuracy differs in {} of {} rows", accuracy.differing(), accuracy.rows.size());
-  else if (!accuracy.rows.empty())
-    text = fmt::format("accuracy identical in {} rows", accuracy.rows.size());
-  return told(fmt::format("verdict  {}; {}{}", text,
-                          pair.timing.rows.empty() ? "no times in common" : counts_text(pair),
-                          pair.same_machine ? "" : "; different machines"));
-}
-
-std::string timing_summary(const compare::Pair& pair) {
-  if (pair.timing.rows.empty()) return "timing: no common rows\n";
+std::string timing_summary(const compare::Comparison& comparison) {
+  if (comparison.times.empty()) return "timing: no common rows\n";
   const auto unreliable = std::ranges::count_if(
-      pair.timing.rows, [](const compare::TimingRow& row) { return !row.is_sentinel() && !row.is_ok(); });
-  std::string text = "timing, b over a: " + counts_text(pair);
-  if (unreliable > 0) text += fmt::format("; {} unreliable, see quality", unreliable);
-  text = told(text);
-  text += also_told(pair.same_machine
-                        ? "the same kind of machine: b/a compares the builds; in sentinels, a change of the clock "
-                          "frequency cancels"
-                        : "different machines: b/a compares the machines; in sentinels, the unit of fixed work that is "
-                          "timed beside every race, it compares the methods");
-  if (pair.timing.only_a + pair.timing.only_b > 0)
-    text += fmt::format("  {} rows only in a, {} only in b\n", pair.timing.only_a, pair.timing.only_b);
-  return text;
+      comparison.times, [](const auto& row) { return !row.is_sentinel() && row.timed->quality != "ok"; });
+  const auto doubt = unreliable > 0 ? fmt::format("; {} unreliable, see quality", unreliable) : "";
+  return sentence("timing, b over a: " + counts_text(comparison) + doubt) +
+         detail(comparison.same_machine ? "the same kind of machine: b/a compares the builds; in sentinels, a change "
+                                          "of the clock frequency cancels"
+                                        : "b/a compares the machines; in sentinels, the unit of fixed work that is "
+                                          "timed beside every race, it compares the methods");
 }
 
-/// The times that are certainly slower or faster, the slowest first, or with `all` every time in the order of a.
-std::string times_text(const compare::Pair& pair, bool all) {
-  std::vector<const compare::TimingRow*> rows;
-  for (const auto& row : pair.timing.rows) {
-    const auto verdict = judged_ratio(row, pair.same_machine).verdict;
-    const bool has_changed = verdict == metric::Verdict::slower || verdict == metric::Verdict::faster;
-    if (all || (!row.is_sentinel() && has_changed)) rows.push_back(&row);
-  }
-  if (rows.empty()) return "  none is certainly slower or faster\n";
-  const auto slowest_first = [&](const auto* row) { return -judged_ratio(*row, pair.same_machine).ratio.median; };
-  if (!all) std::ranges::stable_sort(rows, {}, slowest_first);
-  return times_table(rows);
-}
-
-/// The methods that changed their order, as far as both bundles show it.
-std::string rank_changes_text(const compare::TimingComparison& timing) {
+/// The methods that changed their order, where both bundles decide it.
+std::string ranks_text(const compare::Comparison& comparison) {
   std::string text;
-  for (const auto& row : timing.rows)
-    if (row.changed_place)
-      text += also_told(fmt::format("{}: {} in a, {} in b{}", printable(row.inputs.words()), row.rank_a, row.rank_b,
-                                    row.is_ok() ? "" : ", " + printable(row.quality)));
-  return told(text.empty()
-                  ? "ranks: none changed, among the methods of a race that both bundles have"
-                  : "ranks that changed: 1 + the number of methods in the race that are certainly faster, where "
-                    "both bundles decide the order") +
+  for (const auto& row : comparison.times)
+    if (row.timed->changed_place)
+      text += detail(fmt::format("{}: {} in a, {} in b", row.inputs.words(), row.timed->rank_a, row.timed->rank_b));
+  return sentence(text.empty() ? "ranks: none changed, among the methods of a race that both bundles have"
+                               : "ranks that changed: 1 + the number of methods in the race that are certainly "
+                                 "faster, where both bundles decide the order") +
          text;
 }
 
@@ -246,19 +201,17 @@ std::string row_words(const compare::Inputs& inputs) {
   add("dimension ", "dimension", std::to_string(usual.dimension.front()));
   add("R ", "coordinate_range", number::decimal(usual.coordinate_range.front()));
   add("", "generator", usual.generator.front());
-  const auto& [low, high] = usual.t_interval.front();
-  const auto& t_min = inputs.field("t_min");
-  const auto& t_max = inputs.field("t_max");
-  if (!t_min.empty() && (t_min != number::decimal(low) || t_max != number::decimal(high)))
-    text += fmt::format(", t in [{}, {}]", t_min, t_max);
+  add("t from ", "t_min", number::decimal(usual.t_interval.front().min));
+  add("t to ", "t_max", number::decimal(usual.t_interval.front().max));
   add("against ", "baseline", usual.baseline.front());
   return printable(text);
 }
 
-std::string pair_text(const compare::Side& a, const compare::Side& b, const compare::Pair& pair, bool rows, bool all) {
-  auto text = verdict_line(pair) + side_line("a", a) + side_line("b", b) + "\n" + facts_text(pair, all) + "\n" +
-              accuracy_text(a, b, pair.accuracy, all) + "\n" + timing_summary(pair);
-  if (rows && !pair.timing.rows.empty()) text += times_text(pair, all) + "\n" + rank_changes_text(pair.timing);
+std::string comparison_text(const compare::Comparison& comparison, bool times, bool all) {
+  auto text = sentence(fmt::format("verdict  {}; {}", accuracy_words(comparison), counts_text(comparison))) +
+              side_line("a", *comparison.a) + side_line("b", *comparison.b) + "\n" + facts_text(comparison, all) +
+              "\n" + accuracy_text(comparison, all) + "\n" + singles_text(comparison, all) + timing_summary(comparison);
+  if (times && !comparison.times.empty()) text += times_text(comparison, all) + "\n" + ranks_text(comparison);
   return text;
 }
 
@@ -266,12 +219,13 @@ std::string standings_text(const std::vector<compare::Standing>& standings) {
   Lines lines{{"rank", "bundle", "cpu", "compiler", "accuracy", "time", "in sentinels"}};
   for (const auto& one : standings) {
     const auto mean = [&](double value) { return one.rank ? fmt::format("{:.3f}", value) : ""; };
-    lines.push_back({one.rank ? std::to_string(*one.rank) : "", one.bundle, one.cpu, one.compiler,
+    lines.push_back({one.rank ? std::to_string(*one.rank) : "", one.side->name, one.side->fact("cpu.model_name"),
+                     one.side->fact("build.compiler"),
                      one.differing == 0 ? "identical" : fmt::format("{} rows differ", one.differing),
                      mean(one.mean_ratio), mean(one.mean_normalised)});
   }
-  return told(fmt::format("geometric mean of the times over those of the first bundle, {} common times",
-                          standings.front().timings)) +
+  return sentence(fmt::format("geometric mean of the times over those of the first bundle, {} common times",
+                              standings.front().timings)) +
          table(lines);
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/compare/comparison.hpp"
+#include "experiments/compare/standings.hpp"
 
 namespace bezierbench::cli {
 
@@ -14,9 +14,9 @@ namespace bezierbench::cli {
 std::string row_words(const compare::Inputs& inputs);
 
 /// The verdict in one line; the differences between machines and builds; whether results differ, with the largest
-/// change of each method and a replay of the largest of all; the counts of the verdicts on times. With `rows`, the
+/// change of each method and a replay of the largest of all; the counts of the verdicts on times. With `times`, the
 /// times that changed and the ranks follow. With `all`, every row and every reading of the machines is listed.
-std::string pair_text(const compare::Side& a, const compare::Side& b, const compare::Pair& pair, bool rows, bool all);
+std::string comparison_text(const compare::Comparison& comparison, bool times, bool all);
 
 std::string standings_text(const std::vector<compare::Standing>& standings);
 

@@ -71,7 +71,7 @@ void print_result(const judge::PointVerdict& verdict, const reference::ExactPoin
   if (verdict.bound_u) fmt::print("  bound      {}\n", number::decimal(*verdict.bound_u));
 }
 
-/// Prints what is found of the record and of the point that was computed anew.
+/// Prints what is found of the record and of the point that was computed again.
 template <class Scalar>
 Exit print_replay(const std::string& id, const WorstRecord& record, const sample::Cell& cell,
                   const Kernel<Scalar>* kernel, const judge::TrialInputs<Scalar>& inputs,
@@ -108,7 +108,7 @@ Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell
   return print_replay(id, record, cell, kernel, inputs, judge, judge.judge(*kernel, inputs));
 }
 
-/// Asks a method from outside again.
+/// Calls a method from outside again.
 Exit replay_outside(const std::string& id, const WorstRecord& record, const sample::Cell& cell,
                     const outside::Methods& given) {
   const auto& name = record.text("method");

@@ -37,8 +37,9 @@ std::uint64_t number_in(const Environment& environment, const char* name) {
 /// The shard of this rank, which counts from 0. Throws Failure(usage) where the numbers do not fit.
 Shard checked(std::uint64_t rank, std::uint64_t size, std::string_view where) {
   if (size > most_shards)
-    throw Failure(Exit::usage, fmt::format("--shard auto: {} give {} shards; {} at most can be told apart, start fewer",
-                                           where, size, most_shards));
+    throw Failure(Exit::usage,
+                  fmt::format("--shard auto: {} give {} shards; at most {} can be distinguished, start fewer", where,
+                              size, most_shards));
   if (rank >= size)
     throw Failure(Exit::usage,
                   fmt::format("--shard auto: {} give number {} of {}, from 0; give --shard i/N", where, rank, size));

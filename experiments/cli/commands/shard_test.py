@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from program_case import CONVERSION, FINDING, FINE, INPUT_OUTPUT, PATIENCE, PROGRAM, STUDY, TIMING, USAGE, rows  # noqa: E402
 from resume_case import ACCURACY, SEARCH, ResumeCase
 
-# What launchers set, and nothing of it may leak from where the tests run.
+# What launchers set, and none of it may leak from where the tests run.
 PLAIN = {name: value for name, value in os.environ.items() if not re.match("OMPI_|PMI|SLURM_|PARALLEL", name)}
 FAST_TIMING = {**TIMING, "modes": '["point"]', "methods": '["direct", "de_casteljau"]'}
 

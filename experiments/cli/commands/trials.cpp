@@ -47,7 +47,7 @@ void check_that_cells_are_set(const std::vector<std::string>& settings) {
   for (const auto& setting : settings) {
     const auto key = setting.substr(0, setting.find('='));
     if (std::ranges::find(axes, key) == axes.end())
-      throw Failure(Exit::usage, fmt::format("--set {}: {} is no axis that tells cells apart{}", setting, key,
+      throw Failure(Exit::usage, fmt::format("--set {}: {} is not an axis that distinguishes cells{}", setting, key,
                                              suite::suggestion(key, axes)));
   }
 }

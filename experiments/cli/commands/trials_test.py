@@ -91,7 +91,7 @@ class Trials(Case):
         for setting in ("baseline=direct", "trials=5", "replicates=1", "methods=direct", "decomposed_trials=1"):
             with self.subTest(setting=setting):  # every trial is judged as the run did: a cell is all there is to choose
                 self.refused(USAGE, [*study, *method, *one, "--set", "degree=6", "--set", setting],
-                             f"--set {setting}", "no axis that tells cells apart", "degree")
+                             f"--set {setting}", "not an axis that distinguishes cells", "degree")
         self.refused(USAGE, [*study, *method, *one, "--set", "degre=6"], 'did you mean "degree"?')
         self.refused(USAGE, ["trials", "b", "--study", "*", *method], "more than one study")
         self.refused(USAGE, ["trials", "b", "--study", "c", *method], "kind accuracy")

@@ -3,6 +3,7 @@
 import csv
 import io
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -156,6 +157,43 @@ class Forgeries(Case):
         manifest.write_text(manifest.read_text().replace(commit, "0" * 40))
         sign(self.folder / "b")
         self.assertEqual(self.fine("verify", "b").splitlines()[0], "b: fine")
+
+
+class Schema(Case):
+    def test_schema_and_required_tables(self):
+        """With checksums that are right."""
+        self.bundle()
+        for name, change, needle in [
+                ("accuracy.csv", lambda text: re.sub(",exact,ok,", ",exact,fine,", text, count=1), "status is"),
+                ("accuracy.csv", lambda text: text.replace("p50_error", "median"), "column 'median'"),
+                ("machine.json", lambda text: text.replace('"caches"', '"caches_"'), "caches"),
+                ("bundle.json", lambda text: text.replace('"seed": 1', '"seed": 7'), "seed is 7, in suite.toml 1"),
+                ("bundle.json", lambda text: text.replace('"git_clean"', '"git_clear"'), "git_clean"),
+                ("suite.toml", lambda text: text.replace("seed = 1", "seed = 2"), "seed is 1, in suite.toml 2"),
+                ("suite.toml", lambda text: text.replace('id = "a"', 'id = "z"'), "its study is not one of those"),
+                ("accuracy.csv", None, "accuracy.csv: is missing, a study"),
+                ("reference.csv", None, "reference.csv: is missing, a study")]:
+            with self.subTest(name=name, needle=needle):
+                shutil.rmtree(self.folder / "c", ignore_errors=True)
+                shutil.copytree(self.folder / "b", self.folder / "c")
+                path = self.folder / "c" / name
+                if change is None:
+                    path.unlink()
+                else:
+                    text = change(path.read_text())
+                    self.assertNotEqual(text, path.read_text())
+                    path.write_text(text)
+                sign(self.folder / "c")
+                result = self.run_program("verify", "c")
+                self.assertEqual((result.returncode, result.stdout), (FINDING, b""), result)
+                self.assertIn(needle, result.stderr.decode())
+
+    def test_a_foreign_folder_is_one_line(self):
+        for number in range(5):
+            self.write(f"thesis/{number}.tex", "x")
+        result = self.run_program("verify", "thesis")
+        self.assertEqual(result.returncode, FINDING)
+        self.assert_one_line(result, "thesis: is not a bundle")
 
 
 if __name__ == "__main__":

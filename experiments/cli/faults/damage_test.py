@@ -111,7 +111,7 @@ class Complete(DamageCase):
         self.each_damage("whole", check, ["worst.csv"])
 
     def test_no_blessing_of_damage(self):
-        """What a killed run left is removed, and no checksum is made anew."""
+        """What a killed run left is removed, and no checksum is written again."""
         (self.folder / "whole/blocks").mkdir()
 
         def check(_):

@@ -35,7 +35,7 @@ class Limits(Case):
         self.refused(USAGE, ["run", "s.toml", "--out", "b"], "s.toml:3:", "300 characters")
 
     def test_numbers_that_no_double_holds(self):
-        """1e-999 is no number: 0 would be another one."""
+        """1e-999 is not a double: 0 would be another number."""
         self.write("c.csv", "x,y\n0,0\n1,2\n")
         self.write("small.csv", "x,y\n0,0\n1,1e-999\n")
         run = ["run", self.suite(), "--out", "b"]

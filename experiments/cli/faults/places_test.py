@@ -69,6 +69,25 @@ class Places(ResumeCase):
                 self.write("b/bundle.json", content)
                 self.refused(INPUT_OUTPUT, ["run", "s.toml", "--out", "b"], "b/bundle.json")
 
+    def test_links_are_replaced_and_not_written_through(self):
+        self.write("mine.csv", "mine")
+        self.suite(replicates="3", name="t.toml")
+        self.fine("run", "t.toml", "--quiet", "--out", "p", "--shard", "1/2")
+        (self.folder / "p/accuracy.csv").symlink_to("../mine.csv")
+        self.fine("run", "t.toml", "--quiet", "--out", "p")
+        self.assertFalse((self.folder / "p/accuracy.csv").is_symlink())
+        self.assertEqual((self.folder / "mine.csv").read_text(), "mine")
+        self.assert_complete("p")
+
+    def test_locks_are_made_in_the_bundle_only(self):
+        self.suite()
+        self.write("away/kept", "mine")
+        (self.folder / "p").mkdir()
+        self.write("p/suite.toml", "x")
+        (self.folder / "p/blocks").symlink_to("../away")
+        self.refused(INPUT_OUTPUT, ["run", "s.toml", "--out", "p"], "p/blocks: is not a folder")
+        self.assertEqual(os.listdir(self.folder / "away"), ["kept"])
+
     def test_existing_and_deep_folders(self):
         (self.folder / "empty").mkdir()
         self.bundle(self.suite(), name="empty")

@@ -21,7 +21,7 @@ class OutsideOptions {
   explicit OutsideOptions(std::span<const outside::OwnMethod> own) : own_(own.begin(), own.end()) {}
 
   void add(Command& command);
-  /// Asks every method what it is. Throws Failure(usage) for one that is none, and where two have one id.
+  /// Queries every method. Throws Failure(usage) for one that does not answer, and where two have the same id.
   [[nodiscard]] outside::Methods methods() const;
 
  private:

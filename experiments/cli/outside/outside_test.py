@@ -94,13 +94,13 @@ class Ways(Outside):
             self.assertEqual((self.folder / "merged" / name).read_bytes(), (self.folder / "b" / name).read_bytes(), name)
 
     def test_a_merge_names_the_study_of_missing_blocks(self):
-        """Also behind a study that asks no method of ours, which is no job of its own."""
+        """Also behind a study without a method of ours, which does not become a job."""
         suite = self.suite({**STUDY, "id": '"theirs"', "methods": '["program_mine"]'}, {**STUDY, "id": '"ours"'})
         self.fine("run", suite, "--program", ANSWER, "--quiet", "--shard", "1/9", "--out", "s")
         self.refused(FINDING, ["merge", "s", "--out", "m"], "blocks are missing, the first of study \"theirs, program_mine\"")
 
     def test_replicates(self):
-        """Blocks of several replicates go into one process; numbers are those of our method all the same."""
+        """Blocks of several replicates go into one process; numbers are those of our method nevertheless."""
         suite = self.suite(**{**SMALL, "trials": "30", "replicates": "70", "baseline": '["exact", "horner_bernstein"]'})
         self.bundle(suite, "--program", ANSWER)
         self.assert_numbers_of(self.outside_rows("b"), self.ours("b"))
@@ -140,7 +140,7 @@ class Ways(Outside):
         result = self.run_program("judge", "gap.csv")
         self.assertEqual((result.returncode, [row["status"] for row in rows(result.stdout.decode())]),
                          (FINDING, ["missing", "ok"]))
-        # An input that was changed is none of the suite, and neither is any of a study that does not exist.
+        # An input that was changed does not belong to the suite, and neither does one of a study that does not exist.
         changed = answered.splitlines()
         fields = changed[2].split(",")
         fields[12] = "0x1.8p-1"  # t

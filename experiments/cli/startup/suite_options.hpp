@@ -22,7 +22,7 @@ class SuiteOptions {
 
   /// The files of the suites. Throws Failure(usage) where there is none.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
-  /// The suites as the options change them. Throws Failure for what is no suite or no value of an option.
+  /// The suites as the options change them. Throws Failure for what is not a suite or not a value of an option.
   [[nodiscard]] std::vector<suite::Suite> read(const suite::Vocabulary& known) const;
 
  private:

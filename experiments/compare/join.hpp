@@ -14,19 +14,18 @@
 
 namespace bezierbench::compare {
 
-/// What a row was measured or computed for (study, curve, method, degree, mode, trials, ...): the key columns of its
+/// What a row was measured or computed for (study, form, method, degree, mode, trials, ...): the key columns of its
 /// table. The column of the method is called `method` here, whatever the table calls it.
 class Inputs {
  public:
   Inputs() = default;
 
-  /// The inputs of row `row` of `table`. A key column that `other` does not have is empty, as in
-  /// tables of another version of the program. Numbers are compared as values: 1000000 and 1e+06 agree.
+  /// The inputs of row `row` of `table`. A key column that `other` does not have is empty, as in tables of another
+  /// version of the program. Numbers are compared as values: 1000000 and 1e+06 agree.
   Inputs(const bundle::DeclaredTable& declared, const bundle::CsvDocument& table, std::size_t row,
          const bundle::CsvDocument& other);
 
-  /// The value of the input `name`; empty where the row has none. Throws std::invalid_argument for a name that is not a
-  /// key of any table.
+  /// The value of the input `name`; empty where the row does not have it.
   [[nodiscard]] const std::string& field(std::string_view name) const;
 
   /// The same inputs without the method.
@@ -49,7 +48,7 @@ struct RowPair {
   std::size_t b;
 };
 
-struct RowMatch {
+struct Join {
   std::vector<RowPair> pairs;  ///< in a's order
   std::vector<Inputs> only_a;  ///< of the rows without a partner
   std::vector<Inputs> only_b;
@@ -57,8 +56,8 @@ struct RowMatch {
 
 /// Pairs the rows with the same inputs. Where inputs repeat, the first row goes with the first, the second with the
 /// second, and so on.
-[[nodiscard]] RowMatch match_rows(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a,
-                                  const bundle::CsvDocument& b);
+[[nodiscard]] Join join(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a,
+                        const bundle::CsvDocument& b);
 
 /// Whether both texts are numbers with the same bits, or the same text.
 [[nodiscard]] bool same_value(std::string_view a, std::string_view b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/compare/rows.hpp"
+#include "experiments/compare/join.hpp"
 
 #include <fmt/format.h>
 
@@ -8,35 +8,19 @@
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <stdexcept>
 
 #include "experiments/number/number.hpp"
 
 namespace bezierbench::compare {
 namespace {
 
-/// The name of the method's column in Inputs, whatever the table calls it.
-constexpr std::string_view method_name = "method";
-
-/// The name of a key column in Inputs.
-std::string_view input_name(const bundle::DeclaredTable& declared, const bundle::Column& column) {
-  return column.name == declared.method ? method_name : std::string_view(column.name);
-}
+constexpr const char* method_name = "method";
 
 std::string canonical(const std::string& text) {
   const auto value = number::parse_number(text);
   if (!value) return text;
   const auto whole = number::whole(*value);
   return whole ? std::to_string(*whole) : number::decimal(*value);
-}
-
-/// Whether some table has a key column of this name.
-bool is_input(std::string_view name) {
-  return std::ranges::any_of(bundle::declared_tables(), [&](const bundle::DeclaredTable& table) {
-    return std::ranges::any_of(table.columns, [&](const bundle::Column& column) {
-      return column.is_key && input_name(table, column) == name;
-    });
-  });
 }
 
 }  // namespace
@@ -47,16 +31,15 @@ Inputs::Inputs(const bundle::DeclaredTable& declared, const bundle::CsvDocument&
     if (!column.is_key) continue;
     const bool there = table.has_column(column.name) && other.has_column(column.name);
     const std::string text = there ? table.at(row, column.name) : "";
-    fields_.emplace_back(input_name(declared, column), column.is_number ? canonical(text) : text);
+    fields_.emplace_back(column.name == declared.method ? method_name : column.name,
+                         column.is_number ? canonical(text) : text);
   }
 }
 
 const std::string& Inputs::field(std::string_view name) const {
   static const std::string none;
   const auto found = std::ranges::find(fields_, name, &Field::first);
-  if (found != fields_.end()) return found->second;
-  if (!is_input(name)) throw std::invalid_argument(fmt::format("{}: no key of any table", name));
-  return none;
+  return found == fields_.end() ? none : found->second;
 }
 
 Inputs Inputs::without_method() const {
@@ -72,24 +55,24 @@ std::string Inputs::words() const {
   return text;
 }
 
-RowMatch match_rows(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a, const bundle::CsvDocument& b) {
+Join join(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a, const bundle::CsvDocument& b) {
   const auto& other_of_a = b.header().empty() ? a : b;  // a table that is on one side only has all of its keys
   const auto& other_of_b = a.header().empty() ? b : a;
   std::map<Inputs, std::deque<std::size_t>> rows_of_b;
   for (std::size_t row = 0; row < b.row_count(); ++row) rows_of_b[Inputs(declared, b, row, other_of_b)].push_back(row);
-  RowMatch match;
+  Join joined;
   for (std::size_t row = 0; row < a.row_count(); ++row) {
     Inputs inputs(declared, a, row, other_of_a);
     const auto found = rows_of_b.find(inputs);
     if (found == rows_of_b.end() || found->second.empty()) {
-      match.only_a.push_back(std::move(inputs));
+      joined.only_a.push_back(std::move(inputs));
     } else {
-      match.pairs.push_back({std::move(inputs), row, found->second.front()});
+      joined.pairs.push_back({std::move(inputs), row, found->second.front()});
       found->second.pop_front();
     }
   }
-  for (const auto& [inputs, rows] : rows_of_b) match.only_b.insert(match.only_b.end(), rows.size(), inputs);
-  return match;
+  for (const auto& [inputs, rows] : rows_of_b) joined.only_b.insert(joined.only_b.end(), rows.size(), inputs);
+  return joined;
 }
 
 bool same_value(std::string_view a, std::string_view b) {

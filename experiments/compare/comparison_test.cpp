@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/compare/comparison.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "experiments/compare/side_test.hpp"
+#include "experiments/failure.hpp"
+
+namespace bezierbench::compare {
+namespace {
+
+constexpr const char* accuracy =
+    "study,method,degree,trials,status,mean_error,max_error\n"
+    "s,horner,3,10,ok,1e-17,3e-17\n"
+    "s,direct,3,10,ok,1e-17,4e-17\n";
+constexpr const char* worst =
+    "worst_id,study,method,degree,trial,t,coefficients\n"
+    "w1,s,horner,3,7,0x1p-1,0x1p+0\n"
+    "w2,s,direct,3,8,0x1p-2,0x1p+3 0x1p+4\n";
+
+std::string replaced(std::string text, const std::string& old, const std::string& fresh) {
+  return text.replace(text.find(old), old.size(), fresh);
+}
+
+TEST(Results, TheSameAreIdentical) {
+  const auto a = side_of("a", {{"accuracy.csv", accuracy}, {"worst.csv", worst}});
+  const auto comparison = compare_sides(a, a);
+  EXPECT_EQ(comparison.results.size(), 4U);
+  EXPECT_TRUE(comparison.differing().empty());
+  EXPECT_EQ(comparison.results.front().ratio.verdict, identical);
+  EXPECT_EQ(comparison.results.front().column, "max_error");
+  EXPECT_EQ(comparison.results.front().a, "3e-17");
+}
+
+TEST(Results, OneBitIsFoundWithBothValuesAndItsWorstInput) {
+  const auto a = side_of("a", {{"accuracy.csv", accuracy}, {"worst.csv", worst}});
+  const auto b =
+      side_of("b", {{"accuracy.csv", replaced(accuracy, "4e-17", "4.000000000000001e-17")}, {"worst.csv", worst}});
+  const auto comparison = compare_sides(a, b);
+  ASSERT_EQ(comparison.differing().size(), 1U);
+  const auto& row = *comparison.differing().front();
+  EXPECT_EQ(row.inputs.field("method"), "direct");
+  EXPECT_EQ(row.column, "max_error");
+  EXPECT_EQ(row.a, "4e-17");
+  EXPECT_EQ(row.b, "4.000000000000001e-17");
+  EXPECT_EQ(recorded_input(b, row.inputs), "w2");
+}
+
+TEST(Results, RowsOfOneSideAreListedNotJudged) {
+  const auto a = side_of("a", {{"accuracy.csv", accuracy}});
+  const auto b = side_of("b", {{"accuracy.csv", std::string(accuracy) + "s,estrin,3,10,ok,0,0\n"},
+                               {"conversion.csv", "study,conversion\nc,exact\n"}});
+  const auto comparison = compare_sides(a, b);
+  EXPECT_TRUE(comparison.differing().empty());
+  EXPECT_TRUE(comparison.only_a.empty());
+  ASSERT_EQ(comparison.only_b.size(), 2U);
+  EXPECT_EQ(comparison.only_b[0].inputs.field("method"), "estrin");
+  EXPECT_EQ(comparison.only_b[1].file, "conversion.csv") << "a table that is missing in a";
+  EXPECT_EQ(comparison.only_b[1].inputs.field("method"), "exact");
+  EXPECT_EQ(recorded_input(a, comparison.results.front().inputs), "");
+}
+
+TEST(Results, OtherTrialsOrAnotherSeedAreOtherInputs) {
+  const auto a = side_of("a", {{"accuracy.csv", accuracy}});
+  const auto more = side_of("b", {{"accuracy.csv", replaced(accuracy, "3,10,ok", "3,20,ok")}});
+  EXPECT_EQ(compare_sides(a, more).results.size(), 1U);
+  auto seeded = a;
+  seeded.manifest.seed = 2;
+  EXPECT_TRUE(compare_sides(a, seeded).results.empty());
+}
+
+TEST(Results, AColumnThatOneSideLacksIsNotCompared) {
+  const auto a = side_of("a", {{"accuracy.csv", "study,method,max_error\ns,direct,1\n"}});
+  const auto b = side_of("b", {{"accuracy.csv", "study,method,max_error,unbounded_trials\ns,direct,1,0\n"}});
+  EXPECT_EQ(compare_sides(a, b).results.size(), 1U);
+  EXPECT_TRUE(compare_sides(a, b).differing().empty());
+}
+
+// The worst of 20 trials is not the worst of 10, and worst.csv does not say how many trials there were.
+TEST(Results, OfDifferentSuitesRowsWithoutTrialsAreLeftOut) {
+  const auto a = side_of("a", {{"accuracy.csv", accuracy}, {"worst.csv", worst}});
+  auto b = a;
+  b.manifest.suite_digest = "another";
+  EXPECT_EQ(compare_sides(a, b).results.size(), 2U);
+  EXPECT_THAT(compare_sides(a, b).left_out, testing::ElementsAre("worst.csv"));
+}
+
+/// The rows that differ; `a` and `b` are rows of study, method, degree, mean and largest error.
+std::vector<Row> differing(const std::string& a, const std::string& b) {
+  const std::string header = "study,method,degree,mean_error,max_error_u\n";
+  const auto side_a = side_of("a", {{"accuracy.csv", header + a}});
+  const auto side_b = side_of("b", {{"accuracy.csv", header + b}});
+  const auto comparison = compare_sides(side_a, side_b);
+  std::vector<Row> rows;
+  for (const auto* row : comparison.differing()) rows.push_back(*row);
+  return rows;
+}
+
+TEST(Results, TheLargestGrowthIsTheFirst) {
+  const auto rows = differing("s,x,3,1,2\ns,y,4,1,2\ns,z,3,1,2\n", "s,x,3,1,3\ns,y,4,1,8\ns,z,3,1,2\n");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].inputs.field("method"), "y");
+  EXPECT_EQ(rows[0].growth(), 4);
+  EXPECT_EQ(rows[1].inputs.field("method"), "x");
+}
+
+TEST(Results, ShowTheLargestErrorIfItDiffers) {
+  EXPECT_EQ(differing("s,x,3,1,2\n", "s,x,3,5,3\n").front().column, "max_error_u");
+  EXPECT_EQ(differing("s,x,3,1,2\n", "s,x,3,5,2\n").front().column, "mean_error");
+}
+
+TEST(Results, ThatAreNotNumbersAreTheWorst) {
+  EXPECT_EQ(differing("s,x,3,1,2\n", "s,x,3,1,nan\n").front().growth(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(differing("s,x,3,1,0\n", "s,x,3,1,2\n").front().growth(), std::numeric_limits<double>::infinity());
+}
+
+TEST(Times, VerdictsFollowTheInterval) {
+  const auto verdict = [](const std::string& a, const std::string& b) { return only_row(a, b).ratio.verdict; };
+  EXPECT_EQ(verdict(timing_row("x", 10), timing_row("x", 10)), "same");
+  EXPECT_EQ(verdict(timing_row("x", 10), timing_row("x", 11)), "slower");
+  EXPECT_EQ(verdict(timing_row("x", 11), timing_row("x", 10)), "faster");
+  EXPECT_EQ(verdict(timing_row("x", 10, {.spread = 0.1}), timing_row("x", 11, {.spread = 0.1})), "unresolved");
+  EXPECT_EQ(verdict(timing_row("x", 10, {.quality = "few_rounds"}), timing_row("x", 20)), "unresolved");
+  EXPECT_DOUBLE_EQ(only_row(timing_row("x", 10), timing_row("x", 11)).ratio.value.median, 1.1);
+}
+
+// On a machine that takes 1.5 times as long for everything, methods are slower in nanoseconds and the same in units of
+// the sentinel.
+TEST(Times, InSentinelsASlowMachineIsTheSame) {
+  const auto slower = only_row(timing_row("x", 10, {.units = "10"}), timing_row("x", 15, {.units = "10.005"}));
+  EXPECT_EQ(slower.judged(true).verdict, "slower");
+  EXPECT_EQ(slower.judged(false).verdict, "same");
+  EXPECT_DOUBLE_EQ(slower.judged(false).value.median, 1.0005);
+  const auto without = only_row(timing_row("x", 10, {.units = "10"}), timing_row("x", 15));
+  EXPECT_FALSE(without.timed->normalised) << "one side has no such unit";
+}
+
+TEST(Times, TheWorseQualityOfBothIsKept) {
+  const auto quality = [](const std::string& a, const std::string& b, const std::string& checked = "yes") {
+    return only_row(timing_row("x", 10, {.quality = a}), timing_row("x", 11, {.quality = b, .checked = checked}))
+        .timed->quality;
+  };
+  EXPECT_EQ(quality("ok", "ok"), "ok");
+  EXPECT_EQ(quality("noisy", "ok"), "noisy");
+  EXPECT_EQ(quality("noisy", "few_rounds"), "few_rounds");
+  EXPECT_EQ(quality("of_tomorrow", "few_rounds"), "of_tomorrow");
+  EXPECT_EQ(quality("ok", "ok", "no"), "unchecked");
+}
+
+/// A side with one time and the times of the two sentinels beside it, on one machine with one build.
+Side beside(const std::string& name, double chain_ns, double sweep_ns, const std::string& flags = "-O3") {
+  auto side = side_of(name, {{timing_file, fmt::format("study,method,median_ns,low_ns,high_ns,quality,checked,"
+                                                       "sentinel_ns,sweep_ns\ns,horner,10,9.99,10.01,ok,yes,{},{}\n",
+                                                       chain_ns, sweep_ns)}});
+  side.facts = {{"cpu.model_name", "x"}, {"build.compiler", "y"}, {"build.flags", flags}};
+  return side;
+}
+
+TEST(Times, FixedWorkThatTookLongerInOneOfThemMakesTheRowsNoisy) {
+  const auto quality = [](const Side& a, const Side& b) { return compare_sides(a, b).times.at(0).timed->quality; };
+  const auto a = beside("a", 2, 0.5);
+  EXPECT_EQ(quality(a, beside("b", 2.03, 0.505)), "ok");
+  EXPECT_EQ(quality(a, beside("b", 2.05, 0.5)), "noisy");
+  EXPECT_EQ(quality(beside("b", 2, 0.52), a), "noisy");
+  EXPECT_EQ(quality(a, beside("b", 2, 0.7, "-O0")), "ok") << "another build may take longer";
+  auto other = beside("b", 4, 1);
+  other.facts.front().value = "another processor";
+  EXPECT_EQ(quality(a, other), "ok") << "another machine may";
+}
+
+TEST(Times, CertainlySlowerIsWhatAllRepetitionsSay) {
+  const auto of = [](double spread, const std::string& quality = "ok") {
+    return only_row(timing_row("x", 10, {.spread = spread}),
+                    timing_row("x", 11, {.spread = spread, .quality = quality}));
+  };
+  EXPECT_TRUE(of(0.001).is_certainly_slower());
+  EXPECT_FALSE(of(0.001, "noisy").is_certainly_slower());
+  EXPECT_EQ(of(0.055).ratio.verdict, "slower");
+  EXPECT_FALSE(of(0.055).is_certainly_slower()) << "the intervals overlap";
+  const auto slow_machine = only_row(timing_row("x", 10, {.units = "10"}), timing_row("x", 11, {.units = "10"}));
+  EXPECT_EQ(slow_machine.ratio.verdict, "slower");
+  EXPECT_FALSE(slow_machine.is_certainly_slower()) << "not in units of the sentinel";
+}
+
+TEST(Times, ATimeThatIsNotANumberNamesItsLine) {
+  try {
+    only_row(timing_row("x", 10), "s,x,,1,1,ok,yes,,,\n");
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit(), Exit::input_output);
+    EXPECT_TRUE(std::string(failure.what()).starts_with("b/timing.csv:2: median_ns")) << failure.what();
+  }
+}
+
+}  // namespace
+}  // namespace bezierbench::compare
