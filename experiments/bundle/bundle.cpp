@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/failure.hpp"
@@ -111,9 +110,7 @@ void BundleDirectory::write_if_different(std::string_view name, std::string_view
   write_bundle_file(path_ / name, bytes);
 }
 
-void BundleDirectory::finish(Manifest manifest) const {
-  // Tables of a partial bundle are not digested: a later run writes them anew.
-  const auto digests = manifest.state == partial ? std::vector<MethodDigest>() : digests_of(path_);
+void BundleDirectory::finish(Manifest manifest, const std::vector<MethodDigest>& digests) const {
   const std::string text = digests_csv(digests);
   manifest.accuracy_digest = sha256_hex(text);
   if (manifest.state != partial) write_if_different(digests_name, text);

@@ -34,6 +34,10 @@ class CsvTable {
 /// A table that was read: a header of distinct names, and rows that each have one field per name.
 class CsvDocument {
  public:
+  CsvDocument() = default;
+  /// A table as parse_csv would give it. There are as many fields in each row as in the header.
+  CsvDocument(std::string file_name, std::vector<std::string> header, std::vector<std::vector<std::string>> rows);
+
   [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
   [[nodiscard]] bool has_column(std::string_view name) const;

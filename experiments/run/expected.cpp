@@ -54,8 +54,7 @@ bundle::Expected expected_of(const RunRequest& request) {
         for (auto& names : request.kinds.tables_of(study)) expected.tables.push_back({study.id, std::move(names)});
     }
   }
-  for (const auto& [file, table] : tables.all())
-    expected.plan.rows.emplace(file, bundle::parse_csv(table.text(), file));
+  for (const auto& [file, table] : tables.all()) expected.plan.rows.emplace(file, table.document());
   expected.plan.methods_csv = request.methods_csv;
   expected.plan.git_commit = request.git_commit;
   for (const auto& method : request.outside) expected.plan.outside.insert(method.id);

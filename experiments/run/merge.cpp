@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -145,28 +145,20 @@ const Source& with_machine(const std::vector<Source>& sources, const Jobs& jobs)
   return *std::ranges::min_element(sources, {}, first_block);
 }
 
-/// A table that cannot be read is not what was written.
-bool has_its_digest(const Source& source) {
-  try {
-    return bundle::accuracy_digest(source.path) == source.manifest.accuracy_digest;
-  } catch (const Failure&) {
-    return false;
-  }
-}
-
 /// The files of a complete bundle, as they were written.
-Files files_of(const Source& source) {
-  if (!has_its_digest(source))
-    refuse(source.path, "is complete, but its accuracy digest is that of other files; see bezierbench verify");
+WholeBundle copy_of(const Source& source) {
   bundle::CheckedReader reader(source.path, bundle::Damage::refused);
-  Files files;
+  const std::string digests = reader.read(bundle::digests_name);
+  if (bundle::sha256_hex(digests) != source.manifest.accuracy_digest)
+    refuse(source.path, "is complete, but its accuracy digest is that of other files; see bezierbench verify");
+  WholeBundle whole{.files = {}, .digests = bundle::parse_digests(bundle::parse_csv(digests, bundle::digests_name))};
   for (const auto& [name, digest] : bundle::parse_sums(source.directory.read(bundle::sums_name)).digests) {
     if (name == bundle::manifest_name || name == bundle::digests_name) continue;  // which finish() writes
     if (name != suite_name && name != machine_name && !bundle::is_table_name(name))
       refuse(source.path / name, "is listed in SHA256SUMS, but no file of a bundle; see bezierbench verify");
-    files.emplace_back(name, reader.read(name));
+    whole.files.emplace_back(name, reader.read(name));
   }
-  return files;
+  return whole;
 }
 
 /// The complete bundle among them, null where there is none: one shard may have all blocks of a run with few studies.
@@ -192,7 +184,7 @@ const Source* the_complete_one(const std::vector<Source>& sources) {
 
 /// The bundle of all blocks.
 struct Joined {
-  Files files;  ///< the tables and the rest
+  WholeBundle whole;
   Outcome outcome;
 };
 
@@ -205,12 +197,15 @@ Joined joined(std::vector<Source>& sources, const Plan& plan, const RunRequest& 
   for (const auto& source : sources)
     for (const auto& line : checkpoints.load(source.found, Checkpoints::Whose::all)) note(line);
   refuse_gaps(checkpoints, plan, request);
-  Joined bundle{.files = {{suite_name, plan.suite_text}, {machine_name, machine.machine_text}}, .outcome = {}};
-  for (auto& list : lists_of(request)) bundle.files.push_back(std::move(list));
+  WholeBundle whole{.files = {{suite_name, plan.suite_text}, {machine_name, machine.machine_text}}, .digests = {}};
+  for (auto& list : lists_of(request)) whole.files.push_back(std::move(list));
   const tables::Tables tables = written_tables(request, plan);
-  for (const auto& [file, table] : tables.all()) bundle.files.emplace_back(file, table.text());
-  bundle.outcome = outcome_of(plan.jobs, tables);
-  return bundle;
+  for (const auto& [file, table] : tables.all()) {
+    auto written = table.written();
+    whole.files.emplace_back(file, std::move(written.text));
+    std::ranges::move(written.digests, std::back_inserter(whole.digests));
+  }
+  return {std::move(whole), outcome_of(plan.jobs, tables)};
 }
 
 std::vector<Source> opened(const std::vector<fs::path>& bundles) {
@@ -236,18 +231,18 @@ Outcome merge(RunRequest request, const std::vector<fs::path>& bundles) {
     request.tier = reference::Tier::exact;
   const Plan plan(request);
   for (const auto& source : sources) require_same(source, plan, request);
-  const Source* whole = the_complete_one(sources);
-  auto [files, outcome] = whole != nullptr ? Joined{files_of(*whole), {}} : joined(sources, plan, request);
+  const Source* complete = the_complete_one(sources);
+  auto [whole, outcome] = complete != nullptr ? Joined{copy_of(*complete), {}} : joined(sources, plan, request);
 
   std::error_code ignored;
   const auto target = std::ranges::find_if(
       sources, [&](const Source& source) { return fs::equivalent(source.path, request.out, ignored); });
   const bool is_source = target != sources.end();
-  put_whole(request, plan, files, is_source, is_source && target->lock != nullptr);
-  if (whole != nullptr) {
+  put_whole(request, plan, whole, is_source, is_source && target->lock != nullptr);
+  if (complete != nullptr) {
     outcome.findings = bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request); });
     if (request.telling == Telling::text)
-      note(fmt::format("{}: {} was the whole bundle already", request.out.string(), whole->path.string()));
+      note(fmt::format("{}: {} was the whole bundle already", request.out.string(), complete->path.string()));
   }
   outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return outcome;

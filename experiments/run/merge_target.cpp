@@ -12,16 +12,16 @@ namespace bezierbench::run {
 namespace {
 
 /// Whether the result is there already. Refuses a target that must not be overwritten.
-bool is_there(const RunRequest& request, const Plan& plan, const Files& files, bool is_source) {
+bool is_there(const RunRequest& request, const Plan& plan, const WholeBundle& whole, bool is_source) {
   const auto manifest = existing(request, plan);
   const auto blocks = request.out / bundle::blocks_name;
   if (!manifest && !bundle::is_inner_folder(blocks)) return false;
   refuse_foreign(request, [&](const std::string& name) {
-    return std::ranges::find(files, name, &Files::value_type::first) != files.end();
+    return std::ranges::any_of(whole.files, [&](const auto& file) { return file.first == name; });
   });
   if (manifest && manifest->state == bundle::complete) {
     const auto directory = bundle::BundleDirectory::open(request.out);
-    for (const auto& [name, bytes] : files)
+    for (const auto& [name, bytes] : whole.files)
       if (!directory.has(name) || directory.read(name) != bytes)
         throw Failure(Exit::usage, fmt::format("{}: is complete already, with another {}; choose another --out or move "
                                                "it away",
@@ -46,15 +46,15 @@ std::unique_ptr<bundle::LockFile> lock_of_run(const bundle::BundleDirectory& dir
   return lock;
 }
 
-void put_whole(const RunRequest& request, const Plan& plan, const Files& files, bool is_source, bool is_locked) {
-  if (is_there(request, plan, files, is_source) && !bundle::is_inner_folder(request.out / bundle::blocks_name)) return;
+void put_whole(const RunRequest& request, const Plan& plan, const WholeBundle& whole, bool is_source, bool is_locked) {
+  if (is_there(request, plan, whole, is_source) && !bundle::is_inner_folder(request.out / bundle::blocks_name)) return;
   const auto directory = bundle::BundleDirectory::create(request.out);
   const auto lock = is_locked ? nullptr : lock_of_run(directory);
-  if (is_there(request, plan, files, is_source)) return directory.clear_away();  // a run may have begun meanwhile
-  for (const auto& [name, bytes] : files) directory.write(name, bytes);
+  if (is_there(request, plan, whole, is_source)) return directory.clear_away();  // a run may have begun meanwhile
+  for (const auto& [name, bytes] : whole.files) directory.write(name, bytes);
   bundle::Manifest manifest = plan.manifest;
   manifest.state = bundle::complete;
-  directory.finish(manifest);
+  directory.finish(manifest, whole.digests);
 }
 
 }  // namespace bezierbench::run

@@ -5,13 +5,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
-#include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/schema/columns.hpp"
@@ -21,6 +21,7 @@
 #include "experiments/suite/text/writer.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/tables/scorecard.hpp"
+#include "experiments/tables/table_row.hpp"
 #include "experiments/tables/timed_checks.hpp"
 
 namespace bezierbench::run {
@@ -107,25 +108,25 @@ void find_unchecked_times(const tables::Tables& tables, Outcome& outcome) {
   for (const auto& [file, table] : tables.all()) {
     if (bundle::declared_table(file)->column("checked") == nullptr) continue;
     bundle::FewLines lines(file);
-    const auto document = bundle::parse_csv(table.text(), file);
-    for (std::size_t row = 0; row < document.row_count(); ++row)
-      if (document.at(row, "checked") == "no" && suite::is_outside(document.at(row, "method")))
-        lines.add(
-            fmt::format("what was timed did not give what was judged: study {}, method {}, degree {}, mode {}; "
-                        "see {}:{}",
-                        document.at(row, "study"), document.at(row, "method"), document.at(row, "degree"),
-                        document.at(row, "mode"), file, document.line(row)));
-    for (auto& line : lines.take()) outcome.findings.push_back(std::move(line));
+    std::size_t line = 1;
+    for (const auto& row : tables::rows_of(table)) {
+      ++line;
+      if (row.text("checked") == "no" && suite::is_outside(row.text("method")))
+        lines.add(fmt::format(
+            "what was timed did not give what was judged: study {}, method {}, degree {}, mode {}; see "
+            "{}:{}",
+            row.text("study"), row.text("method"), text(row.field("degree")), row.text("mode"), file, line));
+    }
+    for (auto& found : lines.take()) outcome.findings.push_back(std::move(found));
   }
 }
 
 void count_times(const tables::Tables& tables, Outcome& outcome) {
-  const auto timing = tables.all().find("timing.csv");
-  if (timing == tables.all().end()) return;
-  const auto document = bundle::parse_csv(timing->second.text(), timing->first);
-  outcome.times = document.row_count();
-  for (std::size_t row = 0; row < outcome.times; ++row)
-    if (document.at(row, "quality") == "noisy") ++outcome.noisy;
+  const auto* timing = tables.find("timing.csv");
+  if (timing == nullptr) return;
+  outcome.times = timing->row_count();
+  outcome.noisy = static_cast<std::size_t>(std::ranges::count(
+      timing->rows(), tables::field("noisy"), [](const tables::Row& row) { return row.field("quality"); }));
 }
 
 }  // namespace
@@ -264,11 +265,16 @@ tables::Tables written_tables(const RunRequest& request, const Plan& plan) {
 
 void assemble(const RunRequest& request, const tables::Tables& tables, const Plan& plan,
               const bundle::BundleDirectory& directory) {
-  refuse_foreign(request, [&](const std::string& name) { return tables.all().contains(name); });
-  for (const auto& [file, table] : tables.all()) directory.write(file, table.text());
+  refuse_foreign(request, [&](const std::string& name) { return tables.find(name) != nullptr; });
+  std::vector<bundle::MethodDigest> digests;
+  for (const auto& [file, table] : tables.all()) {
+    auto written = table.written();
+    directory.write(file, written.text);
+    std::ranges::move(written.digests, std::back_inserter(digests));
+  }
   bundle::Manifest manifest = plan.manifest;
   manifest.state = bundle::complete;
-  directory.finish(manifest);
+  directory.finish(manifest, digests);
 }
 
 }  // namespace bezierbench::run

@@ -50,8 +50,7 @@ Evidence read_evidence(Wish& wish) {
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
     if (auto found = table(file)) accuracies.push_back(std::move(*found));
-  Evidence evidence{std::move(*timing), tables::JudgedTables(std::move(accuracies), table("reference.csv")),
-                    table("methods.csv")};
+  Evidence evidence{std::move(*timing), tables::JudgedTables(std::move(accuracies)), table("methods.csv")};
   wish.damaged = reader.told();
   return evidence;
 }
@@ -156,7 +155,7 @@ void read_numbers(Wish& wish) {
 Exit choose(Wish wish) {
   read_numbers(wish);
   const auto evidence = read_evidence(wish);
-  auto groups = tables::timed_groups(evidence.timing);
+  auto groups = tables::timed_groups(tables::rows_of(evidence.timing));
   std::erase_if(groups, [&](const tables::ChoiceGroup& group) {
     return judged_ranges(group, evidence.judged, wish.accuracy_study).empty();
   });

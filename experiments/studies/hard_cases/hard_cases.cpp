@@ -204,7 +204,7 @@ void HardCasesJob::write(tables::Tables& tables) const {
         for (const double c : found.coefficients)
           coefficients += fmt::format("{}{}", coefficients.empty() ? "" : " ", number::hexadecimal(c));
         const auto rounded = [&](const reference::Format& to) {
-          return number::hexadecimal(round_to(to, value.exact));
+          return tables::Hexadecimal{round_to(to, value.exact)};
         };
         tables.add(tables::Row("hard_cases.csv")
                        .set("study", study_.id)
@@ -215,7 +215,7 @@ void HardCasesJob::write(tables::Tables& tables) const {
                        .set("scalar", suite::name(scalar))
                        .set("degree", found.coefficients.size() - 1)
                        .set("dimension", 1)
-                       .set("t", number::hexadecimal(found.t))
+                       .set("t", tables::Hexadecimal{found.t})
                        .set("coefficients", coefficients)
                        .set("exact", significant(value.exact, decimal_digits))
                        .set("rounded", rounded(format))
