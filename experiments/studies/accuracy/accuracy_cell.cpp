@@ -121,8 +121,7 @@ double AccuracyCell<Scalar>::cost() const {
 template <class Scalar>
 run::Extent AccuracyCell<Scalar>::extent() const {
   const auto rows = methods_.judgement_count();
-  return {1, 2 * rows, static_cast<std::uint64_t>(trials()) * methods_.count(),
-          rows * judge::bytes_of_input(cell_)};  // of accuracy.csv and worst.csv
+  return {1, 2 * rows, static_cast<std::uint64_t>(trials()) * methods_.count()};  // of accuracy.csv and worst.csv
 }
 
 template <class Scalar>

@@ -208,7 +208,7 @@ class ExhaustiveJob final : public run::JobOf<Tallies> {
   }
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
-    for (const auto& part : parts_) sum += {1, part.kernels.size(), part.range.count() * part.kernels.size(), 0};
+    for (const auto& part : parts_) sum += {1, part.kernels.size(), part.range.count() * part.kernels.size()};
     return sum;
   }
   void write(tables::Tables& tables) const override;

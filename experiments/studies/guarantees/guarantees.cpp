@@ -63,7 +63,7 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
     for (std::size_t part = 0; part < parts(); ++part)
-      sum += {1, 1, static_cast<std::uint64_t>(study_.trials + budget()), judge::bytes_of_input(cell(part))};
+      sum += {1, 1, static_cast<std::uint64_t>(study_.trials + budget())};
     return sum;
   }
   void write(tables::Tables& tables) const override {

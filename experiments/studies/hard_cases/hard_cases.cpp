@@ -139,9 +139,8 @@ class HardCasesJob final : public run::JobOf<Kept> {
   [[nodiscard]] std::size_t blocks_per_part() const override { return blocks_.count(); }
   [[nodiscard]] double cost(std::size_t /*part*/) const override { return 1e4 * static_cast<double>(blocks_.full()); }
   [[nodiscard]] run::Extent extent() const override {
-    constexpr std::size_t bytes_of_coefficients = 250;
     const auto rows = parts() * searches.size() * static_cast<std::size_t>(kept());
-    return {parts(), rows, parts() * static_cast<std::uint64_t>(trials()), rows * bytes_of_coefficients};
+    return {parts(), rows, parts() * static_cast<std::uint64_t>(trials())};
   }
   void write(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
