@@ -9,7 +9,7 @@
 
 namespace bezierbench::bundle {
 
-/// One line of a CSV file with its line end; fields are quoted only where needed.
+/// One line of a CSV file with its line end; fields are quoted only where required.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& fields);
 
 /// A table to write. Fields are text already: see number::decimal() and number::hexadecimal() for numbers.
@@ -23,7 +23,7 @@ class CsvTable {
 
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
 
-  /// Header and rows in the order added, quoted only where needed, every line ended by \n.
+  /// Header and rows in the order added, quoted only where required, every line ended by \n.
   [[nodiscard]] std::string text() const;
 
  private:

@@ -53,7 +53,7 @@ struct ChoiceGroup {
 };
 
 /// All groups, in the order of the rows of timing.csv, with the methods that were timed and without their errors. Throws
-/// Failure(input_output) for a table that lacks a column.
+/// Failure(input_output) for a table without a required column.
 std::vector<ChoiceGroup> timed_groups(const std::vector<TableRow>& timing);
 
 /// All groups with errors. Of several accuracy studies of the same kind of curves, the one that judged most of the

@@ -20,8 +20,19 @@ class JudgedTables {
   explicit JudgedTables(const Tables& made) : made_(&made) {}
 
   /// Calls `visit` for every row with errors against the truth; only for those of `study`, if that is not empty. Throws
-  /// Failure(input_output) for a table that lacks a column.
-  void each_row(const std::string& study, const std::function<void(const TableRow&)>& visit) const;
+  /// Failure(input_output) for a table without a required column.
+  void each_row(const std::string& study, const std::function<void(const TableRow&)>& visit) const {
+    const auto visit_judged = [&](const std::vector<TableRow>& rows) {
+      for (const TableRow& row : rows)
+        if (row.text("baseline") == "exact" && row.text("status") == "ok" &&
+            (study.empty() || row.text("study") == study))
+          visit(row);
+    };
+    for (const auto& table : read_) visit_judged(rows_of(table));
+    if (made_ == nullptr) return;
+    for (const auto* file : {"accuracy.csv", "unstable.csv"})
+      if (const auto* table = made_->find(file)) visit_judged(rows_of(*table));
+  }
 
  private:
   std::vector<bundle::CsvDocument> read_;
@@ -30,6 +41,8 @@ class JudgedTables {
 
 /// The field of a row in `column`, `bound_u` or `max_bound`. Empty where a trial of the row has no bound, since the field
 /// then covers only the others.
-std::optional<double> bound(const TableRow& row, std::string_view column);
+inline std::optional<double> bound(const TableRow& row, std::string_view column) {
+  return row.optional_number("unbounded_trials") == 0 ? row.optional_number(column) : std::nullopt;
+}
 
 }  // namespace bezierbench::tables
