@@ -64,7 +64,7 @@ class MethodDigester {
   std::map<Rows, std::size_t> found_;  ///< places in `all_`
 };
 
-/// The digests of a table that was read. Throws Failure(Exit::input_output) where it lacks one of the columns, or that
+/// The digests of a table that was read. Throws Failure(Exit::input_output) where it has not all of the columns, or that
 /// of the study or the method.
 [[nodiscard]] std::vector<MethodDigest> method_digests(const DeclaredTable& declared, const CsvDocument& table,
                                                        const std::vector<std::string>& columns);
