@@ -76,7 +76,7 @@ ADDITIONS = [
         "Boost.Multiprecision",
         "what the reference is compared with for its cost",
     ),
-    (r"experiments/run/progress_text.cpp", "nlohmann/json", "progress for programs is JSON"),
+    (r"experiments/run/progress.cpp", "nlohmann/json", "progress for programs is JSON"),
     (r"experiments/cli/commands/kinds", "nlohmann/json", "the schema of suites is a JSON document"),
     (r"bindings/c/include/", "C", "its header is for C as well"),
     (r"experiments/outside/plugin\.h", "C", "its header is for C as well"),

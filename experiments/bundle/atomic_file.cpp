@@ -150,17 +150,6 @@ void replace(const fs::path& path, const fs::path& target, std::string_view byte
                                                 path.string(), largest_bundle_file >> 20, advice));
 }
 
-[[noreturn]] void fail_kind(const fs::path& path, mode_t mode) {
-  std::string_view kind = "device";
-  if (S_ISLNK(mode)) kind = "symbolic link";
-  if (S_ISDIR(mode)) kind = "folder";
-  if (S_ISFIFO(mode)) kind = "pipe";
-  if (S_ISSOCK(mode)) kind = "socket";
-  throw Failure(Exit::input_output, fmt::format("{}: is a {}, not a regular file, which alone is read in a bundle; "
-                                                "restore the file",
-                                                path.string(), kind));
-}
-
 // Reads to the end of the file. Throws Failure where it is larger than `most` bytes.
 std::string read_all(const fs::path& path, int descriptor, std::uintmax_t most) {
   struct stat facts {};
@@ -207,12 +196,11 @@ std::string read_bundle_file(const fs::path& path) {
   // Opening a device can have effects of its own: anything but a regular file is not opened at all.
   struct stat facts {};
   if (::lstat(path.c_str(), &facts) == -1) fail_read(path, errno);
-  if (!S_ISREG(facts.st_mode)) fail_kind(path, facts.st_mode);
+  if (!S_ISREG(facts.st_mode))
+    throw Failure(Exit::input_output, fmt::format("{}: is not a regular file; restore the file", path.string()));
   Descriptor descriptor(
       uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NOFOLLOW | O_NONBLOCK); }));
   if (descriptor.number() == -1) fail_read(path, errno);
-  if (::fstat(descriptor.number(), &facts) == -1) fail_read(path, errno);
-  if (!S_ISREG(facts.st_mode)) fail_kind(path, facts.st_mode);
   return read_all(path, descriptor.number(), largest_bundle_file);
 }
 

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace bezierbench::bundle {
 
@@ -23,7 +22,7 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// The largest file that a bundle may have, in bytes: far more than any table, and little enough for memory.
 inline constexpr std::uintmax_t largest_bundle_file = std::uintmax_t{1} << 30;
 
-/// All bytes of a file of a bundle. Bundles come from strangers: opens nothing but a regular file, follows no link,
+/// All bytes of a file of a bundle. Bundles come from strangers: opens only a regular file, follows no link,
 /// never blocks, and takes no file beyond largest_bundle_file. Throws Failure(Exit::input_output) with one line.
 [[nodiscard]] std::string read_bundle_file(const std::filesystem::path& path);
 
@@ -39,26 +38,12 @@ void ignore_file_size_signal();
 /// Whether `name` is that of a temporary file of write_file. Such files remain only where the program was killed.
 [[nodiscard]] bool is_temporary_name(std::string_view name);
 
-// Calls of system functions, repeated where a signal interrupts them. On network file systems this happens to many
-// functions.
-
-/// The result of `call()`, which returns -1 and sets errno where it fails.
+/// The result of `call()`, which returns -1 and sets errno where it fails; repeated where a signal interrupts it.
 template <class Call>
 auto uninterrupted(Call call) {
   auto result = call();
   while (result == -1 && errno == EINTR) result = call();
   return result;
-}
-
-/// The error that `call(error)` sets, as functions of std::filesystem do.
-template <class Call>
-std::error_code uninterrupted_error(Call call) {
-  std::error_code error;
-  do {
-    error.clear();
-    call(error);
-  } while (error == std::errc::interrupted);
-  return error;
 }
 
 }  // namespace bezierbench::bundle

@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/failure.hpp"
@@ -29,16 +28,13 @@ void make_folder(const fs::path& path) {
   if (error) fail(path, fmt::format("cannot be created: {}; choose another --out", error.message()));
 }
 
-// Removes a file or folder. Other processes may write into the folder meanwhile or remove it as well: shards that begin
-// create their locks in it.
+/// Removes a file or folder. Shards that begin meanwhile may put their locks into the folder; they remove it themselves
+/// when they find that the bundle is complete.
 void remove_entry(const fs::path& path) {
-  constexpr int most_tries = 1000;
   std::error_code error;
-  for (int tries = 0; tries < most_tries; ++tries) {
-    error = uninterrupted_error([&](std::error_code& why) { fs::remove_all(path, why); });
-    if (error != std::errc::directory_not_empty && error != std::errc::no_such_file_or_directory) break;
-  }
-  if (error) fail(path, fmt::format("cannot be removed: {}; remove it and run again", error.message()));
+  fs::remove_all(path, error);
+  if (error && error != std::errc::directory_not_empty && error != std::errc::no_such_file_or_directory)
+    fail(path, fmt::format("cannot be removed: {}; remove it and run again", error.message()));
 }
 
 // blocks/ is looked for first: finish() of another process writes bundle.json before it removes blocks/.
@@ -64,7 +60,7 @@ BundleDirectory BundleDirectory::open(const fs::path& path) {
 void BundleDirectory::write(std::string_view name, std::string_view bytes) const {
   const bool plain = !name.empty() && name.front() != '.' && name.find('/') == std::string_view::npos;
   if (!plain || name == manifest_name || name == sums_name || name == blocks_name) {
-    throw std::invalid_argument(fmt::format("'{}' is no name for a bundle's file", name));
+    throw std::invalid_argument(fmt::format("'{}' is not allowed as the name of a bundle's file", name));
   }
   make_partial_before_change();
   write_bundle_file(path_ / name, bytes);
@@ -111,9 +107,7 @@ void BundleDirectory::write_if_different(std::string_view name, std::string_view
   write_bundle_file(path_ / name, bytes);
 }
 
-void BundleDirectory::finish(Manifest manifest) const {
-  // Tables of a partial bundle are not digested: a later run writes them anew.
-  const auto digests = manifest.state == partial ? std::vector<MethodDigest>() : digests_of(path_);
+void BundleDirectory::finish(Manifest manifest, const std::vector<MethodDigest>& digests) const {
   const std::string text = digests_csv(digests);
   manifest.accuracy_digest = sha256_hex(text);
   if (manifest.state != partial) write_if_different(digests_name, text);

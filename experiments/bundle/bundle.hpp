@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/manifest.hpp"
 
 namespace bezierbench::bundle {
@@ -46,12 +47,12 @@ class BundleDirectory {
   /// bundle.json. Throws as read_file and parse_manifest.
   [[nodiscard]] Manifest manifest() const;
 
-  /// Completes the manifest with the accuracy digest. Writes digests.csv if the bundle is `complete`, then SHA256SUMS,
-  /// over all regular files but itself and hidden ones, then bundle.json. No bundle ever says `complete` that is not,
-  /// wherever this is interrupted. With state `complete`, also removes blocks/ and files that killed writers left. A
-  /// bundle that is already so keeps all its bytes. Throws as write_file does, and Failure(Exit::input_output) for a
-  /// table that cannot be read or lacks a digested column.
-  void finish(Manifest manifest) const;
+  /// Completes the manifest with the accuracy digest, which follows from `digests`, those of the rows of all tables.
+  /// Writes digests.csv if the bundle is `complete`, then SHA256SUMS, over all regular files but itself and hidden ones,
+  /// then bundle.json. No bundle ever says `complete` that is not, wherever this is interrupted. With state `complete`,
+  /// also removes blocks/ and files that killed writers left. A bundle that is already so keeps all its bytes. Throws as
+  /// write_file does.
+  void finish(Manifest manifest, const std::vector<MethodDigest>& digests = {}) const;
 
   /// Removes blocks/ and the files that killed writers left. Throws Failure(Exit::input_output).
   void clear_away() const;

@@ -9,7 +9,7 @@
 
 namespace bezierbench::bundle {
 
-/// One line of a CSV file with its line end; fields are quoted only where needed.
+/// One line of a CSV file with its line end; fields are quoted only where required.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& fields);
 
 /// A table to write. Fields are text already: see number::decimal() and number::hexadecimal() for numbers.
@@ -23,7 +23,7 @@ class CsvTable {
 
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
 
-  /// Header and rows in the order added, quoted only where needed, every line ended by \n.
+  /// Header and rows in the order added, quoted only where required, every line ended by \n.
   [[nodiscard]] std::string text() const;
 
  private:
@@ -34,6 +34,10 @@ class CsvTable {
 /// A table that was read: a header of distinct names, and rows that each have one field per name.
 class CsvDocument {
  public:
+  CsvDocument() = default;
+  /// A table as parse_csv would give it. There are as many fields in each row as in the header.
+  CsvDocument(std::string file_name, std::vector<std::string> header, std::vector<std::vector<std::string>> rows);
+
   [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
   [[nodiscard]] bool has_column(std::string_view name) const;

@@ -28,9 +28,8 @@ bool is_there(const std::filesystem::path& path) {
 Folder list_folder(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   Folder folder;
-  fs::directory_iterator entry;
-  auto error = uninterrupted_error([&](std::error_code& why) { entry = fs::directory_iterator(path, why); });
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+  std::error_code error;
+  for (fs::directory_iterator entry(path, error); !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     std::error_code ignored;  // fails if the entry was removed meanwhile, such as another writer's temporary file
     const fs::file_status status = entry->symlink_status(ignored);

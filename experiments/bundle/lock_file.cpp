@@ -22,11 +22,6 @@ namespace {
                                                 path.string(), std::generic_category().message(error)));
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& path) {
-  throw Failure(Exit::input_output,
-                fmt::format("{}: is not a regular file, as which alone it can be a lock; remove it", path.string()));
-}
-
 int locked(int descriptor, int operation) {
   return uninterrupted([&] { return ::flock(descriptor, operation); });
 }
@@ -34,9 +29,6 @@ int locked(int descriptor, int operation) {
 }  // namespace
 
 LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
-  // Opening a device can have effects of its own, and bundles come from strangers.
-  struct stat before {};
-  if (::lstat(path_.c_str(), &before) == 0 && !S_ISREG(before.st_mode)) refuse(path_);
   constexpr int most_tries = 1000;
   for (int tries = 0; tries < most_tries; ++tries) {
     // Network file systems want write access for an exclusive lock.
@@ -49,7 +41,7 @@ LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
   struct stat facts {};
   if (::fstat(descriptor_, &facts) == 0 && S_ISREG(facts.st_mode)) return;
   ::close(descriptor_);
-  refuse(path_);
+  throw Failure(Exit::input_output, fmt::format("{}: lock file is not a regular file; remove it", path_.string()));
 }
 
 LockFile::~LockFile() { ::close(descriptor_); }

@@ -17,6 +17,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -129,13 +130,9 @@ Json known(const std::optional<Value>& value) {
 
 Json known(const std::string& value) { return value.empty() ? Json("unknown") : Json(value); }
 
-Json cpu(const Text& information, const fs::path& folder, const Text& allowed, const MachineRoots& roots) {
+Json cpu(const Text& information, const Text& allowed, const MachineRoots& roots) {
   utsname names{};
   const auto available = processors(allowed);
-  auto smt = flag(content(roots.sys / "devices/system/cpu/smt/active"));
-  if (!smt) {  // kernels before 4.19
-    if (const auto siblings = processors(content(folder / "topology/thread_siblings_list"))) smt = siblings->count > 1;
-  }
   Json json;
   json["model_name"] = known(field(information, "model name"));
   json["vendor"] = known(field(information, "vendor_id"));
@@ -145,7 +142,7 @@ Json cpu(const Text& information, const fs::path& folder, const Text& allowed, c
   json["microcode"] = known(field(information, "microcode"));
   json["architecture"] = known(uname(&names) == 0 ? std::string(names.machine) : std::string());
   json["logical_cores_available"] = available ? Json(available->count) : Json("unknown");
-  json["smt"] = known(smt);
+  json["smt"] = known(flag(content(roots.sys / "devices/system/cpu/smt/active")));
   // Only x86 has a line of flags; on other processors the answer is "unknown".
   json["virtualised"] = known(contains_word(field(information, "flags"), "hypervisor"));
   return json;
@@ -209,24 +206,21 @@ Json load_average(const MachineRoots& roots) {
 }
 
 // The smallest difference seen between two readings of the clock, in nanoseconds. It combines the resolution and the
-// cost of a reading, and so limits a measurement. Empty for a clock that never advances.
-std::optional<std::int64_t> measured_step_ns() {
+// cost of a reading, and so limits a measurement.
+std::int64_t measured_step_ns() {
   using Clock = std::chrono::steady_clock;
   constexpr int enough_steps = 10'000;
   constexpr auto patience = std::chrono::milliseconds(20);
-  // A clock that stands still never reaches a deadline, so the number of readings is limited as well.
-  constexpr int most_readings = 1'000'000;
-  std::optional<std::int64_t> smallest;
+  auto smallest = std::numeric_limits<std::int64_t>::max();
   const auto start = Clock::now();
   auto last = start;
-  for (int readings = 0, steps = 0; readings < most_readings && steps < enough_steps; ++readings) {
+  for (int steps = 0; steps < enough_steps && last - start <= patience;) {
     const auto now = Clock::now();
     const std::int64_t step = std::chrono::duration_cast<std::chrono::nanoseconds>(now - last).count();
     last = now;
     if (step <= 0) continue;
-    smallest = std::min(smallest.value_or(step), step);
+    smallest = std::min(smallest, step);
     ++steps;
-    if (now - start > patience) break;
   }
   return smallest;
 }
@@ -236,7 +230,7 @@ Json clock_facts(const MachineRoots& roots) {
   Json json;
   json["name"] = "std::chrono::steady_clock";
   json["source"] = known(content(source));
-  json["resolution_ns"] = known(measured_step_ns());
+  json["resolution_ns"] = measured_step_ns();
   return json;
 }
 
@@ -260,7 +254,7 @@ std::string machine_json(const BuildFacts& build, const std::string& counters, H
   const fs::path folder =
       roots.sys / fmt::format("devices/system/cpu/cpu{}", available ? available->first : std::uint64_t{0});
   Json json;
-  json["cpu"] = cpu(information, folder, allowed, roots);
+  json["cpu"] = cpu(information, allowed, roots);
   json["caches"] = caches(folder);
   json["frequency"] = frequency(folder, roots);
   json["memory"] = {{"total_bytes", known(bytes(field(content(roots.proc / "meminfo"), "MemTotal")))}};

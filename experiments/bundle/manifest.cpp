@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <concepts>
 #include <nlohmann/json.hpp>
 
 #include "experiments/bundle/json_object.hpp"
@@ -31,31 +31,22 @@ class Keys {
     return *found;
   }
 
-  [[nodiscard]] std::string text(const char* key) const {
-    const Json& found = value(key);
-    if (!found.is_string()) fail(fmt::format("'{}' must be a string", key));
-    return found.get<std::string>();
-  }
-
-  [[nodiscard]] bool truth(const char* key) const {
-    const Json& found = value(key);
-    if (!found.is_boolean()) fail(fmt::format("'{}' must be true or false", key));
-    return found.get<bool>();
-  }
-
-  [[nodiscard]] std::uint64_t unsigned_integer(const char* key) const {
+  /// A value that JSON converts to this type. `must_be` says which, for the message.
+  template <class Value>
+  [[nodiscard]] Value get(const char* key, std::string_view must_be) const {
     const Json& found = value(key);
     // JSON integers beyond 64 bits are parsed as floating point and negative ones as signed: both are refused here.
-    if (!found.is_number_unsigned()) fail(fmt::format("'{}' must be an unsigned 64-bit integer", key));
-    return found.get<std::uint64_t>();
-  }
-
-  [[nodiscard]] std::vector<std::string> texts(const char* key) const {
-    const Json& found = value(key);
-    if (!found.is_array() || !std::ranges::all_of(found, [](const Json& item) { return item.is_string(); })) {
-      fail(fmt::format("'{}' must be an array of strings", key));
+    if constexpr (std::same_as<Value, std::uint64_t>)
+      if (!found.is_number_unsigned()) fail(fmt::format("'{}' must be {}", key, must_be));
+    try {
+      return found.get<Value>();
+    } catch (const Json::type_error&) {
+      fail(fmt::format("'{}' must be {}", key, must_be));
     }
-    return found.get<std::vector<std::string>>();
+  }
+  [[nodiscard]] std::string text(const char* key) const { return get<std::string>(key, "a string"); }
+  [[nodiscard]] std::uint64_t unsigned_integer(const char* key) const {
+    return get<std::uint64_t>(key, "an unsigned 64-bit integer");
   }
 
  private:
@@ -98,7 +89,7 @@ Manifest parse_manifest(std::string_view text, std::string_view file_name) {
   const Keys suite_keys(suites, file_name);
 
   Manifest manifest;
-  manifest.suites = suite_keys.texts("ids");
+  manifest.suites = suite_keys.get<std::vector<std::string>>("ids", "an array of strings");
   manifest.suite_digest = suite_keys.text("digest");
   manifest.seed = keys.unsigned_integer("seed");
   manifest.state = keys.text("state");
@@ -106,7 +97,7 @@ Manifest parse_manifest(std::string_view text, std::string_view file_name) {
   manifest.accuracy_digest = keys.text("accuracy_digest");
   manifest.program_version = keys.text("program_version");
   manifest.git_commit = keys.text("git_commit");
-  manifest.git_clean = keys.truth("git_clean");
+  manifest.git_clean = keys.get<bool>("git_clean", "true or false");
   manifest.fp_flags = keys.text("fp_flags");
   return manifest;
 }

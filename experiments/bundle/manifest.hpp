@@ -17,7 +17,7 @@ struct Manifest {
   std::string suite_digest;         ///< digest of the resolved suites
   std::uint64_t seed = 0;
   std::string state;            ///< `complete` or `partial`
-  std::string accuracy_digest;  ///< see accuracy_digest(); filled in by BundleDirectory::finish
+  std::string accuracy_digest;  ///< SHA-256 of digests.csv; filled in by BundleDirectory::finish
   std::string program_version;
   std::string git_commit;  ///< `unknown` outside a checkout
   bool git_clean = false;

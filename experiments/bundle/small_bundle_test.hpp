@@ -35,6 +35,16 @@ inline BundleDirectory filled(const std::filesystem::path& path) {
   return bundle;
 }
 
+/// Finishes the bundle with the digests of the tables that lie in its folder.
+inline void finish(const BundleDirectory& bundle, const Manifest& manifest) {
+  std::vector<MethodDigest> digests;
+  for (const auto& name : list_folder(bundle.path()).files)
+    if (const auto* table = declared_table(name); table != nullptr && table->is_deterministic)
+      std::ranges::move(method_digests(*table, parse_csv(bundle.read(name), name), table->digested()),
+                        std::back_inserter(digests));
+  bundle.finish(manifest, digests);
+}
+
 /// A reader of suite.toml that always returns this answer.
 inline Expected expected(const std::string& /*text*/, const std::string& /*file_name*/) {
   return {.suites = {"fixture"},

@@ -29,7 +29,6 @@ std::string clock_trouble(const SortedJson& machine) {
   const SortedJson& step = machine.at("clock").at("resolution_ns");
   if (std::ranges::find(quick_clocks, source) == quick_clocks.end())
     return fmt::format("source {} may need a call into the kernel for every reading", source);
-  if (!step.is_number()) return "it does not advance";
   if (step.get<double>() > coarse_step_ns) return fmt::format("steps of {} ns are coarse", step.get<double>());
   return "";
 }
@@ -57,13 +56,14 @@ std::string load_trouble(const SortedJson& machine) {
   if (!load.is_array() || load.empty()) return "unknown";
   const auto last_minute = load.front().get<double>();
   if (last_minute <= quiet_load) return "";
-  return fmt::format("{:.2f} over the last minute; others are at work, wait for them or stop them", last_minute);
+  return fmt::format("{:.2f} over the last minute; other processes are running; wait for them or stop them",
+                     last_minute);
 }
 
 std::string virtualised_trouble(const SortedJson& machine) {
   const SortedJson& virtualised = machine.at("cpu").at("virtualised");
   if (virtualised == false) return "";
-  return virtualised == true ? "yes; the host's other guests take time that no one here can see" : "unknown";
+  return virtualised == true ? "yes; the host's other guests take time that this machine cannot see" : "unknown";
 }
 
 std::string counters_trouble(const SortedJson& machine) {

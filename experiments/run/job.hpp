@@ -33,13 +33,11 @@ struct Extent {
   std::size_t cells = 0;
   std::size_t rows = 0;           ///< of CSV
   std::uint64_t evaluations = 0;  ///< of methods or conversions
-  std::size_t input_bytes = 0;    ///< approximately, of the inputs that rows record in full
 
   Extent& operator+=(const Extent& other) {
     cells += other.cells;
     rows += other.rows;
     evaluations += other.evaluations;
-    input_bytes += other.input_bytes;
     return *this;
   }
 };
@@ -90,7 +88,14 @@ class Job {
   [[nodiscard]] virtual std::unique_ptr<Result> read_result(number::ByteReader& bytes) const = 0;
 
   /// Adds a result to those that write() writes. To be called by one thread at a time.
-  void add(std::size_t part, std::unique_ptr<Result> result);
+  void add(std::size_t part, std::unique_ptr<Result> result) {
+    if (totals_.empty()) totals_.resize(parts());
+    auto& total = totals_[part];
+    if (total)
+      total->merge(*result);
+    else
+      total = std::move(result);
+  }
   /// The sum of what was added so far; null before the first.
   [[nodiscard]] const Result* total(std::size_t part) const {
     return part < totals_.size() ? totals_[part].get() : nullptr;
@@ -99,7 +104,11 @@ class Job {
   /// Nanoseconds of one thread for a block of this part, to an order of magnitude and equal on every machine. Shards,
   /// the progress line and --dry-run use it.
   [[nodiscard]] virtual double cost(std::size_t part) const = 0;
-  [[nodiscard]] double total_cost() const;
+  [[nodiscard]] double total_cost() const {
+    double sum = 0;
+    for (std::size_t part = 0; part < parts(); ++part) sum += cost(part) * static_cast<double>(blocks_per_part());
+    return sum;
+  }
   /// True for timings, beside which nothing else may run.
   [[nodiscard]] virtual bool exclusive() const { return false; }
   /// Throws Failure(environment) where this machine is not fit for the work, for example without a steady clock for
@@ -115,7 +124,7 @@ class Job {
   virtual void write(tables::Tables& tables) const = 0;
   /// Appends the rows that write() adds whatever the results are, with their keys and no other field; `verify` asks a
   /// bundle for them. A table of which a job lists some rows has no other rows of the study, unless a method that this
-  /// build lacks adds them.
+  /// build does not have adds them.
   virtual void list_rows(tables::Tables& /*tables*/) const {}
   [[nodiscard]] virtual std::vector<tables::Series> series() const = 0;
   [[nodiscard]] virtual std::vector<Violation> violations() const { return {}; }
@@ -163,6 +172,8 @@ class JobOf : public Job {
 };
 
 /// Runs all blocks, one after the other.
-void run_all(Job& job);
+inline void run_all(Job& job) {
+  for (std::size_t block = 0; block < job.blocks(); ++block) job.add(job.part_of(block), job.run_block(block));
+}
 
 }  // namespace bezierbench::run

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/run/merge.hpp"
-
+// Joins the bundles of shards.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
-#include <memory>
 #include <optional>
 #include <system_error>
 #include <tuple>
@@ -14,18 +11,15 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
-#include "experiments/bundle/check/schema.hpp"
 #include "experiments/bundle/check/table_schema.hpp"
 #include "experiments/bundle/check/verify.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
-#include "experiments/bundle/lock_file.hpp"
-#include "experiments/bundle/machine.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/run/expected.hpp"
-#include "experiments/run/merge_target.hpp"
 #include "experiments/run/notes.hpp"
 #include "experiments/run/plan.hpp"
+#include "experiments/run/run.hpp"
+#include "experiments/run/run_folder.hpp"
 
 namespace bezierbench::run {
 namespace {
@@ -38,52 +32,25 @@ namespace fs = std::filesystem;
 
 /// One of the bundles, locked while it is read.
 struct Source {
-  explicit Source(const fs::path& folder) : path(folder), directory(bundle::BundleDirectory::open(folder)) {
-    if (bundle::is_inner_folder(directory.blocks())) lock = lock_of_run(directory);
-    manifest = directory.manifest();
-    (void)directory.read_listed(suite_name);
-    machine_text = directory.read(machine_name);
-    machine = bundle::machine_fingerprint(machine_text);
-    found = find_blocks(directory.blocks());
+  explicit Source(const fs::path& path) : folder(path) {
+    if (!folder.is_begun())
+      throw Failure(Exit::input_output,
+                    fmt::format("{}: is not a bundle; give a folder that bezierbench run wrote", path.string()));
+    if (folder.has_blocks()) folder.lock_for_merge();
+    machine_text = folder.directory().read_listed(machine_name);
+    folder.read_blocks();
   }
+  [[nodiscard]] const fs::path& path() const { return folder.path(); }
+  [[nodiscard]] const Found& found() const { return folder.found(); }
 
-  fs::path path;
-  bundle::BundleDirectory directory;
-  std::unique_ptr<bundle::LockFile> lock;
-  bundle::Manifest manifest;
+  RunFolder folder;
   std::string machine_text;
-  std::string machine;  ///< fingerprint
-  Found found;
 };
-
-void require_same(const Source& source, const Plan& plan, const RunRequest& request) {
-  if (const auto why = difference(source.manifest, plan.manifest))
-    refuse(source.path, fmt::format("holds results of {}; merge what one program made of one suite", *why));
-  for (const auto& [name, ours] : lists_of(request))
-    if (source.directory.read_listed(name) != ours)
-      refuse(source.path, fmt::format("lists other {} than this program has; merge with the program that made it",
-                                      fs::path(name).stem().string()));
-  require_same(source.found, plan, Exit::finding);
-}
-
-/// The machine.json that SHA256SUMS lists. A merge into one of the bundles may have been killed after it had put
-/// another bundle's machine.json there; then that one counts.
-void refuse_damaged_machines(const std::vector<Source>& sources) {
-  const auto listed = [](const Source& one) { return one.directory.read_if_listed(machine_name).has_value(); };
-  for (const auto& source : sources)
-    if (!listed(source) && std::ranges::none_of(sources, [&](const Source& other) {
-          return other.machine_text == source.machine_text && listed(other);
-        }))
-      (void)source.directory.read_listed(machine_name);  // says why
-  for (const auto& source : sources)
-    if (const auto why = bundle::machine_fault(source.machine_text))
-      refuse(source.path / machine_name, fmt::format("{}; restore it", *why));
-}
 
 /// Times of a machine other than the bundle's last do not count, because that machine was to take them again.
 void drop_stale_times(Source& source, const Jobs& jobs) {
-  for (auto& [path, file] : source.found.readable)
-    if (file.machine != source.machine)
+  for (auto& [path, file] : source.folder.found().readable)
+    if (file.machine != source.folder.machine())
       std::erase_if(file.records, [&](const auto& one) { return one.job < jobs.size() && jobs[one.job]->exclusive(); });
 }
 
@@ -93,12 +60,12 @@ void refuse_overlaps(const std::vector<Source>& sources, const Plan& plan) {
   std::vector<BlockSet> seen(jobs);
   for (std::size_t k = 0; k < sources.size(); ++k) {
     std::vector<BlockSet> here(jobs);
-    for (const auto& [path, file] : sources[k].found.readable)
+    for (const auto& [path, file] : sources[k].found().readable)
       for (const auto& record : file.records)
         if (record.job < jobs) here[record.job].insert(BlockSet(record.blocks));
     for (std::size_t job = 0; job < jobs; ++job) {
       if (seen[job].overlaps(here[job]))
-        refuse(sources[k].path,
+        refuse(sources[k].path(),
                fmt::format("holds blocks of study \"{}\" that another of the bundles has as well; name "
                            "every shard once",
                            plan.job_names[job]));
@@ -128,7 +95,7 @@ void refuse_gaps(const Checkpoints& checkpoints, const Plan& plan, const RunRequ
 const Source& with_machine(const std::vector<Source>& sources, const Jobs& jobs) {
   const auto first_block = [&](const Source& source) {
     std::tuple<bool, std::uint64_t, std::uint64_t> least{true, jobs.size(), 0};
-    for (const auto& [path, file] : source.found.readable)
+    for (const auto& [path, file] : source.found().readable)
       for (const auto& record : file.records)
         if (record.job < jobs.size() && !record.blocks.empty())
           least = std::min(least, {!jobs[record.job]->exclusive(), record.job, record.blocks.front().first});
@@ -137,36 +104,28 @@ const Source& with_machine(const std::vector<Source>& sources, const Jobs& jobs)
   const Source* times = nullptr;
   for (const auto& source : sources) {
     if (std::get<0>(first_block(source))) continue;
-    if (times != nullptr && times->machine != source.machine)
-      refuse(source.path, fmt::format("holds times of another machine than {}; times of one run are of one machine",
-                                      times->path.string()));
+    if (times != nullptr && times->folder.machine() != source.folder.machine())
+      refuse(source.path(), fmt::format("holds times of another machine than {}; times of one run are of one machine",
+                                        times->path().string()));
     times = &source;
   }
   return *std::ranges::min_element(sources, {}, first_block);
 }
 
-/// A table that cannot be read is not what was written.
-bool has_its_digest(const Source& source) {
-  try {
-    return bundle::accuracy_digest(source.path) == source.manifest.accuracy_digest;
-  } catch (const Failure&) {
-    return false;
-  }
-}
-
 /// The files of a complete bundle, as they were written.
-Files files_of(const Source& source) {
-  if (!has_its_digest(source))
-    refuse(source.path, "is complete, but its accuracy digest is that of other files; see bezierbench verify");
-  bundle::CheckedReader reader(source.path, bundle::Damage::refused);
-  Files files;
-  for (const auto& [name, digest] : bundle::parse_sums(source.directory.read(bundle::sums_name)).digests) {
+WholeBundle copy_of(const Source& source) {
+  bundle::CheckedReader reader(source.path(), bundle::Damage::refused);
+  const std::string digests = reader.read(bundle::digests_name);
+  if (bundle::sha256_hex(digests) != source.folder.manifest().accuracy_digest)
+    refuse(source.path(), "is complete, but its accuracy digest is that of other files; see bezierbench verify");
+  WholeBundle whole{.files = {}, .digests = bundle::parse_digests(bundle::parse_csv(digests, bundle::digests_name))};
+  for (const auto& [name, digest] : bundle::parse_sums(source.folder.directory().read(bundle::sums_name)).digests) {
     if (name == bundle::manifest_name || name == bundle::digests_name) continue;  // which finish() writes
     if (name != suite_name && name != machine_name && !bundle::is_table_name(name))
-      refuse(source.path / name, "is listed in SHA256SUMS, but no file of a bundle; see bezierbench verify");
-    files.emplace_back(name, reader.read(name));
+      refuse(source.path() / name, "is listed in SHA256SUMS, but no file of a bundle; see bezierbench verify");
+    whole.files.emplace_back(name, reader.read(name));
   }
-  return files;
+  return whole;
 }
 
 /// The complete bundle among them, null where there is none: one shard may have all blocks of a run with few studies.
@@ -174,43 +133,42 @@ Files files_of(const Source& source) {
 const Source* the_complete_one(const std::vector<Source>& sources) {
   const Source* whole = nullptr;
   for (const auto& source : sources)
-    if (source.manifest.state == bundle::complete) {
+    if (source.folder.is_complete()) {
       if (whole != nullptr)
-        refuse(source.path,
-               fmt::format("is complete already, and so is {}; name every shard once", whole->path.string()));
+        refuse(source.path(),
+               fmt::format("is complete already, and so is {}; name every shard once", whole->path().string()));
       whole = &source;
     }
   if (whole == nullptr) return nullptr;
-  if (sources.size() == 1) refuse(whole->path, "is complete already; there is nothing to join it with");
+  if (sources.size() == 1) refuse(whole->path(), "is complete already; there is nothing to join it with");
   for (const auto& source : sources)
-    if (&source != whole && !(source.found.readable.empty() && source.found.damaged.empty()))
-      refuse(source.path, fmt::format("holds blocks that {} has as well, which is complete already; name every shard "
-                                      "once",
-                                      whole->path.string()));
+    if (&source != whole && !source.found().empty())
+      refuse(source.path(), fmt::format("holds blocks that {} has as well, which is complete already; name every shard "
+                                        "once",
+                                        whole->path().string()));
   return whole;
 }
 
 /// The bundle of all blocks.
 struct Joined {
-  Files files;  ///< the tables and the rest
+  WholeBundle whole;
   Outcome outcome;
 };
 
 Joined joined(std::vector<Source>& sources, const Plan& plan, const RunRequest& request) {
-  refuse_damaged_machines(sources);
   for (auto& source : sources) drop_stale_times(source, plan.jobs);
   refuse_overlaps(sources, plan);
   const Source& machine = with_machine(sources, plan.jobs);
-  Checkpoints checkpoints(plan.jobs, {{}, "", plan.manifest, plan.reference, machine.machine});
+  Checkpoints checkpoints(plan.jobs, {{}, "", plan.manifest, plan.reference, machine.folder.machine()});
   for (const auto& source : sources)
-    for (const auto& line : checkpoints.load(source.found, Checkpoints::Whose::all)) note(line);
+    for (const auto& line : checkpoints.load(source.found(), Checkpoints::Whose::all)) note(line);
   refuse_gaps(checkpoints, plan, request);
-  Joined bundle{.files = {{suite_name, plan.suite_text}, {machine_name, machine.machine_text}}, .outcome = {}};
-  for (auto& list : lists_of(request)) bundle.files.push_back(std::move(list));
-  const tables::Tables tables = written_tables(request, plan);
-  for (const auto& [file, table] : tables.all()) bundle.files.emplace_back(file, table.text());
-  bundle.outcome = outcome_of(plan.jobs, tables);
-  return bundle;
+  const tables::Tables tables = filled_tables(request, plan);
+  auto whole = written(tables);
+  auto description = lists_of(request);
+  description.insert(description.begin(), {{suite_name, plan.suite_text}, {machine_name, machine.machine_text}});
+  whole.files.insert(whole.files.begin(), description.begin(), description.end());
+  return {std::move(whole), outcome_of(plan.jobs, tables)};
 }
 
 std::vector<Source> opened(const std::vector<fs::path>& bundles) {
@@ -218,10 +176,27 @@ std::vector<Source> opened(const std::vector<fs::path>& bundles) {
   for (const auto& path : bundles) {
     std::error_code ignored;
     for (const auto& other : sources)
-      if (fs::equivalent(other.path, path, ignored)) refuse(path, "named twice; name every shard once");
+      if (fs::equivalent(other.path(), path, ignored)) refuse(path, "named twice; name every shard once");
     sources.emplace_back(path);
   }
   return sources;
+}
+
+/// Writes the bundle to the folder `to`, which is not one of those that are merged.
+void put(const RunRequest& request, const Plan& plan, const WholeBundle& whole, RunFolder& to) {
+  to.require_same(request, plan, run_refusal);
+  if (to.is_complete() && !to.has_blocks()) return to.require_equal(whole);
+  to.lock_for_merge();
+  to.look();  // again, since a run may have written meanwhile
+  to.require_same(request, plan, run_refusal);
+  if (to.is_complete()) {
+    to.require_equal(whole);
+    return to.directory().clear_away();
+  }
+  to.read_blocks();
+  if (!to.found().empty())
+    refuse(to.path(), "holds blocks of its own; name it among the bundles, or choose another --out");
+  to.complete(plan, whole);
 }
 
 }  // namespace
@@ -230,24 +205,30 @@ Outcome merge(RunRequest request, const std::vector<fs::path>& bundles) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   auto sources = opened(bundles);
-  const auto with_blocks = std::ranges::find_if(sources, [](const Source& one) { return !one.found.readable.empty(); });
+  const auto with_blocks =
+      std::ranges::find_if(sources, [](const Source& one) { return !one.found().readable.empty(); });
   if (with_blocks != sources.end() &&
-      with_blocks->found.readable.front().file.reference == name(reference::Tier::exact))
+      with_blocks->found().readable.front().file.reference == name(reference::Tier::exact))
     request.tier = reference::Tier::exact;
   const Plan plan(request);
-  for (const auto& source : sources) require_same(source, plan, request);
-  const Source* whole = the_complete_one(sources);
-  auto [files, outcome] = whole != nullptr ? Joined{files_of(*whole), {}} : joined(sources, plan, request);
+  for (const auto& source : sources) source.folder.require_same(request, plan, merge_refusal);
+  const Source* complete = the_complete_one(sources);
+  auto [whole, outcome] = complete != nullptr ? Joined{copy_of(*complete), {}} : joined(sources, plan, request);
 
   std::error_code ignored;
   const auto target = std::ranges::find_if(
-      sources, [&](const Source& source) { return fs::equivalent(source.path, request.out, ignored); });
-  const bool is_source = target != sources.end();
-  put_whole(request, plan, files, is_source, is_source && target->lock != nullptr);
-  if (whole != nullptr) {
-    outcome.findings = bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request); });
+      sources, [&](const Source& source) { return fs::equivalent(source.path(), request.out, ignored); });
+  if (target == sources.end()) {
+    RunFolder folder(request.out);
+    put(request, plan, whole, folder);
+  } else if (&*target != complete) {
+    target->folder.complete(plan, whole);
+  }
+  if (complete != nullptr) {
+    outcome.findings =
+        bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request, plan); });
     if (request.telling == Telling::text)
-      note(fmt::format("{}: {} was the whole bundle already", request.out.string(), whole->path.string()));
+      note(fmt::format("{}: {} was the whole bundle already", request.out.string(), complete->path().string()));
   }
   outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return outcome;

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "experiments/echo.hpp"
-#include "experiments/run/progress_text.hpp"
+#include "experiments/run/progress.hpp"
 #include "experiments/terminal.hpp"
 
 namespace bezierbench::run {

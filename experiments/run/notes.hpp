@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program says on standard error while and after it works. Errors of writing are ignored.
+// The messages of the program on standard error while and after it works. Errors of writing are ignored.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace bezierbench::run {
 
-/// What is said of a run's progress: nothing, lines for people, or objects of JSON for programs, one per line.
+/// How a run reports its progress: not at all, in lines for people, or as objects of JSON for programs, one per line.
 enum class Telling { nothing, text, json };
 
 /// From now on note() writes JSON, so that everything on standard error is.

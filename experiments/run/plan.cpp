@@ -8,12 +8,10 @@
 #include <map>
 #include <utility>
 
-#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/check/coverage.hpp"
 #include "experiments/bundle/check/few_lines.hpp"
-#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/outside.hpp"
@@ -21,6 +19,7 @@
 #include "experiments/suite/text/writer.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/tables/scorecard.hpp"
+#include "experiments/tables/table_row.hpp"
 #include "experiments/tables/timed_checks.hpp"
 
 namespace bezierbench::run {
@@ -107,43 +106,54 @@ void find_unchecked_times(const tables::Tables& tables, Outcome& outcome) {
   for (const auto& [file, table] : tables.all()) {
     if (bundle::declared_table(file)->column("checked") == nullptr) continue;
     bundle::FewLines lines(file);
-    const auto document = bundle::parse_csv(table.text(), file);
-    for (std::size_t row = 0; row < document.row_count(); ++row)
-      if (document.at(row, "checked") == "no" && suite::is_outside(document.at(row, "method")))
-        lines.add(
-            fmt::format("what was timed did not give what was judged: study {}, method {}, degree {}, mode {}; "
-                        "see {}:{}",
-                        document.at(row, "study"), document.at(row, "method"), document.at(row, "degree"),
-                        document.at(row, "mode"), file, document.line(row)));
-    for (auto& line : lines.take()) outcome.findings.push_back(std::move(line));
+    std::size_t line = 1;
+    for (const auto& row : tables::rows_of(table)) {
+      ++line;
+      if (row.text("checked") == "no" && suite::is_outside(row.text("method")))
+        lines.add(fmt::format(
+            "what was timed did not give what was judged: study {}, method {}, degree {}, mode {}; see "
+            "{}:{}",
+            row.text("study"), row.text("method"), text(row.field("degree")), row.text("mode"), file, line));
+    }
+    for (auto& found : lines.take()) outcome.findings.push_back(std::move(found));
   }
 }
 
 void count_times(const tables::Tables& tables, Outcome& outcome) {
-  const auto timing = tables.all().find("timing.csv");
-  if (timing == tables.all().end()) return;
-  const auto document = bundle::parse_csv(timing->second.text(), timing->first);
-  outcome.times = document.row_count();
-  for (std::size_t row = 0; row < outcome.times; ++row)
-    if (document.at(row, "quality") == "noisy") ++outcome.noisy;
+  const auto* timing = tables.find("timing.csv");
+  if (timing == nullptr) return;
+  outcome.times = timing->row_count();
+  outcome.noisy = static_cast<std::size_t>(std::ranges::count(
+      timing->rows(), tables::field("noisy"), [](const tables::Row& row) { return row.field("quality"); }));
 }
 
 }  // namespace
 
-Plan::Plan(const RunRequest& request)
+Plan::Plan(const RunRequest& request, Unplannable unplannable)
     : suite_text(suite::to_toml(request.suites) + suite::to_toml(request.outside)),
       manifest(manifest_of(request, suite_text)),
       reference(reference::name(request.tier)) {
-  for (const auto& one : request.suites)
-    for (const auto& study : one.studies)
-      if (auto own = with_own_methods(study); own) studies.push_back({std::move(*own), {one.seed, request.tier}});
-  for (const auto& [study, context] : studies) {
-    jobs.push_back(request.kinds.make_job(study, context));
+  const auto or_left_out = [unplannable](const auto& plan) {
+    try {
+      plan();
+    } catch (const Failure&) {
+      if (unplannable == Unplannable::refused) throw;
+    }
+  };
+  const auto each_study = [&](const auto& plan) {
+    for (const auto& one : request.suites)
+      for (const auto& study : one.studies) or_left_out([&] { plan(study, JobContext{one.seed, request.tier}); });
+  };
+  each_study([&](const suite::Study& study, const JobContext& context) {
+    auto own = with_own_methods(study);
+    if (!own) return;
+    jobs.push_back(request.kinds.make_job(*own, context));
     job_names.push_back(study.id);
-  }
+    studies.push_back({std::move(*own), context});
+  });
   // Last, so that no row of another method is elsewhere than without them.
-  for (const auto& one : request.suites)
-    for (const auto& study : one.studies) add_outside_jobs(request, study, {one.seed, request.tier}, *this);
+  each_study(
+      [&](const suite::Study& study, const JobContext& context) { add_outside_jobs(request, study, context, *this); });
 }
 
 void tell_unasked(const RunRequest& request, const Plan& plan) {
@@ -189,47 +199,8 @@ std::optional<std::string> difference(const bundle::Manifest& theirs, const bund
   return std::nullopt;
 }
 
-std::optional<bundle::Manifest> existing(const RunRequest& request, const Plan& plan) {
-  const auto path = request.out / bundle::manifest_name;
-  std::error_code ignored;  // if the folder cannot be read, making it fails with the reason
-  if (!std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) return std::nullopt;
-  const auto theirs = bundle::parse_manifest(bundle::read_bundle_file(path), path.string());
-  if (const auto why = difference(theirs, plan.manifest))
-    throw Failure(Exit::usage, fmt::format("{}: holds results of {}; choose another --out or move it away",
-                                           request.out.string(), *why));
-  return theirs;
-}
-
 std::vector<std::pair<std::string, std::string>> lists_of(const RunRequest& request) {
-  return {{"methods.csv", request.methods_csv}, {"generators.csv", request.generators_csv}};
-}
-
-void refuse_foreign(const RunRequest& request, const std::function<bool(const std::string&)>& is_table) {
-  std::vector<std::string> own{std::string(bundle::manifest_name),
-                               std::string(bundle::sums_name),
-                               std::string(bundle::blocks_name),
-                               bundle::digests_name,
-                               suite_name,
-                               machine_name};
-  for (const auto& list : lists_of(request)) own.push_back(list.first);
-  const auto found = bundle::list_folder(request.out);
-  for (const auto* names : {&found.files, &found.others})
-    for (const auto& name : *names)
-      if (!name.starts_with('.') && std::ranges::find(own, name) == own.end() && !is_table(name))
-        throw Failure(Exit::input_output,
-                      fmt::format("{}: is nothing that this run writes; move it away, or choose another --out",
-                                  (request.out / name).string()));
-}
-
-void require_same(const Found& found, const Plan& ours, Exit exit) {
-  for (const auto& [path, file] : found.readable) {
-    auto why = difference(file.manifest, ours.manifest);
-    if (!why && file.reference != ours.reference)
-      why = fmt::format("reference {}, this run has {}", file.reference, ours.reference);
-    if (why)
-      throw Failure(
-          exit, fmt::format("{}: holds blocks of {}; remove the file or choose another --out", path.string(), *why));
-  }
+  return {{std::string(bundle::methods_name), request.methods_csv}, {generators_name, request.generators_csv}};
 }
 
 std::size_t cells_of(const Jobs& jobs) {
@@ -249,7 +220,7 @@ Outcome outcome_of(const Jobs& jobs, const tables::Tables& tables) {
   return outcome;
 }
 
-tables::Tables written_tables(const RunRequest& request, const Plan& plan) {
+tables::Tables filled_tables(const RunRequest& request, const Plan& plan) {
   tables::Tables tables;
   std::vector<tables::Series> series;
   for (const auto& job : plan.jobs) {
@@ -262,13 +233,40 @@ tables::Tables written_tables(const RunRequest& request, const Plan& plan) {
   return tables;
 }
 
-void assemble(const RunRequest& request, const tables::Tables& tables, const Plan& plan,
-              const bundle::BundleDirectory& directory) {
-  refuse_foreign(request, [&](const std::string& name) { return tables.all().contains(name); });
-  for (const auto& [file, table] : tables.all()) directory.write(file, table.text());
-  bundle::Manifest manifest = plan.manifest;
-  manifest.state = bundle::complete;
-  directory.finish(manifest);
+bundle::Expected expected_of(const RunRequest& request, const Plan& plan) {
+  bundle::Expected expected;
+  expected.seed = request.suites.front().seed;
+  for (const auto& suite : request.suites) expected.suites.push_back(suite.id);
+  for (const auto& study : studies_of(request)) expected.studies.push_back(study.id);
+  for (std::size_t k = 0; k < plan.studies.size(); ++k)
+    if (plan.jobs[k]->extent().rows > 0)
+      for (auto& names : request.kinds.tables_of(plan.studies[k].study))
+        expected.tables.push_back({plan.studies[k].study.id, std::move(names)});
+  tables::Tables tables;
+  for (const auto& job : plan.jobs) job->list_rows(tables);
+  for (const auto& [file, table] : tables.all()) expected.plan.rows.emplace(file, table.document());
+  expected.plan.methods_csv = request.methods_csv;
+  expected.plan.git_commit = request.git_commit;
+  for (const auto& method : request.outside) expected.plan.outside.insert(method.id);
+  return expected;
+}
+
+bundle::Expected expected_of(const RunRequest& request) {
+  const auto methods = bundle::parse_csv(request.methods_csv, bundle::methods_name);
+  const auto is_absent = [&](const std::string& entry) {
+    if (!suite::is_peer(entry)) return false;
+    for (std::size_t row = 0; row < methods.row_count(); ++row)
+      if (suite::means(entry, methods.at(row, "id"))) return false;
+    return true;
+  };
+  RunRequest possible = request;
+  for (auto& suite : possible.suites)
+    std::erase_if(suite.studies, [&](suite::Study& study) {
+      const bool names_some = !study.methods.empty();
+      std::erase_if(study.methods, is_absent);
+      return names_some && study.methods.empty();
+    });
+  return expected_of(request, Plan(possible, Plan::Unplannable::left_out));
 }
 
 }  // namespace bezierbench::run

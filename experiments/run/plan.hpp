@@ -2,14 +2,13 @@
 // A run before it starts: its jobs, and the manifest that identifies it.
 #pragma once
 
-#include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/check/verify.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/blocks/checkpoints.hpp"
 #include "experiments/run/run.hpp"
@@ -22,7 +21,7 @@ struct PlannedStudy {
   JobContext context;
 };
 
-/// A method from outside that a study does not ask.
+/// A method from outside that a study does not evaluate.
 struct Unasked {
   std::string method;
   std::string study;
@@ -30,7 +29,10 @@ struct Unasked {
 };
 
 struct Plan {
-  explicit Plan(const RunRequest& request);
+  /// What becomes of a study that this build cannot plan: its Failure is thrown, or the study is left out.
+  enum class Unplannable { refused, left_out };
+
+  explicit Plan(const RunRequest& request, Unplannable unplannable = Unplannable::refused);
 
   Jobs jobs;                           ///< those of `studies` in their order, then those for methods from outside
   std::vector<std::string> job_names;  ///< of the study of a job; of that and the method for one from outside
@@ -41,40 +43,34 @@ struct Plan {
   std::string reference;      ///< the tier
 };
 
-/// Tells the user which studies ask nothing of which method from outside. Throws Failure(usage) where no study asks a
-/// method.
+/// Tells the user which studies do not evaluate which method from outside. Throws Failure(usage) for a method that no
+/// study evaluates.
 void tell_unasked(const RunRequest& request, const Plan& plan);
 
 /// The first difference between two manifests whose results must not be mixed, for example "seed 1, this run has 2".
 /// Empty where there is none.
 std::optional<std::string> difference(const bundle::Manifest& theirs, const bundle::Manifest& ours);
 
-/// The manifest of a bundle that is in `request.out` already. Throws Failure(usage) where it belongs to another run.
-std::optional<bundle::Manifest> existing(const RunRequest& request, const Plan& plan);
-
 inline constexpr const char* suite_name = "suite.toml";
 inline constexpr const char* machine_name = "machine.json";
+inline constexpr const char* generators_name = "generators.csv";
 
 /// The program's lists that are part of a bundle and explain the ids in its tables, by file name.
 std::vector<std::pair<std::string, std::string>> lists_of(const RunRequest& request);
 
-/// Refuses a folder with files that no run writes: they would get into the list of files and, under the name of a
-/// table, into the digest. Hidden files are ignored. Throws Failure(input_output).
-void refuse_foreign(const RunRequest& request, const std::function<bool(const std::string&)>& is_table);
-
-/// Refuses files of blocks that belong to another run: Failure(exit).
-void require_same(const Found& found, const Plan& ours, Exit exit);
-
 /// The tables of jobs whose blocks are all done.
-tables::Tables written_tables(const RunRequest& request, const Plan& plan);
+tables::Tables filled_tables(const RunRequest& request, const Plan& plan);
 
 std::size_t cells_of(const Jobs& jobs);
 
-/// What a complete bundle has to say, without the seconds: the jobs are done, the tables are theirs.
+/// The outcome of a complete bundle, without the seconds: the jobs are done, the tables are theirs.
 Outcome outcome_of(const Jobs& jobs, const tables::Tables& tables);
 
-/// Writes the tables, and completes the bundle.
-void assemble(const RunRequest& request, const tables::Tables& tables, const Plan& plan,
-              const bundle::BundleDirectory& directory);
+/// The contents that `verify` expects in a bundle of the request, by the jobs of its plan.
+[[nodiscard]] bundle::Expected expected_of(const RunRequest& request, const Plan& plan);
+
+/// The same for a bundle of another build: without methods of other libraries that this build does not have. Of a study that it
+/// cannot plan without them no table is expected.
+[[nodiscard]] bundle::Expected expected_of(const RunRequest& request);
 
 }  // namespace bezierbench::run

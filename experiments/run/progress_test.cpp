@@ -5,8 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/run/progress_text.hpp"
-
 namespace bezierbench::run {
 namespace {
 
@@ -32,7 +30,7 @@ TEST(ProgressState, TimeLeftFollowsTheTimeThatWasTaken) {
   EXPECT_DOUBLE_EQ(state.view().elapsed, 4);
 }
 
-// Timings have one thread, the others all: what one phase took says nothing about the other.
+// Timings have one thread, the others all: what one phase took does not determine the other.
 TEST(ProgressState, TimingsHaveAPaceOfTheirOwn) {
   constexpr double claimed = 1e9;  // the cost of what is to take a second
   ProgressState state({{"a", 2, 8 * claimed, false}, {"t", 2, 10 * claimed, true}});

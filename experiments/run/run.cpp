@@ -7,22 +7,17 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <system_error>
 #include <vector>
 
-#include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/check/verify.hpp"
-#include "experiments/bundle/folder.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/run/blocks/block_order.hpp"
 #include "experiments/run/blocks/parallel_ranges.hpp"
-#include "experiments/run/expected.hpp"
+#include "experiments/run/blocks/share.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/run/notes.hpp"
 #include "experiments/run/plan.hpp"
 #include "experiments/run/progress.hpp"
-#include "experiments/run/progress_text.hpp"
 #include "experiments/run/run_folder.hpp"
 
 namespace bezierbench::run {
@@ -32,104 +27,44 @@ std::string name_of(const std::optional<Shard>& shard) {
   return shard ? fmt::format("shard {}/{}", shard->number, shard->count) : "run";
 }
 
-/// The work of this process.
-class Share {
- public:
-  Share(const Jobs& jobs, const Checkpoints& checkpoints, const Shard& shard) : jobs_(jobs), checkpoints_(checkpoints) {
-    for (std::size_t job = 0; job < jobs.size(); ++job) blocks_.push_back(dealt(*jobs[job], job, shard));
-  }
-
-  [[nodiscard]] BlockSet::Run blocks(std::size_t job) const { return blocks_[job]; }
-  [[nodiscard]] const std::vector<BlockSet::Run>& blocks() const { return blocks_; }
-  [[nodiscard]] std::uint64_t count() const {
-    std::uint64_t sum = 0;
-    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += count(job);
-    return sum;
-  }
-  [[nodiscard]] std::uint64_t count(std::size_t job) const { return blocks(job).second - blocks(job).first; }
-  [[nodiscard]] std::uint64_t count_done() const {
-    std::uint64_t sum = 0;
-    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += count_done(job);
-    return sum;
-  }
-  [[nodiscard]] std::uint64_t count_done(std::size_t job) const {
-    return checkpoints_.done(job).within(blocks(job)).size();
-  }
-  [[nodiscard]] double cost_left(std::size_t number) const {
-    const Job& job = *jobs_[number];
-    const auto each = job.blocks_per_part();
-    const auto [first, end] = blocks(number);
-    double sum = 0;
-    for (std::uint64_t at = first; at < end;) {
-      const auto part = job.part_of(at);
-      const BlockSet::Run run{at, std::min<std::uint64_t>(end, (part + 1) * each)};
-      sum +=
-          job.cost(part) * static_cast<double>(run.second - run.first - checkpoints_.done(number).within(run).size());
-      at = run.second;
-    }
-    return sum;
-  }
-
- private:
-  const Jobs& jobs_;
-  const Checkpoints& checkpoints_;
-  std::vector<BlockSet::Run> blocks_;  ///< per job
-};
-
-/// What the rest of a run takes, to an order of magnitude.
-struct Needs {
-  double seconds = 0;  ///< of processor time
-  double disk = 0;     ///< bytes
-  double memory = 0;   ///< bytes
-};
-
-/// A row of CSV has some 300 bytes. A result has the histograms of a row, and a number or two of each replicate; it is
-/// held in memory, and in files of blocks.
-Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, const Extent& extent) {
-  constexpr double nanosecond = 1e-9;
-  constexpr double bytes_per_row = 300;
-  constexpr double bytes_per_result = 20e3;
-  constexpr double bytes_per_replicate = 16;
-  constexpr double bytes_of_program = 30e6;
-  Needs needs{.disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
-                      bytes_per_row * static_cast<double>(extent.rows),
-              .memory = bytes_of_program};
-  for (std::size_t job = 0; job < plan.studies.size(); ++job) {  // what methods from outside take is not known
-    const Job& planned = *plan.jobs[job];
-    if (!planned.is_estimable()) continue;
-    needs.seconds += nanosecond * share.cost_left(job);
-    const double result =
-        static_cast<double>(planned.extent().rows) *
-        (bytes_per_result + bytes_per_replicate * static_cast<double>(plan.studies[job].study.replicates));
-    needs.disk += result;
-    needs.memory += result;
-  }
-  return needs;
+Checkpoints::Owner owner_of(const RunRequest& request, const Plan& plan, const RunFolder& folder) {
+  return {folder.blocks(), writer_of(request.shard), plan.manifest,
+          plan.reference,  folder.machine(),         request.checkpoint};
 }
 
-void describe(const RunRequest& request, const Plan& plan, bool already_complete) {
-  Extent extent;
-  for (const auto& job : plan.jobs) extent += job->extent();
-  Checkpoints checkpoints(plan.jobs, {request.out / "blocks", "", plan.manifest, plan.reference, machine_of(request)});
-  const Found found = find_blocks(request.out / "blocks");
-  require_same(found, plan, Exit::usage);
-  for (const auto& line : checkpoints.load(found, Checkpoints::Whose::all)) note(line);
+/// Prints the size of the run and, to an order of magnitude, what the rest of it takes.
+void describe(const RunRequest& request, const Plan& plan, RunFolder& folder) {
+  constexpr double megabytes_of_program = 30;
+  constexpr double megabytes_of_result = 20e-3;  // of a row: its histograms, in memory and in files of blocks
+
+  folder.read_blocks();
+  folder.require_same(request, plan, run_refusal);
+  Checkpoints checkpoints(plan.jobs, owner_of(request, plan, folder));
+  for (const auto& line : checkpoints.load(folder.found(), Checkpoints::Whose::all)) note(line);
   const Share share(plan.jobs, checkpoints, request.shard.value_or(Shard()));
+  Extent extent;
+  double nanoseconds = 0;
+  double megabytes = 0;
   std::string left_out;
-  for (std::size_t job = 0; job < plan.jobs.size(); ++job)
-    if (!already_complete && !plan.jobs[job]->is_estimable())
+  for (std::size_t job = 0; job < plan.jobs.size(); ++job) {
+    const auto one = plan.jobs[job]->extent();
+    extent += one;
+    if (folder.is_complete()) continue;
+    megabytes += megabytes_of_result * static_cast<double>(one.rows);
+    if (plan.jobs[job]->is_estimable())
+      nanoseconds += share.cost_left(job);
+    else
       left_out += fmt::format("no estimate  for {}: how long it searches depends on what it finds\n",
                               printable(plan.job_names[job]));
-  const Needs needs = already_complete ? Needs{} : needs_of(request, plan, share, extent);
-  constexpr double megabyte = 1e6;
+  }
   fmt::print("studies      {}\ncells        {}\nevaluations  {}\n", plan.studies.size(), extent.cells,
              extent.evaluations);
   fmt::print("blocks       {}{}, {} of them done\n", share.count(),
              request.shard ? fmt::format(" of {}", name_of(request.shard)) : "",
-             already_complete ? share.count() : share.count_done());
+             folder.is_complete() ? share.count() : share.count_done());
   fmt::print("estimated    {:.1f} s on one thread, {:.2f} MB of disk, {:.0f} MB of memory\n{}out          {}{}\n",
-             needs.seconds, needs.disk / megabyte, needs.memory / megabyte, left_out, printable(request.out.string()),
-             already_complete ? " (already complete)" : "");
+             nanoseconds / 1e9, megabytes, megabytes_of_program + megabytes, left_out, printable(request.out.string()),
+             folder.is_complete() ? " (already complete)" : "");
 }
 
 /// Checks before the first block, not after hours, whether the machine is fit for timings.
@@ -187,13 +122,14 @@ double work(const RunRequest& request, const Plan& plan, Checkpoints& checkpoint
 }
 
 /// Completes the bundle when the blocks of this process are done, unless blocks of other shards are missing.
-Outcome complete(const RunRequest& request, const Plan& plan, RunFolder& place, Checkpoints& checkpoints) {
-  const auto lock = place.lock_bundle();
+Outcome complete(const RunRequest& request, const Plan& plan, RunFolder& folder, Checkpoints& checkpoints) {
+  const auto alone = folder.lock_bundle();
   if (request.shard) {
-    if (place.directory().manifest().state == bundle::complete) return {};  // another shard did it
-    const Found found = find_blocks(place.directory().blocks());
-    require_same(found, plan, Exit::usage);
-    for (const auto& line : checkpoints.load(found, Checkpoints::Whose::all)) note(line);
+    folder.look();
+    if (folder.is_complete()) return {};  // another shard did it
+    folder.read_blocks();
+    folder.require_same(request, plan, run_refusal);
+    for (const auto& line : checkpoints.load(folder.found(), Checkpoints::Whose::all)) note(line);
   }
   if (!checkpoints.all_settled()) {
     if (request.telling == Telling::text)
@@ -202,9 +138,22 @@ Outcome complete(const RunRequest& request, const Plan& plan, RunFolder& place, 
     outcome.ending = Ending::partial;
     return outcome;
   }
-  const auto tables = written_tables(request, plan);
-  assemble(request, tables, plan, place.directory());
+  const auto tables = filled_tables(request, plan);
+  folder.complete(plan, written(tables));
   return outcome_of(plan.jobs, tables);
+}
+
+/// What `verify` finds in a bundle that was complete before.
+Outcome already_complete(const RunRequest& request, const Plan& plan) {
+  Outcome outcome;
+  outcome.findings = bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request, plan); });
+  if (!outcome.findings.empty())
+    outcome.findings.push_back(
+        request.out.string() +
+        ": complete, but not as it was written; restore it, or remove it and run the command again");
+  else if (request.telling == Telling::text)
+    note(request.out.string() + ": already complete, nothing to do");
+  return outcome;
 }
 
 }  // namespace
@@ -212,30 +161,16 @@ Outcome complete(const RunRequest& request, const Plan& plan, RunFolder& place, 
 Outcome run(const RunRequest& request) {
   const Plan plan(request);
   tell_unasked(request, plan);
-  const auto before = existing(request, plan);
-  const bool is_complete = before && before->state == bundle::complete;
+  RunFolder folder(request.out);
+  folder.require_same(request, plan, run_refusal);
   if (request.dry_run) {
-    describe(request, plan, is_complete);
+    describe(request, plan, folder);
     return {};
   }
-  const auto already_complete = [&] {
-    Outcome outcome;
-    auto& findings = outcome.findings =
-        bundle::verify(request.out, [&](const std::string&, const std::string&) { return expected_of(request); });
-    if (!findings.empty())
-      findings.push_back(request.out.string() +
-                         ": complete, but not as it was written; restore it, or remove it and run the command again");
-    else if (request.telling == Telling::text)
-      note(request.out.string() + ": already complete, nothing to do");
-    return outcome;
-  };
-  if (is_complete && !bundle::is_inner_folder(request.out / bundle::blocks_name)) return already_complete();
-
-  RunFolder place(request, plan);
-  if (!place.begin()) return already_complete();
-  Checkpoints checkpoints(plan.jobs, place.owner());
+  if (!folder.begin(request, plan)) return already_complete(request, plan);
+  Checkpoints checkpoints(plan.jobs, owner_of(request, plan, folder));
   for (const auto& line :
-       checkpoints.load(place.found(), request.shard ? Checkpoints::Whose::own : Checkpoints::Whose::all))
+       checkpoints.load(folder.found(), request.shard ? Checkpoints::Whose::own : Checkpoints::Whose::all))
     note(line);
   const auto ending =
       fmt::format("{}: interrupted before the results were complete; run the same command again", request.out.string());
@@ -249,7 +184,7 @@ Outcome run(const RunRequest& request) {
     checkpoints.checkpoint();
   else
     checkpoints.settle();
-  auto outcome = complete(request, plan, place, checkpoints);
+  auto outcome = complete(request, plan, folder, checkpoints);
   outcome.seconds = seconds;
   return outcome;
 }

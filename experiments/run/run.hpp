@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From resolved suites to a bundle: plan, work in blocks over threads, write.
+// From resolved suites to a bundle: plan, work in blocks over threads, write; and from the bundles of shards to that of the
+// whole run.
 #pragma once
 
 #include <chrono>
@@ -13,7 +14,6 @@
 #include <vector>
 
 #include "experiments/bundle/machine.hpp"
-#include "experiments/run/blocks/shard.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/run/notes.hpp"
 #include "experiments/suite/outside.hpp"
@@ -57,6 +57,12 @@ struct Kinds {
   std::string (*why_unasked)(const suite::Study& study, const suite::OutsideMethod& method) = nullptr;
 };
 
+/// One of several processes that share a run.
+struct Shard {
+  std::uint64_t number = 1;  ///< from 1
+  std::uint64_t count = 1;
+};
+
 struct RunRequest {
   Kinds kinds;                                ///< the roster of studies/
   std::vector<suite::Suite> suites;           ///< resolved: overrides applied
@@ -81,5 +87,12 @@ struct RunRequest {
 /// finished blocks, which are not run again. Throws Failure: interrupted when a signal arrived, usage when `out` holds
 /// another suite, seed or build, input_output when it cannot be written or another process does the same work there.
 Outcome run(const RunRequest& request);
+
+/// Joins partial bundles of the run that `request` describes into `request.out`, which may be one of them. The others
+/// stay as they are. The order does not matter. The ending is `nothing_to_do` where one of them is the whole run's
+/// already, of which `request.out` is then a copy. Throws Failure: finding for bundles of another suite, seed or build,
+/// for blocks that two of them hold or none, and for times of several machines; input_output where one cannot be read
+/// or another process works there.
+Outcome merge(RunRequest request, const std::vector<std::filesystem::path>& bundles);
 
 }  // namespace bezierbench::run

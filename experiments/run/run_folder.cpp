@@ -3,44 +3,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
-#include <cstdio>
-#include <system_error>
+#include <iterator>
 #include <thread>
 
-#include "experiments/bundle/atomic_file.hpp"
-#include "experiments/bundle/check/schema.hpp"
+#include "experiments/bundle/check/coverage.hpp"
 #include "experiments/bundle/check/table_schema.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/machine.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/run/notes.hpp"
 
 namespace bezierbench::run {
 namespace {
 
-std::string machine_now(const RunRequest& request) {
-  return bundle::machine_json(request.build, request.counters, request.host_name);
-}
-
 namespace fs = std::filesystem;
 
 constexpr auto patience = std::chrono::milliseconds(20);
 
-/// Creates blocks/ for locks and blocks. In a complete bundle it exists for a moment only.
-bundle::BundleDirectory with_blocks(const fs::path& out) {
-  auto directory = bundle::BundleDirectory::create(out);
-  std::error_code error;
-  fs::create_directories(directory.blocks(), error);
-  if (error)
-    throw Failure(Exit::input_output, fmt::format("{}: cannot be created: {}; choose another --out",
-                                                  directory.blocks().string(), error.message()));
-  return directory;
-}
-
-std::string writer_of(const std::optional<Shard>& shard) {
-  return shard ? fmt::format("shard-{}-of-{}", shard->number, shard->count) : "whole";
+std::string machine_now(const RunRequest& request) {
+  return bundle::machine_json(request.build, request.counters, request.host_name);
 }
 
 /// Whether a timing is missing among the blocks that this machine ran.
@@ -58,96 +42,162 @@ bool timings_missing(const Jobs& jobs, const Found& found, const std::string& ma
 
 }  // namespace
 
-std::string machine_of(const RunRequest& request) {
-  const auto path = request.out / machine_name;
-  std::error_code ignored;
-  const bool is_there = fs::exists(fs::symlink_status(path, ignored));
-  return bundle::machine_fingerprint(is_there ? bundle::read_bundle_file(path) : machine_now(request));
+std::string writer_of(const std::optional<Shard>& shard) {
+  return shard ? fmt::format("shard-{}-of-{}", shard->number, shard->count) : "whole";
 }
 
-RunFolder::RunFolder(const RunRequest& request, const Plan& plan)
-    : request_(request),
-      plan_(plan),
-      directory_(with_blocks(request.out)),
-      writer_(writer_of(request.shard)),
-      run_lock_(directory_.blocks() / "run.lock"),
-      bundle_lock_(directory_.blocks() / "bundle.lock") {
-  claim(run_lock_, request.shard ? bundle::Sharing::shared : bundle::Sharing::exclusive,
-        request.shard ? "an unsharded run" : "another run");
-  if (request.shard) {
-    shard_lock_.emplace(directory_.blocks() / (writer_ + ".lock"));
-    claim(*shard_lock_, bundle::Sharing::exclusive,
-          fmt::format("the same shard {}/{}", request.shard->number, request.shard->count));
+WholeBundle written(const tables::Tables& tables) {
+  WholeBundle whole;
+  for (const auto& [file, table] : tables.all()) {
+    auto [text, digests] = table.written();
+    whole.files.emplace_back(file, std::move(text));
+    std::ranges::move(digests, std::back_inserter(whole.digests));
   }
-  if (run_lock_.unsupported())
-    note(fmt::format("{}: this file system has no locks; see to it that no other run does the same work here",
-                     request.out.string()));
+  return whole;
 }
 
-void RunFolder::claim(bundle::LockFile& lock, bundle::Sharing sharing, const std::string& holder) {
+void RunFolder::look() {
+  has_blocks_ = bundle::is_inner_folder(blocks());
+  manifest_.reset();
+  if (has_blocks_ || bundle::is_there(path_ / bundle::manifest_name)) directory_ = bundle::BundleDirectory::open(path_);
+  if (bundle::is_there(path_ / bundle::manifest_name)) manifest_ = directory_->manifest();
+  if (is_begun() && directory_->has(machine_name))
+    machine_ = bundle::machine_fingerprint(directory_->read(machine_name));
+}
+
+void RunFolder::require_same(const RunRequest& request, const Plan& plan, const Refusal& refusal) const {
+  const auto refuse = [&](const fs::path& path, const std::string& what) {
+    throw Failure(refusal.exit, fmt::format("{}: {}; {}", path.string(), what, refusal.advice));
+  };
+  if (is_begun())
+    if (const auto why = difference(*manifest_, plan.manifest)) refuse(path_, fmt::format("holds results of {}", *why));
+  if (is_complete()) return;
+  if (is_begun()) {
+    (void)directory_->read_listed(suite_name);
+    for (const auto& [name, ours] : lists_of(request))
+      if (directory_->read_listed(name) != ours)
+        refuse(path_ / name, fmt::format("lists other {} than this program has", fs::path(name).stem().string()));
+  }
+  for (const auto& [path, file] : found_.readable) {
+    auto why = difference(file.manifest, plan.manifest);
+    if (!why && file.reference != plan.reference)
+      why = fmt::format("reference {}, this run has {}", file.reference, plan.reference);
+    if (why) refuse(path, fmt::format("holds blocks of {}", *why));
+  }
+}
+
+void RunFolder::claim(const std::string& name, bundle::Sharing sharing, const std::string& holder) {
+  auto& lock = *locks_.emplace_back(std::make_unique<bundle::LockFile>(blocks() / name));
   if (!lock.try_lock(sharing))
     throw Failure(Exit::input_output, fmt::format("{}: {} is at work there, on this machine or another; wait for it, "
                                                   "stop it, or choose another --out",
-                                                  request_.out.string(), holder));
+                                                  path_.string(), holder));
+  if (lock.unsupported() && locks_.size() == 1)
+    note(fmt::format("{}: this file system has no locks; see to it that no other run does the same work here",
+                     path_.string()));
 }
 
-RunFolder::Guard RunFolder::lock_bundle() {
-  while (!bundle_lock_.try_lock(bundle::Sharing::exclusive)) {
+void RunFolder::lock(const std::optional<Shard>& shard) {
+  directory_ = bundle::BundleDirectory::create(path_);
+  bundle_lock_ = std::make_unique<bundle::LockFile>(blocks() / "bundle.lock");
+  claim("run.lock", shard ? bundle::Sharing::shared : bundle::Sharing::exclusive,
+        shard ? "an unsharded run" : "another run");
+  if (shard)
+    claim(writer_of(shard) + ".lock", bundle::Sharing::exclusive,
+          fmt::format("the same shard {}/{}", shard->number, shard->count));
+}
+
+void RunFolder::lock_for_merge() {
+  directory_ = bundle::BundleDirectory::create(path_);
+  claim("run.lock", bundle::Sharing::exclusive, "a run");
+}
+
+std::shared_ptr<void> RunFolder::lock_bundle() {
+  while (!bundle_lock_->try_lock(bundle::Sharing::exclusive)) {
     if (interrupted())
-      throw Failure(Exit::interrupted,
-                    fmt::format("{}: interrupted while another shard wrote there; run the same command again",
-                                request_.out.string()));
+      throw Failure(
+          Exit::interrupted,
+          fmt::format("{}: interrupted while another shard wrote there; run the same command again", path_.string()));
     std::this_thread::sleep_for(patience);
   }
-  return Guard(bundle_lock_);
+  return {bundle_lock_.get(), [](void* lock) { static_cast<bundle::LockFile*>(lock)->unlock(); }};
 }
 
-bool RunFolder::begin() {
-  const auto lock = lock_bundle();
-  if (directory_.has(bundle::manifest_name)) {
-    const auto theirs = directory_.manifest();
-    if (theirs.state == bundle::complete) {
-      directory_.clear_away();  // blocks/, which a killed run left
-      return false;
-    }
-    refuse_foreign(request_, bundle::is_table_name);
-    (void)directory_.read_listed(suite_name);
-    for (const auto& [name, ours] : lists_of(request_))
-      if (directory_.read_listed(name) != ours)
-        throw Failure(Exit::usage, fmt::format("{}: lists other {} than this program has; choose another --out",
-                                               (directory_.path() / name).string(), fs::path(name).stem().string()));
-  } else {
-    refuse_foreign(request_, bundle::is_table_name);
-    directory_.write(suite_name, plan_.suite_text);
-    directory_.write(machine_name, machine_now(request_));
-    for (const auto& [name, ours] : lists_of(request_)) directory_.write(name, ours);
-    directory_.finish(plan_.manifest);
+bool RunFolder::begin(const RunRequest& request, const Plan& plan) {
+  if (is_complete() && !has_blocks()) return false;
+  lock(request.shard);
+  const auto alone = lock_bundle();
+  look();  // again, since another process may have written meanwhile
+  if (!is_complete()) read_blocks();
+  require_same(request, plan, run_refusal);
+  if (is_complete()) {
+    directory_->clear_away();  // blocks/, which a killed run left
+    return false;
   }
-  found_ = find_blocks(directory_.blocks());
-  require_same(found_, plan_, Exit::usage);
-  choose_machine();
+  refuse_foreign(bundle::is_table_name);
+  if (is_begun())
+    choose_machine(request, plan);
+  else
+    write_description(request, plan);
   return true;
 }
 
-void RunFolder::choose_machine() {
-  // Empty where it is damaged, or where a run was killed just after it had continued one of another machine.
-  auto theirs = directory_.read_if_listed(machine_name);
-  if (theirs && bundle::machine_fault(*theirs)) theirs.reset();
-  machine_ = bundle::machine_fingerprint(theirs.value_or(""));
-  const bool times_here = !request_.shard || request_.shard->number == 1;
-  if (!theirs)
-    note(fmt::format("{}: damaged or unfinished; written anew", (directory_.path() / machine_name).string()));
-  else if (!times_here || !timings_missing(plan_.jobs, found_, machine_))
-    return;
-  const std::string ours = machine_now(request_);
-  if (bundle::machine_fingerprint(ours) == machine_) return;
-  directory_.write(machine_name, ours);
-  directory_.finish(plan_.manifest);
+void RunFolder::write_description(const RunRequest& request, const Plan& plan) {
+  directory_->write(suite_name, plan.suite_text);
+  write_machine(request);
+  for (const auto& [name, ours] : lists_of(request)) directory_->write(name, ours);
+  directory_->finish(plan.manifest);
+}
+
+void RunFolder::write_machine(const RunRequest& request) {
+  const std::string ours = machine_now(request);
+  directory_->write(machine_name, ours);
   machine_ = bundle::machine_fingerprint(ours);
 }
 
-Checkpoints::Owner RunFolder::owner() const {
-  return {directory_.blocks(), writer_, plan_.manifest, plan_.reference, machine_, request_.checkpoint};
+/// Times are of one machine. Where some are missing, this one takes all of them.
+void RunFolder::choose_machine(const RunRequest& request, const Plan& plan) {
+  if (directory_->read_if_listed(machine_name)) {
+    const bool times_here = !request.shard || request.shard->number == 1;
+    if (!times_here || !timings_missing(plan.jobs, found_, machine_) ||
+        bundle::machine_fingerprint(machine_now(request)) == machine_)
+      return;
+  } else {  // damaged, or a run was killed just after it had continued one of another machine
+    note(fmt::format("{}: damaged or unfinished; written again", (path_ / machine_name).string()));
+  }
+  write_machine(request);
+  directory_->finish(plan.manifest);
+}
+
+void RunFolder::refuse_foreign(const std::function<bool(const std::string&)>& is_own) const {
+  const std::array<std::string_view, 6> always{bundle::manifest_name, bundle::sums_name, bundle::blocks_name,
+                                               bundle::digests_name,  suite_name,        machine_name};
+  const auto found = bundle::list_folder(path_);
+  for (const auto* names : {&found.files, &found.others})
+    for (const auto& name : *names)
+      if (!name.starts_with('.') && std::ranges::find(always, name) == always.end() && !is_own(name))
+        throw Failure(Exit::input_output,
+                      fmt::format("{}: is not a file that this run writes; move it away, or choose another --out",
+                                  (path_ / name).string()));
+}
+
+void RunFolder::complete(const Plan& plan, const WholeBundle& whole) {
+  refuse_foreign([&](const std::string& name) {
+    return name == bundle::methods_name || name == generators_name ||
+           std::ranges::any_of(whole.files, [&](const auto& file) { return file.first == name; });
+  });
+  for (const auto& [name, bytes] : whole.files) directory_->write(name, bytes);
+  bundle::Manifest manifest = plan.manifest;
+  manifest.state = bundle::complete;
+  directory_->finish(manifest, whole.digests);
+}
+
+void RunFolder::require_equal(const WholeBundle& whole) const {
+  for (const auto& [name, bytes] : whole.files)
+    if (!directory_->has(name) || directory_->read(name) != bytes)
+      throw Failure(Exit::usage, fmt::format("{}: is complete already, with another {}; choose another --out or move "
+                                             "it away",
+                                             path_.string(), name));
 }
 
 }  // namespace bezierbench::run

@@ -22,20 +22,16 @@ const std::vector<std::string>& drawn_columns() {
   return columns;
 }
 
-std::vector<std::string> drawn_fields(const sample::Cell& cell) {
-  return {number::decimal(cell.coordinate_range), number::decimal(cell.t_interval.min),
-          number::decimal(cell.t_interval.max), cell.generator};
+std::vector<Field> drawn_fields(const sample::Cell& cell) {
+  return {cell.coordinate_range, cell.t_interval.min, cell.t_interval.max, cell.generator};
 }
 
-std::vector<std::string> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
-                                     suite::ScalarKind scalar) {
-  std::vector<std::string> fields{study.id,
-                                  std::string(name(study.form)),
-                                  std::string(method),
-                                  std::string(suite::name(scalar)),
-                                  std::to_string(cell.dimension),
-                                  std::to_string(cell.degree)};
-  for (auto& field : drawn_fields(cell)) fields.push_back(std::move(field));
+std::vector<Field> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
+                               suite::ScalarKind scalar) {
+  std::vector<Field> fields{field(study.id),       field(suite::name(study.curve)),
+                            field(method),         field(suite::name(scalar)),
+                            field(cell.dimension), field(cell.degree)};
+  for (auto& drawn : drawn_fields(cell)) fields.push_back(std::move(drawn));
   return fields;
 }
 

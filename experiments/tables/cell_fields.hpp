@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The columns and fields of a row that identify its cell, with one spelling for every file.
+// The columns and fields of a row that identify its cell.
 #pragma once
 
 #include <string>
@@ -8,6 +8,7 @@
 
 #include "experiments/sample/cell.hpp"
 #include "experiments/suite/suite.hpp"
+#include "experiments/tables/field.hpp"
 
 namespace bezierbench::tables {
 
@@ -15,14 +16,14 @@ namespace bezierbench::tables {
 const std::vector<std::string>& cell_columns();
 
 /// The fields of cell_columns().
-std::vector<std::string> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
-                                     suite::ScalarKind scalar);
+std::vector<Field> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
+                               suite::ScalarKind scalar);
 
 /// coordinate_range,t_min,t_max,generator: how the inputs of a cell were drawn. These are the last of cell_columns().
 const std::vector<std::string>& drawn_columns();
 
 /// The fields of drawn_columns().
-std::vector<std::string> drawn_fields(const sample::Cell& cell);
+std::vector<Field> drawn_fields(const sample::Cell& cell);
 
 /// The fields of cell_columns() without the method, as text for a message.
 std::string describe(const suite::Study& study, const sample::Cell& cell, suite::ScalarKind scalar);

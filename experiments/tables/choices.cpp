@@ -16,7 +16,7 @@ namespace {
 using CurveKind = std::vector<std::string>;
 
 CurveKind kind_of(const TableRow& row) {
-  return {row.text("form"), row.text("scalar"), row.text("dimension"), row.text("degree")};
+  return {row.text("curve"), row.text("scalar"), text(row.field("dimension")), text(row.field("degree"))};
 }
 
 /// The errors of the methods of one accuracy study on one kind of curve.
@@ -27,24 +27,23 @@ struct Judged {
 
 using JudgedKinds = std::map<CurveKind, std::vector<Judged>>;
 
-/// The errors of every method in every study, over all ranges, intervals and generators. `only`, if not empty, is the
-/// only study.
-JudgedKinds judged_kinds(const JudgedTables& tables, const std::string& only) {
+/// The errors of every method in every study, over all ranges, intervals and generators.
+JudgedKinds judged_kinds(const JudgedTables& tables) {
   JudgedKinds kinds;
-  tables.each_row(only, [&](const TableRow& row) {
+  tables.each_row("", [&](const TableRow& row) {
     const auto& study = row.text("study");
     auto& studies = kinds[kind_of(row)];
     auto found = std::ranges::find(studies, study, &Judged::study);
     if (found == studies.end()) found = studies.insert(studies.end(), {study, {}});
-    found->methods[row.text("method")].add(tables, row);
+    found->methods[row.text("method")].add(row);
   });
   return kinds;
 }
 
-std::vector<std::string> drawn_of(const bundle::CsvDocument& timing, const TableRow& row) {
+std::vector<std::string> drawn_of(const TableRow& row) {
   std::vector<std::string> drawn;
   for (const auto& column : drawn_columns())
-    if (timing.has_column(column)) drawn.push_back(row.text(column));
+    if (row.has(column)) drawn.push_back(text(row.field(column)));
   return drawn;
 }
 
@@ -103,29 +102,28 @@ void LargestError::add(double seen, std::optional<double> proved, bool is_first)
     bound = proved ? std::optional(std::max(*bound, *proved)) : std::nullopt;
 }
 
-void LargestErrors::add(const JudgedTables& tables, const TableRow& row) {
+void LargestErrors::add(const TableRow& row) {
   const bool finite = row.number("non_finite") == 0;
   const auto observed = [&](std::string_view column) {
     return finite ? row.number(column) : std::numeric_limits<double>::infinity();
   };
-  in_u.add(observed("max_error_u"), tables.bound(row, "bound_u"), rows == 0);
-  absolute.add(observed("max_error"), tables.bound(row, "max_bound"), rows == 0);
+  in_u.add(observed("max_error_u"), bound(row, "bound_u"), rows == 0);
+  absolute.add(observed("max_error"), bound(row, "max_bound"), rows == 0);
   ++rows;
 }
 
-std::vector<ChoiceGroup> timed_groups(const bundle::CsvDocument& timing) {
+std::vector<ChoiceGroup> timed_groups(const std::vector<TableRow>& timing) {
   std::vector<ChoiceGroup> groups;
-  for (std::size_t at = 0; at < timing.row_count(); ++at) {
-    const TableRow row(timing, at);
-    if (row.text("degree").empty()) continue;  // the row of a sentinel
+  for (const TableRow& row : timing) {
+    if (row.field("degree") == Field()) continue;  // the row of a sentinel
     const ChoiceGroup key{row.text("study"),
                           "",
                           row.text("form"),
                           row.text("scalar"),
-                          row.text("dimension"),
-                          row.text("degree"),
+                          text(row.field("dimension")),
+                          text(row.field("degree")),
                           row.text("mode"),
-                          drawn_of(timing, row),
+                          drawn_of(row),
                           {}};
     const auto same = [&](const ChoiceGroup& group) {
       return group.study == key.study && group.form == key.form && group.scalar == key.scalar &&
@@ -142,9 +140,8 @@ std::vector<ChoiceGroup> timed_groups(const bundle::CsvDocument& timing) {
   return groups;
 }
 
-std::vector<ChoiceGroup> choice_groups(const bundle::CsvDocument& timing, const JudgedTables& judged,
-                                       const std::string& accuracy_study) {
-  const auto kinds = judged_kinds(judged, accuracy_study);
+std::vector<ChoiceGroup> choice_groups(const std::vector<TableRow>& timing, const JudgedTables& judged) {
+  const auto kinds = judged_kinds(judged);
   auto groups = timed_groups(timing);
   std::erase_if(groups, [&](const ChoiceGroup& group) { return best_cover(group, kinds) == nullptr; });
   for (auto& group : groups) fill_errors(group, *best_cover(group, kinds));
@@ -152,18 +149,9 @@ std::vector<ChoiceGroup> choice_groups(const bundle::CsvDocument& timing, const 
 }
 
 void write_pareto(Tables& tables) {
-  std::optional<bundle::CsvDocument> timing;
-  std::optional<bundle::CsvDocument> reference;
-  std::vector<bundle::CsvDocument> accuracies;
-  for (const auto& [file, table] : tables.all()) {
-    if (file == "timing.csv") timing = bundle::parse_csv(table.text(), file);
-    if (file == "reference.csv") reference = bundle::parse_csv(table.text(), file);
-    if (file == "accuracy.csv" || file == "unstable.csv") accuracies.push_back(bundle::parse_csv(table.text(), file));
-  }
-  if (!timing) return;
-  const auto groups = choice_groups(*timing, JudgedTables(std::move(accuracies), reference));
-  if (groups.empty()) return;
-  for (const auto& group : groups) add_rows(tables, group);
+  const auto* timing = tables.find("timing.csv");
+  if (timing == nullptr) return;
+  for (const auto& group : choice_groups(rows_of(*timing), JudgedTables(tables))) add_rows(tables, group);
 }
 
 }  // namespace bezierbench::tables

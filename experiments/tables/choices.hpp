@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/bundle/csv.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/tables/judged_tables.hpp"
 #include "experiments/tables/tables.hpp"
@@ -30,7 +29,7 @@ struct LargestErrors {
   std::size_t rows = 0;   ///< number of rows added
 
   /// Adds a row of accuracy.csv or unstable.csv.
-  void add(const JudgedTables& tables, const TableRow& row);
+  void add(const TableRow& row);
 };
 
 struct Choice {
@@ -53,16 +52,14 @@ struct ChoiceGroup {
   std::vector<Choice> choices;
 };
 
-/// All groups, in the order of timing.csv, with the methods that were timed and without their errors. Throws
-/// Failure(input_output) for a table that lacks a column.
-std::vector<ChoiceGroup> timed_groups(const bundle::CsvDocument& timing);
+/// All groups, in the order of the rows of timing.csv, with the methods that were timed and without their errors. Throws
+/// Failure(input_output) for a table without a required column.
+std::vector<ChoiceGroup> timed_groups(const std::vector<TableRow>& timing);
 
 /// All groups with errors. Of several accuracy studies of the same kind of curves, the one that judged most of the
-/// timed methods is taken (of equals the first), since errors of different inputs cannot be compared; `accuracy_study`,
-/// if given, is the only one considered. Methods that the study did not judge are left out. Throws
-/// Failure(input_output) for tables that lack a column.
-std::vector<ChoiceGroup> choice_groups(const bundle::CsvDocument& timing, const JudgedTables& judged,
-                                       const std::string& accuracy_study = "");
+/// timed methods is taken (of equals the first), since errors of different inputs cannot be compared. Methods that the
+/// study did not judge are left out. Throws Failure(input_output) for tables that lack a column.
+std::vector<ChoiceGroup> choice_groups(const std::vector<TableRow>& timing, const JudgedTables& judged);
 
 /// Writes `pareto.csv` from the other tables, if there are both times and errors.
 void write_pareto(Tables& tables);

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <utility>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "experiments/failure.hpp"
@@ -12,40 +13,57 @@
 namespace bezierbench::tables {
 namespace {
 
-constexpr auto timing_columns =
-    "study,form,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,quality,"
-    "coordinate_range,t_min,t_max,generator\n";
-constexpr auto accuracy_columns_needed =
-    "study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
-    "max_error_u,bound_u,max_bound,non_finite\n";
-constexpr auto reference_columns_needed =
-    "study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,unbounded_trials\n";
+/// The errors of a method: max_error, max_error_u, bound_u, max_bound.
+struct Numbers {
+  double max_error, max_error_u;
+  std::optional<double> bound_u, max_bound;
+};
 
-bundle::CsvDocument timing(const std::string& rows) { return bundle::parse_csv(timing_columns + rows, "timing.csv"); }
-/// `counts`: rows of reference.csv with the numbers of trials that have no bound.
-JudgedTables judged(const std::string& rows, const std::string& counts = "") {
-  std::vector<bundle::CsvDocument> accuracies;
-  accuracies.push_back(bundle::parse_csv(accuracy_columns_needed + rows, "accuracy.csv"));
-  return {std::move(accuracies), bundle::parse_csv(reference_columns_needed + counts, "reference.csv")};
+Row in_cell(const char* file, const std::string& study, const std::string& method) {
+  return Row(file)
+      .set("study", study)
+      .set("curve", "bezier")
+      .set("method", method)
+      .set("scalar", "double")
+      .set("dimension", 2)
+      .set("degree", 3)
+      .set("coordinate_range", 1)
+      .set("t_min", 0)
+      .set("t_max", 1)
+      .set("generator", "continuous");
 }
 
-std::string time_of(const std::string& method, const std::string& ns, const std::string& mode = "point") {
-  return "speed,bernstein," + method + ",double,2,3," + mode + "," + ns + "," + ns + "," + ns +
-         ",ok,1,0,1,continuous\n";
+Row time_of(const std::string& method, double ns, const std::string& mode = "point") {
+  return in_cell("timing.csv", "speed", method)
+      .set("mode", mode)
+      .set("median_ns", ns)
+      .set("low_ns", ns)
+      .set("high_ns", ns)
+      .set("quality", "ok");
 }
-std::string error_of(const std::string& study, const std::string& method, const std::string& numbers,
-                     const std::string& baseline = "exact", const std::string& drawn = "1,0,1") {
-  return study + ",bernstein," + method + ",double,2,3," + drawn + ",continuous," + baseline + ",ok," + numbers + "\n";
+
+Row error_of(const std::string& study, const std::string& method, const Numbers& numbers, int unbounded = 0,
+             int non_finite = 0, const std::string& baseline = "exact") {
+  return in_cell("accuracy.csv", study, method)
+      .set("baseline", baseline)
+      .set("status", "ok")
+      .set("max_error", numbers.max_error)
+      .set("max_error_u", numbers.max_error_u)
+      .set("bound_u", numbers.bound_u)
+      .set("max_bound", numbers.max_bound)
+      .set("non_finite", non_finite)
+      .set("unbounded_trials", unbounded);
 }
-std::string unbounded(const std::string& study, const std::string& method, const std::string& trials,
-                      const std::string& drawn = "1,0,1") {
-  return study + ",bernstein," + method + ",double,2,3," + drawn + ",continuous," + trials + "\n";
+
+std::vector<ChoiceGroup> groups_of(const std::vector<Row>& rows) {
+  Tables tables;
+  for (const auto& row : rows) tables.add(row);
+  return choice_groups(rows_of(tables.table("timing.csv")), JudgedTables(tables));
 }
 
 TEST(ChoiceGroups, TakeTheWorstOfAllCellsOfAStudy) {
-  const auto groups = choice_groups(timing(time_of("a", "5")), judged(error_of("s", "a", "1e-16,2,9,1e-15,0") +
-                                                                          error_of("s", "a", "3e-16,1.5,8,2e-15,0"),
-                                                                      unbounded("s", "a", "0")));
+  const auto groups = groups_of(
+      {time_of("a", 5), error_of("s", "a", {1e-16, 2, 9, 1e-15}), error_of("s", "a", {3e-16, 1.5, 8, 2e-15})});
   ASSERT_EQ(groups.size(), 1U);
   ASSERT_EQ(groups[0].choices.size(), 1U);
   const Choice& choice = groups[0].choices[0];
@@ -57,72 +75,55 @@ TEST(ChoiceGroups, TakeTheWorstOfAllCellsOfAStudy) {
 }
 
 TEST(ChoiceGroups, HaveNoBoundWhereACellHasNone) {
-  const auto groups = choice_groups(
-      timing(time_of("a", "5")),
-      judged(error_of("s", "a", "1,2,9,9,0") + error_of("s", "a", "1,2,,,0") + error_of("s", "a", "1,2,7,7,0"),
-             unbounded("s", "a", "0")));
+  const auto groups =
+      groups_of({time_of("a", 5), error_of("s", "a", {1, 2, 9, 9}),
+                 error_of("s", "a", {1, 2, std::nullopt, std::nullopt}), error_of("s", "a", {1, 2, 7, 7})});
   EXPECT_FALSE(groups.at(0).choices.at(0).errors.in_u.bound);
 }
 
 /// bound_u is the largest over the trials that have a bound; it does not apply to the others.
 TEST(ChoiceGroups, HaveNoBoundWhereATrialHasNone) {
-  const auto errors = error_of("s", "a", "1,2031,44,9,0") + error_of("s", "a", "1,2,44,9,0", "exact", "5,0,1");
-  const auto bound = [&](const std::string& counts) {
-    return choice_groups(timing(time_of("a", "5")), judged(errors, counts)).at(0).choices.at(0).errors.in_u.bound;
+  const auto bound = [](int unbounded) {
+    return groups_of(
+               {time_of("a", 5), error_of("s", "a", {1, 2031, 44, 9}), error_of("s", "a", {1, 2, 44, 9}, unbounded)})
+        .at(0)
+        .choices.at(0)
+        .errors.in_u.bound;
   };
-  EXPECT_EQ(bound(unbounded("s", "a", "0") + unbounded("s", "a", "0", "5,0,1")), 44);
-  EXPECT_FALSE(bound(unbounded("s", "a", "3") + unbounded("s", "a", "0", "5,0,1")));
-  EXPECT_FALSE(bound(unbounded("s", "a", "0") + unbounded("s", "a", "1", "5,0,1")));
-  EXPECT_FALSE(bound(unbounded("s", "a", "0")));  // the other row has no count, as in older bundles
-}
-
-/// Since schema version 2 the rows have this count themselves.
-TEST(ChoiceGroups, HaveNoBoundWhereTheRowCountsATrialWithout) {
-  const auto bound = [&](const std::string& trials) {
-    std::vector<bundle::CsvDocument> accuracies;
-    accuracies.push_back(bundle::parse_csv(
-        std::string("unbounded_trials,") + accuracy_columns_needed + trials + "," + error_of("s", "a", "1,2,44,9,0"),
-        "a.csv"));
-    const JudgedTables tables(std::move(accuracies), std::nullopt);
-    return choice_groups(timing(time_of("a", "5")), tables).at(0).choices.at(0).errors.in_u.bound;
-  };
-  EXPECT_EQ(bound("0"), 44);
-  EXPECT_FALSE(bound("3"));
-  EXPECT_FALSE(bound(""));
+  EXPECT_EQ(bound(0), 44);
+  EXPECT_FALSE(bound(3));
 }
 
 TEST(ChoiceGroups, CountAResultThatIsNotFiniteAsInfinitelyWrong) {
-  const auto groups = choice_groups(timing(time_of("a", "5")), judged(error_of("s", "a", "1,2,9,9,1")));
+  const auto groups = groups_of({time_of("a", 5), error_of("s", "a", {1, 2, 9, 9}, 0, 1)});
   EXPECT_EQ(groups.at(0).choices.at(0).errors.in_u.observed, std::numeric_limits<double>::infinity());
 }
 
 TEST(ChoiceGroups, TakeErrorsAgainstTheTruthOnly) {
-  EXPECT_TRUE(choice_groups(timing(time_of("a", "5")), judged(error_of("s", "a", "1,2,9,9,0", "direct"))).empty());
+  EXPECT_TRUE(groups_of({time_of("a", 5), error_of("s", "a", {1, 2, 9, 9}, 0, 0, "direct")}).empty());
 }
 
 TEST(ChoiceGroups, TakeTheStudyThatJudgedMostOfTheTimedMethods) {
-  const auto times = timing(time_of("a", "5") + time_of("b", "6"));
-  const auto errors = judged(error_of("few", "a", "9,9,9,9,0") + error_of("most", "a", "1,1,9,9,0") +
-                             error_of("most", "b", "2,2,9,9,0"));
-  const auto groups = choice_groups(times, errors);
+  const auto groups =
+      groups_of({time_of("a", 5), time_of("b", 6), error_of("few", "a", {9, 9, 9, 9}),
+                 error_of("most", "a", {1, 1, 9, 9}), error_of("most", "b", {2, 2, 9, 9}), time_of("c", 7)});
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(groups[0].accuracy_study, "most");
-  EXPECT_EQ(groups[0].choices.size(), 2U);
-  const auto asked = choice_groups(times, errors, "few");
-  EXPECT_EQ(asked.at(0).accuracy_study, "few");
-  ASSERT_EQ(asked[0].choices.size(), 1U);  // b was not judged there
-  EXPECT_EQ(asked[0].choices[0].errors.in_u.observed, 9);
+  EXPECT_EQ(groups[0].choices.size(), 2U) << "c was not judged there";
 }
 
 TEST(ChoiceGroups, KeepHeatsApart) {
-  const auto groups =
-      choice_groups(timing(time_of("a", "5") + time_of("a", "2", "batch")), judged(error_of("s", "a", "1,2,9,9,0")));
+  const auto groups = groups_of({time_of("a", 5), time_of("a", 2, "batch"), error_of("s", "a", {1, 2, 9, 9})});
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[1].mode, "batch");
 }
 
-TEST(ChoiceGroups, SayWhereANumberIsNone) {
-  EXPECT_THROW((void)choice_groups(timing(time_of("a", "quick")), judged(error_of("s", "a", "1,2,9,9,0"))), Failure);
+TEST(ChoiceGroups, SayWhereANumberOfAFileIsNone) {
+  const auto timing = bundle::parse_csv(
+      "study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,quality\n"
+      "speed,bezier,a,double,2,3,point,quick,1,1,ok\n",
+      "timing.csv");
+  EXPECT_THROW((void)timed_groups(rows_of(timing)), Failure);
 }
 
 }  // namespace

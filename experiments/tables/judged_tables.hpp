@@ -4,8 +4,8 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/tables/table_row.hpp"
@@ -14,21 +14,35 @@ namespace bezierbench::tables {
 
 class JudgedTables {
  public:
-  /// `accuracies` are accuracy.csv and unstable.csv, as far as the bundle has them. `reference` is reference.csv, which
-  /// in bundles of schema version 1 has the number of trials without a bound. Throws Failure(input_output) for a table
-  /// that lacks a column.
-  JudgedTables(std::vector<bundle::CsvDocument> accuracies, const std::optional<bundle::CsvDocument>& reference);
+  /// Of accuracy.csv and unstable.csv, as far as a bundle has them.
+  explicit JudgedTables(std::vector<bundle::CsvDocument> read) : read_(std::move(read)) {}
+  /// Of a run, whose tables must outlive it.
+  explicit JudgedTables(const Tables& made) : made_(&made) {}
 
-  /// Calls `visit` for every row with errors against the truth; only for those of `study`, if that is not empty.
-  void each_row(const std::string& study, const std::function<void(const TableRow&)>& visit) const;
-
-  /// The field of a row in `column`, `bound_u` or `max_bound`. Empty where a trial of the row has no bound, since the
-  /// field then covers only the others. Also empty where these trials were not counted, as in older bundles.
-  [[nodiscard]] std::optional<double> bound(const TableRow& row, std::string_view column) const;
+  /// Calls `visit` for every row with errors against the truth; only for those of `study`, if that is not empty. Throws
+  /// Failure(input_output) for a table without a required column.
+  void each_row(const std::string& study, const std::function<void(const TableRow&)>& visit) const {
+    const auto visit_judged = [&](const std::vector<TableRow>& rows) {
+      for (const TableRow& row : rows)
+        if (row.text("baseline") == "exact" && row.text("status") == "ok" &&
+            (study.empty() || row.text("study") == study))
+          visit(row);
+    };
+    for (const auto& table : read_) visit_judged(rows_of(table));
+    if (made_ == nullptr) return;
+    for (const auto* file : {"accuracy.csv", "unstable.csv"})
+      if (const auto* table = made_->find(file)) visit_judged(rows_of(*table));
+  }
 
  private:
-  std::vector<bundle::CsvDocument> accuracies_;
-  std::set<std::vector<std::string>> all_bounded_;  ///< cells and methods all of whose trials have a bound
+  std::vector<bundle::CsvDocument> read_;
+  const Tables* made_ = nullptr;
 };
+
+/// The field of a row in `column`, `bound_u` or `max_bound`. Empty where a trial of the row has no bound, since the field
+/// then covers only the others.
+inline std::optional<double> bound(const TableRow& row, std::string_view column) {
+  return row.optional_number("unbounded_trials") == 0 ? row.optional_number(column) : std::nullopt;
+}
 
 }  // namespace bezierbench::tables

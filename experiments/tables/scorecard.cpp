@@ -92,7 +92,9 @@ const Series* find(std::span<const Series> series, const suite::Study& study, co
 }
 
 double median(const Series& series) { return metric::quantile(series.values, 0.5); }
-std::string median_text(const Series* series) { return series == nullptr ? "" : number::decimal(median(*series)); }
+std::optional<double> median(const Series* series) {
+  return series == nullptr ? std::nullopt : std::optional(median(*series));
+}
 
 /// A row of `scorecard.csv` or `scorecard_timing.csv` with the fields of the printed cell.
 Row row_of(std::string_view file, const PrintedCell& cell) {
@@ -183,8 +185,8 @@ void write_accuracy_cell(const suite::Study& study, const PrintedCell& cell, std
     set_edge(row, "p05", band.low);
     set_edge(row, "p95", band.high);
     row.set("ours_median", median(*ours))
-        .set("continuous_median", median_text(find(series, study, cell, "continuous", baseline, "")))
-        .set("against_exact", median_text(find(series, study, cell, study.generator.front(), "exact", "")))
+        .set("continuous_median", median(find(series, study, cell, "continuous", baseline, "")))
+        .set("against_exact", median(find(series, study, cell, study.generator.front(), "exact", "")))
         .set("chance_outside", band.chance_outside)
         .set("verdict", accuracy_verdict(cell, band))
         .set("note", cell.note);

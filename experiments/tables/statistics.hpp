@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Fields of statistics and counts, with one spelling for every table.
+// Fields of statistics and counts.
 #pragma once
 
-#include <cstdint>
-#include <string>
-
 #include "experiments/metric/counts.hpp"
-#include "experiments/number/number.hpp"
+#include "experiments/tables/field.hpp"
 
 namespace bezierbench::tables {
 
@@ -18,12 +15,11 @@ inline constexpr Statistic p99 = [](const metric::Tally& tally) { return tally.q
 inline constexpr Statistic largest = [](const metric::Tally& tally) { return tally.max(); };
 
 /// The statistic as a field; empty where no trial was tallied.
-inline std::string field(const metric::Tally& tally, Statistic which) {
-  return tally.count() > 0 ? number::decimal(which(tally)) : "";
+inline Field field(const metric::Tally& tally, Statistic which) {
+  return tally.count() > 0 ? Field(which(tally)) : Field();
 }
 
-inline std::string field(std::uint64_t count) { return std::to_string(count); }
-inline std::string field(const metric::TrialCount& trials) { return std::to_string(trials.count); }
-inline std::string field(const metric::Largest<double>& most) { return number::decimal(most.value); }
+inline Field field(const metric::TrialCount& trials) { return field(trials.count); }
+inline Field field(const metric::Largest<double>& most) { return most.value; }
 
 }  // namespace bezierbench::tables

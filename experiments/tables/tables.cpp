@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "experiments/number/number.hpp"
 
 namespace bezierbench::tables {
 namespace {
@@ -14,36 +17,76 @@ const bundle::DeclaredTable& declared(std::string_view file) {
   return *table;
 }
 
+struct ToText {
+  std::string operator()(std::monostate /*none*/) const { return ""; }
+  std::string operator()(const std::string& text) const { return text; }
+  std::string operator()(double number) const { return number::decimal(number); }
+  std::string operator()(std::int64_t number) const { return std::to_string(number); }
+  std::string operator()(const Hexadecimal& number) const { return number::hexadecimal(number.value); }
+};
+
 }  // namespace
 
-Row::Row(std::string_view file) : table_(declared(file)) {}
+std::string text(const Field& field) { return std::visit(ToText(), field); }
 
-Row& Row::set(std::string_view column, std::string_view text) {
-  const auto* found = table_.column(column);
+Row::Row(std::string_view file) : table_(&declared(file)), fields_(table_->columns.size()) {}
+
+std::size_t Row::place(std::string_view column) const {
+  const auto* found = table_->column(column);
   if (found == nullptr || found->is_deprecated)
     throw std::logic_error(fmt::format("{}: no column {} in tables.schema.json", file(), column));
-  if (!fields_.try_emplace(std::string(column), text).second)
-    throw std::logic_error(fmt::format("{}: column {} is set twice", file(), column));
+  return static_cast<std::size_t>(found - table_->columns.data());
+}
+
+Row& Row::put(std::string_view column, Field value) {
+  Field& field = fields_[place(column)];
+  if (field != Field()) throw std::logic_error(fmt::format("{}: column {} is set twice", file(), column));
+  field = std::move(value);
   return *this;
 }
 
-Row& Row::set_each(const std::vector<std::string>& columns, const std::vector<std::string>& fields) {
-  for (std::size_t k = 0; k < columns.size(); ++k) set(columns[k], fields.at(k));
-  return *this;
+std::vector<std::string> Row::texts() const {
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < fields_.size(); ++k)
+    if (!table_->columns[k].is_deprecated) texts.push_back(text(fields_[k]));
+  return texts;
 }
 
-std::vector<std::string> Row::fields() const {
-  std::vector<std::string> all;
-  for (const auto& name : table_.header()) {
-    const auto found = fields_.find(name);
-    all.push_back(found == fields_.end() ? "" : found->second);
+WrittenTable Table::written() const {
+  const auto header = declared_.header();
+  bundle::MethodDigester digester(declared_, declared_.digested(), [&](std::string_view column) {
+    return static_cast<std::size_t>(std::ranges::find(header, column) - header.begin());
+  });
+  WrittenTable written{.text = bundle::csv_line(header), .digests = {}};
+  for (const Row& row : rows_) {
+    const auto texts = row.texts();
+    written.text += bundle::csv_line(texts);
+    if (declared_.is_deterministic) digester.add(texts);
   }
-  return all;
+  written.digests = digester.digests();
+  return written;
 }
 
-bundle::CsvTable& Tables::table(const std::string& file) {
+std::string Table::text() const {
+  std::string text = bundle::csv_line(declared_.header());
+  for (const Row& row : rows_) text += bundle::csv_line(row.texts());
+  return text;
+}
+
+bundle::CsvDocument Table::document() const {
+  std::vector<std::vector<std::string>> rows;
+  for (const Row& row : rows_) rows.push_back(row.texts());
+  return {declared_.file, declared_.header(), std::move(rows)};
+}
+
+Table& Tables::table(std::string_view file) {
   const auto found = tables_.find(file);
-  return found != tables_.end() ? found->second : tables_.try_emplace(file, declared(file).header()).first->second;
+  return found != tables_.end() ? found->second : tables_.try_emplace(std::string(file), declared(file)).first->second;
+}
+
+const Table* Tables::find(std::string_view file) const {
+  const auto found = tables_.find(file);
+  return found == tables_.end() ? nullptr : &found->second;
 }
 
 }  // namespace bezierbench::tables

@@ -2,62 +2,96 @@
 // The tables of a bundle while they are filled, and the series that the scorecard compares with printed cells.
 #pragma once
 
-#include <concepts>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/schema/columns.hpp"
-#include "experiments/number/number.hpp"
 #include "experiments/suite/suite.hpp"
+#include "experiments/tables/field.hpp"
 
 namespace bezierbench::tables {
 
-/// A row to be written, field by field in any order. A field that is not set is empty.
+/// A row of a table, with one field for each column that the schema declares. Fields are set in any order; those that
+/// are not set are empty.
 class Row {
  public:
   /// A row of the table `file`. Throws std::logic_error for a table that the schema does not declare.
   explicit Row(std::string_view file);
 
-  /// Sets a field. Throws std::logic_error for a column that the schema does not declare, and for one that was set
-  /// before.
-  Row& set(std::string_view column, std::string_view text);
-  Row& set(std::string_view column, double number) { return set(column, number::decimal(number)); }
-  template <std::integral Integer>
-  Row& set(std::string_view column, Integer number) {
-    return set(column, std::to_string(number));
+  /// Sets a field to what tables::field() makes of the value. Throws std::logic_error for a column that the schema does
+  /// not declare, and for a field that has a value already.
+  template <class Value>
+  Row& set(std::string_view column, const Value& value) {
+    return put(column, tables::field(value));
   }
-  /// Sets a field, to the empty text where there is no number.
-  template <class Number>
-  Row& set(std::string_view column, const std::optional<Number>& number) {
-    return number ? set(column, *number) : set(column, "");
+  /// Sets each of `columns` to the value at the same place.
+  template <class Value>
+  Row& set_each(const std::vector<std::string>& columns, const std::vector<Value>& values) {
+    for (std::size_t k = 0; k < columns.size(); ++k) set(columns[k], values.at(k));
+    return *this;
   }
-  /// Sets each of `columns` to the field at the same place.
-  Row& set_each(const std::vector<std::string>& columns, const std::vector<std::string>& fields);
+  /// Replaces the value of a field. Throws std::logic_error for a column that the schema does not declare.
+  void replace(std::string_view column, Field value) { fields_[place(column)] = std::move(value); }
 
-  [[nodiscard]] const std::string& file() const { return table_.file; }
-  /// All fields in the order of the schema's columns.
-  [[nodiscard]] std::vector<std::string> fields() const;
+  [[nodiscard]] const std::string& file() const { return table_->file; }
+  /// Throws std::logic_error for a column that the schema does not declare.
+  [[nodiscard]] const Field& field(std::string_view column) const { return fields_[place(column)]; }
+  /// The texts of all fields, in the order of DeclaredTable::header().
+  [[nodiscard]] std::vector<std::string> texts() const;
 
  private:
-  const bundle::DeclaredTable& table_;
-  std::map<std::string, std::string, std::less<>> fields_;  ///< fields that were set, by column
+  Row& put(std::string_view column, Field value);
+  [[nodiscard]] std::size_t place(std::string_view column) const;
+
+  const bundle::DeclaredTable* table_;
+  std::vector<Field> fields_;  ///< in the order of the declared columns
 };
 
-/// The CSV files of a bundle while they are filled, by file name.
+/// A table as text, with the digests of its rows.
+struct WrittenTable {
+  std::string text;                           ///< the bytes of the file
+  std::vector<bundle::MethodDigest> digests;  ///< none of a table that is not deterministic
+};
+
+/// The rows of a file of a bundle.
+class Table {
+ public:
+  explicit Table(const bundle::DeclaredTable& declared) : declared_(declared) {}
+
+  void add(Row row) { rows_.push_back(std::move(row)); }
+  [[nodiscard]] std::vector<Row>& rows() { return rows_; }
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+  [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
+
+  [[nodiscard]] WrittenTable written() const;
+  /// The bytes of the file alone.
+  [[nodiscard]] std::string text() const;
+  /// The table as verify reads it from a file.
+  [[nodiscard]] bundle::CsvDocument document() const;
+
+ private:
+  const bundle::DeclaredTable& declared_;
+  std::vector<Row> rows_;
+};
+
+/// The tables of a bundle, by file name.
 class Tables {
  public:
   /// The table of this name, created at the first call. Throws std::logic_error for a table that the schema does not
   /// declare.
-  bundle::CsvTable& table(const std::string& file);
-  void add(const Row& row) { table(row.file()).add_row(row.fields()); }
-  [[nodiscard]] const std::map<std::string, bundle::CsvTable>& all() const { return tables_; }
+  Table& table(std::string_view file);
+  void add(Row row) { table(row.file()).add(std::move(row)); }
+  /// Null where no row of this table was added.
+  [[nodiscard]] const Table* find(std::string_view file) const;
+  [[nodiscard]] const std::map<std::string, Table, std::less<>>& all() const { return tables_; }
 
  private:
-  std::map<std::string, bundle::CsvTable> tables_;
+  std::map<std::string, Table, std::less<>> tables_;
 };
 
 /// One statistic of one cell, once per replicate: what a printed cell of a report is compared with.

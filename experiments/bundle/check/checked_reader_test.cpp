@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 class Reader : public testing::Test {
  protected:
-  Reader() : bundle_(filled(folder_.path() / "b")) { bundle_.finish(with_state("complete")); }
+  Reader() : bundle_(filled(folder_.path() / "b")) { finish(bundle_, with_state("complete")); }
 
   [[nodiscard]] CheckedReader reader(Damage damage) const { return {bundle_.path(), damage}; }
 

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <compare>
-#include <filesystem>
+#include <cstddef>
+#include <functional>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
@@ -33,24 +36,45 @@ struct MethodDigest {
   friend bool operator==(const MethodDigest&, const MethodDigest&) = default;
 };
 
-/// The digest of each method in each study, in the order of their first rows. The digest is the SHA-256 of a CSV file
-/// with those rows in the order of the table, these columns in this order, and a header line. Throws
-/// Failure(Exit::input_output) where the table lacks one of the columns, or that of the study or the method.
+/// Takes the rows of a table one by one and gives the digest of each method in each study, in the order of their first
+/// rows. The digest is the SHA-256 of a CSV file with those rows in the order of the table and a header line.
+class MethodDigester {
+ public:
+  /// `columns` are digested, in this order; `place` gives the place of a column in the rows.
+  MethodDigester(const DeclaredTable& declared, const std::vector<std::string>& columns,
+                 const std::function<std::size_t(std::string_view)>& place);
+
+  void add(const std::vector<std::string>& row);
+  [[nodiscard]] std::vector<MethodDigest> digests() const;
+
+ private:
+  /// The rows of one method in one study.
+  struct Gathered {
+    Rows rows;
+    std::size_t count = 0;
+    std::string text;  ///< the text that is digested
+  };
+
+  std::string table_;
+  std::string header_;
+  std::size_t study_;
+  std::size_t method_;
+  std::vector<std::size_t> places_;
+  std::vector<Gathered> all_;
+  std::map<Rows, std::size_t> found_;  ///< places in `all_`
+};
+
+/// The digests of a table that was read. Throws Failure(Exit::input_output) where it has not all of the columns, or that
+/// of the study or the method.
 [[nodiscard]] std::vector<MethodDigest> method_digests(const DeclaredTable& declared, const CsvDocument& table,
                                                        const std::vector<std::string>& columns);
 
-/// The digests of all deterministic tables in the folder `bundle`, sorted by table, as digests.csv lists them.
-/// Throws Failure(Exit::input_output) where a table cannot be read or
-/// lacks a column.
-[[nodiscard]] std::vector<MethodDigest> digests_of(const std::filesystem::path& bundle);
+/// The text of digests.csv, whose SHA-256 is the digest by which two bundles agree bit for bit or not. The digests are
+/// those of all deterministic tables of a bundle, sorted by table.
 [[nodiscard]] std::string digests_csv(const std::vector<MethodDigest>& digests);
 
 /// The digests that a digests.csv states. Throws Failure(Exit::input_output) for a table without the columns, and for a
 /// number of rows that is not a count.
 [[nodiscard]] std::vector<MethodDigest> parse_digests(const CsvDocument& table);
-
-/// The digest by which two bundles agree bit for bit or not: the SHA-256 of digests.csv.
-/// Throws as digests_of() does.
-[[nodiscard]] std::string accuracy_digest(const std::filesystem::path& bundle);
 
 }  // namespace bezierbench::bundle

@@ -4,10 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "experiments/bundle/digest.hpp"
-#include "experiments/bundle/scratch_folder_test.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -62,38 +59,6 @@ TEST(MethodDigest, AreReadBackFromTheirTable) {
   const auto all = digests(three_rows, {"degree"});
   EXPECT_EQ(parse_digests(parse_csv(digests_csv(all), digests_name)), all);
   EXPECT_THROW((void)parse_digests(parse_csv("table,study,method,rows,digest\na,b,c,-1,d\n", digests_name)), Failure);
-}
-
-TEST(MethodDigest, OfABundleAreOfItsDeterministicTablesSortedByName) {
-  const ScratchFolder folder;
-  const auto fill = [&](const std::string& name, const std::string& study, const std::string& method) {
-    std::string header;
-    std::string row;
-    for (const auto& column : declared_table(name)->header()) {
-      header += (header.empty() ? "" : ",") + column;
-      row += std::string(row.empty() ? "" : ",") + (column == study ? "s" : column == method ? "m" : "1");
-    }
-    folder.put(name, header + "\n" + row + "\n");
-  };
-  std::vector<std::string> expected;
-  for (const auto& table : declared_tables()) {
-    fill(table.file, table.study, table.method);
-    if (table.is_deterministic) expected.push_back(table.file);
-  }
-  std::ranges::sort(expected);
-  std::vector<std::string> found;
-  for (const auto& [rows_of, count, digest] : digests_of(folder.path())) {
-    EXPECT_EQ(rows_of.study, "s");
-    EXPECT_EQ(rows_of.method, "m");
-    found.push_back(rows_of.table);
-  }
-  EXPECT_EQ(found, expected);
-}
-
-TEST(AccuracyDigest, UnreadableDeterministicFileDoesNotCountAsAbsent) {
-  const ScratchFolder folder;
-  std::filesystem::create_symlink("nowhere", folder.path() / "accuracy.csv");
-  EXPECT_THROW((void)accuracy_digest(folder.path()), Failure);
 }
 
 }  // namespace

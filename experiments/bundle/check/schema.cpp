@@ -267,12 +267,4 @@ const Schema& tables_schema() {
   return schema;
 }
 
-std::optional<std::string> machine_fault(const std::string& machine_json) {
-  try {
-    return machine_schema().fault(parse_json_object(machine_json, "machine.json"));
-  } catch (const Failure& failure) {
-    return failure.what();
-  }
-}
-
 }  // namespace bezierbench::bundle

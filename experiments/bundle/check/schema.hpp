@@ -45,7 +45,4 @@ class Schema {
 [[nodiscard]] const Schema& machine_schema();
 [[nodiscard]] const Schema& tables_schema();
 
-/// What is wrong with the text of machine.json: it is not JSON or violates its schema. Empty where nothing is wrong.
-[[nodiscard]] std::optional<std::string> machine_fault(const std::string& machine_json);
-
 }  // namespace bezierbench::bundle

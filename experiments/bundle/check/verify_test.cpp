@@ -32,14 +32,14 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 class Verify : public testing::Test {
  protected:
-  Verify() : bundle_(filled(folder_.path() / "b")) { bundle_.finish(with_state("complete")); }
+  Verify() : bundle_(filled(folder_.path() / "b")) { finish(bundle_, with_state("complete")); }
 
   void put(const std::string& name, std::string_view bytes) { folder_.put("b/" + name, bytes); }
   void remove(const std::string& name) { fs::remove(bundle_.path() / name); }
   /// Changes the content of a file and its checksum with it.
   void change(const std::string& name, const std::string& from, const std::string& to) {
     bundle_.write(name, replaced(bundle_.read(name), from, to));
-    bundle_.finish(with_state("complete"));
+    finish(bundle_, with_state("complete"));
   }
   [[nodiscard]] std::vector<std::string> findings() const { return verify(bundle_.path(), expected); }
 
@@ -111,7 +111,7 @@ TEST_F(Verify, MissingFiles) {
 
 TEST_F(Verify, TablesThatItsStudiesAskFor) {
   remove("timing.csv");
-  bundle_.finish(with_state("complete"));
+  finish(bundle_, with_state("complete"));
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv: is missing, a study of suite.toml gives it")));
 }
 
@@ -127,7 +127,7 @@ TEST_F(Verify, UnknownFilesFoldersAndLeftovers) {
 
 TEST_F(Verify, ListedFilesThatNoBundleHas) {
   put("other.csv", "a\n1\n");
-  bundle_.finish(with_state("complete"));
+  finish(bundle_, with_state("complete"));
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("other.csv: does not belong to a bundle")));
 }
 
@@ -160,7 +160,7 @@ TEST_F(Verify, ManifestOfAnotherSuite) {
   other.suite_digest = std::string(64, '0');
   other.seed = 2;
   other.suites = {"another"};
-  bundle_.finish(other);
+  finish(bundle_, other);
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("its digest of suites is 000"), HasSubstr("seed is 2, in suite.toml 1"),
                                       HasSubstr("its suites are not those")));
 }
@@ -168,7 +168,7 @@ TEST_F(Verify, ManifestOfAnotherSuite) {
 TEST_F(Verify, ManifestAgainstItsSchema) {
   Manifest other = with_state("complete");
   other.git_commit = "main";
-  bundle_.finish(other);
+  finish(bundle_, other);
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("bundle.json: git_commit is \"main\"")));
 }
 
@@ -181,7 +181,7 @@ TEST_F(Verify, SuiteThatDoesNotRead) {
 
 TEST_F(Verify, MachineThatIsNotJson) {
   bundle_.write("machine.json", "{\"cpu\": \n");
-  bundle_.finish(with_state("complete"));
+  finish(bundle_, with_state("complete"));
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("machine.json:2:1: malformed JSON")));
 }
 
@@ -200,7 +200,7 @@ TEST_F(Verify, CutOrDoubledSums) {
 
 TEST_F(Verify, TableThatIsNotCsv) {
   bundle_.write("audit.csv", "a,b\n1\n");
-  bundle_.finish(with_state("complete"));
+  finish(bundle_, with_state("complete"));
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("audit.csv:2: row has 1 field")));
 }
 
@@ -226,7 +226,7 @@ TEST_F(Verify, AHostileTableIsAFewLines) {
   table = header;
   for (int k = 0; k < 1000; ++k) table += row + '\n';
   bundle_.write("accuracy.csv", table);
-  bundle_.finish(with_state("complete"));
+  finish(bundle_, with_state("complete"));
   EXPECT_THAT(findings(), AllOf(SizeIs(testing::Lt(30U)), Contains(HasSubstr("more of that kind"))));
 }
 

@@ -134,8 +134,8 @@ Evidence read_evidence(const Wish& wish) {
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
     if (auto found = table(file)) accuracies.push_back(std::move(*found));
-  Evidence evidence{std::move(*timing), tables::JudgedTables(std::move(accuracies), table("reference.csv")),
-                    table("methods.csv"), reader.told()};
+  Evidence evidence{std::move(*timing), tables::JudgedTables(std::move(accuracies)), table("methods.csv")};
+  wish.damaged = reader.told();
   return evidence;
 }
 
@@ -315,10 +315,13 @@ void read_numbers(Wish& wish) {
 Exit choose(Wish wish) {
   read_numbers(wish);
   const auto evidence = read_evidence(wish);
-  const auto races = judged_races(evidence, wish);
-  const auto& race = races.front();
-  const auto candidates = candidates_of(race, wish);
-  print_damage(evidence.damaged);
+  auto groups = tables::timed_groups(tables::rows_of(evidence.timing));
+  std::erase_if(groups, [&](const tables::ChoiceGroup& group) {
+    return judged_ranges(group, evidence.judged, wish.accuracy_study).empty();
+  });
+  auto race = one_of(judged_races(matching(std::move(groups), wish), evidence, wish));
+  std::ranges::stable_sort(race.group.choices, is_quick_to_slow);
+  print_damage(wish.damaged);
   if (wish.format == "csv") {
     for (std::size_t k = 1; k < races.size(); ++k)
       say(fmt::format("times of another study are left out: {}; see --study", timed_curves(races[k])));

@@ -122,7 +122,7 @@ std::vector<std::string> judge_class(tables::ChoiceGroup& group, const DrawnClas
     if (method == seen.end() || !is_of_kind(row, group)) return;
     const auto drawn = drawn_class(row);
     if (!lies_within(drawn, of)) return;
-    method->second.errors.add(judged, row);
+    method->second.errors.add(row);
     method->second.of_the_class = method->second.of_the_class || is_same(drawn, of);
     add_once(studies, row.text("study"));
     add_once(cells, cell_words(row));

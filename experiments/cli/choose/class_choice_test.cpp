@@ -20,18 +20,15 @@ struct JudgedRow {
 /// max_error_u, bound_u and max_bound.
 tables::JudgedTables judged(const std::vector<JudgedRow>& rows, const std::string& unbounded = "0") {
   std::string accuracy =
-      "study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
-      "max_error_u,bound_u,max_bound,non_finite\n";
-  std::string reference =
-      "study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,unbounded_trials\n";
+      "study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
+      "max_error_u,bound_u,max_bound,non_finite,unbounded_trials\n";
   for (const auto& row : rows) {
-    const auto cell = row.study + ",bernstein," + row.method + ",double,1,5," + row.drawn + ",continuous,";
-    accuracy += cell + "exact,ok," + row.numbers + ",0\n";
-    reference += cell + unbounded + "\n";
+    accuracy += row.study + ",bezier," + row.method + ",double,1,5," + row.drawn + ",continuous,exact,ok," +
+                row.numbers + ",0," + unbounded + "\n";
   }
   std::vector<bundle::CsvDocument> accuracies;
   accuracies.push_back(bundle::parse_csv(accuracy, "accuracy.csv"));
-  return {std::move(accuracies), bundle::parse_csv(reference, "reference.csv")};
+  return tables::JudgedTables(std::move(accuracies));
 }
 
 /// The methods timed on curves of range 10 with t in [0,1].

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/run/merge.hpp"
-
 #include <memory>
 
 #include "experiments/bundle/bundle.hpp"
@@ -11,6 +9,7 @@
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/interruption.hpp"
+#include "experiments/run/run.hpp"
 #include "experiments/suite/outside.hpp"
 #include "experiments/suite/text/reader.hpp"
 

@@ -40,21 +40,6 @@ class Resume(ResumeCase):
         self.assertIn(f"blocks       {blocks}, {blocks} of them done", text)
         self.assertIn("already complete", text)
 
-    def test_many_small_files_become_one(self):
-        """No more files than a run needs, however often it was stopped."""
-        suite = self.suite({**ACCURACY, "trials": "20000"})
-        self.start_and_stop("b", suite)
-        kept = self.block_files("b")[0].read_bytes()
-        for number in range(2, 80):
-            self.write(f"b/blocks/whole.{number:06}.blocks", kept)
-        self.stop_when(lambda: len(self.block_files("b")) < 70, signal.SIGKILL, "run", suite, "--quiet",
-                       "--checkpoint", 0, "--out", "b")
-        self.assertLess(len(self.block_files("b")), 70)
-        self.assert_not_complete("b")
-        self.bundle(suite, name="b")
-        self.bundle(suite, name="whole")
-        self.assertEqual(self.results("b"), self.results("whole"))
-
     def test_damage_is_computed_again(self):
         suite = self.suite(ACCURACY, CONVERSION)
         self.bundle(suite, name="whole")

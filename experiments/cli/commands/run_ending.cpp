@@ -5,7 +5,7 @@
 
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/terminal/shell_word.hpp"
-#include "experiments/run/progress_text.hpp"
+#include "experiments/run/progress.hpp"
 
 namespace bezierbench::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "experiments/run/blocks/shard.hpp"
+#include "experiments/run/run.hpp"
 
 namespace bezierbench::cli {
 

@@ -191,8 +191,8 @@ class Merge(ShardCase):
             with self.subTest(name=name):
                 shutil.copytree(self.folder / "s1", self.folder / "m")
                 self.write(f"m/{name}", "study\nx\n")
-                self.refused(INPUT_OUTPUT, ["merge", "m", "s2", "--out", "m"], f"m/{name}: is nothing that this run writes")
-                self.refused(INPUT_OUTPUT, ["run", self.everything, "--quiet", "--out", "m"], f"m/{name}: is nothing that",
+                self.refused(INPUT_OUTPUT, ["merge", "m", "s2", "--out", "m"], f"m/{name}: is not a file that this run writes")
+                self.refused(INPUT_OUTPUT, ["run", self.everything, "--quiet", "--out", "m"], f"m/{name}: is not a file that",
                              unchanged=False)
                 (self.folder / f"m/{name}").unlink()
                 self.bundle(self.everything, name="m")
@@ -228,7 +228,7 @@ class Merge(ShardCase):
             shutil.rmtree(self.folder / "m")
         path = self.folder / full / "accuracy.csv"
         path.write_text(path.read_text() + "\n")
-        self.refused(FINDING, ["merge", "s1", "s2", "s3", "--out", "m"], full, "accuracy digest")
+        self.refused(INPUT_OUTPUT, ["merge", "s1", "s2", "s3", "--out", "m"], f"{full}/accuracy.csv", "SHA256SUMS")
 
     def test_blocks_of_a_modified_build(self):
         self.apart(2)

@@ -72,7 +72,7 @@ std::string choices(const suite::Study& study, const std::vector<ScalarCell>& ce
   for (std::size_t k = 0; k < tables::cell_columns().size(); ++k) {
     std::vector<std::string> values;
     for (const auto& [cell, scalar] : cells) {
-      const auto value = tables::cell_fields(study, cell, "", scalar).at(k);
+      const auto value = tables::text(tables::cell_fields(study, cell, "", scalar).at(k));
       if (std::ranges::find(values, value) == values.end()) values.push_back(value);
     }
     if (values.size() > 1) words.push_back(fmt::format("{} ({})", tables::cell_columns()[k], fmt::join(values, ", ")));

@@ -15,7 +15,7 @@
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/echo.hpp"
-#include "experiments/run/expected.hpp"
+#include "experiments/run/plan.hpp"
 #include "experiments/suite/text/reader.hpp"
 
 namespace bezierbench::cli {

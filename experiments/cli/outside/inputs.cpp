@@ -61,7 +61,7 @@ void add_cell(const suite::Suite& of, const suite::Study& study, const sample::C
     const auto append = [&](const std::vector<std::string>& more) {
       fields.insert(fields.end(), more.begin(), more.end());
     };
-    append(tables::drawn_fields(cell));
+    for (const auto& drawn : tables::drawn_fields(cell)) fields.push_back(tables::text(drawn));
     fields.push_back(std::to_string(k));
     append(judge::input_fields(trial, cell.dimension));
     append(std::vector<std::string>(outside::answer_columns.size()));

@@ -33,12 +33,10 @@ Exit print_rows(const run::RunRequest& request, const outside::Method& method) {
       run::run_all(*job);
       job->write(tables);
     }
-  const auto text = tables.table("accuracy.csv").text();
-  fmt::print("{}", text);
-  const auto rows = bundle::parse_csv(text, "accuracy.csv");
-  for (std::size_t row = 0; row < rows.row_count(); ++row)
-    if (rows.at(row, "status") != "ok") return Exit::finding;
-  return Exit::fine;
+  const auto& table = tables.table("accuracy.csv");
+  fmt::print("{}", table.text());
+  const auto is_ok = [](const tables::Row& row) { return row.field("status") == tables::field("ok"); };
+  return std::ranges::all_of(table.rows(), is_ok) ? Exit::fine : Exit::finding;
 }
 
 Exit judge(const JudgeOptions& options) {

@@ -20,11 +20,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view extension = ".blocks";
-/// Without an `interval` of the owner, a file follows the one before after a time between these.
+// Without an `interval` of the owner, the time between two files is the longest of these: so many times the cost of the
+// last one, and a share of the time since the beginning, which keeps the files of a long run few.
 constexpr auto shortest_interval = std::chrono::milliseconds(50);
-constexpr auto longest_interval = std::chrono::milliseconds(2000);
-constexpr std::size_t most_files = 64;  ///< of one writer, before they are merged into one
-constexpr int times_the_cost = 19;      ///< the time between two checkpoints over the time that the last one took
+constexpr int times_the_cost = 19;
+constexpr int share_of_the_time = 50;
 
 std::uint64_t size_of(const bundle::BlockRecord& record) {
   std::uint64_t sum = 0;
@@ -79,19 +79,12 @@ std::vector<std::string> Checkpoints::load(const Found& found, Whose whose) {
   std::vector<std::string> notes;
   for (const auto& path : found.damaged)
     notes.push_back(fmt::format("{}: damaged; what it held is computed again", path.string()));
-  // A writer merges its earlier files into one and then removes them. If it was killed in between, they overlap. The
-  // largest file comes first, so that the merged one is used.
-  std::vector<std::pair<const FoundBlocks*, const bundle::BlockRecord*>> records;
   for (const auto& one : found.readable) {
-    for (const auto& record : one.file.records) records.emplace_back(&one, &record);
-    if (whose == Whose::own && !is_own(one.path)) continue;
-    files_.push_back(one.path);
     if (is_own(one.path)) next_number_ = std::max(next_number_, number_of(one.path) + 1);
+    for (const auto& record : one.file.records) load_record(one, record, whose, notes);
   }
   for (const auto& path : found.damaged)
     if (is_own(path)) next_number_ = std::max(next_number_, number_of(path) + 1);
-  std::ranges::stable_sort(records, std::ranges::greater(), [](const auto& one) { return size_of(*one.second); });
-  for (const auto& [from, record] : records) load_record(*from, *record, whose, notes);
   return notes;
 }
 
@@ -167,40 +160,22 @@ void Checkpoints::drain(std::vector<bundle::BlockRecord>* records) {
     }
 }
 
-std::vector<bundle::BlockRecord> Checkpoints::everything() const {
-  std::vector<bundle::BlockRecord> records;
-  for (std::size_t job = 0; job < jobs_.size(); ++job)
-    for (std::size_t part = 0; part < slots_[job].size(); ++part)
-      if (const Result* total = jobs_[job]->total(part))
-        records.push_back({job, part, settled_[job].within(blocks_of(job, part)).runs(), bytes_of(*total)});
-  return records;
-}
-
-void Checkpoints::write(std::vector<bundle::BlockRecord> records) {
-  const auto path = owner_.folder / fmt::format("{}.{:06}{}", owner_.writer, next_number_++, extension);
-  bundle::write_bundle_file(
-      path, bundle::block_file_bytes({owner_.manifest, owner_.reference, owner_.machine, std::move(records)}));
-  files_.push_back(path);
-}
-
 void Checkpoints::write_checkpoint() {
   const auto start = Clock::now();
   std::vector<bundle::BlockRecord> records;
   drain(&records);
-  if (!records.empty()) write(std::move(records));
-  if (files_.size() > most_files) {
-    const auto superseded = std::exchange(files_, {});
-    write(everything());
-    std::error_code ignored;  // a file that stays is found to overlap, and skipped
-    for (const auto& path : superseded) fs::remove(path, ignored);
-  }
+  if (!records.empty())
+    bundle::write_bundle_file(
+        owner_.folder / fmt::format("{}.{:06}{}", owner_.writer, next_number_++, extension),
+        bundle::block_file_bytes({owner_.manifest, owner_.reference, owner_.machine, std::move(records)}));
   const auto end = Clock::now();
   next_checkpoint_ = end + pause_after(end - start);
 }
 
 Checkpoints::Clock::duration Checkpoints::pause_after(Clock::duration cost) const {
   if (owner_.interval) return *owner_.interval;
-  return std::clamp<Clock::duration>(times_the_cost * cost, shortest_interval, longest_interval);
+  return std::max<Clock::duration>(
+      {shortest_interval, times_the_cost * cost, (Clock::now() - start_) / share_of_the_time});
 }
 
 }  // namespace bezierbench::run

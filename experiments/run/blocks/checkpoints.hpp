@@ -32,6 +32,8 @@ struct FoundBlocks {
 struct Found {
   std::vector<FoundBlocks> readable;
   std::vector<std::filesystem::path> damaged;
+
+  [[nodiscard]] bool empty() const { return readable.empty() && damaged.empty(); }
 };
 
 /// Reads blocks/ of a bundle; empty where there is none. Throws Failure(input_output) for what cannot be read.
@@ -66,7 +68,7 @@ class Checkpoints {
 
   /// Takes the result of one block, from any thread, and writes a file when it is time. Without an `interval`, files
   /// are written so rarely that they cost a twentieth of the time, and so often that a killed run loses little more
-  /// than two seconds. Throws as write_file.
+  /// than a fiftieth. Throws as write_file.
   void add(std::size_t job, std::uint64_t block, std::unique_ptr<Result> result);
 
   /// Writes the results that are in no file yet. Throws as write_file.
@@ -89,8 +91,6 @@ class Checkpoints {
   [[nodiscard]] BlockSet::Run blocks_of(std::size_t job, std::uint64_t part) const;
   /// Adds all fresh results to the jobs; returns them as records on request.
   void drain(std::vector<bundle::BlockRecord>* records);
-  [[nodiscard]] std::vector<bundle::BlockRecord> everything() const;
-  void write(std::vector<bundle::BlockRecord> records);
   void write_checkpoint();
   [[nodiscard]] Clock::duration pause_after(Clock::duration cost) const;
 
@@ -101,9 +101,9 @@ class Checkpoints {
 
   std::mutex mutex_;  ///< guards all below, and the jobs' totals
   std::vector<BlockSet> settled_;
-  std::vector<std::filesystem::path> files_;  ///< that hold settled blocks only
   std::uint64_t next_number_ = 1;
-  Clock::time_point next_checkpoint_;
+  const Clock::time_point start_ = Clock::now();
+  Clock::time_point next_checkpoint_ = start_;
 };
 
 }  // namespace bezierbench::run

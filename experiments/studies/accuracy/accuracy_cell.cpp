@@ -30,7 +30,7 @@ using tables::Statistic;
 
 struct Column {
   const char* name;
-  std::string (*field)(const Statistics& of);
+  tables::Field (*field)(const Statistics& of);
 };
 
 template <auto Member, Statistic Of>
@@ -38,7 +38,7 @@ constexpr auto of_judgement = [](const Statistics& s) { return field(s.judgement
 template <auto Member, Statistic Of>
 constexpr auto of_sources = [](const Statistics& s) { return field(s.judgement.sources.*Member, Of); };
 template <Statistic Of>
-constexpr auto of_condition = [](const Statistics& s) { return s.exact ? field(s.condition, Of) : std::string(); };
+constexpr auto of_condition = [](const Statistics& s) { return s.exact ? field(s.condition, Of) : tables::Field(); };
 
 constexpr Column columns[]{
     {"mean_error", of_judgement<&judge::Judgement::error, mean>},
@@ -48,11 +48,10 @@ constexpr Column columns[]{
     {"max_error", of_judgement<&judge::Judgement::error, largest>},
     {"mean_error_u", of_judgement<&judge::Judgement::error_u, mean>},
     {"max_error_u", of_judgement<&judge::Judgement::error_u, largest>},
-    {"bound_u",
-     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound_u.value) : std::string(); }},
+    {"bound_u", [](const Statistics& s) { return s.bounded() ? field(s.judgement.bound_u) : tables::Field(); }},
     {"bound_violations",
-     [](const Statistics& s) { return s.bounded() ? std::to_string(s.judgement.violations.count) : std::string(); }},
-    {"non_finite", [](const Statistics& s) { return std::to_string(s.judgement.non_finite); }},
+     [](const Statistics& s) { return s.bounded() ? field(s.judgement.violations) : tables::Field(); }},
+    {"non_finite", [](const Statistics& s) { return field(s.judgement.non_finite); }},
     {"mean_error_ulp", of_judgement<&judge::Judgement::error_ulp, mean>},
     {"max_error_ulp", of_judgement<&judge::Judgement::error_ulp, largest>},
     {"mean_relative", of_judgement<&judge::Judgement::relative, mean>},
@@ -66,10 +65,9 @@ constexpr Column columns[]{
     {"max_one_minus_t_error", of_sources<&judge::SourceTallies::one_minus_t, largest>},
     {"mean_evaluation_error", of_sources<&judge::SourceTallies::evaluation, mean>},
     {"max_evaluation_error", of_sources<&judge::SourceTallies::evaluation, largest>},
-    {"max_bound",
-     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound.value) : std::string(); }},
+    {"max_bound", [](const Statistics& s) { return s.bounded() ? field(s.judgement.bound) : tables::Field(); }},
     {"unbounded_trials", [](const Statistics& s) {
-       return s.exact ? std::to_string(s.trials - static_cast<std::int64_t>(s.judgement.bounded)) : std::string();
+       return s.exact ? field(s.trials - static_cast<std::int64_t>(s.judgement.bounded)) : tables::Field();
      }}};
 
 }  // namespace
@@ -123,8 +121,7 @@ double AccuracyCell<Scalar>::cost() const {
 template <class Scalar>
 run::Extent AccuracyCell<Scalar>::extent() const {
   const auto rows = methods_.judgement_count();
-  return {1, 2 * rows, static_cast<std::uint64_t>(trials()) * methods_.count(),
-          rows * judge::bytes_of_input(cell_)};  // of accuracy.csv and worst.csv
+  return {1, 2 * rows, static_cast<std::uint64_t>(trials()) * methods_.count()};  // of accuracy.csv and worst.csv
 }
 
 template <class Scalar>

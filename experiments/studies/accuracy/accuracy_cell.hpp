@@ -73,7 +73,7 @@ class AccuracyCell {
  private:
   [[nodiscard]] judge::CellTally empty_block() const;
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
-  [[nodiscard]] std::vector<std::string> cell_fields(std::size_t method) const {
+  [[nodiscard]] std::vector<tables::Field> cell_fields(std::size_t method) const {
     return tables::cell_fields(study_, cell_, methods_.info(method).id, judge::ScalarFacts<Scalar>::kind);
   }
   [[nodiscard]] tables::Row judgement_row(std::size_t method, std::size_t baseline) const;

@@ -76,7 +76,7 @@ class BsplineProblem {
                       "control_bound_u",
                       [](const Row& row) {
                         const bool proved = row.errors.bounded > 0 && row.method.makes_bernstein;
-                        return proved ? tables::field(row.errors.control_bound_u) : std::string();
+                        return proved ? tables::field(row.errors.control_bound_u) : tables::Field();
                       }},
                   TrialColumn<Row>{"bound_violations", column::where_bounded<&Errors::violations>},
                   TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},

@@ -208,7 +208,7 @@ class ExhaustiveJob final : public run::JobOf<Tallies> {
   }
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
-    for (const auto& part : parts_) sum += {1, part.kernels.size(), part.range.count() * part.kernels.size(), 0};
+    for (const auto& part : parts_) sum += {1, part.kernels.size(), part.range.count() * part.kernels.size()};
     return sum;
   }
   void write(tables::Tables& tables) const override;
@@ -291,7 +291,7 @@ void ExhaustiveJob::write(tables::Tables& tables) const {
       tables.add(key_row(parts_[part], *kernels[m])
                      .set("points", range.count())
                      .set("max_error_ulp", exact_error(*curve, *kernels[m], worst))
-                     .set("worst_t", number::hexadecimal(double{worst}))
+                     .set("worst_t", tables::Hexadecimal{double{worst}})
                      .set("misrounded", tally.misrounded)
                      .set("non_monotone", is_monotone ? std::optional(tally.non_monotone) : std::nullopt)
                      .set("out_of_hull", tally.out_of_hull));

@@ -69,8 +69,8 @@ class FittingProblem {
       TrialColumn<Row>{"max_error_over_tolerance",
                        [](const Row& row) {
                          const metric::Tally& error = row.errors.error;
-                         return error.count() > 0 ? number::decimal(error.max() / *row.values.tolerance)
-                                                  : std::string();
+                         return error.count() > 0 ? tables::Field(error.max() / *row.values.tolerance)
+                                                  : tables::Field();
                        }},
       TrialColumn<Row>{"mean_claimed", column::statistic<tables::mean, &Errors::claimed>},
       TrialColumn<Row>{"max_claimed", column::statistic<tables::largest, &Errors::claimed>},

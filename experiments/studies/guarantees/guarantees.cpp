@@ -62,7 +62,7 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
     for (std::size_t part = 0; part < parts(); ++part)
-      sum += {1, 1, static_cast<std::uint64_t>(study_.trials + budget()), judge::bytes_of_input(cell(part))};
+      sum += {1, 1, static_cast<std::uint64_t>(study_.trials + budget())};
     return sum;
   }
   void write(tables::Tables& tables) const override {
@@ -172,8 +172,8 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
     const auto& shown = found.smallest ? found.smallest : question.proved() ? std::nullopt : found.nearest;
     if (shown) {
       row.set_each({"t", "coefficients"}, input_of(*shown, question.cell.dimension));
-      if (statement.uses_t_next) row.set("t_next", number::hexadecimal(shown->t_next));
-      if (statement.uses_offset) row.set("offset", number::hexadecimal(shown->offset));
+      if (statement.uses_t_next) row.set("t_next", tables::Hexadecimal{shown->t_next});
+      if (statement.uses_offset) row.set("offset", tables::Hexadecimal{shown->offset});
     }
     tables.add(row);
   }
@@ -182,7 +182,7 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
   static std::size_t rows_of(const tables::Tables& tables) {
     std::size_t rows = 0;
     for (const auto* file : {"guarantees.csv", "guarantees_unstable.csv"})
-      if (const auto found = tables.all().find(file); found != tables.all().end()) rows += found->second.row_count();
+      if (const auto* table = tables.find(file)) rows += table->row_count();
     return rows;
   }
 

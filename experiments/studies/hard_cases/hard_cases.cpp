@@ -139,9 +139,8 @@ class HardCasesJob final : public run::JobOf<Kept> {
   [[nodiscard]] std::size_t blocks_per_part() const override { return blocks_.count(); }
   [[nodiscard]] double cost(std::size_t /*part*/) const override { return 1e4 * static_cast<double>(blocks_.full()); }
   [[nodiscard]] run::Extent extent() const override {
-    constexpr std::size_t bytes_of_coefficients = 250;
     const auto rows = parts() * searches.size() * static_cast<std::size_t>(kept());
-    return {parts(), rows, parts() * static_cast<std::uint64_t>(trials()), rows * bytes_of_coefficients};
+    return {parts(), rows, parts() * static_cast<std::uint64_t>(trials())};
   }
   void write(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
@@ -204,7 +203,7 @@ void HardCasesJob::write(tables::Tables& tables) const {
         for (const double c : found.coefficients)
           coefficients += fmt::format("{}{}", coefficients.empty() ? "" : " ", number::hexadecimal(c));
         const auto rounded = [&](const reference::Format& to) {
-          return number::hexadecimal(round_to(to, value.exact));
+          return tables::Hexadecimal{round_to(to, value.exact)};
         };
         tables.add(tables::Row("hard_cases.csv")
                        .set("study", study_.id)
@@ -215,7 +214,7 @@ void HardCasesJob::write(tables::Tables& tables) const {
                        .set("scalar", suite::name(scalar))
                        .set("degree", found.coefficients.size() - 1)
                        .set("dimension", 1)
-                       .set("t", number::hexadecimal(found.t))
+                       .set("t", tables::Hexadecimal{found.t})
                        .set("coefficients", coefficients)
                        .set("exact", significant(value.exact, decimal_digits))
                        .set("rounded", rounded(format))

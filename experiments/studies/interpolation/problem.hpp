@@ -104,11 +104,11 @@ class InterpolationProblem {
       TrialColumn<Row>{"bound_u",
                        [](const Row& row) {
                          const double bound = row.errors.bound_u.value;
-                         return bound > 0 ? number::decimal(bound) : std::string();
+                         return bound > 0 ? tables::Field(bound) : tables::Field();
                        }},
       TrialColumn<Row>{"bound_violations",
                        [](const Row& row) {
-                         return row.method.residual_bound > 0 ? tables::field(row.errors.violations) : std::string();
+                         return row.method.residual_bound > 0 ? tables::field(row.errors.violations) : tables::Field();
                        }},
       TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
   };

@@ -66,7 +66,7 @@ class OutsideTimingJob final : private JudgedOutside, public RacingJob<OutsideLa
         RacingJob(study, seed, race_cells_of(study, info())),
         late_(parts()) {}
 
-  [[nodiscard]] run::Extent extent() const override { return {0, parts(), parts() * race::timed_inputs_per_cell, 0}; }
+  [[nodiscard]] run::Extent extent() const override { return {0, parts(), parts() * race::timed_inputs_per_cell}; }
   void write(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 

@@ -71,8 +71,8 @@ class ProjectionProblem {
       TrialColumn<Row>{"residual_bound",
                        [](const Row& row) {
                          const auto bound = row.method.residual_bound;
-                         return bound == nullptr ? std::string()
-                                                 : number::decimal(bound(row.cell.degree, row.cell.dimension));
+                         return bound == nullptr ? tables::Field()
+                                                 : tables::Field(bound(row.cell.degree, row.cell.dimension));
                        }},
       TrialColumn<Row>{"broken_promises", column::count<&Errors::broken_promises>},
       TrialColumn<Row>{"candidates", column::count<&Errors::candidates, &metric::Total::sum>},

@@ -221,7 +221,7 @@ class RooflineJob final : public run::JobOf<RooflineLaps> {
     return 5e7 * static_cast<double>(races_[part].rivals.size());  // about the same wall time whatever the degree
   }
   [[nodiscard]] run::Extent extent() const override {
-    run::Extent sum{races_.size(), 0, 0, 0};
+    run::Extent sum{races_.size(), 0, 0};
     for (const auto& race : races_)
       for (const auto& who : race.rivals)
         if (who.method != nullptr) {

@@ -183,8 +183,7 @@ class SearchJob final : public run::JobOf<Outcome> {
   [[nodiscard]] run::Extent extent() const override {
     const auto evaluations = static_cast<std::uint64_t>(study_.trials + budget());
     run::Extent sum;
-    for (std::size_t part = 0; part < searches_.size(); ++part)
-      sum += {1, 1, evaluations, judge::bytes_of_input(cell(part))};
+    for (std::size_t part = 0; part < searches_.size(); ++part) sum += {1, 1, evaluations};
     return sum;
   }
   void write(tables::Tables& tables) const override {

@@ -61,7 +61,7 @@ class SubdivisionProblem {
           TrialColumn<Row>{"max_weight_error_u",
                            [](const Row& row) {
                              const bool any = row.errors.error.count() > 0 && row.method.info->form == Form::rational;
-                             return any ? tables::field(row.errors.weight_error_u) : std::string();
+                             return any ? tables::field(row.errors.weight_error_u) : tables::Field();
                            }},
           TrialColumn<Row>{"bound_u", column::where_bounded<&Errors::bound_u>},
           TrialColumn<Row>{"bound_violations", column::where_bounded<&Errors::violations>},
@@ -71,7 +71,7 @@ class SubdivisionProblem {
           TrialColumn<Row>{
               "points_off",
               [](const Row&
-                     row) { return row.errors.middles > 0 ? tables::field(row.errors.points_off) : std::string(); }},
+                     row) { return row.errors.middles > 0 ? tables::field(row.errors.points_off) : tables::Field(); }},
           TrialColumn<Row>{"non_finite", column::count<&Errors::non_finite>},
       });
   static constexpr std::array failures{

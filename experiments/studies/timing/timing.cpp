@@ -30,11 +30,9 @@ class TimingJob final : public RacingJob<race::RaceCellLaps> {
   }
 
   [[nodiscard]] run::Extent extent() const override {
-    tables::Tables listed;
-    list_rows(listed);
-    run::Extent sum{race_cells().size(), listed.table("timing.csv").row_count(), 0, 0};
-    for (const auto& race_cell : race_cells())
-      sum.evaluations += race_cell.methods.size() * race::timed_inputs_per_cell;
+    run::Extent sum{race_cells().size(), 0, 0};
+    for (const auto& race_cell : race_cells()) sum.rows += race_cell.methods.size();
+    sum.evaluations = sum.rows * race::timed_inputs_per_cell;
     return sum;
   }
   void write(tables::Tables& tables) const override {

@@ -184,7 +184,7 @@ double size_of(const race::RaceCell& race_cell, race::Size size) {
 /// In the order in which their first race cells ran.
 std::vector<Ladder> ladders_of(const std::vector<race::RaceCell>& race_cells, race::Size size) {
   std::vector<Ladder> ladders;
-  std::map<std::tuple<suite::ScalarKind, int, suite::Mode, std::vector<std::string>, const MethodInfo*>, std::size_t>
+  std::map<std::tuple<suite::ScalarKind, int, suite::Mode, std::vector<tables::Field>, const MethodInfo*>, std::size_t>
       places;
   for (const auto& race_cell : race_cells)
     for (std::size_t m = 0; m < race_cell.methods.size() && !race_cell.laps.empty(); ++m) {

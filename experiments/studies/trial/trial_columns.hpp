@@ -31,7 +31,7 @@ struct TrialRow {
 template <class Row>
 struct TrialColumn {
   std::string_view name;
-  std::string (*field)(const Row& row);
+  tables::Field (*field)(const Row& row);
 };
 
 /// Trials in which a method broke a promise or a proved bound; any of them fails the run.
@@ -53,28 +53,28 @@ constexpr const auto& reached(const auto& errors) {
 
 template <tables::Statistic which, auto... members>
 inline constexpr auto statistic =
-    [](const auto& row) -> std::string { return tables::field(reached<members...>(row.errors), which); };
+    [](const auto& row) -> tables::Field { return tables::field(reached<members...>(row.errors), which); };
 
 template <auto... members>
 inline constexpr auto count =
-    [](const auto& row) -> std::string { return tables::field(reached<members...>(row.errors)); };
+    [](const auto& row) -> tables::Field { return tables::field(reached<members...>(row.errors)); };
 
 /// A sum divided by the number of trials.
 template <auto... members>
-inline constexpr auto per_trial = [](const auto& row) -> std::string {
-  return number::decimal(static_cast<double>(reached<members...>(row.errors)) / static_cast<double>(row.trials));
+inline constexpr auto per_trial = [](const auto& row) -> tables::Field {
+  return static_cast<double>(reached<members...>(row.errors)) / static_cast<double>(row.trials);
 };
 
 /// The value; empty where no trial has a proved bound.
 template <auto... members>
-inline constexpr auto where_bounded = [](const auto& row) -> std::string {
-  return row.errors.bounded > 0 ? tables::field(reached<members...>(row.errors)) : "";
+inline constexpr auto where_bounded = [](const auto& row) -> tables::Field {
+  return row.errors.bounded > 0 ? tables::field(reached<members...>(row.errors)) : tables::Field();
 };
 
 /// The value; empty where no error was tallied.
 template <auto... members>
-inline constexpr auto where_any = [](const auto& row) -> std::string {
-  return row.errors.error.count() > 0 ? tables::field(reached<members...>(row.errors)) : "";
+inline constexpr auto where_any = [](const auto& row) -> tables::Field {
+  return row.errors.error.count() > 0 ? tables::field(reached<members...>(row.errors)) : tables::Field();
 };
 
 /// The trials that a TrialFailure counts.

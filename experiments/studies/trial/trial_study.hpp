@@ -50,7 +50,7 @@ concept StudiedProblem = judge::TrialProblem<P> &&
   { P::trial_nanoseconds(part, methods) } -> std::same_as<double>;
   std::string_view(P::table);
   { P::case_columns[0].field(row.values) } -> std::same_as<std::string>;
-  { P::columns[0].field(row) } -> std::same_as<std::string>;
+  { P::columns[0].field(row) } -> std::same_as<tables::Field>;
   { P::failures[0].trials(row) } -> std::same_as<const metric::TrialCount&>;
 };
 
