@@ -28,8 +28,7 @@ std::vector<Field> drawn_fields(const sample::Cell& cell) {
 
 std::vector<Field> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
                                suite::ScalarKind scalar) {
-  std::vector<Field> fields{field(study.id),       field(suite::name(study.curve)),
-                            field(method),         field(suite::name(scalar)),
+  std::vector<Field> fields{field(study.id),       field(name(study.form)), field(method), field(suite::name(scalar)),
                             field(cell.dimension), field(cell.degree)};
   for (auto& drawn : drawn_fields(cell)) fields.push_back(std::move(drawn));
   return fields;

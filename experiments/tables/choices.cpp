@@ -16,7 +16,7 @@ namespace {
 using CurveKind = std::vector<std::string>;
 
 CurveKind kind_of(const TableRow& row) {
-  return {row.text("curve"), row.text("scalar"), text(row.field("dimension")), text(row.field("degree"))};
+  return {row.text("form"), row.text("scalar"), text(row.field("dimension")), text(row.field("degree"))};
 }
 
 /// The errors of the methods of one accuracy study on one kind of curve.

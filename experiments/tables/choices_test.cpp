@@ -22,7 +22,7 @@ struct Numbers {
 Row in_cell(const char* file, const std::string& study, const std::string& method) {
   return Row(file)
       .set("study", study)
-      .set("curve", "bezier")
+      .set("form", "bernstein")
       .set("method", method)
       .set("scalar", "double")
       .set("dimension", 2)
@@ -120,8 +120,8 @@ TEST(ChoiceGroups, KeepHeatsApart) {
 
 TEST(ChoiceGroups, SayWhereANumberOfAFileIsNone) {
   const auto timing = bundle::parse_csv(
-      "study,curve,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,quality\n"
-      "speed,bezier,a,double,2,3,point,quick,1,1,ok\n",
+      "study,form,method,scalar,dimension,degree,mode,median_ns,low_ns,high_ns,quality\n"
+      "speed,bernstein,a,double,2,3,point,quick,1,1,ok\n",
       "timing.csv");
   EXPECT_THROW((void)timed_groups(rows_of(timing)), Failure);
 }

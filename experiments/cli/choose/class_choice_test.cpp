@@ -20,10 +20,10 @@ struct JudgedRow {
 /// max_error_u, bound_u and max_bound.
 tables::JudgedTables judged(const std::vector<JudgedRow>& rows, const std::string& unbounded = "0") {
   std::string accuracy =
-      "study,curve,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
+      "study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
       "max_error_u,bound_u,max_bound,non_finite,unbounded_trials\n";
   for (const auto& row : rows) {
-    accuracy += row.study + ",bezier," + row.method + ",double,1,5," + row.drawn + ",continuous,exact,ok," +
+    accuracy += row.study + ",bernstein," + row.method + ",double,1,5," + row.drawn + ",continuous,exact,ok," +
                 row.numbers + ",0," + unbounded + "\n";
   }
   std::vector<bundle::CsvDocument> accuracies;

@@ -89,9 +89,7 @@ void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> ow
   command.option("--reference", options->reference, "how the exact values are computed").one_of({"certified", "exact"});
   command.option("--shard", options->shard, "run part I of N; auto: taken from Open MPI, PMI or Slurm")
       .takes("I/N|auto", [] { return std::vector<std::string>{"auto"}; });
-  command
-      .option("--checkpoint", options->checkpoint,
-              "time between two checkpoints; default: 2 % of the time so far")
+  command.option("--checkpoint", options->checkpoint, "time between two checkpoints; default: 2 % of the time so far")
       .takes("SECONDS");
   command.flag("--dry-run", options->dry_run, "print what would be done, with a rough estimate");
   options->suites.add_no_timing(command);
