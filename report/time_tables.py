@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Times by the problem that was solved: a table for each timing study, in whichever chapter the problem stands."""
 
+from . import schema
 from .bundle import Missing
 from .document import Cell, Text
 from .limits import nearness
@@ -8,20 +9,6 @@ from .tables import axis_value, by_axis
 from .wording import general, listing, shortest
 
 EVALUATION = "evaluation"
-HALF = "or, where none is proved, has half of its digits"
-# problem: what one time is of, in English and Chinese, the axis that runs across its tables, and when an answer is right
-UNITS = {
-    EVALUATION: ("point", "点", "degree", "it keeps its bound"),
-    "derivative": ("derivative", "导数", "degree", f"it keeps its bound {HALF}"),
-    "arc_length": ("length", "弧长", "tolerance", "it keeps the tolerance, promised or not"),
-    "inverse_arc_length": ("parameter", "参数", "tolerance", "the length up to it keeps the tolerance, promised or not"),
-    "projection": ("foot point", "最近点", "degree", "it is not missed"),
-    "interpolation": ("spline", "样条", "points", f"every condition is met within its bound {HALF}"),
-    "subdivision": ("split", "分割", "degree", f"every control point keeps its bound {HALF}"),
-    "grid": ("grid", "网格", "points", "every point keeps its bound"),
-    "bspline": ("point", "样条点", "degree", f"the point, and every control point that is made on the way, keeps its bound {HALF}"),
-    "fitting": ("fit", "拟合", "tolerance", "it keeps the tolerance and stays near the polyline of the data"),
-}
 # what may tell the lines of a method apart, and how a line says it
 APART = {"mode": str, "degree": lambda v: f"degree {shortest(v)}", "order": lambda v: f"order {shortest(v)}",
          "tolerance": lambda v: f"to {shortest(v)}", "data": str, "points": lambda v: f"{shortest(v)} points",
@@ -44,7 +31,7 @@ def times(bundle, problem):
 def time_tables(bundle, problem):
     """One table per study, scalar type and dimension: medians with their intervals, and where the bundle knows them how near they
     are to their limits. The axis of the problem runs across, what else varies stands at the lines."""
-    unit, chinese, axis, _ = UNITS[problem]
+    unit, chinese, axis = (schema.timed()[problem][key] for key in ("unit", "unit_zh", "across"))
     studies = {}
     for row in times(bundle, problem):
         studies.setdefault(row["study"], {}).setdefault((row["scalar"], row["dimension"]), []).append(row)
@@ -89,11 +76,11 @@ def reading_times(bundle, problem):
     rows = times(bundle, problem)
     wrong = list(dict.fromkeys(r["method"] for r in rows if r["checked"] != "yes"))
     return Text(
-        ("" if problem == EVALUATION else f"A time is that of one {UNITS[problem][0]} from the control points or the data on, all that "
+        ("" if problem == EVALUATION else f"A time is that of one {schema.timed()[problem]['unit']} from the control points or the data on, all that "
          "a method prepares included. ")
         + "The interval in brackets, `low_ns` to `high_ns` of the file, covers how far the median varies from one race to another of "
         "the same methods, spread over the run. Every timed output was checked against one that was judged first: right where "
-        f"{UNITS[problem][3]}" + (f" {_without_bound(bundle)}" if problem == EVALUATION else "") + (f"; **✗ marks times of {listing(f'`{m}`' for m in wrong)} whose output was not right, or another.**" if wrong else ".")
+        f"{schema.timed()[problem]['right']}" + (f" {_without_bound(bundle)}" if problem == EVALUATION else "") + (f"; **✗ marks times of {listing(f'`{m}`' for m in wrong)} whose output was not right, or another.**" if wrong else ".")
         + (" A time marked ~ comes from a race in which fixed work beside it changed its speed by more than 2 %: "
            "ratios within a race stand, times of different races compare badly." if any(r["quality"] == "noisy" for r in rows) else ""))
 

@@ -9,15 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
-#include "core/bspline/kernel.hpp"
-#include "core/derivative/kernel.hpp"
-#include "core/fit/kernel.hpp"
-#include "core/grid/kernel.hpp"
-#include "core/interpolate/kernel.hpp"
 #include "core/project/kernel.hpp"
-#include "core/subdivide/kernel.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/suite/fault.hpp"
@@ -27,8 +20,6 @@
 namespace bezierbench::judge {
 
 namespace {
-
-constexpr int max_dimension = 3;
 
 /// A table for each dimension, our own first.
 template <class K>
@@ -52,12 +43,6 @@ class Tables {
  private:
   std::array<std::vector<K>, max_dimension> tables_;
 };
-
-template <class K>
-void add_infos(std::span<const K> kernels, std::vector<const MethodInfo*>& infos) {
-  for (const auto& kernel : kernels)
-    if (std::ranges::count(infos, kernel.info) == 0) infos.push_back(kernel.info);
-}
 
 }  // namespace
 
@@ -84,39 +69,8 @@ std::span<const ProjectionKernel> projection_methods(int dimension) {
   return tables.of(dimension);
 }
 
-std::span<const MethodInfo* const> companion_peer_infos() {
-  static const std::vector<const MethodInfo*> infos = [] {
-    std::vector<const MethodInfo*> all;
-    for (const auto& peer : peers::present())
-      for (int dimension = 1; dimension <= max_dimension; ++dimension) {
-        add_infos(peer.arc_length_kernels(dimension), all);
-        add_infos(peer.projection_kernels(dimension), all);
-      }
-    return all;
-  }();
-  return infos;
-}
-
-namespace {
-
-/// One entry for each problem's roster, and one for the methods of other libraries.
-constexpr std::array rosters{derivative_infos,    arc_length_infos,    inverse_arc_length_infos,
-                             projection_infos,    interpolation_infos, fitting_infos,
-                             split_infos,         grid_infos,          bspline_infos,
-                             companion_peer_infos};
-
-}  // namespace
-
-std::vector<const MethodInfo*> companion_infos() {
-  std::vector<const MethodInfo*> all;
-  for (const auto& infos : rosters)
-    for (const auto* info : infos()) all.push_back(info);
-  return all;
-}
-
-std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Problem problem) {
-  auto infos = companion_infos();
-  std::erase_if(infos, [&](const MethodInfo* info) { return info->problem != problem; });
+std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, std::vector<const MethodInfo*> infos) {
+  const auto problem = name(infos.front()->problem);
   if (study.methods.empty()) {
     std::erase_if(infos, [](const MethodInfo* info) { return suite::is_peer(info->id); });
     return infos;
@@ -129,8 +83,8 @@ std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Prob
       suite::refuse(study, {"methods",
                             k,
                             {},
-                            fmt::format("\"{}\" is no method for the problem {}; see `list methods`", study.methods[k],
-                                        name(problem))});
+                            fmt::format("\"{}\" is not a method for the problem {}; see `list methods`",
+                                        study.methods[k], problem)});
   std::erase_if(infos, [&](const MethodInfo* info) { return std::ranges::none_of(study.methods, means(info)); });
   return infos;
 }

@@ -17,6 +17,8 @@
 
 namespace bezierbench::judge {
 
+inline constexpr int max_dimension = 3;
+
 /// Our own evaluators in roster order, then the peers, which exist in double only. Dimension is 1, 2 or 3.
 template <class Scalar>
 std::span<const Kernel<Scalar>> methods(int dimension);
@@ -24,9 +26,6 @@ std::span<const Kernel<Scalar>> methods(int dimension);
 /// Likewise for arc lengths and for projection.
 std::span<const ArcLengthKernel> arc_length_methods(int dimension);
 std::span<const ProjectionKernel> projection_methods(int dimension);
-
-/// The info of every peer that is not an evaluator, each once, in roster order.
-std::span<const MethodInfo* const> companion_peer_infos();
 
 /// The entry for a method of this form; nullptr if there is none.
 template <class Scalar>
@@ -36,14 +35,9 @@ const Kernel<Scalar>* find_method(std::string_view id, Form form, int dimension)
   return nullptr;
 }
 
-// The methods of the companion problems: derivative, arc length, projection, interpolation, fitting.
-
-/// The info of every method of every companion problem, problem by problem in roster order.
-std::vector<const MethodInfo*> companion_infos();
-
-/// The methods of one problem that `study.methods` names, in roster order; all of them where it names none. Throws
-/// Failure(usage) for an entry that names no method of this problem.
-std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, Problem problem);
+/// The methods of a companion problem that `study.methods` names, in the order of `infos`, which holds all of them; where
+/// it names none, our own. Throws Failure(usage) for an entry that names no method of this problem.
+std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, std::vector<const MethodInfo*> infos);
 
 /// Throws Failure(usage) where no method that was chosen takes curves of the study's form.
 void require_form(const suite::Study& study, bool any_method);

@@ -60,11 +60,21 @@ std::vector<TrialPart> parts_of(const suite::Study& study, CaseAxes axes);
 /// The tolerances that methods are asked for on each trial; a single 0 where the problem has no tolerance.
 std::vector<double> tolerances_of(const suite::Study& study, const CaseAxes& axes);
 
+/// The info of every method of the problem, each once: our own in roster order, then those of other libraries.
+template <TrialProblem P>
+std::vector<const MethodInfo*> infos() {
+  std::vector<const MethodInfo*> all;
+  for (int dimension = 1; dimension <= max_dimension; ++dimension)
+    for (const auto& kernel : P::kernels(dimension))
+      if (std::ranges::count(all, kernel.info) == 0) all.push_back(kernel.info);
+  return all;
+}
+
 /// The kernels that the study names and that take its form of curve, in roster order.
 template <TrialProblem P>
 std::vector<const typename P::Kernel*> chosen_trial_kernels(const suite::Study& study, int dimension) {
   std::vector<const typename P::Kernel*> methods;
-  const auto chosen = chosen_companions(study, P::problem);
+  const auto chosen = chosen_companions(study, infos<P>());
   for (const auto& kernel : P::kernels(dimension))
     if (kernel.info->form == study.form && std::ranges::find(chosen, kernel.info) != chosen.end())
       methods.push_back(&kernel);

@@ -119,7 +119,7 @@ JudgedRivals rivals_of_companion(const RaceCell& race_cell, const suite::Study& 
 
 template <judge::TrialProblem P>
 constexpr TimedProblem timed_companion(Size size = Size::unclaimed) {
-  return {P::problem, size, race_cells_of_companion<P>, rivals_of_companion<P>};
+  return {size, race_cells_of_companion<P>, rivals_of_companion<P>};
 }
 
 }  // namespace bezierbench::race

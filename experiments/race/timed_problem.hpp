@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/method.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/race/race_cell.hpp"
 #include "experiments/suite/suite.hpp"
@@ -34,7 +33,6 @@ struct JudgedRivals {
 enum class Size { unclaimed, degree, points };
 
 struct TimedProblem {
-  Problem problem;
   Size size;
   /// The race cells of a study, before any repetition. Throws Failure(usage) for studies that cannot be timed.
   std::vector<RaceCell> (*race_cells)(const suite::Study& study);

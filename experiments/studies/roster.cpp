@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "experiments/judge/methods.hpp"
@@ -34,13 +35,15 @@ bool means_an_evaluator(const std::string& pattern) {
                              [&](const auto& kernel) { return suite::means(pattern, kernel.info->id); });
 }
 
-Problem named_problem(const suite::Study& study) {
-  for (const auto& pattern : study.methods) {
+/// The kind that judges the first method that is not an evaluator.
+const StudyKind& kind_named_by(const std::vector<std::string>& patterns) {
+  for (const auto& pattern : patterns) {
     if (means_an_evaluator(pattern)) continue;
-    for (const auto* info : judge::companion_infos())
-      if (suite::means(pattern, info->id)) return info->problem;
+    const auto means = [&](const MethodInfo* info) { return suite::means(pattern, info->id); };
+    for (const auto* one : roster)
+      if (one->methods != nullptr && std::ranges::any_of(one->methods(), means)) return *one;
   }
-  return Problem::evaluation;
+  return accuracy_kind;
 }
 
 }  // namespace
@@ -79,15 +82,18 @@ std::vector<std::vector<std::string>> tables_of(const suite::Study& study) {
   return all;
 }
 
-const race::TimedProblem& timed_problem(const suite::Study& study) {
-  const Problem problem = named_problem(study);
-  const auto judging = std::ranges::find_if(
-      roster, [&](const StudyKind* one) { return one->timed && one->asks.problem == std::optional(problem); });
-  if (judging == roster.end())
-    suite::refuse(
-        study, {"methods", 0, {}, fmt::format("methods for the problem {} are not timed; name others", name(problem))});
-  judge::check_timed(study, (*judging)->asks);
-  return *(*judging)->timed;
+std::vector<const MethodInfo*> companion_infos() {
+  std::vector<const MethodInfo*> all;
+  for (const auto* one : roster)
+    if (one->methods != nullptr) std::ranges::copy(one->methods(), std::back_inserter(all));
+  std::ranges::stable_partition(all, [](const MethodInfo* info) { return !suite::is_peer(info->id); });
+  return all;
+}
+
+const StudyKind& timed_kind(const suite::Study& study) {
+  const auto& named = kind_named_by(study.methods);
+  judge::check_timed(study, named.asks);
+  return named;
 }
 
 }  // namespace bezierbench::studies

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/method.hpp"
 #include "experiments/race/timed_problem.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/suite/kind.hpp"
@@ -24,6 +25,8 @@ struct StudyKind {
   /// Names of the tables that its rows go to, without .csv; `a|b` where the methods decide which.
   std::array<std::string_view, 2> tables;
   std::optional<race::TimedProblem> timed = {};  ///< how timing studies race the methods of `asks.problem`
+  /// The methods of a companion problem; null for any other kind.
+  std::vector<const MethodInfo*> (*methods)() = nullptr;
 };
 
 extern const StudyKind accuracy_kind;
@@ -33,6 +36,8 @@ extern const StudyKind timing_kind;
 std::span<const suite::Kind* const> kinds();
 /// Throws std::out_of_range for an id that is not one of a kind.
 const suite::Kind& kind(std::string_view id);
+/// The methods of every companion problem, kind by kind in roster order, then those of other libraries.
+std::vector<const MethodInfo*> companion_infos();
 /// Whether the study is of this kind.
 bool is_kind(const suite::Study& study, const StudyKind& kind);
 
@@ -42,8 +47,9 @@ std::unique_ptr<run::Job> make_job(const suite::Study& study, const run::JobCont
 /// The tables that a study of this kind writes wherever it has rows, by file name: one of each list.
 [[nodiscard]] std::vector<std::vector<std::string>> tables_of(const suite::Study& study);
 
-/// The problem whose methods a timing study names, else evaluation; a glob that matches evaluators means evaluation.
-/// Throws Failure(usage) for a problem that cannot be timed, and for inputs and axes that it does not take.
-const race::TimedProblem& timed_problem(const suite::Study& study);
+/// The kind of the problem whose methods a timing study names, else accuracy; a glob that matches evaluators means
+/// evaluation. Throws Failure(usage) for inputs and axes that the problem does not take.
+const StudyKind& timed_kind(const suite::Study& study);
+inline const race::TimedProblem& timed_problem(const suite::Study& study) { return *timed_kind(study).timed; }
 
 }  // namespace bezierbench::studies

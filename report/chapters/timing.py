@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Nanoseconds per point of every timed method. Times of other problems stand in the chapters of these."""
 
+from .. import schema
 from ..bundle import Missing
 from ..document import Text
 from ..limits import reading_limits, reading_load
-from ..time_tables import EVALUATION, UNITS, reading_times, time_tables, times
+from ..time_tables import EVALUATION, reading_times, time_tables, times
 from .suite_parts import study_figure
 
 TITLE = "Time per point on this machine"
@@ -29,7 +30,7 @@ def blocks(bundle, _findings):
 def study_tables(bundle, study):
     """Medians with their intervals, whatever problem was timed."""
     part = bundle.only({study})
-    for problem in UNITS:
+    for problem in schema.timed():
         if times(part, problem):
             yield from time_tables(part, problem)
             yield reading_times(part, problem)

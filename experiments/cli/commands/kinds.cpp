@@ -51,7 +51,7 @@ struct TypeText {
   std::string operator()(const std::vector<suite::Goal>* /*type*/) const { return "tables"; }
 };
 
-/// A study with nothing but the defaults of its kind.
+/// A study with the defaults of its kind only.
 suite::Study default_study(const Kind& kind) {
   suite::Study study;
   study.kind = &kind;

@@ -9,7 +9,6 @@
 
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/worst_record.hpp"
-#include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
 #include "experiments/cli/outside/outside_options.hpp"
 #include "experiments/cli/startup/damage.hpp"

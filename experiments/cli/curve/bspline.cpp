@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
 // `curve bspline`: the points of one B-spline curve by any method, and the Bernstein form of the knot span by those
 // that make it, against the exact ones.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <memory>
 
 #include "core/bspline/kernel.hpp"
-#include "experiments/bundle/csv.hpp"
-#include "experiments/cli/curve/coordinate_columns.hpp"
-#include "experiments/cli/curve/curve_commands.hpp"
-#include "experiments/cli/curve/curve_methods.hpp"
-#include "experiments/cli/curve/curve_table.hpp"
-#include "experiments/cli/curve/point_file.hpp"
-#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/metric/bound_at.hpp"
 #include "experiments/number/number.hpp"
 #include "reference/companion/exact_bspline.hpp"
@@ -40,7 +30,7 @@ struct BsplineCurve {
 };
 
 BsplineCurve curve_of(const BsplineOptions& options) {
-  BsplineCurve curve{read_points(options.points, 2), finite_numbers("--knots", options.knots)};
+  BsplineCurve curve{read_points(options.points), finite_numbers("--knots", options.knots)};
   const std::size_t points = curve.points.count();
   if (curve.knots.size() < points + 2 || curve.degree() >= points)
     throw Failure(
@@ -106,57 +96,50 @@ double largest_of(const BsplineSpanView& span, int axis) {
   return largest;
 }
 
-void add_rows(const BsplineKernel& method, const BsplineTarget& target, bundle::CsvTable& table) {
-  const int d = target.span.dimension;
+void add_rows(const BsplineKernel& method, const BsplineTarget& target, CurveTable& table) {
+  const auto d = static_cast<std::size_t>(target.span.dimension);
   const int n = target.span.degree;
-  std::vector<double> values(static_cast<std::size_t>(points_solved(method, n) * d));
+  std::vector<double> values(static_cast<std::size_t>(points_solved(method, n)) * d);
   method.solve(target.span, target.t, values.data());
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const std::size_t place = k / static_cast<std::size_t>(d);
-    const int axis = static_cast<int>(k) % d;
-    const auto p_tilde = target.p_tilde[place].coordinate(axis);
-    std::vector<std::string> row{std::string(method.info->id), number::decimal(target.t),
-                                 place == 0 ? "" : std::to_string(place - 1), axis_name(axis)};
-    for (auto& field : judged_coordinate(values[k], target.truth[place].coordinate(axis), p_tilde))
-      row.push_back(std::move(field));
-    const metric::BsplineSizes sizes{n, 1, reference::round_to(reference::binary64, p_tilde),
-                                     largest_of(target.span, axis)};
-    const auto bound = [&] {
-      return metric::bound_at(place == 0 ? method.bound->point : *method.bound->control, sizes,
-                              reference::double_arithmetic);
-    };
-    row.push_back(method.bound == nullptr ? "" : bound_field(bound(), p_tilde));
-    table.add_row(std::move(row));
-  }
+  for (std::size_t k = 0; k < values.size() / d; ++k)
+    table.add_point({std::string(method.info->id), number::decimal(target.t), k == 0 ? "" : std::to_string(k - 1)},
+                    std::span(values).subspan(k * d, d), target.truth[k], target.p_tilde[k],
+                    [&](int axis) -> std::optional<double> {
+                      if (method.bound == nullptr) return std::nullopt;
+                      const double p_tilde =
+                          reference::round_to(reference::binary64, target.p_tilde[k].coordinate(axis));
+                      const metric::BsplineSizes sizes{n, 1, p_tilde, largest_of(target.span, axis)};
+                      return metric::bound_at(k == 0 ? method.bound->point : *method.bound->control, sizes,
+                                              reference::double_arithmetic);
+                    });
 }
 
 void run_bspline(const BsplineOptions& options) {
   const auto curve = curve_of(options);
   const CurveFile of_degree{{}, Form::bernstein, 1, std::vector<double>(curve.degree() + 1), {}};
-  const auto methods =
-      chosen(bspline_kernels(curve.points.dimension), options.methods, of_degree, ids_of(bspline_infos()));
+  const auto methods = chosen(bspline_kernels(curve.points.dimension), options.methods, of_degree, Problem::bspline);
   std::vector<BsplineTarget> targets;
-  for (const auto& text : options.t) targets.push_back(target_of(curve, finite_option("--t", text)));
-  bundle::CsvTable table(
-      {"method", "t", "index", "axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"});
+  for (const double t : finite_options("--t", options.t)) targets.push_back(target_of(curve, t));
+  CurveTable table(false, judged_columns({"method", "t", "index"}));
   for (const auto* method : methods)
     for (const auto& target : targets) add_rows(*method, target, table);
-  fmt::print("{}", table.text());
+  table.print();
 }
 
-}  // namespace
-
-void add_curve_bspline(Command curve) {
+void add_bspline(Command command) {
   auto options = std::make_shared<BsplineOptions>();
-  auto command = curve.command("bspline", "evaluate a B-spline curve, and convert a knot span to Bernstein form");
   command.option("--points", options->points, "control points (CSV)").required().takes(file_value);
   command.option("--knots", options->knots, "all knots, separated by commas; degree + 1 more than points")
       .required()
       .takes("U0,U1,...");
   command.option("--t", options->t, "parameter; may be repeated").required().takes("T");
-  command.option("--method", options->methods, "method id; may be repeated; default: all that apply")
-      .takes("METHOD", methods_of(Problem::bspline));
+  add_method_option(command, Problem::bspline, options->methods);
   command.action([options] { run_bspline(*options); });
 }
+
+}  // namespace
+
+extern constexpr CurveCommand curve_bspline{
+    "bspline", "evaluate a B-spline curve, and convert a knot span to Bernstein form", add_bspline};
 
 }  // namespace bezierbench::cli

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 // `curve convert`: the coefficients of one curve in another form.
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <memory>
 #include <string_view>
 
 #include "core/evaluate/kernel/kernel.hpp"
-#include "experiments/cli/curve/coordinate_columns.hpp"
-#include "experiments/cli/curve/curve_commands.hpp"
-#include "experiments/cli/curve/curve_methods.hpp"
-#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/curve/curve_command.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -36,45 +30,41 @@ void refuse_inner_conversion(const std::string& id, int dimension) {
                                 id, inner_coefficients(kernel.evaluated_form), kernel.info->id));
 }
 
-/// Throws Failure for a coefficient that overflows, since the reader of curve files refuses numbers that are not
-/// finite.
-void require_finite(const CurveFile& converted, const ConvertOptions& options) {
-  for (int i = 0; i <= converted.degree(); ++i)
-    for (int axis = 0; axis < converted.dimension; ++axis)
-      if (!std::isfinite(converted.view()(axis, i)))
-        throw Failure(Exit::input_output,
-                      fmt::format("{}: coefficient {} of axis {} is beyond the largest double after conversion by {}; "
-                                  "scale the coordinates down, by a power of two to keep their digits",
-                                  options.curve.file, i, axis_name(axis), options.methods.front()));
-}
-
+/// Throws Failure for a coefficient that overflows, since the reader of curve files refuses numbers that are not finite.
 void convert(const ConvertOptions& options, CurveFile& curve) {
-  refuse_inner_conversion(options.methods.front(), curve.dimension);
-  const auto methods =
-      chosen(conversion_kernels<double>(curve.dimension), options.methods, curve, vocabulary().conversions);
+  const auto& method = options.methods.front();
+  refuse_inner_conversion(method, curve.dimension);
+  const auto chosen_methods =
+      chosen(conversion_kernels<double>(curve.dimension), options.methods, curve, Problem::conversion);
   std::vector<double> converted(curve.coefficients.size());
-  methods.front()->convert(curve.view(), converted.data());
+  chosen_methods.front()->convert(curve.view(), converted.data());
+  const auto beyond = std::ranges::find_if(converted, [](double value) { return !std::isfinite(value); });
+  if (beyond != converted.end()) {
+    const auto place = static_cast<int>(beyond - converted.begin());
+    throw Failure(Exit::input_output,
+                  fmt::format("{}: coefficient {} of axis {} is beyond the largest double after conversion by {}; "
+                              "scale the coordinates down, by a power of two to keep their digits",
+                              options.curve.file, place / curve.dimension, axis_name(place % curve.dimension), method));
+  }
   curve.coefficients = converted;
-  require_finite(curve, options);
 }
 
-void convert_all(const ConvertOptions& options) {
-  auto curves = read_curves(options.curve.file, options.curve.form_value());
-  for (auto& curve : curves) convert(options, curve);
-  fmt::print("{}", curves_csv(curves));
-}
-
-}  // namespace
-
-void add_curve_convert(Command curve) {
+void add_convert(Command command) {
   auto options = std::make_shared<ConvertOptions>();
-  auto command = curve.command("convert", "convert the coefficients to the other form");
   options->curve.add_to(command);
   command.option("--method", options->methods, "id of a conversion")
       .required()
       .once()
       .takes("METHOD", methods_of(Problem::conversion));
-  command.action([options] { convert_all(*options); });
+  command.action([options] {
+    auto curves = options->curve.read();
+    for (auto& curve : curves) convert(*options, curve);
+    fmt::print("{}", curves_csv(curves));
+  });
 }
+
+}  // namespace
+
+extern constexpr CurveCommand curve_convert{"convert", "convert the coefficients to the other form", add_convert};
 
 }  // namespace bezierbench::cli

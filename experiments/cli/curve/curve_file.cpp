@@ -4,19 +4,77 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <unordered_set>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
-#include "experiments/cli/curve/coordinate_columns.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/number/fault.hpp"
 #include "experiments/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {
+
+constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+
+/// Whether a line has numbers only, separated in any way that data are found in.
+bool has_numbers_only(std::string_view line) {
+  constexpr std::string_view separators = ",; \t\r()[]{}";
+  auto begin = line.find_first_not_of(separators);
+  const bool any = begin != std::string_view::npos;
+  while (begin != std::string_view::npos) {
+    const auto end = std::min(line.find_first_of(separators, begin), line.size());
+    if (!number::parse_number(line.substr(begin, end - begin))) return false;
+    begin = line.find_first_not_of(separators, end);
+  }
+  return any;
+}
+
+/// Throws Failure(input_output) as bundle::parse_csv() does, and where the first line has numbers instead of the names of
+/// columns.
+bundle::CsvDocument parse_coordinates(std::string_view text, const std::string& file_name) {
+  const auto first = text.substr(0, text.find('\n'));
+  if (has_numbers_only(first))
+    throw Failure(
+        Exit::input_output,
+        fmt::format("{}:1: header is missing, the first line is data, \"{}\"; write x, or x,y, or x,y,z above "
+                    "it, and separate numbers by commas, without brackets or blanks",
+                    file_name, echo(first)));
+  return bundle::parse_csv(text, file_name);
+}
+
+/// The indices of the columns x, y, z, up to the first that is missing. They may stand in any order.
+std::vector<std::size_t> axis_columns(const bundle::CsvDocument& csv) {
+  std::vector<std::size_t> columns;
+  for (const auto axis : axes) {
+    const auto found = std::ranges::find(csv.header(), axis);
+    if (found == csv.header().end()) break;
+    columns.push_back(static_cast<std::size_t>(found - csv.header().begin()));
+  }
+  return columns;
+}
+
+/// Shows the header and a correct one.
+[[noreturn]] void refuse_header(const bundle::CsvDocument& csv, const std::string& instead) {
+  throw Failure(Exit::input_output, fmt::format("{}:1: header is \"{}\"; write {}", csv.file_name(),
+                                                echo(fmt::format("{}", fmt::join(csv.header(), ","))), instead));
+}
+
+/// The finite number in a field.
+double number_at(const bundle::CsvDocument& csv, std::size_t row, std::size_t column) {
+  const auto& text = csv.row(row)[column];
+  const auto value = number::parse_number(text);
+  if (!value || !std::isfinite(*value))
+    throw Failure(Exit::input_output, fmt::format("{}:{}: row {}, column {}: \"{}\" {}", csv.file_name(), csv.line(row),
+                                                  row + 1, csv.header()[column], echo(text), number::fault(text)));
+  return *value;
+}
 
 /// The indices of a file's columns.
 struct Columns {
@@ -115,8 +173,8 @@ class Reader {
                                 "--form out, it must be bernstein",
                                 name(form_), csv_.file_name()));
     if (columns_.form && weighted != (curve.form == Form::rational))
-      refuse(first, fmt::format("form is {}, but there {} (column w); a curve is rational where it has weights",
-                                name(curve.form), weighted ? "are weights" : "is no weight"));
+      refuse(first, fmt::format("form is {}, but the curve has {} (column w); a curve is rational where it has weights",
+                                name(curve.form), weighted ? "weights" : "no weights"));
     if (weighted) curve.form = Form::rational;
     for (std::size_t row = first; row < end; ++row) {
       for (const auto column : columns_.axes) curve.coefficients.push_back(number_at(csv_, row, column));
@@ -137,6 +195,14 @@ class Reader {
 };
 
 }  // namespace
+
+std::string axis_name(int axis) { return std::string(axes.at(static_cast<std::size_t>(axis))); }
+
+CurveFile CurveFile::along(int axis) const {
+  CurveFile one{id, form, 1, {}, weights};
+  for (int i = 0; i <= degree(); ++i) one.coefficients.push_back(view()(axis, i));
+  return one;
+}
 
 std::vector<CurveFile> parse_curves(std::string_view text, const std::string& file_name, Form form) {
   return Reader(parse_coordinates(text, file_name), form).curves();
@@ -175,6 +241,36 @@ std::string curves_csv(std::span<const CurveFile> curves) {
       table.add_row(std::move(row));
     }
   return table.text();
+}
+
+bool PointFile::ends_where_it_starts() const {
+  return std::equal(coordinates.begin(), coordinates.begin() + dimension, coordinates.end() - dimension);
+}
+
+PointFile read_points(const std::string& file) {
+  const auto csv = parse_coordinates(bundle::read_file(file), file);
+  const auto columns = axis_columns(csv);
+  if (columns.empty() || columns.size() != csv.header().size()) refuse_header(csv, "x, or x,y, or x,y,z");
+  if (csv.row_count() < 2)
+    throw Failure(Exit::input_output, fmt::format("{}: {} point{}; write 2 or more, one per row", file, csv.row_count(),
+                                                  csv.row_count() == 1 ? "" : "s"));
+  PointFile points{static_cast<int>(columns.size()), {}, {}};
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    for (const auto column : columns) points.coordinates.push_back(number_at(csv, row, column));
+    points.lines.push_back(csv.line(row));
+  }
+  return points;
+}
+
+std::string segments_csv(std::span<const double> segments, int dimension) {
+  std::string text = "segment,index";
+  for (int axis = 0; axis < dimension; ++axis) text += "," + axis_name(axis);
+  const auto d = static_cast<std::size_t>(dimension);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    if (k % d == 0) fmt::format_to(std::back_inserter(text), "\n{},{}", k / d / 4, k / d % 4);
+    text += "," + number::decimal(segments[k]);
+  }
+  return text + "\n";
 }
 
 }  // namespace bezierbench::cli

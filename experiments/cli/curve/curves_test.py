@@ -318,7 +318,7 @@ class Curves(Case):
                 self.refused(USAGE, length + arguments, *needles)
 
     def test_lengths_of_any_finite_curve(self):
-        """What is certain is printed, what is not is said in one line beside what the methods say."""
+        """What is certain is printed; one line states what is not. The results of the methods are printed in any case."""
         line = rows(self.fine("curve", "length", "--curve", self.write("line.csv", "x\n1\n2\n")))
         self.assertEqual({(row["exact"], row["error"]) for row in line}, {("1", "0")})
         # 969 times the Bernstein coefficients of T_20, which goes 20 times from -1 to 1 or back

@@ -5,18 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "core/interpolate/kernel.hpp"
 #include "core/interpolate/knot_steps.hpp"
 #include "core/interpolate/spline.hpp"
-#include "experiments/cli/curve/curve_commands.hpp"
-#include "experiments/cli/curve/curve_methods.hpp"
-#include "experiments/cli/curve/point_file.hpp"
-#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/curve/curve_command.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -42,15 +35,6 @@ std::vector<std::string> words(const std::array<std::string_view, n>& names) {
   return {names.begin(), names.end()};
 }
 
-/// The method `id`, or the first one if `id` is empty. Throws Failure(usage) for an unknown id.
-const InterpolationKernel& chosen_kernel(const std::string& id) {
-  const auto kernels = interpolation_kernels();
-  if (id.empty()) return kernels.front();
-  const auto found = std::ranges::find_if(kernels, [&](const auto& kernel) { return kernel.info->id == id; });
-  if (found == kernels.end()) unknown_method(id, ids_of(interpolation_infos()));
-  return *found;
-}
-
 /// The parameters; without the option those that the method has, if one is named.
 Parameters parameters_of(const InterpolateOptions& options) {
   if (options.parameters) return word_of<Parameters>(parameters_names, *options.parameters);
@@ -64,18 +48,7 @@ std::vector<double> derivative_of(const std::string& option, const std::optional
     throw Failure(Exit::usage, clamped ? fmt::format("--ends clamped: {} must say the derivative there", option)
                                        : fmt::format("{}: is that of clamped ends; see --ends", option));
   if (!clamped) return {};
-  auto derivative = finite_numbers(option, *text);
-  if (derivative.size() != static_cast<std::size_t>(dimension))
-    throw Failure(Exit::usage, fmt::format("{} {}: must have one number for each of the {} axes of the points", option,
-                                           *text, dimension));
-  return derivative;
-}
-
-/// Leaves out the last point of a closed spline if it is the first once more.
-void open_up(PointFile& points) {
-  auto& x = points.coordinates;
-  if (points.count() > 2 && std::equal(x.begin(), x.begin() + points.dimension, x.end() - points.dimension))
-    x.resize(x.size() - static_cast<std::size_t>(points.dimension));
+  return finite_coordinates(option, *text, dimension, "the points have");
 }
 
 /// The steps of the parameter. Throws Failure(input_output) that names the row where one is 0.
@@ -91,8 +64,9 @@ std::vector<double> steps_of(const InterpolateOptions& options, const PointFile&
 }
 
 void interpolate(const InterpolateOptions& options) {
-  auto points = read_points(options.points, 2);
-  if (options.closed) open_up(points);
+  auto points = read_points(options.points);
+  if (options.closed && points.count() > 2 && points.ends_where_it_starts())
+    points.coordinates.resize(points.coordinates.size() - static_cast<std::size_t>(points.dimension));
   const auto ends = word_of<SplineEnds>(spline_ends_names, options.ends);
   const bool clamped = ends == SplineEnds::clamped;
   if (options.closed && ends != SplineEnds::natural)
@@ -100,7 +74,8 @@ void interpolate(const InterpolateOptions& options) {
   const auto start = derivative_of("--start-derivative", options.start_derivative, clamped, points.dimension);
   const auto end = derivative_of("--end-derivative", options.end_derivative, clamped, points.dimension);
   const bool by_method = !options.method.empty();
-  const auto& kernel = chosen_kernel(options.method);
+  const auto& kernel = by_method ? chosen_one(interpolation_kernels(), options.method, Problem::interpolation)
+                                 : interpolation_kernels().front();
   if (by_method && (parameters_of(options) != Parameters::uniform || ends != SplineEnds::natural || options.closed ||
                     options.monotone))
     throw Failure(Exit::usage, fmt::format("--method {}: has uniform parameters and natural ends, is open and not "
@@ -114,14 +89,11 @@ void interpolate(const InterpolateOptions& options) {
     throw Failure(Exit::input_output,
                   fmt::format("{}: a control point of segment {} exceeds the largest double; scale the points down",
                               options.points, (beyond - segments.begin()) / (4 * points.dimension)));
-  print_segments(segments, points.dimension);
+  fmt::print("{}", segments_csv(segments, points.dimension));
 }
 
-}  // namespace
-
-void add_curve_interpolate(Command curve) {
+void add_interpolate(Command command) {
   auto options = std::make_shared<InterpolateOptions>();
-  auto command = curve.command("interpolate", "interpolate points by a C2 cubic spline");
   command.option("--points", options->points, "point file (CSV)").required().takes(file_value);
   command
       .option(
@@ -153,5 +125,10 @@ void add_curve_interpolate(Command curve) {
       .takes("METHOD", methods_of(Problem::interpolation));
   command.action([options] { interpolate(*options); });
 }
+
+}  // namespace
+
+extern constexpr CurveCommand curve_interpolate{"interpolate", "interpolate points by a C2 cubic spline",
+                                                add_interpolate};
 
 }  // namespace bezierbench::cli

@@ -64,7 +64,7 @@ std::vector<const MethodInfo*> every_method() {
   std::vector<const MethodInfo*> all;
   for (const auto& kernel : judge::methods<double>(any_dimension)) all.push_back(kernel.info);
   for (const auto* info : conversion_infos()) all.push_back(info);
-  for (const auto* info : judge::companion_infos()) all.push_back(info);
+  for (const auto* info : studies::companion_infos()) all.push_back(info);
   return all;
 }
 
@@ -72,7 +72,7 @@ suite::Vocabulary vocabulary() {
   suite::Vocabulary known;
   known.kinds = studies::kinds();
   for (const auto& kernel : judge::methods<double>(any_dimension)) add_once(known.methods, kernel.info->id);
-  for (const auto* info : judge::companion_infos()) add_once(known.methods, info->id);
+  for (const auto* info : studies::companion_infos()) add_once(known.methods, info->id);
   for (const auto& peer : peers::absent())
     known.absent_methods.push_back({std::string(peer.id), std::string(peer.remedy)});
   for (const auto& kernel : conversion_kernels<double>(any_dimension)) add_once(known.conversions, kernel.info->id);

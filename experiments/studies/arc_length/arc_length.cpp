@@ -5,10 +5,8 @@
 
 #include <cmath>
 
-#include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/arc_length/problem.hpp"
-#include "experiments/studies/roster.hpp"
-#include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/keys.hpp"
 
 namespace bezierbench::studies {
@@ -42,20 +40,17 @@ suite::Finding check_arc_length(const suite::Study& study, const suite::Vocabula
 
 }  // namespace
 
-extern constexpr StudyKind arc_length_kind{
-    .asks = {.id = "arc_length",
-             .about = "errors of arc lengths, and whether tolerances are kept",
-             .own = arc_length_fields,
-             .methods_example = "[\"gauss_legendre_adaptive\"]",
-             .inputs = {.forms = suite::bernstein_form,
-                        .forms_reason = "lengths are those of polynomial Bezier curves",
-                        .double_only = true,
-                        .parameters = suite::Parameters::from_0_to_1,
-                        .parameters_reason = "the part to be measured"},
-             .problem = Problem::arc_length,
-             .check = check_arc_length},
-    .make = trial_job<ArcLengthProblem>,
-    .tables = {"arc_length|arc_length_unstable"},
-    .timed = race::timed_companion<ArcLengthProblem>()};
+extern constexpr StudyKind arc_length_kind =
+    companion_kind<ArcLengthProblem>({.id = "arc_length",
+                                      .about = "errors of arc lengths, and whether tolerances are kept",
+                                      .own = arc_length_fields,
+                                      .methods_example = "[\"gauss_legendre_adaptive\"]",
+                                      .inputs = {.forms = suite::bernstein_form,
+                                                 .forms_reason = "lengths are those of polynomial Bezier curves",
+                                                 .double_only = true,
+                                                 .parameters = suite::Parameters::from_0_to_1,
+                                                 .parameters_reason = "the part to be measured"},
+                                      .check = check_arc_length},
+                                     {"arc_length|arc_length_unstable"});
 
 }  // namespace bezierbench::studies

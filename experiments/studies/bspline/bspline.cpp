@@ -8,10 +8,8 @@
 #include <limits>
 
 #include "experiments/metric/bound_at.hpp"
-#include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/bspline/problem.hpp"
-#include "experiments/studies/roster.hpp"
-#include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/studies/trial/companion_kind.hpp"
 #include "reference/companion/exact_bspline.hpp"
 #include "reference/error/norm.hpp"
 #include "reference/error/trial_scale.hpp"
@@ -119,22 +117,18 @@ bool BsplineProblem::is_right(const Kernel& method, const Drawn& drawn, double /
   return true;
 }
 
-extern constexpr StudyKind bspline_kind{
-    .asks = {.id = "bspline",
-             .about = "errors of points and Bernstein control points of a knot span of a B-spline curve",
-             .own = {},
-             .methods_example = "[\"de_boor\"]",
-             .inputs = {.forms = suite::bernstein_form,
-                        .forms_reason = "B-spline curves without weights are studied",
-                        .double_only = true,
-                        .least_degree = 1,
-                        .least_degree_reason = "B-spline curves of degree 0 are not continuous",
-                        .parameters = suite::Parameters::from_0_to_1,
-                        .parameters_reason = "the part of the knot span in which parameters lie",
-                        .independent_points = true},
-             .problem = Problem::bspline},
-    .make = trial_job<BsplineProblem>,
-    .tables = {"bspline"},
-    .timed = race::timed_companion<BsplineProblem>()};
+extern constexpr StudyKind bspline_kind = companion_kind<BsplineProblem>(
+    {.id = "bspline",
+     .about = "errors of points and Bernstein control points of a knot span of a B-spline curve",
+     .own = {},
+     .methods_example = "[\"de_boor\"]",
+     .inputs = {.forms = suite::bernstein_form,
+                .forms_reason = "B-spline curves without weights are studied",
+                .double_only = true,
+                .least_degree = 1,
+                .least_degree_reason = "B-spline curves of degree 0 are not continuous",
+                .parameters = suite::Parameters::from_0_to_1,
+                .parameters_reason = "the part of the knot span in which parameters lie",
+                .independent_points = true}});
 
 }  // namespace bezierbench::studies

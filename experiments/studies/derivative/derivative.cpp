@@ -3,10 +3,8 @@
 
 #include <cmath>
 
-#include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/derivative/problem.hpp"
-#include "experiments/studies/roster.hpp"
-#include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/keys.hpp"
 
 namespace bezierbench::studies {
@@ -66,18 +64,14 @@ suite::Finding check_derivative(const suite::Study& study, const suite::Vocabula
 
 }  // namespace
 
-extern constexpr StudyKind derivative_kind{
-    .asks = {.id = "derivative",
-             .about = "errors of derivatives at one parameter",
-             .own = derivative_fields,
-             .methods_example = "[\"differences_horner\"]",
-             .inputs = {.forms = suite::polynomial_forms,
-                        .forms_reason = "derivatives are those of polynomial curves",
-                        .double_only = true},
-             .problem = Problem::derivative,
-             .check = check_derivative},
-    .make = trial_job<DerivativeProblem>,
-    .tables = {"derivative"},
-    .timed = race::timed_companion<DerivativeProblem>()};
+extern constexpr StudyKind derivative_kind =
+    companion_kind<DerivativeProblem>({.id = "derivative",
+                                       .about = "errors of derivatives at one parameter",
+                                       .own = derivative_fields,
+                                       .methods_example = "[\"differences_horner\"]",
+                                       .inputs = {.forms = suite::polynomial_forms,
+                                                  .forms_reason = "derivatives are those of polynomial curves",
+                                                  .double_only = true},
+                                       .check = check_derivative});
 
 }  // namespace bezierbench::studies

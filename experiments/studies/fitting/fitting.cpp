@@ -10,10 +10,8 @@
 #include <utility>
 
 #include "experiments/judge/methods.hpp"
-#include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/fitting/problem.hpp"
-#include "experiments/studies/roster.hpp"
-#include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/keys.hpp"
 #include "experiments/suite/kind.hpp"
 #include "reference/companion/fit_distance.hpp"
@@ -138,23 +136,19 @@ suite::Finding check_fitting(const suite::Study& study, const suite::Vocabulary&
 
 }  // namespace
 
-extern constexpr StudyKind fitting_kind{
-    .asks = {.id = "fitting",
-             .about = "segments and errors of fits to data of random curves",
-             .own = fitting_fields,
-             .methods_example = "[\"schneider\"]",
-             .inputs = {.forms = suite::bernstein_form,
-                        .forms_reason = "data are taken from polynomial Bezier curves",
-                        .double_only = true,
-                        .least_degree = 1,
-                        .least_degree_reason = "data are taken from curves of degree 1 or more",
-                        .parameters = suite::Parameters::whole,
-                        .parameters_reason = "data are taken from whole curves",
-                        .independent_points = true},
-             .problem = Problem::fitting,
-             .check = check_fitting},
-    .make = trial_job<FittingProblem>,
-    .tables = {"fitting"},
-    .timed = race::timed_companion<FittingProblem>()};
+extern constexpr StudyKind fitting_kind =
+    companion_kind<FittingProblem>({.id = "fitting",
+                                    .about = "segments and errors of fits to data of random curves",
+                                    .own = fitting_fields,
+                                    .methods_example = "[\"schneider\"]",
+                                    .inputs = {.forms = suite::bernstein_form,
+                                               .forms_reason = "data are taken from polynomial Bezier curves",
+                                               .double_only = true,
+                                               .least_degree = 1,
+                                               .least_degree_reason = "data are taken from curves of degree 1 or more",
+                                               .parameters = suite::Parameters::whole,
+                                               .parameters_reason = "data are taken from whole curves",
+                                               .independent_points = true},
+                                    .check = check_fitting});
 
 }  // namespace bezierbench::studies

@@ -7,10 +7,8 @@
 #include <cmath>
 
 #include "experiments/metric/bound_at.hpp"
-#include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/grid/problem.hpp"
-#include "experiments/studies/roster.hpp"
-#include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/keys.hpp"
 
@@ -109,19 +107,16 @@ suite::Finding check_grid(const suite::Study& study, const suite::Vocabulary& /*
 
 }  // namespace
 
-extern constexpr StudyKind grid_kind{.asks = {.id = "grid",
-                                              .about = "errors of the points on a uniform grid",
-                                              .own = grid_fields,
-                                              .methods_example = "[\"forward_differencing\"]",
-                                              .inputs = {.forms = suite::polynomial_forms,
-                                                         .forms_reason = "grids are of polynomial curves",
-                                                         .double_only = true,
-                                                         .parameters = suite::Parameters::whole,
-                                                         .parameters_reason = "grids reach from 0 to 1"},
-                                              .problem = Problem::grid,
-                                              .check = check_grid},
-                                     .make = trial_job<GridProblem>,
-                                     .tables = {"grid"},
-                                     .timed = race::timed_companion<GridProblem>()};
+extern constexpr StudyKind grid_kind =
+    companion_kind<GridProblem>({.id = "grid",
+                                 .about = "errors of the points on a uniform grid",
+                                 .own = grid_fields,
+                                 .methods_example = "[\"forward_differencing\"]",
+                                 .inputs = {.forms = suite::polynomial_forms,
+                                            .forms_reason = "grids are of polynomial curves",
+                                            .double_only = true,
+                                            .parameters = suite::Parameters::whole,
+                                            .parameters_reason = "grids reach from 0 to 1"},
+                                 .check = check_grid});
 
 }  // namespace bezierbench::studies

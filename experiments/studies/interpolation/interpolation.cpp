@@ -9,10 +9,8 @@
 #include <limits>
 
 #include "experiments/judge/methods.hpp"
-#include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/interpolation/problem.hpp"
-#include "experiments/studies/roster.hpp"
-#include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/keys.hpp"
 #include "reference/error/norm.hpp"
 
@@ -123,23 +121,20 @@ suite::Finding check_interpolation(const suite::Study& study, const suite::Vocab
 
 }  // namespace
 
-extern constexpr StudyKind interpolation_kind{
-    .asks = {.id = "interpolation",
-             .about = "errors of splines through random points",
-             .own = interpolation_fields,
-             .methods_example = "[\"c2_natural\"]",
-             .inputs = {.forms = suite::bernstein_form,
-                        .forms_reason = "splines are of polynomial Bezier curves",
-                        .double_only = true,
-                        .degree = suite::DegreeUse::not_a_key,
-                        .degree_reason = "degree is that of the segments, 3",
-                        .parameters = suite::Parameters::whole,
-                        .parameters_reason = "points are joined whole",
-                        .independent_points = true},
-             .problem = Problem::interpolation,
-             .check = check_interpolation},
-    .make = trial_job<InterpolationProblem>,
-    .tables = {"interpolation"},
-    .timed = race::timed_companion<InterpolationProblem>(race::Size::points)};
+extern constexpr StudyKind interpolation_kind =
+    companion_kind<InterpolationProblem>({.id = "interpolation",
+                                          .about = "errors of splines through random points",
+                                          .own = interpolation_fields,
+                                          .methods_example = "[\"c2_natural\"]",
+                                          .inputs = {.forms = suite::bernstein_form,
+                                                     .forms_reason = "splines are of polynomial Bezier curves",
+                                                     .double_only = true,
+                                                     .degree = suite::DegreeUse::not_a_key,
+                                                     .degree_reason = "degree is that of the segments, 3",
+                                                     .parameters = suite::Parameters::whole,
+                                                     .parameters_reason = "points are joined whole",
+                                                     .independent_points = true},
+                                          .check = check_interpolation},
+                                         {"interpolation"}, race::Size::points);
 
 }  // namespace bezierbench::studies

@@ -6,11 +6,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "experiments/race/timed_companion.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/inverse_arc_length/problem.hpp"
-#include "experiments/studies/roster.hpp"
-#include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/keys.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/length/length_along.hpp"
@@ -111,20 +109,17 @@ suite::Finding check_inverse_arc_length(const suite::Study& study, const suite::
 
 }  // namespace
 
-extern constexpr StudyKind inverse_arc_length_kind{
-    .asks = {.id = "inverse_arc_length",
-             .about = "errors of the parameter at a length, and whether tolerances are kept",
-             .own = inverse_arc_length_fields,
-             .methods_example = "[\"bracketed_newton\"]",
-             .inputs = {.forms = suite::bernstein_form,
-                        .forms_reason = "lengths are those of polynomial Bezier curves",
-                        .double_only = true,
-                        .parameters = suite::Parameters::from_0_to_1,
-                        .parameters_reason = "the share of the length at which t is sought"},
-             .problem = Problem::inverse_arc_length,
-             .check = check_inverse_arc_length},
-    .make = trial_job<InverseArcLengthProblem>,
-    .tables = {"inverse_arc_length", "spacing"},
-    .timed = race::timed_companion<InverseArcLengthProblem>()};
+extern constexpr StudyKind inverse_arc_length_kind = companion_kind<InverseArcLengthProblem>(
+    {.id = "inverse_arc_length",
+     .about = "errors of the parameter at a length, and whether tolerances are kept",
+     .own = inverse_arc_length_fields,
+     .methods_example = "[\"bracketed_newton\"]",
+     .inputs = {.forms = suite::bernstein_form,
+                .forms_reason = "lengths are those of polynomial Bezier curves",
+                .double_only = true,
+                .parameters = suite::Parameters::from_0_to_1,
+                .parameters_reason = "the share of the length at which t is sought"},
+     .check = check_inverse_arc_length},
+    {"inverse_arc_length", "spacing"});
 
 }  // namespace bezierbench::studies

@@ -57,7 +57,7 @@ std::string why_unasked(const suite::Study& study, const suite::OutsideMethod& r
   const bool is_code = record.kind == suite::OutsideKind::own || record.kind == suite::OutsideKind::plugin;
   if (is_kind(study, timing_kind)) {
     if (!is_code) return "it is timed, which only a shared object or a compiled-in method is";
-    if (timed_problem(without_outside(study)).problem != Problem::evaluation) return "it times another problem";
+    if (&timed_kind(without_outside(study)) != &accuracy_kind) return "it times another problem";
   } else if (!is_kind(study, accuracy_kind)) {
     return fmt::format("it is of kind {}", suite::kind_of(study).id);
   }

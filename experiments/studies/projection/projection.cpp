@@ -7,10 +7,8 @@
 #include <cmath>
 
 #include "experiments/judge/methods.hpp"
-#include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/projection/problem.hpp"
-#include "experiments/studies/roster.hpp"
-#include "experiments/studies/trial/trial_study.hpp"
+#include "experiments/studies/trial/companion_kind.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -78,18 +76,15 @@ bool ProjectionProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, d
          missed_tolerance * sample::largest_coordinate(drawn.placed);
 }
 
-extern constexpr StudyKind projection_kind{
-    .asks = {.id = "projection",
-             .about = "errors of foot points, and feet that are missed",
-             .own = {},
-             .methods_example = "[\"quintic_isolate\"]",
-             .inputs = {.forms = suite::bernstein_form,
-                        .forms_reason = "foot points are sought on polynomial Bezier curves",
-                        .double_only = true,
-                        .independent_points = true},
-             .problem = Problem::projection},
-    .make = trial_job<ProjectionProblem>,
-    .tables = {"projection|projection_unstable"},
-    .timed = race::timed_companion<ProjectionProblem>()};
+extern constexpr StudyKind projection_kind =
+    companion_kind<ProjectionProblem>({.id = "projection",
+                                       .about = "errors of foot points, and feet that are missed",
+                                       .own = {},
+                                       .methods_example = "[\"quintic_isolate\"]",
+                                       .inputs = {.forms = suite::bernstein_form,
+                                                  .forms_reason = "foot points are sought on polynomial Bezier curves",
+                                                  .double_only = true,
+                                                  .independent_points = true}},
+                                      {"projection|projection_unstable"});
 
 }  // namespace bezierbench::studies

@@ -4,7 +4,6 @@
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/judge/methods.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/arc_length/problem.hpp"
 #include "experiments/studies/bspline/problem.hpp"
@@ -106,13 +105,13 @@ suite::Study study_for(Problem problem, const std::string& methods) {
 }
 
 TEST(TimedProblem, EveryCompanionHasOne) {
-  for (const auto* info : judge::companion_infos())
-    EXPECT_EQ(timed_problem(study_for(info->problem, std::string(info->id))).problem, info->problem) << info->id;
+  for (const auto* info : companion_infos())
+    EXPECT_EQ(timed_kind(study_for(info->problem, std::string(info->id))).asks.problem, info->problem) << info->id;
 }
 
 TEST(TimedProblem, IsTheOneThatTheStudyNames) {
   const auto expect_named = [](Problem problem, const std::string& methods) {
-    EXPECT_EQ(timed_problem(study_for(problem, methods)).problem, problem) << methods;
+    EXPECT_EQ(timed_kind(study_for(problem, methods)).asks.problem, problem) << methods;
   };
   expect_named(Problem::arc_length, "chord_sum");
   expect_named(Problem::arc_length, "gauss_legendre_*");
@@ -123,7 +122,7 @@ TEST(TimedProblem, IsTheOneThatTheStudyNames) {
   expect_named(Problem::projection, "scan_?isect");
   expect_named(Problem::evaluation, "de_casteljau");
   expect_named(Problem::evaluation, "*");
-  EXPECT_EQ(timed_problem(study_of({"*casteljau", "differences_*"})).problem, Problem::evaluation);
+  EXPECT_EQ(timed_kind(study_of({"*casteljau", "differences_*"})).asks.problem, Problem::evaluation);
 }
 
 TEST(TimedProblem, RivalsReproduceTheirResults) {
@@ -278,7 +277,7 @@ TEST(TimedProblem, RefusesWhatIsNotTimed) {
     study.scalar = {suite::ScalarKind::float32};
     refused(study);
     study = good;
-    const bool splits = timed_problem(good).problem == Problem::subdivision;
+    const bool splits = timed_kind(good).asks.problem == Problem::subdivision;
     study.form = splits ? Form::power : Form::rational;
     refused(study);
     study = good;

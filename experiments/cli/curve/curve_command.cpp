@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/cli/curve/curve_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "experiments/number/fault.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/peers/peers.hpp"
+#include "experiments/suite/nearest.hpp"
+#include "reference/error/coordinate_error.hpp"
+#include "reference/stop.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int always_below = 21;  // of degrees at which the truth takes milliseconds, most often
+constexpr std::chrono::seconds unasked{1};
+constexpr std::chrono::seconds without_a_word{3};
+
+}  // namespace
+
+void CurveOptions::add_to(Command command) {
+  command.option("--curve", file, "curve file (CSV); FILE#ID selects a curve by its id or its number from 0")
+      .required()
+      .takes(file_value);
+  command.option("--form", form, "form of the file").one_of({"bernstein", "power"});
+}
+
+void add_method_option(Command command, Problem problem, std::vector<std::string>& methods) {
+  command.option("--method", methods, "method id; may be repeated; default: all that apply")
+      .takes("METHOD", methods_of(problem));
+}
+
+double finite_option(const std::string& option, const std::string& text) {
+  const auto value = number::parse_number(text);
+  if (!value || !std::isfinite(*value))
+    throw Failure(Exit::usage, fmt::format("{} {}: {}", option, echo(text), number::fault(text)));
+  return *value;
+}
+
+std::vector<double> finite_options(const std::string& option, const std::vector<std::string>& texts) {
+  std::vector<double> numbers;
+  for (const auto& text : texts) numbers.push_back(finite_option(option, text));
+  return numbers;
+}
+
+std::vector<double> finite_numbers(const std::string& option, const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(',', begin), text.size());
+    numbers.push_back(finite_option(option, text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+std::vector<double> finite_coordinates(const std::string& option, const std::string& text, int dimension,
+                                       const std::string& owner) {
+  auto numbers = finite_numbers(option, text);
+  if (numbers.size() != static_cast<std::size_t>(dimension))
+    throw Failure(Exit::usage, fmt::format("{} {}: {} coordinate{}, but {} {}; write one per axis", option, text,
+                                           numbers.size(), numbers.size() == 1 ? "" : "s", owner, dimension));
+  return numbers;
+}
+
+double relative_tolerance(const std::string& text) {
+  const double tolerance = finite_option("--tolerance", text);
+  if (tolerance <= 0)
+    throw Failure(Exit::usage,
+                  fmt::format("--tolerance {}: must be above 0; it is relative to the length of the curve", text));
+  return tolerance;
+}
+
+bool applies(const MethodInfo& info, const CurveFile& curve) {
+  return info.form == curve.form && info.supports<double>(curve.degree());
+}
+
+std::string why_not(const MethodInfo& info, const CurveFile& curve) {
+  if (info.form != curve.form && curve.form == Form::rational)
+    return fmt::format(
+        "takes curves in {} form, the file has weights (column w); see `list methods` for methods that "
+        "take the rational form",
+        name(info.form));
+  if (info.form == Form::rational && curve.form != Form::rational)
+    return fmt::format("takes curves in rational form, the file has no weights (column w); see `list methods`");
+  if (info.form != curve.form)
+    return fmt::format("takes curves in {} form, the file is in {} form; see --form and `list methods`",
+                       name(info.form), name(curve.form));
+  return fmt::format("supports degrees {} to {}, the curve has degree {}; see `list methods`", info.min_degree,
+                     info.max_degree, curve.degree());
+}
+
+void refuse_curve(const std::string& name, const CurveFile& curve, const MethodInfo& any) {
+  std::string problem(bezierbench::name(any.problem));
+  std::ranges::replace(problem, '_', ' ');
+  std::string why = why_not(any, curve);
+  if (curve.form == Form::rational)
+    why = fmt::format("no method for {} takes rational curves (column w); `curve eval` and `curve split` do", problem);
+  else if (curve.form == Form::power)
+    why = fmt::format("no method for {} takes the power form; see `curve convert`", problem);
+  throw Failure(Exit::usage, fmt::format("{}: {}", name, why));
+}
+
+void unknown_method(const std::string& id, Problem problem) {
+  for (const auto& peer : peers::absent())
+    if (peer.id == id)
+      throw Failure(Exit::usage, fmt::format("--method {}: is not in this build; {}", id, peer.remedy));
+  const auto guess = suite::nearest(id, methods_of(problem)());
+  throw Failure(Exit::usage, fmt::format("--method {}: no such method{}; see `list methods`", id,
+                                         guess.empty() ? "" : fmt::format(", did you mean \"{}\"?", guess)));
+}
+
+void TruthOption::add_to(Command command) {
+  command.flag("--truth", wanted_, "wait for the exact result; default: for at most a second above degree 20");
+}
+
+bool TruthOption::finishes(const std::string& name, int degree, const std::function<void()>& compute) const {
+  const auto begin = Clock::now();
+  const bool limited = degree >= always_below && !wanted_;
+  bool silent = true;
+  const reference::StopWhen stop([&] {
+    const auto taken = Clock::now() - begin;
+    if (silent && !limited && taken >= without_a_word) {
+      silent = false;
+      fmt::print(stderr,
+                 "bezierbench: {}: the exact result at degree {} takes more than {} seconds; Ctrl-C ends this\n",
+                 printable(name), degree, without_a_word.count());
+    }
+    return limited && taken >= unasked;
+  });
+  try {
+    compute();
+    return true;
+  } catch (const reference::Stopped&) {
+    fmt::print(stderr,
+               "bezierbench: {}: the exact result at degree {} takes more than a second, so its columns are empty; add "
+               "--truth to compute it\n",
+               printable(name), degree);
+    return false;
+  }
+}
+
+std::vector<std::string> judged_columns(std::vector<std::string> first) {
+  for (const auto* name : {"axis", "value", "exact", "error", "error_ulp", "error_u", "bound_u"})
+    first.emplace_back(name);
+  return first;
+}
+
+std::vector<std::string> judged_coordinate(double value, const reference::Rational& truth,
+                                           const reference::Rational& p_tilde, std::optional<double> bound) {
+  const auto judged = reference::coordinate_error(value, truth, p_tilde);
+  const auto bound_u = bound ? reference::bound_units(*bound, p_tilde) : std::nullopt;
+  return {number::decimal(value),          number::decimal(judged.exact),
+          number::decimal(judged.error),   number::decimal(judged.error_ulp),
+          number::decimal(judged.error_u), bound_u ? number::decimal(*bound_u) : ""};
+}
+
+void CurveTable::add_point(const std::vector<std::string>& first, std::span<const double> point,
+                           const reference::ExactPoint& truth, const reference::ExactPoint& p_tilde,
+                           const std::function<std::optional<double>(int axis)>& bound) {
+  for (int axis = 0; axis < static_cast<int>(point.size()); ++axis) {
+    auto row = first;
+    row.push_back(axis_name(axis));
+    for (auto& field : judged_coordinate(point[static_cast<std::size_t>(axis)], truth.coordinate(axis),
+                                         p_tilde.coordinate(axis), bound(axis)))
+      row.push_back(std::move(field));
+    add_row(std::move(row));
+  }
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The kind of study of a companion problem: its errors, its times and its methods follow from problem.hpp.
+#pragma once
+
+#include "experiments/race/timed_companion.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/studies/trial/trial_study.hpp"
+
+namespace bezierbench::studies {
+
+/// The kind that judges and times the methods of P. `asks` states what else suites may ask of it; `tables` is as in
+/// StudyKind.
+template <StudiedProblem P>
+constexpr StudyKind companion_kind(suite::Kind asks, std::array<std::string_view, 2> tables = {P::table},
+                                   race::Size size = race::Size::unclaimed) {
+  asks.problem = P::problem;
+  return {asks, trial_job<P>, tables, race::timed_companion<P>(size), judge::infos<P>};
+}
+
+}  // namespace bezierbench::studies
