@@ -58,7 +58,7 @@ bundle::Expected expected_of(const RunRequest& request) {
     expected.plan.rows.emplace(file, bundle::parse_csv(table.text(), file));
   expected.plan.methods_csv = request.methods_csv;
   expected.plan.git_commit = request.git_commit;
-  for (const auto& method : request.outside) expected.plan.outside.insert(method.id);
+  for (const auto& method : request.external) expected.plan.external.insert(method.id);
   return expected;
 }
 

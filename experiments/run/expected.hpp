@@ -7,7 +7,7 @@
 
 namespace bezierbench::run {
 
-/// The contents that `verify` expects in a bundle of the request's suites and methods from outside, by the jobs that a
+/// The contents that `verify` expects in a bundle of the request's suites and external methods, by the jobs that a
 /// run of each study would have. Methods of other libraries that this build lacks are left out; of a study that it cannot
 /// plan without them it expects no table.
 [[nodiscard]] bundle::Expected expected_of(const RunRequest& request);

@@ -22,7 +22,7 @@ struct PlannedStudy {
   JobContext context;
 };
 
-/// A method from outside that a study does not ask.
+/// An external method that a study does not ask.
 struct Unasked {
   std::string method;
   std::string study;
@@ -32,16 +32,16 @@ struct Unasked {
 struct Plan {
   explicit Plan(const RunRequest& request);
 
-  Jobs jobs;                           ///< those of `studies` in their order, then those for methods from outside
-  std::vector<std::string> job_names;  ///< of the study of a job; of that and the method for one from outside
-  std::vector<PlannedStudy> studies;   ///< without the names of methods from outside
+  Jobs jobs;                           ///< those of `studies` in their order, then those for external methods
+  std::vector<std::string> job_names;  ///< of the study of a job; of the study and the method for an external method
+  std::vector<PlannedStudy> studies;   ///< without the names of external methods
   std::vector<Unasked> unasked;
   std::string suite_text;     ///< the resolved suites
   bundle::Manifest manifest;  ///< state `partial`
   std::string reference;      ///< the tier
 };
 
-/// Tells the user which studies ask nothing of which method from outside. Throws Failure(usage) where no study asks a
+/// Tells the user which studies ask nothing of which external method. Throws Failure(usage) where no study asks a
 /// method.
 void tell_unasked(const RunRequest& request, const Plan& plan);
 

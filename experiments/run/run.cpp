@@ -94,7 +94,7 @@ Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, 
   Needs needs{.disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
                       bytes_per_row * static_cast<double>(extent.rows),
               .memory = bytes_of_program};
-  for (std::size_t job = 0; job < plan.studies.size(); ++job) {  // what methods from outside take is not known
+  for (std::size_t job = 0; job < plan.studies.size(); ++job) {  // what external methods take is not known
     const Job& planned = *plan.jobs[job];
     if (!planned.is_estimable()) continue;
     needs.seconds += nanosecond * share.cost_left(job);

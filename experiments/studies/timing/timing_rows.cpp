@@ -49,7 +49,7 @@ void set_median(tables::Row& row, std::string_view column, std::span<const doubl
   if (!counts.empty()) row.set(column, metric::median_interval(counts, metric::timing_confidence).median);
 }
 
-/// Empty for a method from outside, whose operations are not known.
+/// Empty for an external method, whose operations are not known.
 std::optional<race::TimedWork> work_of(const race::RaceCell& race_cell, const MethodInfo& method) {
   return judge::with_scalar(race_cell.scalar, [&]<class Scalar>(Scalar /*zero*/) -> std::optional<race::TimedWork> {
     const auto* kernel = judge::find_method<Scalar>(method.id, method.form, race_cell.cell.dimension);
