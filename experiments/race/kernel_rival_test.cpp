@@ -10,8 +10,8 @@
 #include <memory>
 #include <set>
 
-#include "experiments/race/clock.hpp"
 #include "experiments/race/page_vector.hpp"
+#include "experiments/race/rounds.hpp"
 #include "experiments/requirements/seeded_curves.hpp"
 
 namespace bezierbench::race {
@@ -109,7 +109,7 @@ TYPED_TEST(KernelRival, LatencyHandsOnWhatIsNoNumber) {
   EXPECT_TRUE(rival.check());
 }
 
-/// A turn of a race is 50 us; all inputs of a method that takes 20 us each would take 5 ms.
+/// A round gives each rival 50 us; all inputs of a method that takes 20 us each would take 5 ms.
 TYPED_TEST(KernelRival, OneShotsOfASlowMethodFillATurn) {
   Kernel<TypeParam> slow = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
   Inputs<TypeParam> inputs{Form::bernstein, 2, 1, {}, {}, {}};

@@ -12,7 +12,7 @@
 
 #include "core/method.hpp"
 #include "experiments/race/race.hpp"
-#include "experiments/race/race_cell.hpp"
+#include "experiments/race/rounds.hpp"
 #include "experiments/suite/suite.hpp"
 
 namespace bezierbench::race {
@@ -36,18 +36,18 @@ enum class Size { unclaimed, degree, points };
 struct TimedProblem {
   Problem problem;
   Size size;
-  /// The race cells of a study, before any repetition. Throws Failure(usage) for studies that cannot be timed.
-  std::vector<RaceCell> (*race_cells)(const suite::Study& study);
-  /// One rival for each method of the race cell. `trials` is what the last call for the race cell left there, null for
+  /// The races of a study, before any repetition. Throws Failure(usage) for studies that cannot be timed.
+  std::vector<Race> (*races)(const suite::Study& study);
+  /// One rival for each method of the race. `trials` is what the last call for the race left there, null for
   /// the first: the trials of a companion problem, whose truths take longer than their race. Others leave nothing.
-  JudgedRivals (*rivals)(const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,
+  JudgedRivals (*rivals)(const Race& race, const suite::Study& study, std::uint64_t seed,
                          std::shared_ptr<const void>& trials);
 };
 
 // One repetition of a race among rivals that were judged beforehand.
 
 /// Races all rivals and the sentinels against each other. A rival whose results were wrong is not `checked`.
-RaceCellLaps race_of(const RaceCell& race_cell, const suite::Study& study, JudgedRivals judged, std::size_t repetition,
+RaceTimes run_rivals(const Race& race, const suite::Study& study, JudgedRivals judged, std::size_t repetition,
                      const RaceOptions& options);
 
 }  // namespace bezierbench::race

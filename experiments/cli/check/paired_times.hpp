@@ -2,7 +2,7 @@
 // Times of one method in two programs. Both run in turn, so that what changes on the machine affects both alike, and
 // each pair of runs gives one ratio. In every second pair the other program goes first.
 //
-// A pair is one observation, as a repetition is in a race (experiments/race/repetition.hpp): every process has its own
+// A pair is one observation, as a repetition is in a race (experiments/race/race.hpp): every process has its own
 // addresses of stack, heap and code, which may change a time by more than the difference that is looked for.
 #pragma once
 

@@ -35,12 +35,12 @@ struct Wish {
   }
 };
 
-/// The methods of one race cell, and the class of curves of the choice.
+/// The methods of one race, and the class of curves of the choice.
 struct JudgedRace {
   tables::ChoiceGroup group;
   DrawnClass of;
   std::vector<std::string> cells;        ///< in which the methods were judged
-  std::vector<std::string> others = {};  ///< race cells that could have been taken, in words
+  std::vector<std::string> others = {};  ///< races that could have been taken, in words
 };
 
 /// The timing study and how its curves were drawn: `speed-bezier: coordinates in [-1, 1], t in [0, 1], continuous`.

@@ -95,7 +95,7 @@ std::vector<tables::ChoiceGroup> matching(std::vector<tables::ChoiceGroup> group
   return groups;
 }
 
-/// The race cells whose methods were judged on the class of the choice.
+/// The races whose methods were judged on the class of the choice.
 std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& groups, const Evidence& evidence,
                                      const Wish& wish) {
   std::vector<JudgedRace> races;
@@ -118,7 +118,7 @@ std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& gro
   return races;
 }
 
-/// The race cell with the most methods, with the names of the others.
+/// The race with the most methods, with the names of the others.
 JudgedRace one_of(const std::vector<JudgedRace>& races) {
   const auto size = [](const JudgedRace& race) { return race.group.choices.size(); };
   const auto best = std::ranges::max_element(races, {}, size);

@@ -13,7 +13,6 @@
 #include "experiments/number/bytes.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/timed_check.hpp"
-#include "experiments/race/timed_inputs.hpp"
 #include "experiments/race/timed_problem.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/external/external.hpp"
@@ -30,15 +29,15 @@ using external::Status;
 
 /// The times of the successful repetitions, and the worst status of all repetitions.
 struct ExternalLaps {
-  race::RaceCellLaps laps;
+  race::RaceTimes times;
   std::uint8_t status = 0;
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.laps, self.status);
+    bytes(self.times, self.status);
   }
   void merge(const ExternalLaps& other) {
-    if (!other.laps.each.empty()) laps.merge(other.laps);
+    if (!other.times.each.empty()) times.merge(other.times);
     status = std::max(status, other.status);
   }
 };
@@ -46,14 +45,14 @@ struct ExternalLaps {
 ExternalLaps nothing(Status status) { return {{}, static_cast<std::uint8_t>(status)}; }
 
 /// The races of a study that the method can join, with the method that ratios are relative to as its only rival.
-std::vector<race::RaceCell> race_cells_of(const suite::Study& study, const MethodInfo& method) {
-  std::vector<race::RaceCell> all;
-  for (auto& race_cell : race_cells_of_evaluation(study)) {
-    if (race_cell.scalar != suite::ScalarKind::float64 || !method.supports<double>(race_cell.cell.degree)) continue;
-    const auto base = race::relative_to(race_cell, study);
-    race_cell.methods = base ? std::vector{race_cell.methods[*base]} : std::vector<const MethodInfo*>();
-    race_cell.methods.push_back(&method);
-    all.push_back(std::move(race_cell));
+std::vector<race::Race> races_of(const suite::Study& study, const MethodInfo& method) {
+  std::vector<race::Race> all;
+  for (auto& race : races_of_evaluation(study)) {
+    if (race.scalar != suite::ScalarKind::float64 || !method.supports<double>(race.cell.degree)) continue;
+    const auto base = race::relative_to(race, study);
+    race.methods = base ? std::vector{race.methods[*base]} : std::vector<const MethodInfo*>();
+    race.methods.push_back(&method);
+    all.push_back(std::move(race));
   }
   return all;
 }
@@ -62,9 +61,7 @@ class ExternalTimingJob final : private JudgedExternal, public RacingJob<Externa
  public:
   ExternalTimingJob(const suite::Study& study, const suite::ExternalMethod& record, const external::Method* given,
                     std::uint64_t seed)
-      : JudgedExternal(record, study.curve, given),
-        RacingJob(study, seed, race_cells_of(study, info())),
-        late_(parts()) {}
+      : JudgedExternal(record, study.curve, given), RacingJob(study, seed, races_of(study, info())), late_(parts()) {}
 
   [[nodiscard]] run::Extent extent() const override { return {0, parts(), parts() * race::timed_inputs_per_cell, 0}; }
   void write(tables::Tables& tables) const override;
@@ -74,67 +71,64 @@ class ExternalTimingJob final : private JudgedExternal, public RacingJob<Externa
   [[nodiscard]] ExternalLaps work(std::size_t block) const override;
 
  private:
-  [[nodiscard]] race::JudgedRivals rivals_in_child(const race::RaceCell& race_cell,
-                                                   const race::Inputs<double>& inputs) const;
+  [[nodiscard]] race::JudgedRivals rivals_in_child(const race::Race& race, const race::Inputs<double>& inputs) const;
 
   mutable std::vector<bool> late_;  ///< races in which a repetition took too long; their other repetitions are skipped
 };
 
-/// A race cell in which the method failed, instead of times.
-void add_untimed_row(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
-                     Status status) {
+/// A race in which the method failed, instead of times.
+void add_untimed_row(tables::Tables& tables, const suite::Study& study, const race::Race& race, Status status) {
   tables.add(tables::Row("untimed.csv")
                  .set("study", study.id)
                  .set("curve", suite::name(study.curve))
-                 .set("method", race_cell.methods.back()->id)
-                 .set("scalar", suite::name(race_cell.scalar))
-                 .set("dimension", race_cell.cell.dimension)
-                 .set("degree", race_cell.cell.degree)
-                 .set("mode", suite::name(race_cell.mode))
-                 .set_each(tables::drawn_columns(), tables::drawn_fields(race_cell.cell))
+                 .set("method", race.methods.back()->id)
+                 .set("scalar", suite::name(race.scalar))
+                 .set("dimension", race.cell.dimension)
+                 .set("degree", race.cell.degree)
+                 .set("mode", suite::name(race.mode))
+                 .set_each(tables::drawn_columns(), tables::drawn_fields(race.cell))
                  .set("status", name(status)));
 }
 
 void ExternalTimingJob::write(tables::Tables& tables) const {
   (void)tables.table("timing.csv");
-  const auto cells = raced([this](std::size_t part) -> const race::RaceCellLaps& { return state(part).laps; });
-  const auto fastest = race::fastest_pace(cells);
+  const auto cells = raced([this](std::size_t part) -> const race::RaceTimes& { return state(part).times; });
+  const auto fastest = race::fastest_sentinels(cells);
   for (std::size_t part = 0; part < cells.size(); ++part) {
-    const auto& race_cell = cells[part];
+    const auto& race = cells[part];
     const auto status = static_cast<Status>(state(part).status);
-    const auto own = race_cell.methods.size() - 1;
+    const auto own = race.methods.size() - 1;
     if (status != Status::ok)
-      add_untimed_row(tables, study(), race_cell, status);
-    else if (!race_cell.laps.empty())
-      add_timing_row(tables, study(), race_cell, own, own == 0 ? std::nullopt : std::optional<std::size_t>(0), fastest);
+      add_untimed_row(tables, study(), race, status);
+    else if (!race.times.empty())
+      add_timing_row(tables, study(), race, own, own == 0 ? std::nullopt : std::optional<std::size_t>(0), fastest);
   }
 }
 
-race::JudgedRivals ExternalTimingJob::rivals_in_child(const race::RaceCell& race_cell,
+race::JudgedRivals ExternalTimingJob::rivals_in_child(const race::Race& race,
                                                       const race::Inputs<double>& inputs) const {
   race::JudgedRivals all;
-  for (const auto* info : race_cell.methods) {
-    const auto* kernel = info == &this->info()
-                             ? method().open_kernel(race_cell.cell.dimension)
-                             : judge::find_method<double>(info->id, info->form, race_cell.cell.dimension);
-    auto judged = race::judge(*kernel, race_cell.mode, inputs);
+  for (const auto* info : race.methods) {
+    const auto* kernel = info == &this->info() ? method().open_kernel(race.cell.dimension)
+                                               : judge::find_method<double>(info->id, info->form, race.cell.dimension);
+    auto judged = race::judge(*kernel, race.mode, inputs);
     all.judged.push_back({judged.right, judged.max_error_u});
-    all.rivals.push_back(race::kernel_rival(*kernel, race_cell.mode, inputs, std::move(judged.points)));
+    all.rivals.push_back(race::kernel_rival(*kernel, race.mode, inputs, std::move(judged.points)));
   }
-  all.call = race::call_rival(race_cell.mode, inputs);
+  all.call = race::call_rival(race.mode, inputs);
   return all;
 }
 
 ExternalLaps ExternalTimingJob::work(std::size_t block) const {
-  const auto& race_cell = race_cells()[part_of(block)];
+  const auto& race = races()[part_of(block)];
   if (late_[part_of(block)]) return nothing(Status::timed_out);
   const auto work = [&] {
     const int answer = external::keep_output_for_answer();
-    const auto inputs = race::timed_inputs<double>(study(), race_cell.cell, seed());
+    const auto inputs = race::timed_inputs<double>(study(), race.cell, seed());
     ExternalLaps result;
     try {
-      result.laps = race::race_of(race_cell, study(), rivals_in_child(race_cell, inputs),
-                                  block % race::repetitions_per_race, race::options_of_a_repetition());
+      result.times = race::run_rivals(race, study(), rivals_in_child(race, inputs), block % race::repetitions_per_race,
+                                      race::repetition_options());
     } catch (const external::CurveRefused&) {
       result = nothing(Status::refused);
     } catch (...) {

@@ -227,12 +227,12 @@ TEST(TrialStudy, ItsProblemIsTimedAsItStands) {
   study.kind = &kind("timing");
   study.modes = {suite::Mode::one_shot};
   constexpr auto timed = race::timed_companion<CountedProblem>();
-  const auto race_cells = timed.race_cells(study);
-  ASSERT_EQ(race_cells.size(), 2U * 2);
+  const auto races = timed.races(study);
+  ASSERT_EQ(races.size(), 2U * 2);
   std::shared_ptr<const void> trials;
-  const auto judged = timed.rivals(race_cells.front(), study, 1, trials);
+  const auto judged = timed.rivals(races.front(), study, 1, trials);
   EXPECT_EQ(calls.drawn, first_trials(3));
-  (void)timed.rivals(race_cells.front(), study, 1, trials);
+  (void)timed.rivals(races.front(), study, 1, trials);
   EXPECT_EQ(calls.drawn, first_trials(3)) << "another repetition draws no trial anew";
   ASSERT_EQ(judged.rivals.size(), 2U);
   EXPECT_TRUE(judged.judged[0].right);

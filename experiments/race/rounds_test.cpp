@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/race/race.hpp"
+#include "experiments/race/rounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,26 +10,26 @@
 namespace bezierbench::race {
 namespace {
 
-TEST(Race, EveryRivalRunsEveryRoundAndIsChecked) {
+TEST(Rounds, EveryRivalRunsEveryRoundAndIsChecked) {
   int runs = 0;
   int checks = 0;
   const std::vector<Rival> rivals{
       {"good", 3, [&] { ++runs; }, [&] { return ++checks > 0; }},
       {"wrong", 3, [] {}, [] { return false; }},
   };
-  const auto laps = race("test", rivals, {.rounds = 10});
-  ASSERT_EQ(laps.size(), 2U);
-  EXPECT_EQ(laps[0].ns_per_point.size(), 10U);
-  EXPECT_EQ(laps[1].ns_per_point.size(), 10U);
-  EXPECT_EQ(laps[0].points_per_round % 3, 0U);
+  const auto times = time_rounds("test", rivals, {.rounds = 10});
+  ASSERT_EQ(times.size(), 2U);
+  EXPECT_EQ(times[0].ns_per_point.size(), 10U);
+  EXPECT_EQ(times[1].ns_per_point.size(), 10U);
+  EXPECT_EQ(times[0].points_per_round % 3, 0U);
   EXPECT_EQ(checks, 10);
   EXPECT_GE(runs, 10);
-  EXPECT_TRUE(laps[0].checked);
-  EXPECT_FALSE(laps[1].checked);
-  EXPECT_TRUE(std::ranges::all_of(laps[0].ns_per_point, [](double ns) { return ns >= 0; }));
+  EXPECT_TRUE(times[0].checked);
+  EXPECT_FALSE(times[1].checked);
+  EXPECT_TRUE(std::ranges::all_of(times[0].ns_per_point, [](double ns) { return ns >= 0; }));
 }
 
-TEST(Race, EveryRivalMeetsEveryPlaceAndEveryPredecessorEquallyOften) {
+TEST(Rounds, EveryRivalMeetsEveryPlaceAndEveryPredecessorEquallyOften) {
   for (const std::size_t count : {2U, 3U, 4U, 5U}) {
     std::string order;
     std::vector<Rival> rivals;
@@ -41,7 +41,7 @@ TEST(Race, EveryRivalMeetsEveryPlaceAndEveryPredecessorEquallyOften) {
                           return true;
                         }});
     }
-    race("test", rivals, {.rounds = 1});
+    time_rounds("test", rivals, {.rounds = 1});
     const std::size_t rounds = order.size() / count;
     EXPECT_EQ(rounds, count % 2 == 0 ? count : 2 * count);
     std::map<std::pair<char, std::size_t>, std::size_t> places;
@@ -64,58 +64,66 @@ struct Placed {
 };
 
 // What lies elsewhere for one of two equal rivals may make it the slower.
-TEST(Race, RunsEveryRivalAtOnePlace) {
+TEST(Rounds, RunsEveryRivalAtOnePlace) {
   std::vector<std::set<const void*>> places(3);
   std::vector<Rival> rivals;
   for (auto& its : places) rivals.push_back({"one", 1, Placed{&its}, [] { return true; }});
-  race("test", rivals, {.rounds = 6});
+  time_rounds("test", rivals, {.rounds = 6});
   std::set<const void*> common = places[0];
   for (const auto& its : places) std::erase_if(common, [&](const void* place) { return !its.contains(place); });
   EXPECT_FALSE(common.empty());
 }
 
-TEST(Race, StopsWhenAsked) {
+TEST(Rounds, StopsOnRequest) {
   const std::vector<Rival> rivals{{"one", 1, [] {}, [] { return true; }}};
-  const auto laps = race("test", rivals, {.rounds = 1000, .stop = [] { return true; }});
-  EXPECT_EQ(laps[0].ns_per_point.size(), 1U);
+  const auto times = time_rounds("test", rivals, {.rounds = 1000, .stop = [] { return true; }});
+  EXPECT_EQ(times[0].ns_per_point.size(), 1U);
 }
 
-TEST(Race, EndsWhenItsTimeIsUp) {
+TEST(Rounds, EndsWhenItsTimeIsUp) {
   const std::vector<Rival> rivals{{"one", 1, [] {}, [] { return true; }}};
-  const auto laps = race("test", rivals, {.rounds = 1000, .most_seconds = 0});
-  EXPECT_EQ(laps[0].ns_per_point.size(), 1U);
+  const auto times = time_rounds("test", rivals, {.rounds = 1000, .max_seconds = 0});
+  EXPECT_EQ(times[0].ns_per_point.size(), 1U);
 }
 
-TEST(Race, SlowRivalsRunFewerRoundsButWholeCycles) {
+TEST(Rounds, SlowRivalsRunFewerRoundsButWholeCycles) {
   const Rival rival{"one", 1, [] {}, [] { return true; }};
   const std::vector<Rival> three(3, rival);  // six orders
-  const auto laps = race("test", three, {.rounds = 1000, .least_rounds = 7, .rival_seconds = 0});
-  EXPECT_EQ(laps[0].ns_per_point.size(), 12U);
+  const auto times = time_rounds("test", three, {.rounds = 1000, .min_rounds = 7, .rival_seconds = 0});
+  EXPECT_EQ(times[0].ns_per_point.size(), 12U);
 }
 
-/// A turn is preceded by one batch that is not timed, and equal rivals do equal work in their turns, about.
-TEST(Race, WarmsUpBeforeEveryTurn) {
+/// In every round a rival runs one batch that is not timed before those that are.
+TEST(Rounds, WarmUpEveryRival) {
   int runs = 0;
   int at_last_check = 0;
-  std::vector<int> runs_per_turn;
+  std::vector<int> runs_per_round;
   const std::vector<Rival> rivals{{"one", 1, [&] { ++runs; },
                                    [&] {
-                                     runs_per_turn.push_back(runs - at_last_check);
+                                     runs_per_round.push_back(runs - at_last_check);
                                      at_last_check = runs;
                                      return true;
                                    }}};
-  const auto laps = race("test", rivals, {.rounds = 4});
-  ASSERT_EQ(runs_per_turn.size(), 4U);
-  for (std::size_t turn = 1; turn < 4; ++turn)
-    EXPECT_EQ(static_cast<std::size_t>(runs_per_turn[turn]), laps[0].points_per_round + 1);
+  const auto times = time_rounds("test", rivals, {.rounds = 4});
+  ASSERT_EQ(runs_per_round.size(), 4U);
+  for (std::size_t round = 1; round < 4; ++round)
+    EXPECT_EQ(static_cast<std::size_t>(runs_per_round[round]), times[0].points_per_round + 1);
 }
 
-TEST(Race, CountsPerPointWhereThereAreCounters) {
+TEST(Rounds, CountsPerPointWhereThereAreCounters) {
   const Counters counters;
   const std::vector<Rival> rivals{{"one", 1, [] {}, [] { return true; }}};
-  const auto laps = race("test", rivals, {.rounds = 10, .counters = &counters});
-  EXPECT_EQ(laps[0].cycles_per_point.size(), laps[0].instructions_per_point.size());
-  EXPECT_LE(laps[0].cycles_per_point.size(), counters.available() ? 10U : 0U);
+  const auto times = time_rounds("test", rivals, {.rounds = 10, .counters = &counters});
+  EXPECT_EQ(times[0].cycles_per_point.size(), times[0].instructions_per_point.size());
+  EXPECT_LE(times[0].cycles_per_point.size(), counters.available() ? 10U : 0U);
+}
+
+/// A clock that advances by 60 microseconds in every batch and by a nanosecond with every reading.
+TEST(Rounds, AreTimedByTheClockOfTheOptions) {
+  static std::int64_t now = 0;
+  const std::vector<Rival> rivals{{"one", 1, [] { now += 60'000; }, [] { return true; }}};
+  const auto times = time_rounds("test", rivals, {.rounds = 4, .clock = [] { return ++now; }});
+  EXPECT_EQ(times[0].ns_per_point, std::vector<double>(4, 60'001));
 }
 
 }  // namespace
