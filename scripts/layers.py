@@ -53,7 +53,7 @@ TABLE = {
         ["oneTBB"],
     ),
     "experiments/cli": (["core", "reference", "experiments"], ["CLI11"]),
-    "experiments/programs": (["core", "reference", "experiments"], []),
+    "experiments/programs": (["core", "reference", "experiments"], ["CLI11"]),
     "bindings": (["core", "reference", "experiments/metric", "experiments/number"], ["GMP/MPFR"]),
     "experiments/examples": ([], ["bezierbench"]),  # what users of the installed package write
 }

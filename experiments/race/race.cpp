@@ -12,7 +12,6 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
-#include "experiments/race/timed_problem.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
 

@@ -99,8 +99,6 @@ struct RaceTimes {
   void merge(const RaceTimes& other);
 };
 
-struct TimedProblem;
-
 struct Race {
   sample::Cell cell;
   suite::ScalarKind scalar;
@@ -109,6 +107,35 @@ struct Race {
   judge::CaseValues case_values = {};           ///< of a companion problem
   std::vector<RivalTimes> times = {};           ///< see RaceTimes; empty before the first repetition
   std::vector<ProcessorTimes> operations = {};  ///< likewise
+};
+
+/// The size that the claimed costs of a problem's methods grow with.
+enum class Size { unclaimed, degree, points };
+
+/// The judgement of the results that a rival must reproduce.
+struct Judgement {
+  bool right = true;
+  std::optional<double> max_error_u = std::nullopt;  ///< as in JudgedPoints
+};
+
+struct JudgedRivals {
+  std::vector<Rival> rivals;
+  std::vector<Judgement> judged;             ///< of each
+  std::shared_ptr<const void> inputs;        ///< the inputs that the rivals read
+  std::optional<Rival> call = std::nullopt;  ///< an empty kernel, beside evaluators
+};
+
+/// A problem that a timing study can time: evaluation, or a companion problem, whose methods the study then names in
+/// place of evaluators. The kind of study that judges the problem states it (timed_companion.hpp).
+struct TimedProblem {
+  Problem problem;
+  Size size;
+  /// The races of a study, before any repetition. Throws Failure(usage) for studies that cannot be timed.
+  std::vector<Race> (*races)(const suite::Study& study);
+  /// One rival for each method of the race. `trials` is kept from one call for the race to
+  /// the next, null for the first: the trials of a companion problem, whose truths take longer than their race.
+  JudgedRivals (*rivals)(const Race& race, const suite::Study& study, std::uint64_t seed,
+                         std::shared_ptr<const void>& trials);
 };
 
 /// Nanoseconds for one repetition, to an order of magnitude; see run::Job::cost. The limits of a race make it take
@@ -121,8 +148,13 @@ inline double repetition_cost(const Race& race) {
 /// The times of the empty kernel; null where there was none.
 const RivalTimes* call_times(const Race& race);
 
+/// One repetition among rivals that were judged beforehand, with the sentinels. A rival whose results were wrong is not
+/// `checked`.
+RaceTimes run_rivals(const Race& race, const suite::Study& study, JudgedRivals judged, std::size_t repetition,
+                     const RaceOptions& options);
+
 /// One repetition, 0 <= repetition < repetitions_per_race: judges the methods, then times them. A method whose points are
-/// wrong is timed as well, but not `checked`. `trials` is kept from one repetition to the next (timed_problem.hpp).
+/// wrong is timed as well, but not `checked`. `trials` is kept from one repetition to the next (TimedProblem).
 RaceTimes run_repetition(const TimedProblem& problem, const Race& race, const suite::Study& study, std::uint64_t seed,
                          std::size_t repetition, const RaceOptions& options, std::shared_ptr<const void>& trials);
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "experiments/race/sentinel.hpp"
+
 namespace bezierbench::race {
 namespace {
 
@@ -126,5 +128,16 @@ TEST(Rounds, AreTimedByTheClockOfTheOptions) {
   EXPECT_EQ(times[0].ns_per_point, std::vector<double>(4, 60'001));
 }
 
+TEST(Sentinels, KnowTheirResults) {
+  for (const Rival& rival : sentinels()) {
+    EXPECT_FALSE(rival.check()) << "nothing ran yet";
+    rival.run();
+    EXPECT_TRUE(rival.check());
+    EXPECT_FALSE(rival.check()) << "a check uses the result up";
+  }
+  EXPECT_EQ(sentinels().back().name, sentinel_name);
+}
+
 }  // namespace
+
 }  // namespace bezierbench::race

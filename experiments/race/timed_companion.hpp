@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "experiments/judge/trial_problem.hpp"
-#include "experiments/race/timed_problem.hpp"
+#include "experiments/race/race.hpp"
 
 namespace bezierbench::race {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/race/timed_problem.hpp"
+#include "experiments/race/race.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/suite/kind.hpp"
 

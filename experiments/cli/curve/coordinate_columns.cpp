@@ -9,7 +9,6 @@
 
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/fault.hpp"
 #include "experiments/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "experiments/echo.hpp"
-#include "experiments/number/fault.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/suite/nearest.hpp"

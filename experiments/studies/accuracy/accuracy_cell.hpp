@@ -12,7 +12,6 @@
 #include "experiments/judge/cell_tally.hpp"
 #include "experiments/judge/group_judge.hpp"
 #include "experiments/judge/judged_methods.hpp"
-#include "experiments/judge/judgement.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/run/job.hpp"

@@ -19,7 +19,6 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
-#include "experiments/studies/exhaustive/float_range.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/exhaustive/named_curves.hpp"
 #include "experiments/studies/roster.hpp"

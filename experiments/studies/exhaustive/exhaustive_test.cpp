@@ -10,7 +10,6 @@
 #include "experiments/failure.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/studies/exhaustive/float_range.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/exhaustive/named_curves.hpp"
 #include "experiments/studies/roster.hpp"

@@ -2,7 +2,7 @@
 // Evaluation as a timed problem: every scalar type, cell and mode is a race.
 #pragma once
 
-#include "experiments/race/timed_problem.hpp"
+#include "experiments/race/race.hpp"
 
 namespace bezierbench::studies {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "experiments/race/race.hpp"
-#include "experiments/race/timed_problem.hpp"
 #include "experiments/run/job.hpp"
 
 namespace bezierbench::studies {
