@@ -25,7 +25,7 @@ struct CaseValues {
 /// The axes of a problem that follow from the problem, not from the keys of its studies.
 struct CaseAxes {
   bool degree = true;      ///< of curves; else the points are all that is given
-  bool tolerance = false;  ///< a method is asked for one
+  bool tolerance = false;  ///< every method is given one
   bool data = false;       ///< every kind of data is a case of its own
   bool placement = false;  ///< so is every placement; times are those of the first
   bool knots = false;      ///< so is every kind of knots; times are those of the first

@@ -108,7 +108,7 @@ struct CellTally {
   std::vector<Judgement> judgements;
   metric::Tally audit;          ///< of the long double tier: the largest error of an axis, in ulp of that axis
   metric::Tally condition;      ///< p~ over |p|
-  std::uint64_t escalated = 0;  ///< trials that needed big integers, because no certificate decided them
+  std::uint64_t escalated = 0;  ///< trials decided by big integers, because no certificate decided them
   Replicates replicates;
 
   template <class Bytes, class Self>
@@ -116,7 +116,7 @@ struct CellTally {
     return bytes(self.judgements, self.audit, self.condition, self.escalated, self.replicates);
   }
 
-  /// Says that the judgements so far are those of one block of this replicate.
+  /// Records that the judgements so far are those of one block of this replicate.
   void end_block(std::int64_t replicate) {
     auto& block = replicates.open[replicate];
     for (const Judgement& judgement : judgements) block.errors.push_back(judgement.error);

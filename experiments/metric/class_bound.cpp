@@ -78,7 +78,7 @@ double underflow(const BoundAtDegree& at_degree, const CurveClass& of, const Ari
 
 }  // namespace
 
-double least_p_tilde(const CurveClass& of, const Arithmetic& arithmetic) {
+double min_p_tilde(const CurveClass& of, const Arithmetic& arithmetic) {
   return of.range / std::sqrt(arithmetic.range);
 }
 
@@ -92,7 +92,7 @@ ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const Arit
       bound.result_roundings == 0 ? 0 : bound.result_roundings * largest_amplification(p_tilde_of(of.form), of);
   return {(result + at_degree.factor * largest_amplification(bound.amplification, of)) * u + lost,
           bound.result_roundings + at_degree.factor * largest_quotient(bound.amplification, of) +
-              lost / u / least_p_tilde(of, arithmetic)};
+              lost / u / min_p_tilde(of, arithmetic)};
 }
 
 }  // namespace bezierbench::metric

@@ -22,14 +22,14 @@ struct CurveClass {
 /// No error of a member is larger; infinite where that is not proved.
 struct ClassBound {
   double coordinate = 0;  ///< in coordinate units
-  double in_u = 0;        ///< in units of u p~, for members with p~ >= least_p_tilde()
+  double in_u = 0;        ///< in units of u p~, for members with p~ >= min_p_tilde()
 };
 
 /// For a smaller p~ the class has no bound in units of u p~, because underflow terms do not shrink with p~.
-double least_p_tilde(const CurveClass& of, const Arithmetic& arithmetic);
+double min_p_tilde(const CurveClass& of, const Arithmetic& arithmetic);
 
 /// The bound of a method with its worst amplification over the class. Known to a relative 2^-20, as TrialScale::bound.
-/// Infinite for rational curves, because the class says nothing about weights, and where a result on the way may
+/// Infinite for rational curves, because the class does not limit weights, and where a result on the way may
 /// overflow.
 ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const Arithmetic& arithmetic);
 

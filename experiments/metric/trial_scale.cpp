@@ -126,11 +126,11 @@ double TrialScale::rational_underflow(const BoundAtDegree& bound, const Arithmet
     return eta + eta * bound.underflow * (1 + w.largest_point) * ((1 + w.largest) / w.smallest);
   }
   if (!(w.smallest >= 0 && w.sum > 0)) return infinite;
-  const double of_numerator = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
-  const double of_denominator = bound.bound.underflow_scales_with_coefficients ? 1 + w.largest : 1;
+  const double numerator_bound = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
+  const double denominator_bound = bound.bound.underflow_scales_with_coefficients ? 1 + w.largest : 1;
   const double lost = eta * bound.underflow;
-  if (!(lost * of_denominator / w.sum <= 0.125)) return infinite;
-  return eta + lost * (of_numerator + of_denominator * p_tilde()) / w.sum;
+  if (!(lost * denominator_bound / w.sum <= 0.125)) return infinite;
+  return eta + lost * (numerator_bound + denominator_bound * p_tilde()) / w.sum;
 }
 
 double TrialScale::bound(const BoundAtDegree& at_degree, const Arithmetic& arithmetic, std::optional<double> length) {

@@ -106,7 +106,7 @@ class TrialScale {
   double t_ = 0;
   int dimension_ = 0;
   double largest_ = 0;
-  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|; empty until they are needed
+  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|; empty until their first use
   Weights weights_;
   reference::ExactCurve exact_;
   std::array<std::optional<double>, amplification_count> amplified_;

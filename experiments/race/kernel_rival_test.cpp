@@ -56,7 +56,7 @@ TYPED_TEST(KernelRival, ReproducesTheJudgedPointsInEveryMode) {
       EXPECT_FALSE(rival.check()) << "nothing ran yet";
       rival.run();
       EXPECT_TRUE(rival.check()) << kernel.info->id;
-      EXPECT_FALSE(rival.check()) << "a check uses the points up: the next round must write them anew";
+      EXPECT_FALSE(rival.check()) << "a check clears the points: the next round must write them again";
     }
 }
 
@@ -129,7 +129,7 @@ TYPED_TEST(KernelRival, OneShotsOfASlowMethodFillATurn) {
   EXPECT_EQ(inputs_of(suite::Mode::point), 256U);
   const Rival rival = kernel_rival(slow, suite::Mode::one_shot, inputs, judged);
   EXPECT_EQ(rival.points_per_batch, 8U);
-  EXPECT_FALSE(rival.check()) << "what was measured is no result";
+  EXPECT_FALSE(rival.check()) << "the points of the measurement are not a result";
   rival.run();
   EXPECT_TRUE(rival.check());
 }

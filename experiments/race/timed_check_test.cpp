@@ -69,7 +69,7 @@ Inputs<Scalar> inputs_of(int degree) {
   return inputs;
 }
 
-/// Interpolation at uniform nodes loses all digits of float by then, which an accuracy study has to say.
+/// Interpolation at uniform nodes has lost all digits of float there, which an accuracy study shows.
 TYPED_TEST(TimedCheck, SaysHowMuchTheLeastStableOfAllLosesAtAHighDegree) {
   const auto& kernel = *find_kernel<TypeParam>("barycentric_uniform", Form::bernstein, 1);
   const auto judged = judge(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(30));
@@ -106,13 +106,13 @@ TYPED_TEST(TimedCheck, CatchesAMethodThatLooksAtNoWeights) {
 TYPED_TEST(TimedCheck, HandsOverThePointsThatItJudged) {
   const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
   const auto& kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
-  const auto of_first = judge(kernel, suite::Mode::point, inputs).points;
-  const auto of_each = judge(kernel, suite::Mode::one_shot, inputs).points;
-  ASSERT_EQ(of_first.size(), 14U);
+  const auto first_curve = judge(kernel, suite::Mode::point, inputs).points;
+  const auto each_curve = judge(kernel, suite::Mode::one_shot, inputs).points;
+  ASSERT_EQ(first_curve.size(), 14U);
   EXPECT_EQ(inputs.t[3], TypeParam(0.5));
-  EXPECT_EQ(of_first[6], TypeParam(2));       // (0 + 3 + 9 + 4) / 8
-  EXPECT_EQ(of_first[7], TypeParam(0.4375));  // (0 + 6 - 3 + 0.5) / 8
-  EXPECT_EQ(of_each[6], TypeParam(3.125));    // (0 + 3 * 4 + 9 + 4) / 8
+  EXPECT_EQ(first_curve[6], TypeParam(2));       // (0 + 3 + 9 + 4) / 8
+  EXPECT_EQ(first_curve[7], TypeParam(0.4375));  // (0 + 6 - 3 + 0.5) / 8
+  EXPECT_EQ(each_curve[6], TypeParam(3.125));    // (0 + 3 * 4 + 9 + 4) / 8
 }
 
 template <class Scalar>

@@ -92,11 +92,11 @@ void add_split_rows(const SplitKernel& method, const CurveFile& curve, const Spl
         const auto value = control.subspan(static_cast<std::size_t>(axis), 1);
         const auto& truth = target.axes[static_cast<std::size_t>(axis)].truth;
         add(axis_name(axis), judged(value[0], exact.points[k].coordinate(axis), p_tilde.points[k].coordinate(axis),
-                                    truth.of_point(method.bound, side, i, value).bound));
+                                    truth.point_error(method.bound, side, i, value).bound));
       }
       if (curve.form == Form::rational)
         add("w", judged(control.back(), exact.weights[k], p_tilde.weights[k],
-                        target.axes[0].truth.of_weight(method.bound, side, i, control.back()).bound));
+                        target.axes[0].truth.weight_error(method.bound, side, i, control.back()).bound));
     }
   }
 }

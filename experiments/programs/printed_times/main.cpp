@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Times the methods of table 2.4 of [Report 001] coded as it describes them, for scripts/check printed_times: points with
 // operators in containers, tables of factorials and powers made in each call (sections 1.1 to 1.4), and a conversion for
-// each point. It includes nothing of core: what is measured is this coding, compiled with and without optimisation.
+// each point. It includes no header of core: it measures this coding, compiled with and without optimisation.
 //
 // printed_times [ROUNDS]   prints curve,method,degree,ms: the minimum processor time of 1000 evaluations, each of a curve of
 // its own

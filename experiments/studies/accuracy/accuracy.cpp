@@ -83,7 +83,7 @@ std::unique_ptr<run::Job> accuracy_job(const suite::Study& study, const run::Job
 constexpr std::array accuracy_fields{
     suite::field<&suite::Study::decomposed_trials>(
         {.key = "decomposed_trials",
-         .meaning = "so many trials of the first replicate of a cell have their error taken apart by its sources",
+         .meaning = "number of trials of the first replicate of a cell whose error is decomposed by its sources",
          .example = "100",
          .left_out = "0"}),
     suite::field<&suite::Study::published>(suite::published_key)};

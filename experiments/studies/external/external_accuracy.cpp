@@ -122,10 +122,10 @@ judge::CellTally ExternalAccuracyJob::judged(const Cell& cell, std::size_t batch
   std::optional<judge::CellTally> sum;
   for (auto block = first_block; block < end_block; ++block) {
     const auto [first, end] = cell.trials_of(block);
-    const auto of_block =
+    const auto block_points =
         points.first(std::min(points.size(), (end - first) * static_cast<std::size_t>(cell.cell().dimension)));
-    points = points.subspan(of_block.size());
-    auto tally = cell.judge_block(block, of_block);
+    points = points.subspan(block_points.size());
+    auto tally = cell.judge_block(block, block_points);
     if (sum)
       sum->merge(tally);
     else
@@ -136,15 +136,15 @@ judge::CellTally ExternalAccuracyJob::judged(const Cell& cell, std::size_t batch
 
 ExternalTally ExternalAccuracyJob::work(std::size_t block) const {
   const std::size_t part = part_of(block);
-  const std::size_t of_cell = block % blocks_per_part();
+  const std::size_t batch_number = block % blocks_per_part();
   const Cell& cell = cells_[part];
   const auto nothing = [&](Status status) {
-    return ExternalTally{judged(cell, of_cell, {}), static_cast<std::uint8_t>(status)};
+    return ExternalTally{judged(cell, batch_number, {}), static_cast<std::uint8_t>(status)};
   };
   if (!method_.info().supports<double>(cell.cell().degree)) return nothing(Status::ok);
   if (late_[part]) return nothing(Status::timed_out);
   external::Batch batch{study_.curve, cell.cell().dimension, cell.cell().degree, {}, {}, {}};
-  const auto [first, end] = blocks_in(cell, of_cell);
+  const auto [first, end] = blocks_in(cell, batch_number);
   for (auto k = first; k < end; ++k) add_inputs(cell, k, batch);
   const auto answer = method_.method().points(batch);
   if (run::interrupted()) return nothing(Status::ok);  // the engine drops unfinished blocks
@@ -152,7 +152,7 @@ ExternalTally ExternalAccuracyJob::work(std::size_t block) const {
     const auto lost = std::ranges::count_if(answer.points, [](double x) { return !std::isfinite(x); });
     if (lost > 0)
       method_.report(study_, {Status::non_finite, {}, fmt::format("{} of {} coordinates", lost, answer.points.size())});
-    return {judged(cell, of_cell, answer.points), 0};
+    return {judged(cell, batch_number, answer.points), 0};
   }
   if (answer.status == Status::timed_out) late_[part] = true;
   method_.report(study_, answer);

@@ -116,7 +116,7 @@ class CounterexampleSearch {
  private:
   using Case = guarantees::Case<Scalar>;
   static constexpr int enough = 64;             ///< counterexamples to choose the smallest from
-  static constexpr int most_tries = 4000;       ///< to make one smaller
+  static constexpr int max_tries = 4000;        ///< to make one smaller
   static constexpr std::int64_t restart = 256;  ///< steps from one special input
 
   [[nodiscard]] std::int64_t size(const Case& input) const {
@@ -168,7 +168,7 @@ class CounterexampleSearch {
   std::int64_t make_smaller() {
     std::int64_t tries = 0;
     Case from = *smallest_;
-    guarantees::shrink(from, most_tries, [&](Case candidate, Case& current) {
+    guarantees::shrink(from, max_tries, [&](Case candidate, Case& current) {
       ++tries;
       statement_.fit(candidate);
       const auto before = size(current);

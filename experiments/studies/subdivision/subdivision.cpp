@@ -33,14 +33,14 @@ bool is_end(const CurveView<double>& curve, const ComputedHalves& computed, Side
 /// Adds the errors of a control point. Returns whether they are within the proved bounds.
 bool judge_control(const SplitKernel& method, const CurveView<double>& curve, const SplitTruth& truth, Side side, int i,
                    std::span<const double> control, SubdivisionErrors& errors) {
-  const auto point = truth.of_point(method.bound, side, i, control.first(static_cast<std::size_t>(curve.dimension)));
+  const auto point = truth.point_error(method.bound, side, i, control.first(static_cast<std::size_t>(curve.dimension)));
   metric::add_rounded(point.error, errors.error);
   metric::add_rounded(point.error_u, errors.error_u);
   if (std::isfinite(point.bound)) ++errors.bounded;
   if (std::isfinite(point.bound_u)) errors.bound_u.add(point.bound_u);
   bool kept = !metric::TrialScale::violates(point.error, point.bound);
   if (curve.form == Form::rational) {
-    const auto weight = truth.of_weight(method.bound, side, i, control.back());
+    const auto weight = truth.weight_error(method.bound, side, i, control.back());
     errors.weight_error_u.add(weight.error_u);
     kept = kept && !metric::TrialScale::violates(weight.error, weight.bound);
   }
@@ -54,7 +54,7 @@ bool breaks_bound(const SplitKernel& method, const CurveView<double>& curve, con
     for (int i = 0; i <= curve.degree; ++i) {
       const auto control = computed.control(side, i);
       const auto point = control.first(static_cast<std::size_t>(curve.dimension));
-      if (!metric::all_finite(control) && std::isfinite(truth.of_point(method.bound, side, i, point).bound))
+      if (!metric::all_finite(control) && std::isfinite(truth.point_error(method.bound, side, i, point).bound))
         return true;
     }
   return false;
@@ -109,9 +109,9 @@ bool SubdivisionProblem::is_right(const Kernel& method, const Drawn& drawn, doub
     for (int i = 0; i <= curve.degree; ++i) {
       const auto control = computed.control(side, i);
       const auto point = control.first(static_cast<std::size_t>(curve.dimension));
-      right = right && near_enough(drawn.truth->of_point(method.bound, side, i, point));
+      right = right && near_enough(drawn.truth->point_error(method.bound, side, i, point));
       if (curve.form == Form::rational)
-        right = right && near_enough(drawn.truth->of_weight(method.bound, side, i, control.back()));
+        right = right && near_enough(drawn.truth->weight_error(method.bound, side, i, control.back()));
     }
   return right;
 }

@@ -248,10 +248,10 @@ TEST(SplitJudge, FindsNoPointWhereItsWeightIsZero) {
   const std::vector<double> points{1, 2};
   const std::vector<double> signs{1, -3};
   const SplitTruth truth({Form::rational, 1, 1, points, signs}, 0.25);
-  const auto junction = truth.of_point(nullptr, Side::left, 1, std::vector{1.0});
+  const auto junction = truth.point_error(nullptr, Side::left, 1, std::vector{1.0});
   EXPECT_EQ(junction.error, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(truth.of_weight(nullptr, Side::left, 1, 0).error, 0);
-  EXPECT_EQ(truth.of_point(nullptr, Side::left, 0, std::vector{1.0}).error, 0);
+  EXPECT_EQ(truth.weight_error(nullptr, Side::left, 1, 0).error, 0);
+  EXPECT_EQ(truth.point_error(nullptr, Side::left, 0, std::vector{1.0}).error, 0);
 }
 
 /// The bounds use norms of vectors. Each axis has its largest coefficient in another control point.
@@ -260,7 +260,7 @@ TEST(SplitJudge, BoundsOfLargestCoefficientsCoverAllAxes) {
   const CurveView<double> curve{Form::bernstein, 2, 1, points};
   const SplitTruth truth(curve, 0.5);
   const auto& method = kernel("lerp_split", Form::bernstein, 2);
-  const double bound = truth.of_point(method.bound, Side::left, 1, std::vector{0.5, 0.5}).bound;
+  const double bound = truth.point_error(method.bound, Side::left, 1, std::vector{0.5, 0.5}).bound;
   EXPECT_NEAR(bound, 5 * 0x1p-53 * std::sqrt(2), 1e-20);
 }
 

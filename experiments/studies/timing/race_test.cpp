@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is made of the times of races; the times are made up, so that no clock decides.
+// The rows of races with made-up times, so that no clock decides.
 #include "experiments/race/race.hpp"
 
 #include <gmock/gmock.h>
@@ -150,7 +150,7 @@ TEST(TimingRows, SayHowNearTimesAreToTheLimit) {
   EXPECT_THAT(column(csv, "limit_ns"), ElementsAre("19", "13", ""));
   EXPECT_THAT(column(csv, "share_of_limit"), ElementsAre("0.5", "inf", ""));
   EXPECT_THAT(column(csv, "chain_ns"), ElementsAre("70", "70", ""));
-  EXPECT_THAT(column(csv, "sweep_ns"), ElementsAre("0.5", "0.5", "0.5")) << "the call is no sentinel";
+  EXPECT_THAT(column(csv, "sweep_ns"), ElementsAre("0.5", "0.5", "0.5")) << "the call is not a sentinel";
 }
 
 TEST(TimingRows, WithoutAnEmptyKernelHaveNoLimit) {
@@ -172,7 +172,7 @@ TEST(Race, AddsRepetitionsUp) {
   EXPECT_EQ(all.operations.size(), 3U);
 }
 
-// Many rounds of a repetition say nothing of what the next repetition would give.
+// Many rounds of one repetition do not predict the next repetition.
 TEST(TimingRows, IntervalsOfRatiosAreOverRepetitions) {
   const auto study = timing_study();
   race::Race race = one_heat(study);

@@ -128,7 +128,7 @@ TEST(TrialStudy, AsksEveryMethodAtEveryToleranceOfEachTrialOnce) {
   EXPECT_EQ(job->extent().rows, 4U);
   EXPECT_EQ(job->extent().evaluations, 4U * 10);
   run::run_all(*job);
-  EXPECT_EQ(calls.drawn, first_trials(10)) << "a trial is drawn once, whatever is asked of it";
+  EXPECT_EQ(calls.drawn, first_trials(10)) << "a trial is drawn once for all methods and tolerances";
   EXPECT_EQ(calls.asked, 4U * 10);
 }
 
@@ -233,7 +233,7 @@ TEST(TrialStudy, ItsProblemIsTimedAsItStands) {
   const auto judged = timed.rivals(races.front(), study, 1, trials);
   EXPECT_EQ(calls.drawn, first_trials(3));
   (void)timed.rivals(races.front(), study, 1, trials);
-  EXPECT_EQ(calls.drawn, first_trials(3)) << "another repetition draws no trial anew";
+  EXPECT_EQ(calls.drawn, first_trials(3)) << "another repetition draws no trial again";
   ASSERT_EQ(judged.rivals.size(), 2U);
   EXPECT_TRUE(judged.judged[0].right);
   EXPECT_FALSE(judged.rivals[0].check()) << "nothing ran yet";
