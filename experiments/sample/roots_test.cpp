@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The generators of roots have exactly the coefficients of the intended polynomial: computed with rationals.
+#include "experiments/sample/roots.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,9 +13,7 @@
 #include <numeric>
 #include <vector>
 
-#include "experiments/sample/clustered_roots.hpp"
 #include "experiments/sample/draw.hpp"
-#include "experiments/sample/multiple_root.hpp"
 
 namespace bezierbench::sample {
 namespace {
