@@ -113,14 +113,14 @@ struct Race {
 enum class Size { unclaimed, degree, points };
 
 /// The judgement of the results that a rival must reproduce.
-struct Judgement {
+struct RivalJudgement {
   bool right = true;
   std::optional<double> max_error_u = std::nullopt;  ///< as in JudgedPoints
 };
 
 struct JudgedRivals {
   std::vector<Rival> rivals;
-  std::vector<Judgement> judged;             ///< of each
+  std::vector<RivalJudgement> judged;        ///< of each
   std::shared_ptr<const void> inputs;        ///< the inputs that the rivals read
   std::optional<Rival> call = std::nullopt;  ///< an empty kernel, beside evaluators
 };

@@ -43,6 +43,6 @@ struct JudgedPoints {
 
 /// Evaluates one curve and one t at a time.
 template <class Scalar>
-JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs);
+JudgedPoints<Scalar> judge_points(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs);
 
 }  // namespace bezierbench::race

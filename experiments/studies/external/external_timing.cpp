@@ -111,7 +111,7 @@ race::JudgedRivals ExternalTimingJob::rivals_in_child(const race::Race& race,
   for (const auto* info : race.methods) {
     const auto* kernel = info == &this->info() ? method().open_kernel(race.cell.dimension)
                                                : judge::find_method<double>(info->id, info->form, race.cell.dimension);
-    auto judged = race::judge(*kernel, race.mode, inputs);
+    auto judged = race::judge_points(*kernel, race.mode, inputs);
     all.judged.push_back({judged.right, judged.max_error_u});
     all.rivals.push_back(race::kernel_rival(*kernel, race.mode, inputs, std::move(judged.points)));
   }

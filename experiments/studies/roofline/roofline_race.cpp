@@ -70,7 +70,7 @@ RooflineTimes times_of(const RooflineRace& race, const suite::Study& study, std:
     const Kernel<Scalar>* kernel = nullptr;
     if (who.method != nullptr) {
       kernel = judge::find_method<Scalar>(who.method->id, who.method->form, race.cell.dimension);
-      if (!judged.contains(who.method)) judged[who.method] = race::judge(*kernel, suite::Mode::batch, inputs);
+      if (!judged.contains(who.method)) judged[who.method] = race::judge_points(*kernel, suite::Mode::batch, inputs);
     }
     rivals.push_back(rival_of<Scalar>(who, kernel, inputs, judged[who.method]));
   }

@@ -23,7 +23,7 @@ race::JudgedRivals rivals(const race::Race& race, const suite::Study& study, std
   race::JudgedRivals all{{}, {}, inputs};
   for (const auto* info : race.methods) {
     const auto& kernel = *judge::find_method<Scalar>(info->id, info->form, race.cell.dimension);
-    auto judged = race::judge(kernel, race.mode, *inputs);
+    auto judged = race::judge_points(kernel, race.mode, *inputs);
     all.judged.push_back({judged.right, judged.max_error_u});
     all.rivals.push_back(race::kernel_rival(kernel, race.mode, *inputs, std::move(judged.points)));
   }
