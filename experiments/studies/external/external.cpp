@@ -49,8 +49,8 @@ const external::Method& JudgedExternal::method() const {
 
 void JudgedExternal::report(const suite::Study& study, const external::Answer& answer) const {
   if (!reported_.test_and_set())
-    run::note(fmt::format("{}: {} in study {}{}{}; its rows say where", record_.id, name(answer.status), study.id,
-                          answer.detail.empty() ? "" : ": ", answer.detail));
+    run::note(fmt::format("{}: {} in study {}{}{}; the status of its rows says where", record_.id, name(answer.status),
+                          study.id, answer.detail.empty() ? "" : ": ", answer.detail));
 }
 
 std::string why_unasked(const suite::Study& study, const suite::ExternalMethod& record) {

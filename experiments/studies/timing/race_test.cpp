@@ -42,7 +42,7 @@ void make_up(race::Race& race, double chain_ns = 1, double sweep_ns = 0.5) {
   race.times = {rival_times(n * n), rival_times(2 * n), rival_times(sweep_ns), rival_times(chain_ns)};
 }
 
-std::vector<race::Race> made_up_race_cells(const suite::Study& study) {
+std::vector<race::Race> made_up_races(const suite::Study& study) {
   auto races = timed_problem(study).races(study);
   for (auto& race : races) make_up(race);
   return races;
@@ -223,7 +223,7 @@ TEST(TimingRows, CountsAreMediansOrEmpty) {
 
 TEST(TimingRows, SayWhatTheSentinelSaw) {
   const auto study = timing_study();
-  auto races = made_up_race_cells(study);
+  auto races = made_up_races(study);
   make_up(races[1], 1.019);  // within what is tolerated
   make_up(races[2], 1.021);  // steady, but slower than the others
   auto& chain = races[3].times.back().repetitions;
@@ -237,7 +237,7 @@ TEST(TimingRows, SayWhatTheSentinelSaw) {
 // Another thread on the same core slows the sweep down, but hardly the chain.
 TEST(TimingRows, TheSecondSentinelSeesWhatTheFirstDoesNot) {
   const auto study = timing_study();
-  auto races = made_up_race_cells(study);
+  auto races = made_up_races(study);
   make_up(races[1], 1, 0.5 * 1.021);
   const auto csv = timing_csv(study, races);
   EXPECT_THAT(column(csv, "quality"), ElementsAre("ok", "ok", "noisy", "noisy", "ok", "ok", "ok", "ok", "noisy"));
@@ -246,7 +246,7 @@ TEST(TimingRows, TheSecondSentinelSeesWhatTheFirstDoesNot) {
 // Neither sentinel was slower, but three repetitions of one method were.
 TEST(TimingRows, RepetitionsThatDisagreeAreNoisy) {
   const auto study = timing_study();
-  auto races = made_up_race_cells(study);
+  auto races = made_up_races(study);
   auto& repetitions = races[0].times[0].repetitions;
   for (const std::size_t disturbed : {2U, 5U}) repetitions[disturbed] = repetition_of(9 * 1.7);
   EXPECT_EQ(timing_csv(study, races).at(0, "quality"), "ok") << "fewer than a quarter";
@@ -287,7 +287,7 @@ TEST(TimingRows, OnlyRaceCellsThatRanHaveRows) {
 
 TEST(ComplexityRows, FitTheDegreesOfAStudyAgainstTheClaim) {
   const auto study = timing_study();
-  auto races = made_up_race_cells(study);
+  auto races = made_up_races(study);
   const auto csv = complexity_csv(study, races);
   EXPECT_THAT(column(csv, "method"), ElementsAre("de_casteljau", "horner_bernstein"));
   EXPECT_THAT(column(csv, "claimed"), ElementsAre("2", "1"));
@@ -314,7 +314,7 @@ TEST(ComplexityRows, OneShotIsChargedWithPreparing) {
 TEST(ComplexityRows, NeedThreeDegrees) {
   auto study = timing_study();
   study.degree = {3, 5};
-  EXPECT_EQ(complexity_csv(study, made_up_race_cells(study)).row_count(), 0U);
+  EXPECT_EQ(complexity_csv(study, made_up_races(study)).row_count(), 0U);
 }
 
 }  // namespace

@@ -145,7 +145,8 @@ constexpr std::array timing_fields{
 
 suite::Finding check_timing(const suite::Study& study, const suite::Vocabulary& known) {
   if (study.degree.empty() && study.points.empty())
-    return suite::Fault{"degree", 0, {}, "degree is missing; kind \"timing\" needs it or points, add degree = [3, 5]"};
+    return suite::Fault{
+        "degree", 0, {}, "degree is missing; kind \"timing\" requires degree or points; add degree = [3, 5]"};
   if (auto found = suite::each("modes", study.modes, [](suite::Mode) { return std::string(); })) return found;
   if (auto found = suite::check_orders(study.order)) return found;
   if (auto found = suite::check_points(study.points)) return found;
