@@ -189,7 +189,7 @@ TEST(TimedProblem, EveryCaseIsARace) {
   EXPECT_EQ(races_of(fits({"schneider"}, {1e-2, 1e-3})).size(), 2U * 6) << "six kinds of data";
 }
 
-race::RivalTimes rival_times(double ns) {
+race::RivalTimes twice_timed(double ns) {
   race::RoundTimes repetition;
   repetition.ns_per_point = {ns, ns};
   return {{repetition, repetition}};
@@ -198,8 +198,8 @@ race::RivalTimes rival_times(double ns) {
 bundle::CsvDocument written(const suite::Study& study, const std::string& file, double (*ns)(const race::Race&)) {
   auto races = timed_problem(study).races(study);
   for (auto& race : races) {
-    race.times.assign(race.methods.size(), rival_times(ns(race)));
-    race.times.insert(race.times.end(), 2, rival_times(1));  // the sentinels
+    race.times.assign(race.methods.size(), twice_timed(ns(race)));
+    race.times.insert(race.times.end(), 2, twice_timed(1));  // the sentinels
   }
   tables::Tables tables;
   studies::write_timing_rows(study, races, tables);
