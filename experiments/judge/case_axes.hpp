@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The case axes of a companion problem: what a study varies besides the curves (order, tolerance, points, data, knots).
-// Their columns tell rows apart and are empty for other problems.
+// Their columns distinguish rows and are empty for other problems.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is judged in a cell of an accuracy study: every method, measured from every baseline.
+// The methods that a cell of an accuracy study judges, each measured from every baseline.
 //
 // The points of a group of trials, one method after the other. Where core/batch has a kernel for groups, the trials are
 // lanes of this processor's vectors, else they are evaluated one by one. Both give the same bits.

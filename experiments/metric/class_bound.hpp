@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A method's proved bound over a whole class of curves; it does not depend on what was drawn.
+// A method's proved bound over a whole class of curves; it does not depend on the drawn inputs.
 #pragma once
 
 #include "core/basis/error_bound.hpp"

@@ -38,18 +38,18 @@ struct BoundAtDegree {
 
   ErrorBound bound;
   double factor;
-  double underflow;  ///< whole, for no fraction of the smallest subnormal is a double
+  double underflow;  ///< an integer: no fraction of the smallest subnormal is a double
   double growth;
 };
 
-/// What a proved bound says of one error.
+/// One error compared with its proved bound.
 struct BoundCheck {
   double bound;    ///< finite
   double bound_u;  ///< over u p~; infinite where p~ is 0
   bool violated;   ///< the error is certainly beyond the bound
 };
 
-/// Scales of one (curve, t); amplifications are computed when first asked for. Reusable.
+/// Scales of one (curve, t); amplifications are computed on first use. Reusable.
 class TrialScale {
  public:
   /// Sets the trial. Must be called before any other member.

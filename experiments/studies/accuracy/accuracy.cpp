@@ -73,7 +73,7 @@ class AccuracyJob final : public run::JobOf<judge::CellTally> {
   }
 
   suite::Study study_;
-  std::deque<Cell> cells_;  ///< which never move: what a cell judges with refers to it
+  std::deque<Cell> cells_;  ///< elements must not move: a cell holds references to itself
 };
 
 std::unique_ptr<run::Job> accuracy_job(const suite::Study& study, const run::JobContext& context) {

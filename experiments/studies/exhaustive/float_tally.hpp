@@ -42,7 +42,7 @@ inline std::optional<FloatRange> floats_in(const suite::Interval& interval) {
   return FloatRange{first, last};
 }
 
-/// The counts are of points, or of steps from a t to the next, whatever number of coordinates is concerned.
+/// The counts are of points, or of steps from a t to the next, for any number of coordinates.
 struct FloatTally {
   std::uint64_t misrounded = 0;
   std::uint64_t non_monotone = 0;
@@ -58,7 +58,7 @@ struct FloatTally {
   void merge(const FloatTally& other);
 };
 
-/// What a coordinate is held to.
+/// The limits of a coordinate.
 struct AxisLimits {
   float low = 0;  ///< the interval of the control coordinates
   float high = 0;
