@@ -22,7 +22,7 @@ import jsonschema
 ROOT = Path(__file__).resolve().parent.parent
 SCHEMA = json.loads((ROOT / "experiments/bundle/schema/tables.schema.json").read_text(encoding="utf-8"))
 COMMITTED = sorted(path.parent for path in ROOT.glob("results/*/bundle.json"))
-# Only methods of other libraries write these tables, and methods from outside that fail.
+# Only methods of other libraries write these tables, and external methods that fail.
 OF_OTHERS = {"arc_length_unstable.csv", "untimed.csv"}
 PROGRAM = Path(sys.argv.pop(1)).resolve()
 

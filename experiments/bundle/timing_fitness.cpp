@@ -18,7 +18,7 @@ using SortedJson = nlohmann::json;
 constexpr std::array<std::string_view, 4> quick_clocks{"tsc", "arch_sys_counter", "kvm-clock",
                                                        "hyperv_clocksource_tsc_page"};
 
-/// One turn of a method in a race takes 50 microseconds or more; 100 ns are 0.2 % of it.
+/// A rival takes 50 microseconds or more in a round; 100 ns are 0.2 % of it.
 constexpr double coarse_step_ns = 100;
 
 /// This process should be the only load. A run under way raises the average by up to 1 itself.
@@ -79,7 +79,7 @@ struct Aspect {
 };
 
 constexpr std::array aspects{
-    Aspect{clock_aspect, clock_trouble, clock_words},
+    Aspect{"clock", clock_trouble, clock_words},
     Aspect{"governor", governor_trouble, [](const SortedJson&) { return std::string("performance"); }},
     Aspect{"boost", boost_trouble, [](const SortedJson&) { return std::string("off"); }},
     Aspect{"load", load_trouble,

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "experiments/outside/harness.hpp"
+#include "experiments/external/harness.hpp"
 
 namespace {
 

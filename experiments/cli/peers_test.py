@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Other libraries' methods from outside: there when they are named, never otherwise. Usage: peers_test.py BEZIERBENCH"""
+"""Other libraries' external methods: there when they are named, never otherwise. Usage: peers_test.py BEZIERBENCH"""
 import json
 import unittest
 

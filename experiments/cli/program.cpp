@@ -18,7 +18,7 @@
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/outside/harness.hpp"
+#include "experiments/external/harness.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/terminal.hpp"
 
@@ -67,7 +67,7 @@ int standard_output_failed() {
   return fail(Exit::input_output, "standard output: cannot be written; free space or choose another place");
 }
 
-int run_program(int argc, char** argv, std::span<const outside::OwnMethod> own) {
+int run_program(int argc, char** argv, std::span<const external::OwnMethod> own) {
   if (argc == 1) {
     fmt::print("{}", welcome());
     return std::fflush(stdout) == 0 ? static_cast<int>(Exit::fine) : standard_output_failed();
@@ -102,7 +102,7 @@ int run_program(int argc, char** argv, std::span<const outside::OwnMethod> own) 
 
 namespace bezierbench::harness {
 
-int run(int argc, char** argv, std::span<const outside::OwnMethod> own) {
+int run(int argc, char** argv, std::span<const external::OwnMethod> own) {
   using namespace cli;
   try {
     bundle::ignore_file_size_signal();

@@ -10,7 +10,7 @@
 //     [x - y - sqrt(log(b/b_low)^2 + log(a_high/a)^2),  x - y + sqrt(log(b_high/b)^2 + log(a/a_low)^2)]
 //
 // at the confidence of the two intervals. The intervals cover what varied within each run. Each time is therefore taken
-// in several repetitions (experiments/race/repetition.hpp): what changes from one repetition to the next also changes
+// in several repetitions (experiments/race/race.hpp): what changes from one repetition to the next also changes
 // from one run to the next.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The case axes of a companion problem: what a study varies besides the curves (order, tolerance, points, data, knots).
-// Their columns tell rows apart and are empty for other problems.
+// Their columns distinguish rows and are empty for other problems.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct CaseValues {
 /// The axes of a problem that follow from the problem, not from the keys of its studies.
 struct CaseAxes {
   bool degree = true;      ///< of curves; else the points are all that is given
-  bool tolerance = false;  ///< a method is asked for one
+  bool tolerance = false;  ///< every method is given one
   bool data = false;       ///< every kind of data is a case of its own
   bool placement = false;  ///< so is every placement; times are those of the first
   bool knots = false;      ///< so is every kind of knots; times are those of the first

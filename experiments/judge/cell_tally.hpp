@@ -5,13 +5,52 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <vector>
 
-#include "experiments/judge/judgement.hpp"
+#include "experiments/judge/error_sources.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/metric/tally.hpp"
 
 namespace bezierbench::judge {
+
+/// The trial with a method's largest error in units of u p~; of equal ones the first.
+struct Worst {
+  double error_u = 0;
+  double error = 0;
+  std::uint64_t trial = 0;
+
+  template <class Bytes, class Self>
+  static auto each_field(Bytes& bytes, Self& self) {
+    return bytes(self.error_u, self.error, self.trial);
+  }
+
+  void merge(const Worst& other) {
+    if (other.error_u > error_u || (other.error_u == error_u && other.trial < trial)) *this = other;
+  }
+};
+
+/// The errors of one method, measured from one baseline.
+struct Judgement {
+  metric::Tally error;
+  metric::Tally error_u;
+  metric::Tally error_ulp;  ///< against the exact reference only, like all below
+  metric::Tally relative;
+  std::optional<Worst> worst;
+  SourceTallies sources;
+  std::uint64_t non_finite = 0;
+  std::uint64_t own_kernel = 0;  ///< trials whose point was computed by the method's own kernel, the one that is timed
+  std::uint64_t bounded = 0;     ///< trials for which a bound is proved
+  metric::TrialCount violations;
+  metric::Largest<double> bound;    ///< in coordinate units
+  metric::Largest<double> bound_u;  ///< bound / (u p~)
+
+  template <class Bytes, class Self>
+  static auto each_field(Bytes& bytes, Self& self) {
+    return bytes(self.error, self.error_u, self.error_ulp, self.relative, self.worst, self.sources, self.non_finite,
+                 self.own_kernel, self.bounded, self.violations, self.bound, self.bound_u);
+  }
+};
 
 /// The errors of one replicate, per judgement, until all of its blocks are merged.
 struct OpenReplicate {
@@ -69,7 +108,7 @@ struct CellTally {
   std::vector<Judgement> judgements;
   metric::Tally audit;          ///< of the long double tier: the largest error of an axis, in ulp of that axis
   metric::Tally condition;      ///< p~ over |p|
-  std::uint64_t escalated = 0;  ///< trials that needed big integers, because no certificate decided them
+  std::uint64_t escalated = 0;  ///< trials decided by big integers, because no certificate decided them
   Replicates replicates;
 
   template <class Bytes, class Self>
@@ -77,7 +116,7 @@ struct CellTally {
     return bytes(self.judgements, self.audit, self.condition, self.escalated, self.replicates);
   }
 
-  /// Says that the judgements so far are those of one block of this replicate.
+  /// Records that the judgements so far are those of one block of this replicate.
   void end_block(std::int64_t replicate) {
     auto& block = replicates.open[replicate];
     for (const Judgement& judgement : judgements) block.errors.push_back(judgement.error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trials of a cell that are a curve and a parameter.
+// Trials of a cell: a curve and a parameter.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace bezierbench::judge {
 
-/// Stays where it was drawn: the curve refers to the trial.
+/// Is neither copied nor moved: the curve refers to the trial.
 struct DrawnCurve {
   sample::Trial trial;
   CurveView<double> curve;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the error of a result comes from: an exact value between each step and the next tells them apart.
+// Where the error of a result comes from: an exact value after each step separates them.
 //
 //   conversion    from the true point to the exact point of the rounded, converted coefficients
 //   one_minus_t   from there to the exact point with the rounded 1 - t in place of 1 - t (OneMinusT says how)
@@ -46,7 +46,7 @@ struct SourceTallies {
 template <class Scalar>
 class SourceMeter {
  public:
-  /// `truth` is the exact point of `curve` at `t`, `computed` what `kernel` returned (finite). Empty where a converted
+  /// `truth` is the exact point of `curve` at `t`, `computed` the result of `kernel` (finite). Empty where a converted
   /// coefficient is not finite, or where the weights of a rational curve sum to zero with the rounded 1 - t.
   std::optional<ErrorSources> measure(const Kernel<Scalar>& kernel, const CurveView<Scalar>& curve, Scalar t,
                                       std::span<const double> computed, const reference::ExactPoint& truth) {

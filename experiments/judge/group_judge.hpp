@@ -23,7 +23,7 @@ struct TrialNumber {
 template <class Scalar>
 class GroupJudge {
  public:
-  /// Of replicate 0 so many trials are audited: what long double makes of them is compared with the truth.
+  /// The number of audited trials of replicate 0: their points in long double are compared with the truth.
   GroupJudge(const suite::Study& study, const sample::Cell& cell, const sample::Sampler& sampler,
              const JudgedMethods<Scalar>& methods, reference::Tier tier, std::int64_t audited_trials)
       : study_(study),

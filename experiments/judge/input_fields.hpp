@@ -21,7 +21,7 @@ std::vector<std::string> input_fields(const sample::Trial& trial, int dimension)
 /// The approximate size of these fields in bytes.
 std::size_t bytes_of_input(const sample::Cell& cell);
 
-/// One input, as those columns hold it.
+/// The texts of those columns for one input.
 struct InputTexts {
   std::string_view t;
   std::string_view coefficients;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a companion problem states of its trials, once for its errors and for its times: how one is drawn, what a method
-// is asked, and when its answer is right.
+// The trials of a companion problem, for its errors and for its times: how a trial is drawn, how a method is called, and
+// when its answer is accurate enough.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 
 namespace bezierbench::judge {
 
-/// A cell and a case of it: what one set of trials is drawn for. The tolerance of `values` is empty, because a study
-/// asks the methods for each tolerance on the same trials.
+/// A cell and a case of it: what one set of trials is drawn for. The tolerance of `values` is empty, because the
+/// methods of a study solve the same trials for each tolerance.
 struct TrialPart {
   sample::Cell cell;
   CaseValues values;
@@ -49,15 +49,15 @@ concept TrialProblem = std::constructible_from<P, const suite::Study&, std::uint
 /// The degree of the segments of splines and fits.
 inline constexpr int segment_degree = 3;
 
-/// The largest error that counts as right where no bound is proved, in u times the scale of the result: half of the
-/// digits.
+/// The largest accepted error where no bound is proved, in u times the scale of the result: half of the digits of the
+/// result are right.
 inline constexpr double half_of_the_digits = 0x1p26;
 
 /// Every cell of the study with every case, tolerances left out. Where the curves have no degree, the number of points
 /// takes its place among the axes, and the cell has the degree of the segments.
 std::vector<TrialPart> parts_of(const suite::Study& study, CaseAxes axes);
 
-/// The tolerances that methods are asked for on each trial; a single 0 where the problem has no tolerance.
+/// The tolerances of each trial; a single 0 where the problem has no tolerance.
 std::vector<double> tolerances_of(const suite::Study& study, const CaseAxes& axes);
 
 /// The info of every method of the problem, each once: our own in roster order, then those of other libraries.

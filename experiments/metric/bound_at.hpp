@@ -14,12 +14,12 @@ namespace bezierbench::metric {
 /// The bound of point k of `steps`, for a curve of this degree.
 inline reference::BoundAtDegree bound_at(const GridBound& bound, int degree, int k, int steps,
                                          const reference::Arithmetic& arithmetic) {
-  const ErrorBound of_no_point{.text = bound.text,
-                               .amplification = bound.amplification,
-                               .factor = [](int, double) { return 0.0; },
-                               .underflow = [](int) { return 0.0; },
-                               .underflow_scales_with_coefficients = bound.underflow_scales_with_coefficients};
-  reference::BoundAtDegree at(of_no_point, degree, arithmetic);
+  const ErrorBound amplification_only{.text = bound.text,
+                                      .amplification = bound.amplification,
+                                      .factor = [](int, double) { return 0.0; },
+                                      .underflow = [](int) { return 0.0; },
+                                      .underflow_scales_with_coefficients = bound.underflow_scales_with_coefficients};
+  reference::BoundAtDegree at(amplification_only, degree, arithmetic);
   at.factor = bound.factor(degree, k, arithmetic.unit_roundoff);
   at.underflow = std::ceil(bound.underflow(degree, steps));
   at.growth = bound.growth(degree, steps);

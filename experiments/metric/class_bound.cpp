@@ -81,7 +81,7 @@ double underflow(const reference::BoundAtDegree& at_degree, const CurveClass& of
 
 }  // namespace
 
-double least_p_tilde(const CurveClass& of, const reference::Arithmetic& arithmetic) {
+double min_p_tilde(const CurveClass& of, const reference::Arithmetic& arithmetic) {
   return of.range / std::sqrt(arithmetic.range);
 }
 
@@ -95,7 +95,7 @@ ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const refe
       bound.result_roundings == 0 ? 0 : bound.result_roundings * largest_amplification(p_tilde_of(of.form), of);
   return {(result + at_degree.factor * largest_amplification(bound.amplification, of)) * u + lost,
           bound.result_roundings + at_degree.factor * largest_quotient(bound.amplification, of) +
-              lost / u / least_p_tilde(of, arithmetic)};
+              lost / u / min_p_tilde(of, arithmetic)};
 }
 
 }  // namespace bezierbench::metric

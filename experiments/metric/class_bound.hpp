@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A method's proved bound over a whole class of curves; it does not depend on what was drawn.
+// A method's proved bound over a whole class of curves; it does not depend on the drawn inputs.
 #pragma once
 
 #include "core/bound/error_bound.hpp"
@@ -22,11 +22,11 @@ struct CurveClass {
 /// No error of a member is larger; infinite where that is not proved.
 struct ClassBound {
   double coordinate = 0;  ///< in coordinate units
-  double in_u = 0;        ///< in units of u p~, for members with p~ >= least_p_tilde()
+  double in_u = 0;        ///< in units of u p~, for members with p~ >= min_p_tilde()
 };
 
 /// For a smaller p~ the class has no bound in units of u p~, because underflow terms do not shrink with p~.
-double least_p_tilde(const CurveClass& of, const reference::Arithmetic& arithmetic);
+double min_p_tilde(const CurveClass& of, const reference::Arithmetic& arithmetic);
 
 /// The bound of a method with its worst amplification over the class. Known to a relative 2^-20, as TrialScale::bound.
 /// Infinite for rational curves, because the class does not limit weights, and where a result on the way may

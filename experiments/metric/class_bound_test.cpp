@@ -90,7 +90,7 @@ void expect_it_holds(const ErrorBound& bound, CurveClass of, std::mt19937_64& ra
     scale.set({of.form, of.dimension, of.degree, curve}, parameter(random, of));
     const double own = scale.bound(bound, reference::double_arithmetic);
     EXPECT_LE(own, proved.coordinate * (1 + 0x1p-20));
-    if (scale.p_tilde() < least_p_tilde(of, reference::double_arithmetic)) continue;
+    if (scale.p_tilde() < min_p_tilde(of, reference::double_arithmetic)) continue;
     EXPECT_LE(scale.in_bound_units(own, reference::double_arithmetic), proved.in_u * (1 + 0x1p-20))
         << "amplification " << static_cast<int>(bound.amplification) << ", degree " << of.degree << ", t in ["
         << of.t_min << ", " << of.t_max << "]";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is counted beside tallies of errors, and how a struct of tallies and counts merges: field by field. The order in
+// Counts besides tallies of errors, and the merge of a struct of tallies and counts: field by field. The order in
 // which values are merged changes nothing, as for tallies.
 #pragma once
 

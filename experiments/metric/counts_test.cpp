@@ -30,7 +30,7 @@ struct Outer {
   }
 };
 
-Outer of_trial(std::uint64_t trial, double error, std::uint64_t steps) {
+Outer trial_fields(std::uint64_t trial, double error, std::uint64_t steps) {
   Outer one;
   one.error.add(error);
   one.violations.add(trial);
@@ -48,8 +48,8 @@ std::string bytes_of(const T& value) {
 }
 
 TEST(MergeFields, TakesEveryFieldByItsKind) {
-  Outer sum = of_trial(9, 2, 30);
-  merge_fields(sum, of_trial(4, 8, 5));
+  Outer sum = trial_fields(9, 2, 30);
+  merge_fields(sum, trial_fields(4, 8, 5));
   EXPECT_EQ(sum.error.count(), 2U);
   EXPECT_EQ(sum.error.max(), 8);
   EXPECT_EQ(sum.violations.count, 2U);
@@ -61,7 +61,7 @@ TEST(MergeFields, TakesEveryFieldByItsKind) {
 }
 
 TEST(MergeFields, IsFreeOfOrder) {
-  const std::vector<Outer> trials{of_trial(0, 4, 1), of_trial(1, 0.5, 7), of_trial(2, 0, 0)};
+  const std::vector<Outer> trials{trial_fields(0, 4, 1), trial_fields(1, 0.5, 7), trial_fields(2, 0, 0)};
   Outer forwards = trials[0];
   for (const std::size_t k : {1U, 2U}) merge_fields(forwards, trials[k]);
   Outer backwards = trials[2];
@@ -88,11 +88,11 @@ TEST(MergeFields, TakesContainersElementByElement) {
 }
 
 TEST(Rows, MergeRowByRowAndRefuseAnotherPart) {
-  Rows<Outer> sum{{of_trial(0, 1, 1), of_trial(0, 2, 2)}};
-  sum.merge({{of_trial(1, 3, 3), of_trial(1, 4, 4)}});
+  Rows<Outer> sum{{trial_fields(0, 1, 1), trial_fields(0, 2, 2)}};
+  sum.merge({{trial_fields(1, 3, 3), trial_fields(1, 4, 4)}});
   EXPECT_EQ(sum.rows[0].steps.sum, 4U);
   EXPECT_EQ(sum.rows[1].steps.sum, 6U);
-  EXPECT_THROW(sum.merge({{of_trial(1, 3, 3)}}), std::invalid_argument);
+  EXPECT_THROW(sum.merge({{trial_fields(1, 3, 3)}}), std::invalid_argument);
 }
 
 TEST(AddRounded, KeepsWhatIsNotFiniteAsInfinite) {

@@ -2,13 +2,18 @@
 // Errors in the units in which they are judged and kept.
 #pragma once
 
+#include "experiments/metric/tally.hpp"
 #include "reference/certified_points.hpp"
 
 namespace bezierbench::metric {
 
 using ErrorLanes = reference::CertifiedLanes;
 
-/// reference::in_units() of every trial of a group, rounded to 24 bits.
-ErrorLanes in_units(const ErrorLanes& errors, const ErrorLanes& divisors, double unit = 1);
+/// in_units() of every trial of a group, rounded to 24 bits.
+inline ErrorLanes in_units(const ErrorLanes& errors, const ErrorLanes& divisors, double unit = 1) {
+  ErrorLanes units;
+  for (std::size_t k = 0; k < units.size(); ++k) units[k] = to_24_bits(in_units(errors[k], divisors[k], unit));
+  return units;
+}
 
 }  // namespace bezierbench::metric

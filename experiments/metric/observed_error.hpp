@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What results of a method without a proved bound are held to before their times count.
+// The limit of the errors of a method without a proved bound, above which its times do not count.
 #pragma once
 
 #include <algorithm>

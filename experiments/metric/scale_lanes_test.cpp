@@ -61,20 +61,20 @@ TEST_P(ScaleLanesOf, HasTheBitsOfTrialScale) {
       const CurveView<double> curve{form, dimension, degree, values[k]};
       reference::TrialScale alone;
       alone.set(curve, t[k]);
-      reference::TrialScale of_group;
-      of_group.set(curve, t[k], group.largest(k), group.amplified(k));
+      reference::TrialScale in_group;
+      in_group.set(curve, t[k], group, k);
       for (const Amplification kind : kinds) {
         const ErrorBound bound{.text = "",
                                .amplification = kind,
                                .factor = [](int n, double) { return n + 1.0; },
                                .underflow = [](int n) { return n + 1.0; },
                                .underflow_scales_with_coefficients = true};
-        EXPECT_EQ(of_group.bound(bound, reference::float_arithmetic), alone.bound(bound, reference::float_arithmetic))
+        EXPECT_EQ(in_group.bound(bound, reference::float_arithmetic), alone.bound(bound, reference::float_arithmetic))
             << k;
-        EXPECT_EQ(of_group.bound(bound, reference::double_arithmetic), alone.bound(bound, reference::double_arithmetic))
+        EXPECT_EQ(in_group.bound(bound, reference::double_arithmetic), alone.bound(bound, reference::double_arithmetic))
             << k;
       }
-      EXPECT_EQ(of_group.p_tilde(), alone.p_tilde()) << k;
+      EXPECT_EQ(in_group.p_tilde(), alone.p_tilde()) << k;
     }
   }
 }

@@ -26,4 +26,8 @@ namespace bezierbench::number {
 /// `value` as an integer, where it is one in the range of int64.
 [[nodiscard]] std::optional<std::int64_t> whole(double value);
 
+/// Why `text`, which parse_number() refuses or reads as infinity or NaN, is not a finite double, and what to do: the
+/// predicate of a sentence.
+[[nodiscard]] std::string_view fault(std::string_view text);
+
 }  // namespace bezierbench::number

@@ -28,7 +28,7 @@ struct Peer {
   std::span<const ProjectionKernel> (*projection_kernels)(int dimension) = none<ProjectionKernel>;
 };
 
-/// A peer that this build lacks.
+/// A peer that is not in this build.
 struct AbsentPeer {
   std::string_view id;
   std::string_view remedy;  ///< what to do to have it
@@ -37,7 +37,7 @@ struct AbsentPeer {
 /// The peers in this build, in roster order; none unless it was configured with -DBEZIERBENCH_PEERS=ON.
 std::span<const Peer> present();
 
-/// The peers of the roster that this build lacks.
+/// The peers of the roster that are not in this build.
 std::span<const AbsentPeer> absent();
 
 }  // namespace bezierbench::peers

@@ -149,7 +149,7 @@ TEST(Peers, MeasureKnownLengths) {
   const std::vector<double> parabola{0, 0, 0.5, 0, 1, 1};
   const std::vector<double> cusp{3, -3, -1, 3, -1, -3, 3, 3};
   const auto to = [](double t) { return t * std::sqrt(1 + 4 * t * t) / 2 + std::asinh(2 * t) / 4; };
-  const double of_cusp = 2 * (13 * std::sqrt(13) - 8) / 9;
+  const double cusp_length = 2 * (13 * std::sqrt(13) - 8) / 9;
   for (const auto& peer : present())
     for (const auto& kernel : peer.arc_length_kernels(2)) {
       EXPECT_EQ(kernel.info->id, peer.id);
@@ -158,7 +158,7 @@ TEST(Peers, MeasureKnownLengths) {
       EXPECT_NEAR(whole.length, to(1), 1e-8) << peer.id;
       const auto part = kernel.measure({Form::bernstein, 2, 2, parabola}, 0.25, 0.75, 1e-9);
       EXPECT_NEAR(part.length, to(0.75) - to(0.25), 1e-8) << peer.id;
-      EXPECT_NEAR(kernel.measure({Form::bernstein, 2, 3, cusp}, 0, 1, 1e-15).length, of_cusp, 1e-3) << peer.id;
+      EXPECT_NEAR(kernel.measure({Form::bernstein, 2, 3, cusp}, 0, 1, 1e-15).length, cusp_length, 1e-3) << peer.id;
     }
 }
 

@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "experiments/race/clock.hpp"
 #include "experiments/race/page_vector.hpp"
+#include "experiments/race/rounds.hpp"
 
 namespace bezierbench::race {
 namespace {
@@ -115,30 +115,31 @@ void one_shots(State<Scalar>& s) {
   for (std::size_t k = 0; k < points.t.size(); ++k) one_shot(s, points, k);
 }
 
-constexpr std::size_t fewest_one_shots = 8;
-constexpr double longest_one_shots_seconds = 4 * shortest_turn_seconds;
+constexpr std::size_t min_one_shots = 8;
+constexpr double max_one_shots_seconds = 4 * min_round_seconds;
 
-/// The time of one of the first inputs in mode one_shot. The least of three counts, so that a preemption does not.
+/// The time of one of the first inputs in mode one_shot: the fastest of three attempts, because a preemption may disturb
+/// one.
 template <class Scalar>
 double one_shot_seconds(State<Scalar>& s) {
   PointByPoint<Scalar> points(s);
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  std::int64_t fastest = std::numeric_limits<std::int64_t>::max();
   for (int attempt = 0; attempt < 3; ++attempt) {
     const std::int64_t start = steady_ns();
-    for (std::size_t k = 0; k < fewest_one_shots; ++k) one_shot(s, points, k);
-    least = std::min(least, steady_ns() - start);
+    for (std::size_t k = 0; k < min_one_shots; ++k) one_shot(s, points, k);
+    fastest = std::min(fastest, steady_ns() - start);
   }
   s.spoil();
-  return 1e-9 * static_cast<double>(least) / fewest_one_shots;
+  return 1e-9 * static_cast<double>(fastest) / min_one_shots;
 }
 
-/// Where one batch would take several turns, leaves as many inputs as take one.
+/// Where one batch would take longer than several rounds, keeps as many inputs as fill one round.
 template <class Scalar>
 void shorten_one_shots(State<Scalar>& s) {
-  if (s.t.size() <= fewest_one_shots) return;
+  if (s.t.size() <= min_one_shots) return;
   const double seconds = one_shot_seconds(s);
-  if (seconds * static_cast<double>(s.t.size()) <= longest_one_shots_seconds) return;
-  s.keep(std::max(fewest_one_shots, static_cast<std::size_t>(shortest_turn_seconds / seconds)));
+  if (seconds * static_cast<double>(s.t.size()) <= max_one_shots_seconds) return;
+  s.keep(std::max(min_one_shots, static_cast<std::size_t>(min_round_seconds / seconds)));
 }
 
 template <class Scalar>

@@ -7,7 +7,7 @@
 
 #include "core/batch/batch.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
-#include "experiments/race/race.hpp"
+#include "experiments/race/rounds.hpp"
 #include "experiments/suite/suite.hpp"
 
 namespace bezierbench::race {
@@ -36,7 +36,7 @@ struct Inputs {
 /// The rival. `judged` are the points that every run must reproduce bit for bit: points[k * dimension + axis] is the
 /// point at t[k]. `inputs` must outlive it. In mode `batch` the kernel's best batch kernel on this processor runs,
 /// which writes the points axis by axis, or where there is none the kernel itself. In mode `one_shot` a method that
-/// needs several turns of a race for all inputs gets the first ones only, as many as fill a turn, and eight at least.
+/// takes longer than several rounds for all inputs gets the first ones only, as many as fill a round, at least eight.
 template <class Scalar>
 Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs,
                    std::vector<Scalar> judged);

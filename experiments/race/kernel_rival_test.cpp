@@ -10,8 +10,8 @@
 #include <memory>
 #include <set>
 
-#include "experiments/race/clock.hpp"
 #include "experiments/race/page_vector.hpp"
+#include "experiments/race/rounds.hpp"
 #include "experiments/requirements/seeded_curves.hpp"
 
 namespace bezierbench::race {
@@ -56,7 +56,7 @@ TYPED_TEST(KernelRival, ReproducesTheJudgedPointsInEveryMode) {
       EXPECT_FALSE(rival.check()) << "nothing ran yet";
       rival.run();
       EXPECT_TRUE(rival.check()) << kernel.info->id;
-      EXPECT_FALSE(rival.check()) << "a check uses the points up: the next round must write them anew";
+      EXPECT_FALSE(rival.check()) << "a check clears the points: the next round must write them again";
     }
 }
 
@@ -109,7 +109,7 @@ TYPED_TEST(KernelRival, LatencyHandsOnWhatIsNoNumber) {
   EXPECT_TRUE(rival.check());
 }
 
-/// A turn of a race is 50 us; all inputs of a method that takes 20 us each would take 5 ms.
+/// A round gives each rival 50 us; all inputs of a method that takes 20 us each would take 5 ms.
 TYPED_TEST(KernelRival, OneShotsOfASlowMethodFillATurn) {
   Kernel<TypeParam> slow = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
   Inputs<TypeParam> inputs{Form::bernstein, 2, 1, {}, {}, {}};
@@ -129,7 +129,7 @@ TYPED_TEST(KernelRival, OneShotsOfASlowMethodFillATurn) {
   EXPECT_EQ(inputs_of(suite::Mode::point), 256U);
   const Rival rival = kernel_rival(slow, suite::Mode::one_shot, inputs, judged);
   EXPECT_EQ(rival.points_per_batch, 8U);
-  EXPECT_FALSE(rival.check()) << "what was measured is no result";
+  EXPECT_FALSE(rival.check()) << "the points of the measurement are not a result";
   rival.run();
   EXPECT_TRUE(rival.check());
 }

@@ -11,7 +11,7 @@
 
 namespace bezierbench::race {
 
-/// What a method does in one race cell.
+/// What a method does in one race.
 struct TimedWork {
   const MethodInfo* evaluator;
   const MethodInfo* conversion;  ///< before it; null where there is none

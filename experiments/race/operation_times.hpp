@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/operations/operations.hpp"
-#include "experiments/race/clock.hpp"
+#include "experiments/race/rounds.hpp"
 
 namespace bezierbench::race {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/batch/batch.hpp"
-#include "experiments/race/race.hpp"
+#include "experiments/race/rounds.hpp"
 
 namespace bezierbench::race {
 

@@ -1,155 +1,163 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/race/race.hpp"
 
-#include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <array>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/judge/scalar_facts.hpp"
+#include "experiments/metric/order_statistics.hpp"
+#include "experiments/metric/verdict.hpp"
+#include "experiments/suite/names.hpp"
+#include "experiments/suite/pattern.hpp"
 
 namespace bezierbench::race {
 namespace {
 
-constexpr double ns_per_second = 1e9;
+constexpr std::string_view no_baseline = "exact";  // of a study that names none; times are not compared with it
 
-/// Runs a copy of the rival's function. The copy has the same place on the stack for every rival, and it allocates from
-/// the memory that the last copy freed (page_vector.hpp says why places matter).
-double seconds_of(const Rival& rival, std::size_t repetitions, Clock clock) {
-  const auto run = rival.run;
-  const std::int64_t start = clock();
-  for (std::size_t k = 0; k < repetitions; ++k) {
-    run();
-    benchmark::ClobberMemory();  // the compiler must assume that the results are read
-  }
-  return static_cast<double>(clock() - start) / ns_per_second;
+/// The spread of repetitions on a quiet machine, which only differ in where memory lies.
+constexpr double tolerated_disagreement = 0.05;
+
+/// In the order of sentinels().
+std::array<const RivalTimes*, 2> sentinels_of(const std::vector<RivalTimes>& times) {
+  return {&times[times.size() - 2], &times.back()};
 }
-
-/// The number of batches with which one rival's turn takes `least_seconds`. Of three tries the fastest counts, so that
-/// a preemption does not end the search. The number is not rounded to a power of two, so that rivals of equal speed get
-/// equal turns. The doubling also warms the rival up. A clock that hardly moves during `many` batches is refused, since
-/// the search would not end.
-std::size_t calibrated_repetitions(const Rival& rival, double least_seconds, Clock clock) {
-  constexpr std::size_t many = 4096;            // calls that take longer than the largest step that a clock may have
-  constexpr double least_call_seconds = 1e-11;  // a twentieth of a processor's cycle or less
-  const auto fastest_of_three = [&](std::size_t repetitions) {
-    const double seconds = std::min({seconds_of(rival, repetitions, clock), seconds_of(rival, repetitions, clock),
-                                     seconds_of(rival, repetitions, clock)});
-    if (seconds < 0) refuse_clock("goes back");
-    if (repetitions >= many && seconds < least_call_seconds * static_cast<double>(repetitions))
-      refuse_clock("stands still, or nearly");
-    return seconds;
-  };
-  std::size_t repetitions = 1;
-  double seconds = fastest_of_three(repetitions);
-  while (seconds < least_seconds) {
-    repetitions *= 2;
-    seconds = fastest_of_three(repetitions);
-  }
-  return static_cast<std::size_t>(std::ceil(static_cast<double>(repetitions) * least_seconds / seconds));
-}
-
-/// Orders of the rivals, one per round: Williams' design, in which every rival has every position and directly follows
-/// every other rival equally often. Source: Williams, Australian J. Sci. Res. A 2 (1949) 149-168.
-std::vector<std::vector<std::size_t>> counterbalanced_orders(std::size_t rivals) {
-  std::vector<std::vector<std::size_t>> orders;
-  for (std::size_t shift = 0; shift < rivals; ++shift) {
-    std::vector<std::size_t> order;  // 0, 1, R-1, 2, R-2, ... moved on by `shift`
-    for (std::size_t place = 0; place < rivals; ++place) {
-      const std::size_t step = place % 2 == 1 ? (place + 1) / 2 : rivals - place / 2;
-      order.push_back((step + shift) % rivals);
-    }
-    orders.push_back(order);
-    if (rivals % 2 != 0) orders.emplace_back(order.rbegin(), order.rend());  // an odd number needs the mirror images
-  }
-  return orders;
-}
-
-/// One rival's turn in one round: a batch to call its code and data back into the caches, then the batches that count.
-/// The counters are read outside the clock.
-double run_turn(const Rival& rival, std::size_t repetitions, const RaceOptions& options, Lap& lap) {
-  const Counters* counters = options.counters;
-  rival.run();
-  const auto before = counters != nullptr ? counters->read() : std::nullopt;
-  const double seconds = seconds_of(rival, repetitions, options.clock);
-  const auto after = before ? counters->read() : std::nullopt;
-  const auto points = static_cast<double>(lap.points_per_round);
-  lap.ns_per_point.push_back(seconds * ns_per_second / points);
-  if (const auto counts = after ? counts_between(*before, *after) : std::nullopt) {
-    lap.cycles_per_point.push_back(counts->cycles / points);
-    lap.instructions_per_point.push_back(counts->instructions / points);
-  }
-  lap.checked = rival.check() && lap.checked;
-  return seconds;
-}
-
-/// Google Benchmark prints nothing: the laps are the result.
-class SilentReporter final : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context& /*context*/) override { return true; }
-  void ReportRuns(const std::vector<Run>& /*runs*/) override {}
-};
 
 }  // namespace
 
-void Lap::append(const Lap& other) {
-  const auto add = [](std::vector<double>& all, const std::vector<double>& more) {
-    all.insert(all.end(), more.begin(), more.end());
-  };
-  add(ns_per_point, other.ns_per_point);
-  add(cycles_per_point, other.cycles_per_point);
-  add(instructions_per_point, other.instructions_per_point);
-  points_per_round = std::max(points_per_round, other.points_per_round);
-  checked = checked && other.checked;
+RaceOptions repetition_options() {
+  RaceOptions options;
+  options.rounds /= repetitions_per_race;
+  options.min_rounds = (options.min_rounds + repetitions_per_race - 1) / repetitions_per_race;
+  options.rival_seconds /= repetitions_per_race;
+  options.max_seconds /= repetitions_per_race;
+  return options;
 }
 
-std::vector<Lap> race(const std::string& name, std::span<const Rival> rivals, const RaceOptions& options) {
-  if (const auto fault = clock_fault(options.clock, options.round_seconds)) refuse_clock(*fault);
-  std::vector<Lap> laps(rivals.size());
-  std::vector<std::size_t> repetitions;
-  for (std::size_t who = 0; who < rivals.size(); ++who) {
-    repetitions.push_back(calibrated_repetitions(rivals[who], options.round_seconds, options.clock));
-    laps[who].points_per_round = repetitions[who] * rivals[who].points_per_batch;
+double median_ns(const RoundTimes& repetition) { return metric::median(repetition.ns_per_point); }
+
+double median_ratio(const RoundTimes& repetition, const RoundTimes& base) {
+  std::vector<double> ratios;
+  for (std::size_t round = 0; round < repetition.ns_per_point.size(); ++round)
+    ratios.push_back(repetition.ns_per_point[round] / base.ns_per_point[round]);
+  return metric::median(ratios);
+}
+
+std::vector<double> repetition_ratios(std::span<const RoundTimes> repetitions, std::span<const RoundTimes> base) {
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < repetitions.size(); ++k) ratios.push_back(median_ratio(repetitions[k], base[k]));
+  return ratios;
+}
+
+RaceTimes run_rivals(const Race& race, const suite::Study& study, JudgedRivals judged, std::size_t repetition,
+                     const RaceOptions& options) {
+  if (judged.call) judged.rivals.push_back(*judged.call);
+  std::ranges::copy(sentinels(), std::back_inserter(judged.rivals));
+  const auto name = fmt::format("{}/{}/{}", study.id, race.cell.degree, suite::name(race.mode));
+  auto times = with_stack_moved(repetition, [&] { return time_rounds(name, judged.rivals, options); });
+  RaceTimes result;
+  for (auto& rounds : times) result.each.push_back({{std::move(rounds)}});
+  for (std::size_t m = 0; m < judged.judged.size(); ++m) {
+    auto& rival = result.each[m];
+    rival.repetitions.front().checked = rival.repetitions.front().checked && judged.judged[m].right;
+    rival.max_error_u = judged.judged[m].max_error_u;
   }
+  if (judged.call)
+    result.operations.push_back(judge::with_scalar(
+        race.scalar, [&]<class Scalar>(Scalar /*zero*/) { return measured_operations<Scalar>(options.clock); }));
+  return result;
+}
 
-  const auto orders = counterbalanced_orders(rivals.size());
-  const auto whole_cycles = [&](std::size_t rounds) {
-    return (rounds + orders.size() - 1) / orders.size() * orders.size();
-  };
-  const double enough_seconds = options.rival_seconds * static_cast<double>(rivals.size());
+RoundTimes RivalTimes::rounds() const {
+  RoundTimes all;
+  for (const auto& repetition : repetitions) all.append(repetition);
+  return all;
+}
 
-  bool clock_stopped = false;  // reported after Google Benchmark has returned, which does not expect exceptions
-  const auto body = [&](benchmark::State& state) {
-    std::size_t round = 0;
-    double total_seconds = 0;
-    for ([[maybe_unused]] auto iteration : state) {
-      double round_seconds = 0;
-      for (const std::size_t who : orders[round % orders.size()]) {
-        const double seconds = run_turn(rivals[who], repetitions[who], options, laps[who]);
-        clock_stopped = clock_stopped || seconds <= 0;
-        round_seconds += seconds;
-      }
-      state.SetIterationTime(round_seconds);
-      total_seconds += round_seconds;
-      ++round;
-      const bool enough =
-          total_seconds >= enough_seconds && round >= options.least_rounds && round % orders.size() == 0;
-      if (clock_stopped || enough || total_seconds >= options.most_seconds ||
-          (options.stop != nullptr && options.stop())) {
-        state.SkipWithError("stopped");
-        break;
-      }
-    }
+std::vector<double> RivalTimes::repetition_ns() const {
+  std::vector<double> medians;
+  for (const auto& repetition : repetitions) medians.push_back(median_ns(repetition));
+  return medians;
+}
+
+void RaceTimes::merge(const RaceTimes& other) {
+  if (each.empty()) each.resize(other.each.size());
+  if (other.each.size() != each.size()) throw std::invalid_argument("repetitions of different races");
+  for (std::size_t m = 0; m < each.size(); ++m) {
+    const auto& more = other.each[m].repetitions;
+    each[m].repetitions.insert(each[m].repetitions.end(), more.begin(), more.end());
+    if (const auto seen = other.each[m].max_error_u)
+      each[m].max_error_u = std::max(each[m].max_error_u.value_or(0), *seen);
+  }
+  operations.insert(operations.end(), other.operations.begin(), other.operations.end());
+}
+
+const RivalTimes* call_times(const Race& race) {
+  constexpr std::size_t call_and_sentinels = 3;
+  const std::size_t methods = race.methods.size();
+  return race.times.size() == methods + call_and_sentinels ? &race.times[methods] : nullptr;
+}
+
+RaceTimes run_repetition(const TimedProblem& problem, const Race& race, const suite::Study& study, std::uint64_t seed,
+                         std::size_t repetition, const RaceOptions& options, std::shared_ptr<const void>& trials) {
+  return run_rivals(race, study, problem.rivals(race, study, seed, trials), repetition, options);
+}
+
+double SentinelTimes::over(const SentinelTimes& other) const {
+  return std::max(chain_ns / other.chain_ns, sweep_ns / other.sweep_ns);
+}
+
+SentinelTimes min(const SentinelTimes& a, const SentinelTimes& b) {
+  return {std::min(a.chain_ns, b.chain_ns), std::min(a.sweep_ns, b.sweep_ns)};
+}
+
+SentinelTimes median_sentinels(const std::vector<RivalTimes>& times) {
+  const auto [sweep, chain] = sentinels_of(times);
+  return {metric::median(chain->repetition_ns()), metric::median(sweep->repetition_ns())};
+}
+
+SentinelTimes fastest_sentinels(const std::vector<RivalTimes>& times) {
+  if (times.empty()) return {};
+  const auto [sweep, chain] = sentinels_of(times);
+  return {std::ranges::min(chain->repetition_ns()), std::ranges::min(sweep->repetition_ns())};
+}
+
+SentinelTimes fastest_sentinels(const std::vector<Race>& races) {
+  SentinelTimes fastest;
+  for (const auto& race : races) fastest = min(fastest, fastest_sentinels(race.times));
+  return fastest;
+}
+
+bool drifted(const std::vector<RivalTimes>& times, const SentinelTimes& fastest) {
+  return median_sentinels(times).over(fastest) > 1 + metric::tolerated_drift;
+}
+
+bool repetitions_disagree(const RivalTimes& times) {
+  constexpr double quarter = 0.25;
+  const auto ns = times.repetition_ns();
+  return metric::quantile(ns, 1 - quarter) > (1 + tolerated_disagreement) * metric::quantile(ns, quarter);
+}
+
+std::string named_baseline(const suite::Study& study) {
+  const auto named = std::ranges::find_if(study.baseline, [](const auto& id) { return id != no_baseline; });
+  return named == study.baseline.end() ? "" : *named;
+}
+
+std::optional<std::size_t> relative_to(const Race& race, const suite::Study& study) {
+  const auto first_that_matches = [&](std::string_view pattern) -> std::optional<std::size_t> {
+    for (std::size_t m = 0; m < race.methods.size(); ++m)
+      if (suite::means(pattern, race.methods[m]->id)) return m;
+    return std::nullopt;
   };
-  benchmark::ClearRegisteredBenchmarks();
-  benchmark::RegisterBenchmark(name.c_str(), body)
-      ->UseManualTime()
-      ->Iterations(static_cast<benchmark::IterationCount>(whole_cycles(options.rounds)))
-      ->Repetitions(1);
-  SilentReporter reporter;
-  benchmark::RunSpecifiedBenchmarks(&reporter);
-  benchmark::ClearRegisteredBenchmarks();
-  if (clock_stopped) refuse_clock("stood still or went back during a turn of a race");
-  return laps;
+  if (const auto named = named_baseline(study); !named.empty()) return first_that_matches(named);
+  for (const auto& pattern : study.methods)
+    if (const auto first = first_that_matches(pattern)) return first;
+  return first_that_matches("*");
 }
 
 }  // namespace bezierbench::race

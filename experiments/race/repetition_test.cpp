@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Whether intervals over repetitions hold the true ratio as often as they say, on races that are made up.
-#include "experiments/race/repetition.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
+#include "experiments/race/race.hpp"
 #include "experiments/sample/words.hpp"
 
 namespace bezierbench::race {
@@ -31,25 +30,25 @@ double normal(std::uint64_t race, std::uint64_t repetition, std::uint64_t round)
 
 /// How far the logarithm of a repetition's ratio is from that of the true one, which is the median over repetitions.
 using Effect = double (*)(std::uint64_t race, std::uint64_t repetition);
-constexpr std::uint64_t of_the_repetition = ~std::uint64_t{0};
+constexpr std::uint64_t whole_repetition = ~std::uint64_t{0};
 
 double normal_effect(std::uint64_t race, std::uint64_t repetition) {
-  return 0.02 * normal(race, repetition, of_the_repetition);
+  return 0.02 * normal(race, repetition, whole_repetition);
 }
 /// Skewed: most repetitions are nearly alike and some far slower.
 double exponential_effect(std::uint64_t race, std::uint64_t repetition) {
-  return 0.02 * (-std::log(uniform(race, repetition, of_the_repetition, 0)) - std::numbers::ln2);
+  return 0.02 * (-std::log(uniform(race, repetition, whole_repetition, 0)) - std::numbers::ln2);
 }
 double no_effect(std::uint64_t /*race*/, std::uint64_t /*repetition*/) { return 0; }
 
 struct SimulatedRace {
-  std::vector<Lap> repetitions;
-  std::vector<Lap> base;
+  std::vector<RoundTimes> repetitions;
+  std::vector<RoundTimes> base;
 };
 
 /// The base takes 10 ns in a machine whose speed changes from round to round.
 SimulatedRace simulated(std::uint64_t race, Effect effect) {
-  SimulatedRace result{std::vector<Lap>(repetitions_per_race), std::vector<Lap>(repetitions_per_race)};
+  SimulatedRace result{std::vector<RoundTimes>(repetitions_per_race), std::vector<RoundTimes>(repetitions_per_race)};
   for (std::uint64_t repetition = 0; repetition < repetitions_per_race; ++repetition)
     for (std::uint64_t round = 0; round < rounds; ++round) {
       const double machine = 10 * (1 + uniform(race, repetition, round, 2));
@@ -102,8 +101,8 @@ TEST(Repetitions, IntervalsHoldTheTrueRatioWhereRepetitionsAreAlike) {
   EXPECT_GE(found.over_rounds, 0.985);
 }
 
-// One repetition in which others were at work moves neither end of an interval.
-TEST(Repetitions, OneThatWasDisturbedMovesNoInterval) {
+// One disturbed repetition moves neither end of an interval.
+TEST(Repetitions, ADisturbedOneMovesNoInterval) {
   std::vector<double> ratios(repetitions_per_race, 1);
   ratios[3] = 2;
   EXPECT_EQ(metric::median_interval(ratios, metric::timing_confidence).high, 1);
@@ -113,8 +112,8 @@ TEST(Repetitions, OneThatWasDisturbedMovesNoInterval) {
 
 TEST(Repetitions, ShareWhatARaceMayTake) {
   const RaceOptions whole;
-  const auto each = options_of_a_repetition();
-  EXPECT_GE(each.least_rounds * repetitions_per_race, whole.least_rounds);
+  const auto each = repetition_options();
+  EXPECT_GE(each.min_rounds * repetitions_per_race, whole.min_rounds);
   EXPECT_LE(each.rounds * repetitions_per_race, whole.rounds);
   EXPECT_DOUBLE_EQ(each.rival_seconds * static_cast<double>(repetitions_per_race), whole.rival_seconds);
 }

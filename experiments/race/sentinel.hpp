@@ -11,7 +11,7 @@
 
 #include <array>
 
-#include "experiments/race/race.hpp"
+#include "experiments/race/rounds.hpp"
 
 namespace bezierbench::race {
 

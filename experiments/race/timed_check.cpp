@@ -20,7 +20,7 @@ std::span<const double> widened(std::span<const double> values) { return values;
 }  // namespace
 
 template <class Scalar>
-JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs) {
+JudgedPoints<Scalar> judge_points(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<Scalar>& inputs) {
   constexpr auto arithmetic = judge::ScalarFacts<Scalar>::arithmetic;
   reference::ExactCurve exact;
   reference::TrialScale scale;
@@ -49,7 +49,7 @@ JudgedPoints<Scalar> judge(const Kernel<Scalar>& kernel, suite::Mode mode, const
   return judged;
 }
 
-template JudgedPoints<float> judge<float>(const Kernel<float>&, suite::Mode, const Inputs<float>&);
-template JudgedPoints<double> judge<double>(const Kernel<double>&, suite::Mode, const Inputs<double>&);
+template JudgedPoints<float> judge_points<float>(const Kernel<float>&, suite::Mode, const Inputs<float>&);
+template JudgedPoints<double> judge_points<double>(const Kernel<double>&, suite::Mode, const Inputs<double>&);
 
 }  // namespace bezierbench::race

@@ -48,10 +48,10 @@ TYPED_TEST(TimedCheck, PassesEveryMethodOfTheRosterOnCurvesOfItsForm) {
   for (const auto mode : {suite::Mode::one_shot, suite::Mode::point})
     for (const auto& kernel : kernels<TypeParam>(2)) {
       const Form form = kernel.info->form;
-      EXPECT_TRUE(is_right(judge(kernel, mode, cubic_inputs<TypeParam>(form)))) << kernel.info->id;
+      EXPECT_TRUE(is_right(judge_points(kernel, mode, cubic_inputs<TypeParam>(form)))) << kernel.info->id;
       if (form == Form::rational) continue;  // reads weights, which the others do not have
       const Form other = form == Form::power ? Form::bernstein : Form::power;
-      EXPECT_FALSE(is_right(judge(kernel, mode, cubic_inputs<TypeParam>(other)))) << kernel.info->id;
+      EXPECT_FALSE(is_right(judge_points(kernel, mode, cubic_inputs<TypeParam>(other)))) << kernel.info->id;
     }
 }
 
@@ -69,10 +69,10 @@ Inputs<Scalar> inputs_of(int degree) {
   return inputs;
 }
 
-/// Interpolation at uniform nodes loses all digits of float by then, which an accuracy study has to say.
+/// Interpolation at uniform nodes has lost all digits of float there, which an accuracy study shows.
 TYPED_TEST(TimedCheck, SaysHowMuchTheLeastStableOfAllLosesAtAHighDegree) {
   const auto& kernel = *find_kernel<TypeParam>("barycentric_uniform", Form::bernstein, 1);
-  const auto judged = judge(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(30));
+  const auto judged = judge_points(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(30));
   EXPECT_TRUE(judged.right);
   EXPECT_GT(judged.max_error_u, 1e3);
   EXPECT_LT(judged.max_error_u, 1e9);
@@ -85,7 +85,7 @@ TYPED_TEST(TimedCheck, CatchesAWrongMethodWithoutABoundAtAHighDegree) {
   for (const int degree : {15, 42, 60}) {
     Kernel<TypeParam> kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 1);
     kernel.info = &unproved;
-    EXPECT_TRUE(is_right(judge(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(degree))));
+    EXPECT_TRUE(is_right(judge_points(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(degree))));
     kernel.evaluate_for = [](int) -> EvaluatePoints<TypeParam> {
       return [](const void* prepared, std::span<const TypeParam> t, TypeParam* points) {
         // The function for max_degree evaluates curves of every degree.
@@ -93,26 +93,26 @@ TYPED_TEST(TimedCheck, CatchesAWrongMethodWithoutABoundAtAHighDegree) {
         points[0] += TypeParam(0.01);
       };
     };
-    EXPECT_FALSE(is_right(judge(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(degree)))) << degree;
+    EXPECT_FALSE(is_right(judge_points(kernel, suite::Mode::one_shot, inputs_of<TypeParam>(degree)))) << degree;
   }
 }
 
 TYPED_TEST(TimedCheck, CatchesAMethodThatLooksAtNoWeights) {
   const auto& wrong = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
-  EXPECT_FALSE(judge(wrong, suite::Mode::point, cubic_inputs<TypeParam>(Form::rational)).right);
+  EXPECT_FALSE(judge_points(wrong, suite::Mode::point, cubic_inputs<TypeParam>(Form::rational)).right);
 }
 
 /// At t = 1/2, p = (b_0 + 3 b_1 + 3 b_2 + b_3) / 8, by hand: no rounding.
 TYPED_TEST(TimedCheck, HandsOverThePointsThatItJudged) {
   const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
   const auto& kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
-  const auto of_first = judge(kernel, suite::Mode::point, inputs).points;
-  const auto of_each = judge(kernel, suite::Mode::one_shot, inputs).points;
-  ASSERT_EQ(of_first.size(), 14U);
+  const auto first_curve = judge_points(kernel, suite::Mode::point, inputs).points;
+  const auto each_curve = judge_points(kernel, suite::Mode::one_shot, inputs).points;
+  ASSERT_EQ(first_curve.size(), 14U);
   EXPECT_EQ(inputs.t[3], TypeParam(0.5));
-  EXPECT_EQ(of_first[6], TypeParam(2));       // (0 + 3 + 9 + 4) / 8
-  EXPECT_EQ(of_first[7], TypeParam(0.4375));  // (0 + 6 - 3 + 0.5) / 8
-  EXPECT_EQ(of_each[6], TypeParam(3.125));    // (0 + 3 * 4 + 9 + 4) / 8
+  EXPECT_EQ(first_curve[6], TypeParam(2));       // (0 + 3 + 9 + 4) / 8
+  EXPECT_EQ(first_curve[7], TypeParam(0.4375));  // (0 + 6 - 3 + 0.5) / 8
+  EXPECT_EQ(each_curve[6], TypeParam(3.125));    // (0 + 3 * 4 + 9 + 4) / 8
 }
 
 template <class Scalar>
@@ -127,12 +127,12 @@ void write_infinities(const void* /*prepared*/, std::span<const Scalar> t, Scala
 
 TYPED_TEST(TimedCheck, CatchesAWrongMethod) {
   const auto ones = this->template with<write_ones<TypeParam>>();
-  EXPECT_FALSE(judge(ones, suite::Mode::point, cubic_inputs<TypeParam>(Form::bernstein)).right);
+  EXPECT_FALSE(judge_points(ones, suite::Mode::point, cubic_inputs<TypeParam>(Form::bernstein)).right);
 }
 
 TYPED_TEST(TimedCheck, CatchesNotANumber) {
   const auto infinite = this->template with<write_infinities<TypeParam>>();
-  EXPECT_FALSE(judge(infinite, suite::Mode::point, cubic_inputs<TypeParam>(Form::bernstein)).right);
+  EXPECT_FALSE(judge_points(infinite, suite::Mode::point, cubic_inputs<TypeParam>(Form::bernstein)).right);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the timing of all companion problems shares: a race cell for each cell and case, whose trials are drawn once for
-// all repetitions. Methods solve them one after the other, from the control points on, preparation included (mode
+// The timing of all companion problems: a race for each cell and case, whose trials are drawn once for all repetitions. Methods solve them one after the other, from the control points on, preparation included (mode
 // one_shot). Their answers are first judged against the truth and later compared with the judged bits.
 #pragma once
 
@@ -15,19 +14,30 @@
 #include <vector>
 
 #include "experiments/judge/trial_problem.hpp"
-#include "experiments/race/timed_problem.hpp"
+#include "experiments/race/race.hpp"
 
 namespace bezierbench::race {
 
-/// The race cells of a study of a companion problem, still without methods.
-std::vector<RaceCell> companion_race_cells(const suite::Study& study, judge::CaseAxes axes);
+/// The races of a study of a companion problem, still without methods.
+inline std::vector<Race> companion_races(const suite::Study& study, judge::CaseAxes axes) {
+  axes.placement = false;  // only the first placement is timed
+  axes.knots = false;      // and the first kind of knots
+  const auto all_cases = judge::cases_of(study, axes);
+  auto with_degree = study;
+  if (!axes.degree) with_degree.degree = {judge::segment_degree};
+  std::vector<Race> races;
+  for (const auto& cell : sample::cells(with_degree))
+    for (const auto& case_values : all_cases)
+      races.push_back({cell, suite::ScalarKind::float64, suite::Mode::one_shot, {}, case_values});
+  return races;
+}
 
-/// The trials of one race cell.
+/// The trials of one race.
 template <judge::TrialProblem P>
 class CompanionTrials {
  public:
-  CompanionTrials(const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed)
-      : CompanionTrials(judge::TrialPart{race_cell.cell, race_cell.case_values}, study, seed) {}
+  CompanionTrials(const Race& race, const suite::Study& study, std::uint64_t seed)
+      : CompanionTrials(judge::TrialPart{race.cell, race.case_values}, study, seed) {}
 
   [[nodiscard]] std::size_t count() const { return drawn_.size(); }
   void ask(const typename P::Kernel& method, std::size_t k, typename P::Answer& answer) const {
@@ -48,16 +58,16 @@ class CompanionTrials {
   std::vector<typename P::Drawn> drawn_;
 };
 
-/// One method on the trials of a race cell, and the answers that it must reproduce bit for bit.
+/// One method on the trials of a race, and the answers that it must reproduce bit for bit.
 template <judge::TrialProblem P>
 class CompanionRival {
  public:
   CompanionRival(const CompanionTrials<P>& trials, const typename P::Kernel& kernel)
       : trials_(trials), kernel_(kernel), answers_(trials.count()) {
-    spoil();
+    overwrite();
     run();
     judged_ = answers_;
-    spoil();
+    overwrite();
   }
   void run() {
     for (std::size_t k = 0; k < answers_.size(); ++k) trials_.ask(kernel_, k, answers_[k]);
@@ -66,7 +76,7 @@ class CompanionRival {
     bool same = true;
     for (std::size_t k = 0; k < answers_.size(); ++k)
       same = std::ranges::equal(P::numbers(answers_[k]), P::numbers(judged_[k]), same_bits) && same;
-    spoil();
+    overwrite();
     return same;
   }
   [[nodiscard]] bool is_right() const {
@@ -80,7 +90,7 @@ class CompanionRival {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
   }
   /// Overwrites the results, so that a run that does nothing fails the next check.
-  void spoil() {
+  void overwrite() {
     for (auto& answer : answers_)
       for (const std::span<double> numbers : P::numbers(answer))
         std::ranges::fill(numbers, std::numeric_limits<double>::quiet_NaN());
@@ -93,22 +103,22 @@ class CompanionRival {
 };
 
 template <judge::TrialProblem P>
-std::vector<RaceCell> race_cells_of_companion(const suite::Study& study) {
-  auto race_cells = companion_race_cells(study, P::axes);
-  for (auto& race_cell : race_cells)
-    for (const auto* kernel : judge::chosen_trial_kernels<P>(study, race_cell.cell.dimension))
-      if (judge::takes<P>(*kernel->info, race_cell.cell)) race_cell.methods.push_back(kernel->info);
-  return race_cells;
+std::vector<Race> races_of_companion(const suite::Study& study) {
+  auto races = companion_races(study, P::axes);
+  for (auto& race : races)
+    for (const auto* kernel : judge::chosen_trial_kernels<P>(study, race.cell.dimension))
+      if (judge::takes<P>(*kernel->info, race.cell)) race.methods.push_back(kernel->info);
+  return races;
 }
 
 template <judge::TrialProblem P>
-JudgedRivals rivals_of_companion(const RaceCell& race_cell, const suite::Study& study, std::uint64_t seed,
+JudgedRivals rivals_of_companion(const Race& race, const suite::Study& study, std::uint64_t seed,
                                  std::shared_ptr<const void>& kept) {
-  if (kept == nullptr) kept = std::make_shared<const CompanionTrials<P>>(race_cell, study, seed);
+  if (kept == nullptr) kept = std::make_shared<const CompanionTrials<P>>(race, study, seed);
   const auto trials = std::static_pointer_cast<const CompanionTrials<P>>(kept);
   JudgedRivals all{{}, {}, trials};
-  for (const auto* info : race_cell.methods) {
-    const auto& kernel = *std::ranges::find(P::kernels(race_cell.cell.dimension), info, &P::Kernel::info);
+  for (const auto* info : race.methods) {
+    const auto& kernel = *std::ranges::find(P::kernels(race.cell.dimension), info, &P::Kernel::info);
     const auto rival = std::make_shared<CompanionRival<P>>(*trials, kernel);
     all.judged.push_back({rival->is_right()});
     all.rivals.push_back(
@@ -119,7 +129,7 @@ JudgedRivals rivals_of_companion(const RaceCell& race_cell, const suite::Study& 
 
 template <judge::TrialProblem P>
 constexpr TimedProblem timed_companion(Size size = Size::unclaimed) {
-  return {size, race_cells_of_companion<P>, rivals_of_companion<P>};
+  return {P::problem, size, races_of_companion<P>, rivals_of_companion<P>};
 }
 
 }  // namespace bezierbench::race

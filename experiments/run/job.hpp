@@ -111,9 +111,6 @@ class Job {
   }
   /// True for timings, beside which nothing else may run.
   [[nodiscard]] virtual bool exclusive() const { return false; }
-  /// Throws Failure(environment) where this machine is not fit for the work, for example without a steady clock for
-  /// timings.
-  virtual void require_machine() const {}
   /// Whether the work follows from the study. It does not for a search that ends when it has found something; --dry-run
   /// then has no estimate.
   [[nodiscard]] virtual bool is_estimable() const { return true; }

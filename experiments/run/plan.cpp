@@ -13,8 +13,8 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/schema/columns.hpp"
+#include "experiments/suite/external.hpp"
 #include "experiments/suite/fault.hpp"
-#include "experiments/suite/outside.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "experiments/suite/text/writer.hpp"
 #include "experiments/tables/choices.hpp"
@@ -44,30 +44,30 @@ bundle::Manifest manifest_of(const RunRequest& request, const std::string& suite
   return manifest;
 }
 
-/// The study without the names of methods from outside; empty where it names no other.
+/// The study without the names of external methods; empty where it names no other.
 std::optional<suite::Study> with_own_methods(suite::Study study) {
   const bool names_some = !study.methods.empty();
-  std::erase_if(study.methods, [](const auto& id) { return suite::is_outside(id); });
+  std::erase_if(study.methods, [](const auto& id) { return suite::is_external(id); });
   if (names_some && study.methods.empty()) return std::nullopt;
   return study;
 }
 
-/// The jobs of a study for methods from outside: of those that it names, if it names any, else of all. Throws
+/// The jobs of a study for external methods: of those that it names, if it names any, else of all. Throws
 /// Failure(usage) where none that it names can be asked for its inputs.
-void add_outside_jobs(const RunRequest& request, const suite::Study& study, const JobContext& context, Plan& plan) {
-  const auto named = std::ranges::find_if(study.methods, suite::is_outside);
+void add_external_jobs(const RunRequest& request, const suite::Study& study, const JobContext& context, Plan& plan) {
+  const auto named = std::ranges::find_if(study.methods, suite::is_external);
   const bool names_some = named != study.methods.end();
   const auto before = plan.jobs.size();
-  for (const auto& method : request.outside) {
+  for (const auto& method : request.external) {
     const auto means = [&](const std::string& entry) {
-      return suite::is_outside(entry) && suite::matches(entry, method.id);
+      return suite::is_external(entry) && suite::matches(entry, method.id);
     };
-    if (!request.kinds.make_outside_job) continue;
+    if (!request.kinds.make_external_job) continue;
     if (names_some && std::ranges::none_of(study.methods, means)) {
-      plan.unasked.push_back({method.id, study.id, "it names others from outside"});
+      plan.unasked.push_back({method.id, study.id, "it names other external methods"});
       continue;
     }
-    auto job = request.kinds.make_outside_job(study, method, context);
+    auto job = request.kinds.make_external_job(study, method, context);
     if (!job) {
       plan.unasked.push_back({method.id, study.id, request.kinds.why_unasked(study, method)});
       continue;
@@ -77,7 +77,7 @@ void add_outside_jobs(const RunRequest& request, const suite::Study& study, cons
   }
   if (names_some && plan.jobs.size() == before)
     suite::refuse(study, {"methods", static_cast<std::size_t>(named - study.methods.begin()), "kind",
-                          fmt::format("method \"{}\" is from outside and cannot be asked in this study, because of its "
+                          fmt::format("method \"{}\" is external and not available in this study, because of its "
                                       "kind, form or scalar; remove it",
                                       *named)});
 }
@@ -100,22 +100,21 @@ void add(const Violation& violation, Outcome& outcome) {
   }
 }
 
-/// Finds times of methods from outside that did not give the results that were judged, in every table of times. Among our
+/// Finds times of external methods that did not give the results that were judged, in every table of times. Among our
 /// own some are as printed and wrong, or keep no tolerance, which their rows say.
 void find_unchecked_times(const tables::Tables& tables, Outcome& outcome) {
   for (const auto& [file, table] : tables.all()) {
     if (bundle::declared_table(file)->column("checked") == nullptr) continue;
     bundle::FewLines lines(file);
-    std::size_t line = 1;
-    for (const auto& row : tables::rows_of(table)) {
-      ++line;
-      if (row.text("checked") == "no" && suite::is_outside(row.text("method")))
-        lines.add(fmt::format(
-            "what was timed did not give what was judged: study {}, method {}, degree {}, mode {}; see "
-            "{}:{}",
-            row.text("study"), row.text("method"), text(row.field("degree")), row.text("mode"), file, line));
-    }
-    for (auto& found : lines.take()) outcome.findings.push_back(std::move(found));
+    const auto document = bundle::parse_csv(table.text(), file);
+    for (std::size_t row = 0; row < document.row_count(); ++row)
+      if (document.at(row, "checked") == "no" && suite::is_external(document.at(row, "method")))
+        lines.add(
+            fmt::format("what was timed did not give what was judged: study {}, method {}, degree {}, mode {}; "
+                        "see {}:{}",
+                        document.at(row, "study"), document.at(row, "method"), document.at(row, "degree"),
+                        document.at(row, "mode"), file, document.line(row)));
+    for (auto& line : lines.take()) outcome.findings.push_back(std::move(line));
   }
 }
 
@@ -129,8 +128,8 @@ void count_times(const tables::Tables& tables, Outcome& outcome) {
 
 }  // namespace
 
-Plan::Plan(const RunRequest& request, Unplannable unplannable)
-    : suite_text(suite::to_toml(request.suites) + suite::to_toml(request.outside)),
+Plan::Plan(const RunRequest& request)
+    : suite_text(suite::to_toml(request.suites) + suite::to_toml(request.external)),
       manifest(manifest_of(request, suite_text)),
       reference(reference::name(request.tier)) {
   const auto or_left_out = [unplannable](const auto& plan) {
@@ -152,13 +151,13 @@ Plan::Plan(const RunRequest& request, Unplannable unplannable)
     studies.push_back({std::move(*own), context});
   });
   // Last, so that no row of another method is elsewhere than without them.
-  each_study(
-      [&](const suite::Study& study, const JobContext& context) { add_outside_jobs(request, study, context, *this); });
+  for (const auto& one : request.suites)
+    for (const auto& study : one.studies) add_external_jobs(request, study, {one.seed, request.tier}, *this);
 }
 
 void tell_unasked(const RunRequest& request, const Plan& plan) {
   const auto all = studies_of(request).size();
-  for (const auto& method : request.outside) {
+  for (const auto& method : request.external) {
     std::map<std::string, std::vector<std::string>> studies;  // by reason
     std::size_t count = 0;
     for (const auto& [id, study, why] : plan.unasked)

@@ -21,7 +21,7 @@ struct PlannedStudy {
   JobContext context;
 };
 
-/// A method from outside that a study does not evaluate.
+/// An external method that a study does not ask.
 struct Unasked {
   std::string method;
   std::string study;
@@ -34,17 +34,17 @@ struct Plan {
 
   explicit Plan(const RunRequest& request, Unplannable unplannable = Unplannable::refused);
 
-  Jobs jobs;                           ///< those of `studies` in their order, then those for methods from outside
-  std::vector<std::string> job_names;  ///< of the study of a job; of that and the method for one from outside
-  std::vector<PlannedStudy> studies;   ///< without the names of methods from outside
+  Jobs jobs;                           ///< those of `studies` in their order, then those for external methods
+  std::vector<std::string> job_names;  ///< of the study of a job; of the study and the method for an external method
+  std::vector<PlannedStudy> studies;   ///< without the names of external methods
   std::vector<Unasked> unasked;
   std::string suite_text;     ///< the resolved suites
   bundle::Manifest manifest;  ///< state `partial`
   std::string reference;      ///< the tier
 };
 
-/// Tells the user which studies do not evaluate which method from outside. Throws Failure(usage) for a method that no
-/// study evaluates.
+/// Tells the user which studies ask nothing of which external method. Throws Failure(usage) where no study asks a
+/// method.
 void tell_unasked(const RunRequest& request, const Plan& plan);
 
 /// The first difference between two manifests whose results must not be mixed, for example "seed 1, this run has 2".

@@ -16,7 +16,7 @@
 #include "experiments/bundle/machine.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/run/notes.hpp"
-#include "experiments/suite/outside.hpp"
+#include "experiments/suite/external.hpp"
 #include "experiments/suite/suite.hpp"
 #include "reference/true_point.hpp"
 
@@ -48,13 +48,13 @@ struct Kinds {
   std::unique_ptr<Job> (*make_job)(const suite::Study& study, const JobContext& context) = nullptr;
   /// The tables that the study writes wherever it has rows, by file name: one of each list.
   std::vector<std::vector<std::string>> (*tables_of)(const suite::Study& study) = nullptr;
-  /// The work of one study on a method from outside; null where studies of this kind take none, or not this one. A
+  /// The work of one study on an external method; null where studies of this kind take none, or not this one. A
   /// method that is not available can be written and merged, but not run.
-  std::function<std::unique_ptr<Job>(const suite::Study& study, const suite::OutsideMethod& method,
+  std::function<std::unique_ptr<Job>(const suite::Study& study, const suite::ExternalMethod& method,
                                      const JobContext& context)>
-      make_outside_job = nullptr;
+      make_external_job = nullptr;
   /// Why there is no such job, a sentence about the study; empty where there is one.
-  std::string (*why_unasked)(const suite::Study& study, const suite::OutsideMethod& method) = nullptr;
+  std::string (*why_unasked)(const suite::Study& study, const suite::ExternalMethod& method) = nullptr;
 };
 
 /// One of several processes that share a run.
@@ -64,9 +64,9 @@ struct Shard {
 };
 
 struct RunRequest {
-  Kinds kinds;                                ///< the roster of studies/
-  std::vector<suite::Suite> suites;           ///< resolved: overrides applied
-  std::vector<suite::OutsideMethod> outside;  ///< methods that every study takes beside its own, where its kind can
+  Kinds kinds;                                  ///< the roster of studies/
+  std::vector<suite::Suite> suites;             ///< resolved: overrides applied
+  std::vector<suite::ExternalMethod> external;  ///< methods that every study takes beside its own, where its kind can
   std::filesystem::path out;
   int jobs = 0;  ///< threads; 0: all cores
   reference::Tier tier = reference::Tier::certified;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // With K = 2U + 1 and M = 2^129 the image is (a (M - K) + b K) / M. Both products have at most 53 + 129 = 182 bits and
 // are computed exactly. 256 bits hold their sum exactly unless the exponents of a and b are far apart; see add().
-#include "experiments/sample/affine.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <utility>
+
+#include "experiments/sample/words.hpp"
 
 namespace bezierbench::sample {
 namespace {

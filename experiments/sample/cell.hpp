@@ -11,7 +11,7 @@
 
 namespace bezierbench::sample {
 
-/// The scalar type and the methods are no part of a cell: all of them get the same inputs.
+/// The scalar type and the methods are not part of a cell: all of them get the same inputs.
 struct Cell {
   Form form = Form::bernstein;
   int dimension = 2;

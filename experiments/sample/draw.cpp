@@ -15,7 +15,7 @@ namespace {
 
 template <CoordinateGenerator G>
 void fill(Words& words, const Cell& cell, Trial& out) {
-  static_assert(WeightGenerator<G> == G::info.limits.weights, "what it draws is what suites are told");
+  static_assert(WeightGenerator<G> == G::info.limits.weights, "suites know whether weights are drawn");
   out.t = G::parameter(words, cell.t_interval);
   for (double& coordinate : out.coefficients) coordinate = G::coordinate(words, cell.coordinate_range);
   out.weights.clear();

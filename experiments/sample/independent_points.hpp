@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "experiments/sample/affine.hpp"
 #include "experiments/sample/generator.hpp"
+#include "experiments/sample/words.hpp"
 
 namespace bezierbench::sample {
 

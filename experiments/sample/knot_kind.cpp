@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/sample/affine.hpp"
+#include "experiments/sample/words.hpp"
 
 namespace bezierbench::sample {
 namespace {

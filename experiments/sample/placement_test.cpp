@@ -36,7 +36,7 @@ TEST(Placement, DrawsTheSameCurveWhereItMovesOnlyThePoint) {
   }
 }
 
-/// A cusp of degree 60 needs a control point at about 2^59 R, and an ulp of 5e-324 / 2^20 is no lattice.
+/// A cusp of degree 60 needs a control point at about 2^59 R, and a lattice of 5e-324 / 2^20 does not exist.
 TEST(Placement, KeepsWhatIsDrawnWhereAPlacementLeavesTheRange) {
   for (const double range : {0x1p+1020, 5e-324})
     for (const auto& placement : placements()) {

@@ -5,10 +5,9 @@
 #include <tuple>
 
 #include "experiments/sample/bspline.hpp"
-#include "experiments/sample/clustered_roots.hpp"
 #include "experiments/sample/cusp.hpp"
 #include "experiments/sample/independent_points.hpp"
-#include "experiments/sample/multiple_root.hpp"
+#include "experiments/sample/roots.hpp"
 #include "experiments/sample/thin.hpp"
 #include "experiments/sample/weights.hpp"
 

@@ -39,7 +39,7 @@ struct Choice {
   LargestErrors errors;
 };
 
-/// The methods that raced each other in one race cell and were judged in one accuracy study.
+/// The methods that raced each other in one race and were judged in one accuracy study.
 struct ChoiceGroup {
   std::string study;           ///< the timing study
   std::string accuracy_study;  ///< the accuracy study
@@ -48,7 +48,7 @@ struct ChoiceGroup {
   std::string dimension;
   std::string degree;
   std::string mode;
-  std::vector<std::string> drawn;  ///< the race cell's coordinate_range, t_min, t_max, generator; empty in old bundles
+  std::vector<std::string> drawn;  ///< the race's coordinate_range, t_min, t_max, generator; empty in old bundles
   std::vector<Choice> choices;
 };
 

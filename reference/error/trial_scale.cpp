@@ -124,11 +124,11 @@ double TrialScale::rational_underflow(const BoundAtDegree& bound, const Arithmet
     return eta + eta * bound.underflow * (1 + w.largest_point) * ((1 + w.largest) / w.smallest);
   }
   if (!(w.smallest >= 0 && w.sum > 0)) return infinite;
-  const double numerator_size = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
-  const double denominator_size = bound.bound.underflow_scales_with_coefficients ? 1 + w.largest : 1;
+  const double numerator_bound = bound.bound.underflow_scales_with_coefficients ? 1 + largest_ : 1;
+  const double denominator_bound = bound.bound.underflow_scales_with_coefficients ? 1 + w.largest : 1;
   const double lost = eta * bound.underflow;
-  if (!(lost * denominator_size / w.sum <= 0.125)) return infinite;
-  return eta + lost * (numerator_size + denominator_size * p_tilde()) / w.sum;
+  if (!(lost * denominator_bound / w.sum <= 0.125)) return infinite;
+  return eta + lost * (numerator_bound + denominator_bound * p_tilde()) / w.sum;
 }
 
 double TrialScale::bound(const BoundAtDegree& at_degree, const Arithmetic& arithmetic, std::optional<double> length) {

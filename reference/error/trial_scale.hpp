@@ -37,27 +37,18 @@ struct BoundAtDegree {
 
   ErrorBound bound;
   double factor;
-  double underflow;  ///< whole, for no fraction of the smallest subnormal is a double
+  double underflow;  ///< an integer: no fraction of the smallest subnormal is a double
   double growth;
 };
 
-/// What a proved bound says of one error.
+/// One error compared with its proved bound.
 struct BoundCheck {
   double bound;    ///< finite
   double bound_u;  ///< over u p~; infinite where p~ is 0
   bool violated;   ///< the error is certainly beyond the bound
 };
 
-/// error / divisor / unit; 0 for error 0, whatever the divisor. An error over a divisor of 0 is infinite.
-inline double in_units(double error, double divisor, double unit = 1) {
-  const double quotient = error / divisor / unit;
-  return error == 0 ? 0 : quotient;
-}
-
-/// The amplifications of a trial that are known.
-using Amplifications = std::array<std::optional<double>, amplification_count>;
-
-/// Scales of one (curve, t); amplifications are computed when first asked for. Reusable.
+/// Scales of one (curve, t); amplifications are computed on first use. Reusable.
 class TrialScale {
  public:
   /// Sets the trial. Must be called before any other member.
@@ -115,7 +106,7 @@ class TrialScale {
   double t_ = 0;
   int dimension_ = 0;
   double largest_ = 0;
-  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|; empty until they are needed
+  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|; empty until their first use
   Weights weights_;
   ExactCurve exact_;
   Amplifications amplified_;

@@ -236,7 +236,7 @@ TEST(Amplification, OfTheCentredFormIsThatOfDifferencesAndMidpoints) {
     }
     // sum_i c_i C(n,i) |coefficients of (1/2+s)^i (1/2-s)^(n-i)| z^j
     double magnitudes = 0;
-    double of_n = 1;
+    double binomial_n = 1;
     for (std::size_t i = 0; i <= n; ++i) {
       std::vector<double> product{1};
       for (std::size_t k = 0; k < n; ++k) {
@@ -246,8 +246,8 @@ TEST(Amplification, OfTheCentredFormIsThatOfDifferencesAndMidpoints) {
         product[0] *= 0.5;
       }
       for (std::size_t j = 0; j <= n; ++j)
-        magnitudes += c[i] * of_n * std::abs(product[j]) * integer_power(z, static_cast<int>(j));
-      of_n = of_n * static_cast<double>(n - i) / static_cast<double>(i + 1);
+        magnitudes += c[i] * binomial_n * std::abs(product[j]) * integer_power(z, static_cast<int>(j));
+      binomial_n = binomial_n * static_cast<double>(n - i) / static_cast<double>(i + 1);
     }
     const double closed = amplification(Amplification::bernstein_to_centered, c, t);
     EXPECT_NEAR(closed / steps, 1, 1e-13) << t;

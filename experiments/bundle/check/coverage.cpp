@@ -109,8 +109,8 @@ std::string method_of(const DeclaredTable& declared, const CsvDocument& table, s
 /// Compares the rows of one table, which may be missing, with those that are planned. Of another build the table may lack
 /// what no method has there: studies may have learnt to ask more.
 Findings table_faults_of(const DeclaredTable& declared, const CsvDocument& planned, const CsvDocument* table,
-                         const MethodLists& methods, std::set<std::string, std::less<>> outside, bool is_of_other_build,
-                         const std::string& place) {
+                         const MethodLists& methods, std::set<std::string, std::less<>> external,
+                         bool is_of_other_build, const std::string& place) {
   auto keys = table == nullptr ? keys_of(declared, {&planned}) : keys_of(declared, {&planned, table});
   std::erase_if(keys, [&](const auto& key) { return declared.column(key)->is_of_machine; });
   std::set<Fields> all;
@@ -118,7 +118,7 @@ Findings table_faults_of(const DeclaredTable& declared, const CsvDocument& plann
   std::set<std::string, std::less<>> studies;
   for (std::size_t row = 0; row < planned.row_count(); ++row) {
     studies.insert(planned.at(row, declared.study));
-    outside.erase(method_of(declared, planned, row));  // what is planned of it is all that it has here
+    external.erase(method_of(declared, planned, row));  // what is planned of it is all that it has here
     const auto key = fields_of(planned, row, keys);
     all.insert(key);
     if (methods.is_ours(method_of(declared, planned, row))) missing.insert(key);
@@ -141,7 +141,7 @@ Findings table_faults_of(const DeclaredTable& declared, const CsvDocument& plann
     const bool is_foreign = methods.is_listed(method) && !(methods.is_known(method) && methods.is_ours(method));
     if (is_unlisted)
       foreign.add(fmt::format("{}:{}: {} does not list its method {}", place, table->line(row), methods_name, method));
-    else if (!all.contains(key) && !is_foreign && !outside.contains(method))
+    else if (!all.contains(key) && !is_foreign && !external.contains(method))
       foreign.add(fmt::format("{}:{}: suite.toml asks for no row with {}", place, table->line(row), words(keys, key)));
   }
   if (is_of_other_build) std::erase_if(missing, [&](const auto& key) { return !cells.contains(cell_of(key)); });
@@ -200,7 +200,7 @@ Findings coverage_faults(const Plan& plan, const TablesByName& tables, const std
     const auto found = tables.find(file);
     std::ranges::move(
         table_faults_of(*declared_table(file), planned, found == tables.end() ? nullptr : &found->second, methods,
-                        plan.outside, are_known && git_commit != plan.git_commit, place + "/" + file),
+                        plan.external, are_known && git_commit != plan.git_commit, place + "/" + file),
         std::back_inserter(findings));
   }
   std::ranges::move(unpaired_rows(tables, place), std::back_inserter(findings));

@@ -22,7 +22,7 @@ struct Plan {
   TablesByName rows;        ///< with their keys only; a study that has a row in a table has no others there
   std::string methods_csv;  ///< methods.csv as this build writes it
   std::string git_commit;   ///< of this build; "unknown" outside a repository
-  std::set<std::string, std::less<>> outside;  ///< methods from outside, which have further rows where they do not fail
+  std::set<std::string, std::less<>> external;  ///< external methods, which have further rows where they do not fail
 };
 
 /// The lines that tell where the rows of `tables` are not those of the plan, or a table does not have the rows that its

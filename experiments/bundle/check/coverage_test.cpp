@@ -20,7 +20,7 @@ const std::string list = "id,problem,form,bound\n";
 std::vector<std::string> faults(const std::string& rows, const std::string& methods,
                                 const std::string& commit = "unknown") {
   Plan plan;
-  plan.outside = {"plugin_p"};
+  plan.external = {"plugin_p"};
   plan.rows.emplace("guarantees.csv",
                     parse_csv(head + "s,a,double,2,1,finite\ns,b,double,2,1,finite\n", "guarantees.csv"));
   plan.methods_csv = list + "a,evaluation,bernstein,1 u\nb,evaluation,bernstein,2 u\n";
@@ -48,8 +48,8 @@ TEST(Coverage, OfNoOtherRows) {
   EXPECT_THAT(faults(good + "other,a,double,2,9,finite\n", a + b), IsEmpty());  // of which nothing is planned
 }
 
-/// In a table where none of its rows is planned, a method from outside has some where it did not fail.
-TEST(Coverage, OfMethodsFromOutsideWhereNoneIsPlanned) {
+/// In a table where none of its rows is planned, an external method has some where it did not fail.
+TEST(Coverage, OfExternalMethodsWhereNoneIsPlanned) {
   const std::string good = "s,a,double,2,1,finite\ns,b,double,2,1,finite\n";
   EXPECT_THAT(faults(good + "s,plugin_p,double,2,1,finite\n", a + b), IsEmpty());
   EXPECT_THAT(faults(good + "s,plugin_q,double,2,1,finite\n", a + b), ElementsAre(HasSubstr("method plugin_q")));

@@ -18,12 +18,7 @@
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/echo.hpp"
-#include "experiments/race/repetition.hpp"
-#include "experiments/studies/roster.hpp"
-#include "experiments/suite/kind.hpp"
-#include "experiments/suite/nearest.hpp"
-#include "experiments/suite/pattern.hpp"
+#include "experiments/race/race.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/text/writer.hpp"
 

@@ -5,18 +5,18 @@
 #include <span>
 
 #include "experiments/cli/command.hpp"
+#include "experiments/external/own_method.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/outside/own.hpp"
 
 namespace bezierbench::cli {
 
 /// `own`: methods that this program has beside those of the roster.
-void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> own);
+void add_run(Command program, Exit& exit, std::span<const external::OwnMethod> own);
 void add_merge(Command program, Exit& exit);
 void add_compare(Command program, Exit& exit);
-void add_list(Command program, Exit& exit, std::span<const outside::OwnMethod> own);
+void add_list(Command program, Exit& exit, std::span<const external::OwnMethod> own);
 void add_verify(Command program, Exit& exit);
-void add_replay(Command program, Exit& exit, std::span<const outside::OwnMethod> own);
+void add_replay(Command program, Exit& exit, std::span<const external::OwnMethod> own);
 void add_choose(Command program, Exit& exit);
 void add_check(Command program, Exit& exit);
 void add_trials(Command program, Exit& exit);

@@ -19,6 +19,7 @@
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/cli/terminal/fitted.hpp"
+#include "experiments/external/method.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
@@ -111,13 +112,13 @@ void add_kinds(Command list) {
 
 }  // namespace
 
-void add_list(Command program, Exit& /*exit*/, std::span<const outside::OwnMethod> own) {
+void add_list(Command program, Exit& /*exit*/, std::span<const external::OwnMethod> own) {
   auto format = std::make_shared<std::string>("text");
   auto list = program.command("list", "list methods, suites, studies, kinds of studies, generators");
   list.needs_command();
   const auto methods = [own] {
-    std::vector<suite::OutsideMethod> records;
-    for (const auto& method : own) records.push_back(outside::own(method, {}, nullptr)->record());
+    std::vector<suite::ExternalMethod> records;
+    for (const auto& method : own) records.push_back(external::own(method, {}, nullptr)->record());
     return methods_csv(records);
   };
   add_topic(list, "methods", "evaluators, converted paths and conversions", methods, format);

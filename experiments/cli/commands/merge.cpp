@@ -9,8 +9,7 @@
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/interruption.hpp"
-#include "experiments/run/run.hpp"
-#include "experiments/suite/outside.hpp"
+#include "experiments/suite/external.hpp"
 #include "experiments/suite/text/reader.hpp"
 
 namespace bezierbench::cli {
@@ -31,7 +30,7 @@ Exit merge(const MergeOptions& options) {
   const auto text = first.read_listed(name);
   const auto place = (first.path() / name).string();
   request.suites = suite::parse_suites(text, place, vocabulary());
-  record_outside(request, suite::parse_outside(text, place));
+  record_external(request, suite::parse_external(text, place));
   request.out = options.out;
   request.telling = options.quiet ? run::Telling::nothing : run::Telling::text;
   const auto telling = request.telling;

@@ -10,7 +10,7 @@
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/worst_record.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
-#include "experiments/cli/outside/outside_options.hpp"
+#include "experiments/cli/external/external_options.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/echo.hpp"
@@ -19,7 +19,7 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/studies/outside/outside.hpp"
+#include "experiments/studies/external/external.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -107,13 +107,13 @@ Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell
   return print_replay(id, record, cell, kernel, inputs, judge, judge.judge(*kernel, inputs));
 }
 
-/// Calls a method from outside again.
-Exit replay_outside(const std::string& id, const WorstRecord& record, const sample::Cell& cell,
-                    const outside::Methods& given) {
+/// Asks an external method again.
+Exit replay_external(const std::string& id, const WorstRecord& record, const sample::Cell& cell,
+                     const external::Methods& given) {
   const auto& name = record.text("method");
-  const auto* method = outside::find(given, name);
+  const auto* method = external::find(given, name);
   if (method == nullptr)
-    throw Failure(Exit::usage, fmt::format("{}: {} is a method from outside; give it with --plugin, --program or "
+    throw Failure(Exit::usage, fmt::format("{}: {} is an external method; give it with --plugin, --program or "
                                            "--answers",
                                            id, name));
   judge::TrialInputs<double> inputs(cell.form, cell);
@@ -125,12 +125,12 @@ Exit replay_outside(const std::string& id, const WorstRecord& record, const samp
                                       {inputs.t()},
                                       {curve.coefficients.begin(), curve.coefficients.end()},
                                       {curve.weights.begin(), curve.weights.end()}});
-  if (answer.status != outside::Status::ok) {
-    say(fmt::format("{}: {} at this input: {}; see docs/own_method.md", name, outside::name(answer.status),
+  if (answer.status != external::Status::ok) {
+    say(fmt::format("{}: {} at this input: {}; see docs/own_method.md", name, external::name(answer.status),
                     answer.detail));
     return Exit::finding;
   }
-  const studies::JudgedOutside judged(method->record(), cell.form, method);
+  const studies::JudgedExternal judged(method->record(), cell.form, method);
   const auto& kernel = judged.described(cell.dimension);
   judge::PointJudge<double> judge;
   return print_replay(id, record, cell, &kernel, inputs, judge,
@@ -205,7 +205,7 @@ Exit replay_property(const std::string& id, const WorstRecord& record, const sam
 
 }  // namespace
 
-void add_replay(Command program, Exit& exit, std::span<const outside::OwnMethod> own) {
+void add_replay(Command program, Exit& exit, std::span<const external::OwnMethod> own) {
   struct Options {
     std::string bundle;
     std::string id;
@@ -217,10 +217,10 @@ void add_replay(Command program, Exit& exit, std::span<const outside::OwnMethod>
   command.option("BUNDLE", options->bundle, "folder of the bundle").required();
   command.option("ID", options->id, "a worst_id, search_id or guarantee_id of the bundle").required();
   add_damaged(command, options->damaged);
-  auto outside = std::make_shared<OutsideOptions>(own);
-  outside->add(command);
+  auto external = std::make_shared<ExternalOptions>(own);
+  external->add(command);
   command.option("--answers", options->answers, "the file that `judge` read").takes(file_value);
-  command.action([options, outside, &exit] {
+  command.action([options, external, &exit] {
     bundle::CheckedReader reader(options->bundle, damage_of(options->damaged));
     const WorstRecord record = find_worst_record(reader, options->id);
     const auto cell = record.cell();
@@ -229,10 +229,10 @@ void add_replay(Command program, Exit& exit, std::span<const outside::OwnMethod>
       exit = replay_property(options->id, record, cell);
       return;
     }
-    if (suite::is_outside(record.text("method"))) {
-      auto given = outside->methods();
+    if (suite::is_external(record.text("method"))) {
+      auto given = external->methods();
       if (options->answers) given.push_back(read_answers(*options->answers, record.text("method")));
-      exit = replay_outside(options->id, record, cell, given);
+      exit = replay_external(options->id, record, cell, given);
       return;
     }
     exit = record.scalar() == suite::ScalarKind::float32 ? replay<float>(options->id, record, cell)

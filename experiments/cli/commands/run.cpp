@@ -13,7 +13,7 @@
 #include "experiments/cli/commands/kinds.hpp"
 #include "experiments/cli/commands/run_ending.hpp"
 #include "experiments/cli/commands/shard.hpp"
-#include "experiments/cli/outside/outside_options.hpp"
+#include "experiments/cli/external/external_options.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/this_build.hpp"
@@ -53,11 +53,11 @@ run::Telling telling_of(const RunOptions& options) {
   return options.progress == "json" ? run::Telling::json : run::Telling::text;
 }
 
-Exit run(const RunOptions& options, const OutsideOptions& outside) {
-  const auto methods = outside.methods();
+Exit run(const RunOptions& options, const ExternalOptions& external) {
+  const auto methods = external.methods();
   auto request = request_of_this_build(methods);
   auto known = vocabulary();
-  for (const auto& method : request.outside) known.methods.push_back(method.id);
+  for (const auto& method : request.external) known.methods.push_back(method.id);
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   request.telling = telling_of(options);
   if (request.telling == run::Telling::json) run::write_notes_as_json();
@@ -78,9 +78,9 @@ Exit run(const RunOptions& options, const OutsideOptions& outside) {
 
 }  // namespace
 
-void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> own) {
+void add_run(Command program, Exit& exit, std::span<const external::OwnMethod> own) {
   auto options = std::make_shared<RunOptions>();
-  auto outside = std::make_shared<OutsideOptions>(own);
+  auto external = std::make_shared<ExternalOptions>(own);
   auto command = program.command("run", "run suites into a bundle");
   options->suites.add_suites(command);
   command.option("--out", options->out, "folder of the bundle").required().takes(folder_value);
@@ -98,8 +98,8 @@ void add_run(Command program, Exit& exit, std::span<const outside::OwnMethod> ow
   command.option("--progress", options->progress, "progress on standard error: text, or one JSON object per line")
       .one_of({"text", "json"});
   command.footer("The keys of a [[study]] in a suite file:\n\n" + kinds_text());
-  outside->add(command);
-  command.action([options, outside, &exit] { exit = run(*options, *outside); });
+  external->add(command);
+  command.action([options, external, &exit] { exit = run(*options, *external); });
 }
 
 }  // namespace bezierbench::cli

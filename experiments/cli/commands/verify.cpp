@@ -38,7 +38,7 @@ void print_fine(const std::string& path) {
 bundle::Expected expected_of(const std::string& suite_text, const std::string& file_name) {
   auto request = request_of_this_build();
   request.suites = suite::parse_suites(suite_text, file_name, vocabulary_of_all_builds());
-  record_outside(request, suite::parse_outside(suite_text, file_name));
+  record_external(request, suite::parse_external(suite_text, file_name));
   return run::expected_of(request);
 }
 

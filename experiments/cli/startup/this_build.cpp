@@ -7,18 +7,18 @@
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/race/counters.hpp"
-#include "experiments/studies/outside/outside.hpp"
+#include "experiments/studies/external/external.hpp"
 #include "experiments/studies/roster.hpp"
 #include "git_facts.hpp"
 
 namespace bezierbench::cli {
 
-run::RunRequest request_of_this_build(const outside::Methods& outside) {
+run::RunRequest request_of_this_build(const external::Methods& external) {
   run::RunRequest request;
   request.kinds = {
       studies::make_job, studies::tables_of,
-      [outside](const suite::Study& study, const suite::OutsideMethod& method, const run::JobContext& context) {
-        return studies::outside_job(study, method, outside::find(outside, method.id), context);
+      [external](const suite::Study& study, const suite::ExternalMethod& method, const run::JobContext& context) {
+        return studies::external_job(study, method, external::find(external, method.id), context);
       },
       studies::why_unasked};
   request.counters = race::Counters().state();
@@ -28,15 +28,15 @@ run::RunRequest request_of_this_build(const outside::Methods& outside) {
   request.git_commit = git_commit;
   request.git_clean = git_clean;
   request.generators_csv = generators_csv();
-  std::vector<suite::OutsideMethod> records;
-  for (const auto& method : outside) records.push_back(method->record());
-  record_outside(request, std::move(records));
+  std::vector<suite::ExternalMethod> records;
+  for (const auto& method : external) records.push_back(method->record());
+  record_external(request, std::move(records));
   return request;
 }
 
-void record_outside(run::RunRequest& request, std::vector<suite::OutsideMethod> outside) {
-  request.outside = std::move(outside);
-  request.methods_csv = methods_csv(request.outside);
+void record_external(run::RunRequest& request, std::vector<suite::ExternalMethod> external) {
+  request.external = std::move(external);
+  request.methods_csv = methods_csv(request.external);
 }
 
 }  // namespace bezierbench::cli

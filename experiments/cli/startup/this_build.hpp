@@ -4,15 +4,15 @@
 
 #include <vector>
 
-#include "experiments/outside/method.hpp"
+#include "experiments/external/method.hpp"
 #include "experiments/run/run.hpp"
 
 namespace bezierbench::cli {
 
-/// A request with the facts of this build and the methods from outside filled in, and nothing else.
-run::RunRequest request_of_this_build(const outside::Methods& outside = {});
+/// A request with the facts of this build and the external methods filled in, and nothing else.
+run::RunRequest request_of_this_build(const external::Methods& external = {});
 
-/// Makes these the methods from outside that the request records.
-void record_outside(run::RunRequest& request, std::vector<suite::OutsideMethod> outside);
+/// Makes these the external methods that the request records.
+void record_external(run::RunRequest& request, std::vector<suite::ExternalMethod> external);
 
 }  // namespace bezierbench::cli

@@ -89,17 +89,17 @@ suite::Vocabulary vocabulary_of_all_builds() {
   return known;
 }
 
-std::string methods_csv(std::span<const suite::OutsideMethod> outside) {
+std::string methods_csv(std::span<const suite::ExternalMethod> external) {
   tables::Tables tables;
   for (const auto* info : every_method()) tables.add(row_of(*info));
-  for (const auto& method : outside)
+  for (const auto& method : external)
     tables.add(row_of({.id = method.id,
                        .label = method.label,
                        .form = method.form,
                        .min_degree = method.min_degree,
                        .max_degree = method.max_degree,
                        .flops = "not known",
-                       .citation = "from outside"}));
+                       .citation = "external method"}));
   return tables.table(methods_name).text();
 }
 

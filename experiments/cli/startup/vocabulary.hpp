@@ -8,7 +8,7 @@
 
 #include "core/method.hpp"
 #include "experiments/cli/command.hpp"
-#include "experiments/suite/outside.hpp"
+#include "experiments/suite/external.hpp"
 #include "experiments/suite/vocabulary.hpp"
 
 namespace bezierbench::cli {
@@ -24,7 +24,7 @@ suite::Vocabulary vocabulary();
 suite::Vocabulary vocabulary_of_all_builds();
 
 /// The table of `list methods --format csv`, which every bundle contains, with these methods at its end.
-std::string methods_csv(std::span<const suite::OutsideMethod> outside);
+std::string methods_csv(std::span<const suite::ExternalMethod> external);
 
 /// The table of `list generators --format csv`, which every bundle contains.
 std::string generators_csv();

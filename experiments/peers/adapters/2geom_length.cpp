@@ -26,10 +26,10 @@ ArcLength measure(const CurveView<double>& curve, double from, double to, double
   std::call_once(once, gsl_set_error_handler_off);  // or else it would end the program
   auto bezier = two_geom_curve(curve);
   if (from > 0 || to < 1) bezier = Geom::portion(bezier, from, to);
-  constexpr double least_tolerance = 50 * 0x1p-52;  // GSL refuses smaller ones, and the length would be 0
+  constexpr double min_tolerance = 50 * 0x1p-52;  // GSL refuses smaller ones, and the length would be 0
   ArcLength result;
   double untouched = 0;
-  Geom::length_integrating(bezier.toSBasis(), result.length, untouched, std::max(tolerance, least_tolerance));
+  Geom::length_integrating(bezier.toSBasis(), result.length, untouched, std::max(tolerance, min_tolerance));
   return result;
 }
 

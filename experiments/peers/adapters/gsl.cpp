@@ -16,7 +16,7 @@
 namespace bezierbench::peers {
 namespace {
 
-/// The library ends the program at its first error unless told otherwise.
+/// By default the library ends the program at its first error.
 void return_from_errors() { [[maybe_unused]] static auto* const handler_before = gsl_set_error_handler_off(); }
 
 struct Gsl {

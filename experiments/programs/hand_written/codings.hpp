@@ -11,7 +11,7 @@
 #include <utility>
 
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"  // of vectors that the target lacks; none leaves the unit that made it
+#pragma GCC diagnostic ignored "-Wpsabi"  // of vectors that the target does not have; they stay in this unit
 #endif
 
 namespace hand_written {
@@ -121,8 +121,8 @@ struct CompensatedHorner {
     for (int j = N - 1; j >= 0; --j) {
       const P product = p * on_axes;
       const P sum = product + q[j];
-      const P of_q = sum - product;
-      error = error * on_axes + (fused<P>(p, on_axes, -product) + ((product - (sum - of_q)) + (q[j] - of_q)));
+      const P q_part = sum - product;
+      error = error * on_axes + (fused<P>(p, on_axes, -product) + ((product - (sum - q_part)) + (q[j] - q_part)));
       p = sum;
     }
     return p + error;

@@ -25,14 +25,14 @@
 #include "experiments/programs/hand_written/codings.hpp"
 #include "experiments/programs/one_curve.hpp"
 #include "experiments/race/kernel_rival.hpp"
-#include "experiments/race/repetition.hpp"
+#include "experiments/race/race.hpp"
 
 namespace {
 
 using namespace bezierbench;
 
-constexpr double most_ratio = 1.15;
-constexpr std::size_t points_of_batch = 256;
+constexpr double max_ratio = 1.15;
+constexpr std::size_t batch_points = 256;
 
 /// The coefficients that a method prepared: the curve itself, or the only part of its state.
 template <class State>
@@ -77,8 +77,8 @@ struct Counts {
 
 /// Races both codings and prints a line. Returns whether the goal is met.
 template <class Scalar>
-bool race_of(const Kernel<Scalar>& ours, const Kernel<Scalar>& by_hand, int degree) {
-  const auto inputs = programs::one_curve<Scalar>(ours.info->form, ours.dimension, degree, points_of_batch);
+bool meets_goal(const Kernel<Scalar>& ours, const Kernel<Scalar>& by_hand, int degree) {
+  const auto inputs = programs::one_curve<Scalar>(ours.info->form, ours.dimension, degree, batch_points);
   const auto judged = programs::points_of(ours, inputs);
   std::vector<double> ratios;
   std::vector<double> times;
@@ -86,14 +86,14 @@ bool race_of(const Kernel<Scalar>& ours, const Kernel<Scalar>& by_hand, int degr
   for (std::size_t repetition = 0; repetition < race::repetitions_per_race; ++repetition) {
     const std::vector<race::Rival> rivals{race::kernel_rival(by_hand, suite::Mode::point, inputs, judged),
                                           race::kernel_rival(ours, suite::Mode::point, inputs, judged)};
-    const auto laps = race::with_stack_moved(
-        repetition, [&] { return race::race("hand_written", rivals, race::options_of_a_repetition()); });
-    ratios.push_back(race::median_ratio(laps[1], laps[0]));
-    times.push_back(race::median_ns(laps[1]));
-    same_bits = same_bits && laps[0].checked && laps[1].checked;
+    const auto rounds = race::with_stack_moved(
+        repetition, [&] { return race::time_rounds("hand_written", rivals, race::repetition_options()); });
+    ratios.push_back(race::median_ratio(rounds[1], rounds[0]));
+    times.push_back(race::median_ns(rounds[1]));
+    same_bits = same_bits && rounds[0].checked && rounds[1].checked;
   }
   const auto interval = metric::median_interval(ratios, metric::timing_confidence);
-  const bool met = same_bits && interval.low <= most_ratio;
+  const bool met = same_bits && interval.low <= max_ratio;
   fmt::print("{:<19} {:<6} {} {:>3} {:>8.2f} ns {:>6.2f} [{:.2f}, {:.2f}]  {}\n", ours.info->id,
              std::is_same_v<Scalar, double> ? "double" : "float", ours.dimension, degree, metric::median(times),
              interval.median, interval.low, interval.high,
@@ -108,7 +108,7 @@ void race_degrees(Counts& counts, std::integer_sequence<int, Degree...> /*degree
   const auto& ours = *find_kernel<Scalar>(Evaluator::info.id, Evaluator::info.form, Dimension);
   const auto count = [&](const Kernel<Scalar>& by_hand, int degree) {
     ++counts.cells;
-    if (!race_of(ours, by_hand, degree) && !race_of(ours, by_hand, degree)) ++counts.missed;
+    if (!meets_goal(ours, by_hand, degree) && !meets_goal(ours, by_hand, degree)) ++counts.missed;
   };
   (count(coded_kernel<Evaluator, Coding, Scalar, Dimension, Degree>(ours), Degree), ...);
 }

@@ -14,7 +14,7 @@
 #include "experiments/metric/verdict.hpp"
 #include "experiments/programs/one_curve.hpp"
 #include "experiments/race/kernel_rival.hpp"
-#include "experiments/race/repetition.hpp"
+#include "experiments/race/race.hpp"
 #include "experiments/race/sentinel.hpp"
 #include "experiments/suite/names.hpp"
 
@@ -23,17 +23,17 @@ namespace {
 using namespace bezierbench;
 
 constexpr int races = 100;
-constexpr int enough = 95;
-constexpr std::size_t points_of_batch = 16;  // so few that a turn is short
+constexpr int min_verdicts = 95;
+constexpr std::size_t batch_points = 16;  // so few that a round is short
 constexpr std::size_t batches = 33;
-constexpr std::size_t batches_if_slower = 34;
+constexpr std::size_t slower_batches = 34;
 
 /// A rival that does the work of `count` batches and reports the time of `batches`: more of the same work on the same
 /// memory.
 race::Rival rival_of(const Kernel<double>& kernel, suite::Mode mode, const race::Inputs<double>& inputs,
                      std::size_t count) {
   auto rival = race::kernel_rival(kernel, mode, inputs, programs::points_of(kernel, inputs));
-  rival.points_per_batch = points_of_batch * batches;
+  rival.points_per_batch = batch_points * batches;
   rival.run = [run = std::move(rival.run), count] {
     for (std::size_t k = 0; k < count; ++k) run();
   };
@@ -47,9 +47,9 @@ metric::Verdict verdict_of(const Kernel<double>& kernel, suite::Mode mode, const
   for (std::size_t repetition = 0; repetition < race::repetitions_per_race; ++repetition) {
     std::vector<race::Rival> rivals{rival_of(kernel, mode, inputs, batches), rival_of(kernel, mode, inputs, count)};
     std::ranges::copy(race::sentinels(), std::back_inserter(rivals));
-    const auto laps = race::with_stack_moved(
-        repetition, [&] { return race::race("honesty", rivals, race::options_of_a_repetition()); });
-    ratios.push_back(race::median_ratio(laps[1], laps[0]));
+    const auto times = race::with_stack_moved(
+        repetition, [&] { return race::time_rounds("honesty", rivals, race::repetition_options()); });
+    ratios.push_back(race::median_ratio(times[1], times[0]));
   }
   return metric::verdict(metric::median_interval(ratios, metric::timing_confidence));
 }
@@ -57,14 +57,15 @@ metric::Verdict verdict_of(const Kernel<double>& kernel, suite::Mode mode, const
 /// Runs 100 races, prints the counts of verdicts, and returns how often `expected` occurred.
 int count_of(std::string_view contest, suite::Mode mode, std::size_t count, metric::Verdict expected) {
   const auto& kernel = *find_kernel<double>("de_casteljau", Form::bernstein, 2);
-  const auto inputs = programs::one_curve<double>(Form::bernstein, 2, 10, points_of_batch);
+  const auto inputs = programs::one_curve<double>(Form::bernstein, 2, 10, batch_points);
   std::map<metric::Verdict, int> verdicts;
   for (int race = 0; race < races; ++race) ++verdicts[verdict_of(kernel, mode, inputs, count)];
   fmt::print("{:<16} {:<6}", contest, suite::name(mode));
   for (const auto verdict :
        {metric::Verdict::same, metric::Verdict::slower, metric::Verdict::faster, metric::Verdict::unresolved})
     fmt::print("  {} {:>3}", metric::name(verdict), verdicts[verdict]);
-  fmt::print("   {} {} at least: {}\n", metric::name(expected), enough, verdicts[expected] >= enough ? "yes" : "NO");
+  fmt::print("   {} {} at least: {}\n", metric::name(expected), min_verdicts,
+             verdicts[expected] >= min_verdicts ? "yes" : "NO");
   return verdicts[expected];
 }
 
@@ -73,8 +74,8 @@ int count_of(std::string_view contest, suite::Mode mode, std::size_t count, metr
 int main() {
   bool honest = true;
   for (const auto mode : {suite::Mode::point, suite::Mode::batch}) {
-    honest = count_of("against itself", mode, batches, metric::Verdict::same) >= enough && honest;
-    honest = count_of("3 % more work", mode, batches_if_slower, metric::Verdict::slower) >= enough && honest;
+    honest = count_of("against itself", mode, batches, metric::Verdict::same) >= min_verdicts && honest;
+    honest = count_of("3 % more work", mode, slower_batches, metric::Verdict::slower) >= min_verdicts && honest;
   }
   return honest ? 0 : 1;
 }

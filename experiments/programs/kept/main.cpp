@@ -6,13 +6,12 @@
 // on curves of full significands and half on the special ones of experiments/guarantees/draws.hpp.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -23,6 +22,7 @@
 #include "experiments/guarantees/draws.hpp"
 #include "experiments/guarantees/statements.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/programs/pieces.hpp"
 
 namespace {
 
@@ -37,6 +37,12 @@ constexpr std::array degrees{1, 2, 3, 5, 10};
 struct Counts {
   long inputs = 0;
   long broken = 0;
+
+  Counts& operator+=(const Counts& more) {
+    inputs += more.inputs;
+    broken += more.broken;
+    return *this;
+  }
 };
 
 /// Prints the first few inputs that break a property.
@@ -173,59 +179,26 @@ class Trials {
 
 struct Options {
   long inputs = 1'000'000'000;
-  long threads = std::max(1U, std::thread::hardware_concurrency());
-  long seed = 1;
+  unsigned threads = std::thread::hardware_concurrency();
+  std::uint64_t seed = 1;
   std::string method;  ///< empty: all that are said to keep the six
-
-  bool read(int count, char** arguments) {
-    for (int k = 1; k < count; k += 2) {
-      const std::string_view option(arguments[k]);
-      if (k + 1 < count && option == "--method") {
-        method = arguments[k + 1];
-        continue;
-      }
-      long* value = option == "--inputs"    ? &inputs
-                    : option == "--threads" ? &threads
-                    : option == "--seed"    ? &seed
-                                            : nullptr;
-      const auto number = k + 1 < count ? number::parse_integer(arguments[k + 1]) : std::nullopt;
-      if (value == nullptr || !number || *number < 1) {
-        fmt::print(stderr, "{}: give --inputs, --threads or --seed with a positive number, or --method with an id\n",
-                   option);
-        return false;
-      }
-      *value = *number;
-    }
-    return true;
-  }
 };
 
-/// Curves of `pieces` counters, dealt to threads; which thread has one changes nothing.
 template <class Scalar>
 Counts tried(const Kernel<Scalar>& kernel, Property property, int degree, long inputs, const Options& options) {
-  constexpr long inputs_of_piece = 1 << 14;
-  std::atomic<long> next = 0;
-  std::mutex mutex;
-  Counts all;
-  const auto work = [&] {
+  constexpr long inputs_per_piece = 1 << 14;
+  const long pieces = (inputs + inputs_per_piece - 1) / inputs_per_piece;
+  return programs::sum_of_pieces(pieces, options.threads, [&](long piece) {
+    sample::Words words(options.seed, static_cast<std::uint64_t>(property),
+                        static_cast<std::uint64_t>(degree) * 2 + (sizeof(Scalar) == sizeof(float) ? 1 : 0),
+                        static_cast<std::uint64_t>(piece));
+    guarantees::Draws<Scalar> draws(words);
     Trials<Scalar> trials(kernel, property, degree);
-    Counts own;
-    for (long piece = next++; piece * inputs_of_piece < inputs; piece = next++) {
-      sample::Words words(static_cast<std::uint64_t>(options.seed), static_cast<std::uint64_t>(property),
-                          static_cast<std::uint64_t>(degree) * 2 + (sizeof(Scalar) == sizeof(float) ? 1 : 0),
-                          static_cast<std::uint64_t>(piece));
-      guarantees::Draws<Scalar> draws(words);
-      const long most = own.inputs + std::min(inputs_of_piece, inputs - piece * inputs_of_piece);
-      for (bool special = false; own.inputs < most; special = !special) trials.add_curve(draws, special, own);
-    }
-    const std::scoped_lock lock(mutex);
-    all.inputs += own.inputs;
-    all.broken += own.broken;
-  };
-  std::vector<std::thread> threads;
-  for (long k = 0; k < options.threads; ++k) threads.emplace_back(work);
-  for (auto& thread : threads) thread.join();
-  return all;
+    Counts counts;
+    const long end = std::min(inputs_per_piece, inputs - piece * inputs_per_piece);
+    for (bool special = false; counts.inputs < end; special = !special) trials.add_curve(draws, special, counts);
+    return counts;
+  });
 }
 
 bool is_said_to_keep(const MethodInfo& method) {
@@ -241,11 +214,7 @@ void try_methods(const Options& options, Property property,
     if (options.method.empty() ? !is_said_to_keep(*kernel.info) : kernel.info->id != options.method) continue;
     auto found = std::ranges::find(by_method, kernel.info->id, [](const auto& one) { return one.first; });
     if (found == by_method.end()) found = by_method.insert(found, {kernel.info->id, Counts()});
-    for (const int degree : degrees) {
-      const auto counts = tried<Scalar>(kernel, property, degree, each, options);
-      found->second.inputs += counts.inputs;
-      found->second.broken += counts.broken;
-    }
+    for (const int degree : degrees) found->second += tried<Scalar>(kernel, property, degree, each, options);
   }
 }
 
@@ -253,7 +222,12 @@ void try_methods(const Options& options, Property property,
 
 int main(int count, char** arguments) {
   Options options;
-  if (!options.read(count, arguments)) return 2;
+  CLI::App app("Does an input refute the evaluators that are said to keep six properties?");
+  app.add_option("--inputs", options.inputs, "inputs of each property")->check(CLI::PositiveNumber);
+  app.add_option("--threads", options.threads)->check(CLI::PositiveNumber);
+  app.add_option("--seed", options.seed);
+  app.add_option("--method", options.method, "id of an evaluator; default: all that are said to keep the six");
+  CLI11_PARSE(app, count, arguments);
   bool refuted = false;
   bool tried_any = false;
   for (const Property property : kept) {

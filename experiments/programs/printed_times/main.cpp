@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Times the methods of table 2.4 of [Report 001] coded as it describes them, for scripts/check printed_times: points with
 // operators in containers, tables of factorials and powers made in each call (sections 1.1 to 1.4), and a conversion for
-// each point. It includes nothing of core: what is measured is this coding, compiled with and without optimisation.
+// each point. It includes no header of core: it measures this coding, compiled with and without optimisation.
 //
-// printed_times [ROUNDS]   prints form,method,degree,ms: the least processor time of 1000 evaluations, each of a curve of
+// printed_times [ROUNDS]   prints curve,method,degree,ms: the minimum processor time of 1000 evaluations, each of a curve of
 // its own
 #include <algorithm>
 #include <cmath>
@@ -43,11 +43,11 @@ std::vector<double> powers(double base, std::size_t n) {
 Point direct(const Points& b, double t) {
   const std::size_t n = b.size() - 1;
   const auto factorial = factorials(n);
-  const auto of_t = powers(t, n);
-  const auto of_rest = powers(1 - t, n);
+  const auto t_powers = powers(t, n);
+  const auto s_powers = powers(1 - t, n);
   Point sum{0, 0};
   for (std::size_t i = 0; i <= n; ++i) {
-    const double basis = factorial[n] / (factorial[i] * factorial[n - i]) * of_t[i] * of_rest[n - i];
+    const double basis = factorial[n] / (factorial[i] * factorial[n - i]) * t_powers[i] * s_powers[n - i];
     sum = sum + basis * b[i];
   }
   return sum;
@@ -147,17 +147,17 @@ int main(int count, char** arguments) {
   std::cout << "form,method,degree,ms\n";
   for (const std::size_t degree : {4, 8, 12, 16, 20}) {
     const Problem given = problem(degree);
-    std::vector<double> least(methods.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> min_ms(methods.size(), std::numeric_limits<double>::infinity());
     std::vector<Points> found(methods.size(), Points(curves));
     for (int round = 0; round < rounds; ++round)
       for (std::size_t m = 0; m < methods.size(); ++m) {
         const std::clock_t begin = std::clock();
         for (std::size_t k = 0; k < curves; ++k) found[m][k] = methods[m].evaluate(given.points[k], given.t[k]);
-        least[m] = std::min(least[m], 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+        min_ms[m] = std::min(min_ms[m], 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
       }
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      std::cout << methods[m].form << ',' << methods[m].name << ',' << degree << ',' << least[m] << '\n';
-      const std::size_t first = methods[m].form == "bernstein" ? 0 : 3;
+      std::cout << methods[m].curve << ',' << methods[m].name << ',' << degree << ',' << min_ms[m] << '\n';
+      const std::size_t first = methods[m].curve == "bezier" ? 0 : 3;
       for (std::size_t k = 0; k < curves; ++k) {
         const Point apart = found[m][k] - found[first][k];
         if (!(std::hypot(apart.x, apart.y) <= alike * range)) {

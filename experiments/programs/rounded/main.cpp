@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Is every result of `correctly_rounded` the number nearest to the exact value? Random points against the certified
-// reference, random points and hard cases against the integers of the reference; how often each stage was needed.
+// reference, random points and hard cases against the integers of the reference; how often each stage decided.
 // bezierbench_rounded [--random N] [--integers N] [--hard N] [--threads N] [--seed N]; exit 1 where one is misrounded.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <functional>
-#include <map>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -23,6 +20,7 @@
 #include "core/evaluate/methods/correctly_rounded.hpp"
 #include "core/evaluate/methods/correctly_rounded_power.hpp"
 #include "experiments/number/number.hpp"
+#include "experiments/programs/pieces.hpp"
 #include "experiments/studies/hard_cases/families.hpp"
 #include "reference/certified_points.hpp"
 #include "reference/exact_curve.hpp"
@@ -57,7 +55,7 @@ struct Counts {
 template <class Scalar>
 constexpr reference::Format format = sizeof(Scalar) == sizeof(double) ? reference::binary64 : reference::binary32;
 
-/// Prints the first few of those that are wrong.
+/// Prints the first wrong ones.
 template <class Scalar>
 void judge(Counts& counts, Scalar ours, double right, Form form, int degree, Scalar t) {
   ++counts.points;
@@ -131,7 +129,7 @@ class RandomCurve {
   }
   [[nodiscard]] CurveView<double> view() const { return {E::info.form, dimension, degree_, drawn_}; }
 
-  /// What the certified values leave open, or all where there are none, the integers say.
+  /// The integers decide what the certified values leave open, or everything without certified values.
   void judge_one(Counts& counts, std::size_t k, const std::optional<reference::CertifiedPoint>& certified) {
     count_stage<E>(counts, prepared_, t_[k]);
     for (int axis = 0; axis < dimension; ++axis) {
@@ -178,24 +176,6 @@ void judge_hard_case(Counts& counts, const studies::hard::HardCase<Scalar>& hard
         hard.t);
 }
 
-/// Deals numbered pieces of work to threads; the counts depend on the pieces only.
-Counts dealt(long pieces, unsigned threads, const std::function<Counts(long piece)>& work) {
-  Counts total;
-  std::mutex guard;
-  std::atomic<long> next = 0;
-  std::vector<std::jthread> workers;
-  for (unsigned k = 0; k < threads; ++k)
-    workers.emplace_back([&] {
-      for (long piece = next++; piece < pieces; piece = next++) {
-        const auto counts = work(piece);
-        const std::lock_guard lock(guard);
-        total += counts;
-      }
-    });
-  workers.clear();
-  return total;
-}
-
 bool report(std::string_view what, const Counts& counts) {
   fmt::print("{:<42} {:>12} points  {:>4} misrounded   pair {:>12}   p~ {:>9}   integers {:>9}", what, counts.points,
              counts.misrounded, counts.by_pair, counts.by_p_tilde, counts.by_integers);
@@ -205,63 +185,46 @@ bool report(std::string_view what, const Counts& counts) {
 }
 
 struct Options {
-  std::map<std::string, long> values{{"--random", 1'000'000'000},
-                                     {"--integers", 10'000'000},
-                                     {"--hard", 100'000},
-                                     {"--threads", std::thread::hardware_concurrency()},
-                                     {"--seed", 1}};
-
-  /// False, with a line that says why, for what is no option.
-  bool read(int count, char** arguments) {
-    for (int k = 1; k < count; k += 2) {
-      const auto found = values.find(arguments[k]);
-      const auto value = k + 1 < count ? number::parse_number(arguments[k + 1]) : std::nullopt;
-      if (found == values.end() || !value || !(*value >= 0 && *value < 1e15)) {
-        fmt::print(stderr, "rounded: {}: takes --random, --integers, --hard, --threads or --seed and a number\n",
-                   arguments[k]);
-        return false;
-      }
-      found->second = static_cast<long>(*value);
-    }
-    return true;
-  }
+  long random = 1'000'000'000;
+  long integers = 10'000'000;
+  long hard = 100'000;
+  unsigned threads = std::thread::hardware_concurrency();
+  std::uint64_t seed = 1;
 };
 
 template <class E>
-bool check_random(Options& options, bool certified) {
-  constexpr long points_of_curve = 256;
-  constexpr long curves_of_piece = 16;
-  const auto seed = static_cast<std::uint64_t>(options.values["--seed"]);
-  const long all = options.values[certified ? "--random" : "--integers"] / 2;  // half of them in each form
+bool check_random(const Options& options, bool certified) {
+  constexpr long points_per_curve = 256;
+  constexpr long curves_per_piece = 16;
+  const long all = (certified ? options.random : options.integers) / 2;  // half of them in each form
   const auto pieces =
-      (all + points_of_curve * curves_of_piece * dimension - 1) / (points_of_curve * curves_of_piece * dimension);
-  const auto counts = dealt(pieces, static_cast<unsigned>(options.values["--threads"]), [&](long piece) {
-    Draw<double> draw({seed, certified ? 0U : 1U, 0, static_cast<std::uint64_t>(piece)});
-    Counts of_piece;
-    for (long k = 0; k < curves_of_piece; ++k) {
-      RandomCurve<E> curve(draw, points_of_curve);
-      certified ? curve.against_certified(of_piece) : curve.against_integers(of_piece);
+      (all + points_per_curve * curves_per_piece * dimension - 1) / (points_per_curve * curves_per_piece * dimension);
+  const auto counts = programs::sum_of_pieces(pieces, options.threads, [&](long piece) {
+    Draw<double> draw({options.seed, certified ? 0U : 1U, 0, static_cast<std::uint64_t>(piece)});
+    Counts counts_of_piece;
+    for (long k = 0; k < curves_per_piece; ++k) {
+      RandomCurve<E> curve(draw, points_per_curve);
+      certified ? curve.against_certified(counts_of_piece) : curve.against_integers(counts_of_piece);
     }
-    return of_piece;
+    return counts_of_piece;
   });
   return report(fmt::format("{}: random, against {}", name(E::info.form), certified ? "certified" : "integers"),
                 counts);
 }
 
 template <class E, class Scalar>
-bool check_hard(Options& options) {
-  constexpr long cases_of_piece = 1000;
-  const auto seed = static_cast<std::uint64_t>(options.values["--seed"]);
-  const long pieces = (options.values["--hard"] + cases_of_piece - 1) / cases_of_piece;
+bool check_hard(const Options& options) {
+  constexpr long cases_per_piece = 1000;
+  const long pieces = (options.hard + cases_per_piece - 1) / cases_per_piece;
   bool right = true;
   for (const auto& family : studies::hard::families<Scalar>) {
-    const auto counts = dealt(pieces, static_cast<unsigned>(options.values["--threads"]), [&](long piece) {
-      Draw<Scalar> draw({seed, 2, 0, static_cast<std::uint64_t>(piece)});
+    const auto counts = programs::sum_of_pieces(pieces, options.threads, [&](long piece) {
+      Draw<Scalar> draw({options.seed, 2, 0, static_cast<std::uint64_t>(piece)});
       reference::ExactCurve exact;
-      Counts of_piece;
-      for (long k = 0; k < cases_of_piece; ++k)
-        judge_hard_case<E, Scalar>(of_piece, family.draw(draw, E::info.form), exact);
-      return of_piece;
+      Counts counts_of_piece;
+      for (long k = 0; k < cases_per_piece; ++k)
+        judge_hard_case<E, Scalar>(counts_of_piece, family.draw(draw, E::info.form), exact);
+      return counts_of_piece;
     });
     const auto what =
         fmt::format("{}, {}: {}", name(E::info.form), sizeof(Scalar) == 8 ? "double" : "float", family.name);
@@ -274,7 +237,13 @@ bool check_hard(Options& options) {
 
 int main(int count, char** arguments) {
   Options options;
-  if (!options.read(count, arguments)) return 2;
+  CLI::App app("Is every result of `correctly_rounded` the number nearest to the exact value?");
+  app.add_option("--random", options.random, "random coordinates against the certified reference");
+  app.add_option("--integers", options.integers, "random coordinates against the integers of the reference");
+  app.add_option("--hard", options.hard, "hard cases of each family");
+  app.add_option("--threads", options.threads);
+  app.add_option("--seed", options.seed);
+  CLI11_PARSE(app, count, arguments);
   bool right = true;
   for (const bool certified : {true, false}) {
     right = check_random<CorrectlyRounded>(options, certified) && right;

@@ -73,7 +73,7 @@ class AccuracyJob final : public run::JobOf<judge::CellTally> {
   }
 
   suite::Study study_;
-  std::deque<Cell> cells_;  ///< which never move: what a cell judges with refers to it
+  std::deque<Cell> cells_;  ///< elements must not move: a cell holds references to itself
 };
 
 std::unique_ptr<run::Job> accuracy_job(const suite::Study& study, const run::JobContext& context) {
@@ -83,7 +83,7 @@ std::unique_ptr<run::Job> accuracy_job(const suite::Study& study, const run::Job
 constexpr std::array accuracy_fields{
     suite::field<&suite::Study::decomposed_trials>(
         {.key = "decomposed_trials",
-         .meaning = "so many trials of the first replicate of a cell have their error taken apart by its sources",
+         .meaning = "number of trials of the first replicate of a cell whose error is decomposed by its sources",
          .example = "100",
          .left_out = "0"}),
     suite::field<&suite::Study::published>(suite::published_key)};

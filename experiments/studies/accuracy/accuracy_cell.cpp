@@ -34,38 +34,40 @@ struct Column {
 };
 
 template <auto Member, Statistic Of>
-constexpr auto of_judgement = [](const Statistics& s) { return field(s.judgement.*Member, Of); };
+constexpr auto judgement_field = [](const Statistics& s) { return field(s.judgement.*Member, Of); };
 template <auto Member, Statistic Of>
-constexpr auto of_sources = [](const Statistics& s) { return field(s.judgement.sources.*Member, Of); };
+constexpr auto source_field = [](const Statistics& s) { return field(s.judgement.sources.*Member, Of); };
 template <Statistic Of>
-constexpr auto of_condition = [](const Statistics& s) { return s.exact ? field(s.condition, Of) : tables::Field(); };
+constexpr auto condition_field = [](const Statistics& s) { return s.exact ? field(s.condition, Of) : std::string(); };
 
 constexpr Column columns[]{
-    {"mean_error", of_judgement<&judge::Judgement::error, mean>},
-    {"rms_error", of_judgement<&judge::Judgement::error, root_mean_square>},
-    {"p50_error", of_judgement<&judge::Judgement::error, median>},
-    {"p99_error", of_judgement<&judge::Judgement::error, p99>},
-    {"max_error", of_judgement<&judge::Judgement::error, largest>},
-    {"mean_error_u", of_judgement<&judge::Judgement::error_u, mean>},
-    {"max_error_u", of_judgement<&judge::Judgement::error_u, largest>},
-    {"bound_u", [](const Statistics& s) { return s.bounded() ? field(s.judgement.bound_u) : tables::Field(); }},
+    {"mean_error", judgement_field<&judge::Judgement::error, mean>},
+    {"rms_error", judgement_field<&judge::Judgement::error, root_mean_square>},
+    {"p50_error", judgement_field<&judge::Judgement::error, median>},
+    {"p99_error", judgement_field<&judge::Judgement::error, p99>},
+    {"max_error", judgement_field<&judge::Judgement::error, largest>},
+    {"mean_error_u", judgement_field<&judge::Judgement::error_u, mean>},
+    {"max_error_u", judgement_field<&judge::Judgement::error_u, largest>},
+    {"bound_u",
+     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound_u.value) : std::string(); }},
     {"bound_violations",
-     [](const Statistics& s) { return s.bounded() ? field(s.judgement.violations) : tables::Field(); }},
-    {"non_finite", [](const Statistics& s) { return field(s.judgement.non_finite); }},
-    {"mean_error_ulp", of_judgement<&judge::Judgement::error_ulp, mean>},
-    {"max_error_ulp", of_judgement<&judge::Judgement::error_ulp, largest>},
-    {"mean_relative", of_judgement<&judge::Judgement::relative, mean>},
-    {"p50_relative", of_judgement<&judge::Judgement::relative, median>},
-    {"max_relative", of_judgement<&judge::Judgement::relative, largest>},
-    {"p50_condition", of_condition<median>},
-    {"max_condition", of_condition<largest>},
-    {"mean_conversion_error", of_sources<&judge::SourceTallies::conversion, mean>},
-    {"max_conversion_error", of_sources<&judge::SourceTallies::conversion, largest>},
-    {"mean_one_minus_t_error", of_sources<&judge::SourceTallies::one_minus_t, mean>},
-    {"max_one_minus_t_error", of_sources<&judge::SourceTallies::one_minus_t, largest>},
-    {"mean_evaluation_error", of_sources<&judge::SourceTallies::evaluation, mean>},
-    {"max_evaluation_error", of_sources<&judge::SourceTallies::evaluation, largest>},
-    {"max_bound", [](const Statistics& s) { return s.bounded() ? field(s.judgement.bound) : tables::Field(); }},
+     [](const Statistics& s) { return s.bounded() ? std::to_string(s.judgement.violations.count) : std::string(); }},
+    {"non_finite", [](const Statistics& s) { return std::to_string(s.judgement.non_finite); }},
+    {"mean_error_ulp", judgement_field<&judge::Judgement::error_ulp, mean>},
+    {"max_error_ulp", judgement_field<&judge::Judgement::error_ulp, largest>},
+    {"mean_relative", judgement_field<&judge::Judgement::relative, mean>},
+    {"p50_relative", judgement_field<&judge::Judgement::relative, median>},
+    {"max_relative", judgement_field<&judge::Judgement::relative, largest>},
+    {"p50_condition", condition_field<median>},
+    {"max_condition", condition_field<largest>},
+    {"mean_conversion_error", source_field<&judge::SourceTallies::conversion, mean>},
+    {"max_conversion_error", source_field<&judge::SourceTallies::conversion, largest>},
+    {"mean_one_minus_t_error", source_field<&judge::SourceTallies::one_minus_t, mean>},
+    {"max_one_minus_t_error", source_field<&judge::SourceTallies::one_minus_t, largest>},
+    {"mean_evaluation_error", source_field<&judge::SourceTallies::evaluation, mean>},
+    {"max_evaluation_error", source_field<&judge::SourceTallies::evaluation, largest>},
+    {"max_bound",
+     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound.value) : std::string(); }},
     {"unbounded_trials", [](const Statistics& s) {
        return s.exact ? field(s.trials - static_cast<std::int64_t>(s.judgement.bounded)) : tables::Field();
      }}};
@@ -236,7 +238,7 @@ void AccuracyCell<Scalar>::write_reference(std::size_t method, const judge::Cell
   std::uint64_t own_kernel = 0;
   for (std::size_t k = 0; k < methods_.baseline_count(); ++k)
     if (methods_.judged(method, k))
-      own_kernel = tally.judgements[methods_.index(method, k)].own_kernel;  // the same of every baseline
+      own_kernel = tally.judgements[methods_.index(method, k)].own_kernel;  // equal for every baseline
   tables.add(reference_row(method)
                  .set("tier", reference::name(tier_))
                  .set("escalated", tally.escalated)

@@ -12,7 +12,6 @@
 #include "experiments/judge/cell_tally.hpp"
 #include "experiments/judge/group_judge.hpp"
 #include "experiments/judge/judged_methods.hpp"
-#include "experiments/judge/judgement.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/run/job.hpp"
@@ -35,7 +34,7 @@ struct Statistics {
   [[nodiscard]] bool bounded() const { return judgement.bounded > 0; }
 };
 
-/// Sets the statistics of a row of accuracy.csv or unstable.csv: what stands after `status`. What is measured against
+/// Sets the statistics of a row of accuracy.csv or unstable.csv: those after `status`. What is measured against
 /// the exact reference only is empty for other baselines.
 void set_statistics(tables::Row& row, const Statistics& statistics);
 
@@ -87,7 +86,7 @@ class AccuracyCell {
   reference::Tier tier_;
   sample::Sampler sampler_;
   judge::JudgedMethods<Scalar> methods_;
-  judge::GroupJudge<Scalar> judge_;  ///< refers to what stands before it
+  judge::GroupJudge<Scalar> judge_;  ///< refers to the members before it
 };
 
 }  // namespace bezierbench::studies

@@ -259,7 +259,7 @@ TEST(Accuracy, CountsTrialsWithoutABound) {
                                                         {"wozny_chudy_positive", std::to_string(outside)}}));
 }
 
-/// Groups of trials go through kernels of their own, where a method has them, but for the first of each block.
+/// Groups of trials go through kernels of their own, where a method has them, except the first group of each block.
 TEST(Accuracy, CountsTrialsOfTheKernelThatIsTimed) {
   auto study = small_accuracy_study();  // 2 replicates of 3 blocks
   study.degree = {3};

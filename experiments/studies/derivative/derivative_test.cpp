@@ -79,12 +79,12 @@ TEST(DerivativeStudy, RefusesWhatItCannotDo) {
   auto single = small_derivative_study();
   single.scalar = {suite::ScalarKind::float32};
   EXPECT_THROW(make_job(single, {1}), Failure);
-  auto of_points = small_derivative_study();
-  of_points.methods = {"de_casteljau"};
-  EXPECT_THROW(make_job(of_points, {1}), Failure);
-  auto of_another_form = small_derivative_study();
-  of_another_form.methods = {"power_derivative"};
-  EXPECT_THROW(make_job(of_another_form, {1}), Failure);
+  auto for_points = small_derivative_study();
+  for_points.methods = {"de_casteljau"};
+  EXPECT_THROW(make_job(for_points, {1}), Failure);
+  auto other_form = small_derivative_study();
+  other_form.methods = {"power_derivative"};
+  EXPECT_THROW(make_job(other_form, {1}), Failure);
 }
 
 }  // namespace

@@ -19,7 +19,6 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/interruption.hpp"
-#include "experiments/studies/exhaustive/float_range.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/exhaustive/named_curves.hpp"
 #include "experiments/studies/roster.hpp"
@@ -241,8 +240,7 @@ std::vector<const NamedCurve*> ExhaustiveJob::chosen_curves() const {
   for (const auto& curve : named_curves()) ids.push_back(curve.id);
   for (std::size_t k = 0; k < patterns.size(); ++k)
     if (std::ranges::none_of(ids, [&](auto id) { return suite::matches(patterns[k], id); }))
-      suite::refuse(study_,
-                    {"curves", k, {}, fmt::format("no curve has this name; there are {}", fmt::join(ids, ", "))});
+      suite::refuse(study_, {"curves", k, {}, fmt::format("unknown curve; available are {}", fmt::join(ids, ", "))});
   std::vector<const NamedCurve*> chosen;
   for (const auto& curve : named_curves())
     if (std::ranges::any_of(patterns, [&](const auto& pattern) { return suite::matches(pattern, curve.id); }))

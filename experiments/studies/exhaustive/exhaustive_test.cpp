@@ -10,7 +10,6 @@
 #include "experiments/failure.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/studies/exhaustive/float_range.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/exhaustive/named_curves.hpp"
 #include "experiments/studies/roster.hpp"
@@ -178,7 +177,7 @@ TEST(FloatJudge, CountsNumbersThatAreNotFinite) {
   judge.begin(1);
   judge.add_axis(AxisLimits(control), truth, values.data() + 3, nullptr);
   judge.end(7, finite);
-  EXPECT_EQ(finite.max_error, (0x1p127 + 1) * 0x1p23);  // beyond all floats
+  EXPECT_EQ(finite.max_error, (0x1p127 + 1) * 0x1p23);  // above the largest float
   EXPECT_EQ(finite.worst_t, 7U);
 }
 

@@ -28,7 +28,7 @@ std::uint64_t count_of(Finding finding, const std::int32_t* findings, std::size_
   return static_cast<std::uint64_t>(sum);
 }
 
-/// The error in double, for one that is beyond all floats; infinite where the value is not finite.
+/// The error in double, for one above the largest float; infinite where the value is not finite.
 double wide_error(const reference::FloatValues& truth, std::size_t k, float value) {
   if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
   const double distance = double{value} - double{truth.nearest[k]};

@@ -1,19 +1,48 @@
 // SPDX-License-Identifier: MIT
-// What is counted of the values of one method at consecutive floats t.
+// All floats of an interval in [0, 1] in ascending order, and the counts over the values of one method at consecutive
+// floats t.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "experiments/suite/suite.hpp"
 #include "reference/float_values.hpp"
 
 namespace bezierbench::studies {
 
-/// The counts are of points, or of steps from a t to the next, whatever number of coordinates is concerned.
+/// Floats that are not negative are in the order of their bits.
+inline float float_of(std::uint32_t bits) { return std::bit_cast<float>(bits); }
+
+/// The floats from `first` to `last`, by their bits.
+struct FloatRange {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+
+  [[nodiscard]] std::uint64_t count() const { return std::uint64_t{last} - first + 1; }
+};
+
+/// The floats of the interval, 0 <= min <= max <= 1; empty where there is none.
+inline std::optional<FloatRange> floats_in(const suite::Interval& interval) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint32_t>(static_cast<float>(x + 0.0)); };
+  std::uint32_t first = bits(interval.min);
+  std::uint32_t last = bits(interval.max);
+  if (double{float_of(first)} < interval.min) ++first;
+  if (double{float_of(last)} > interval.max) {
+    if (last == 0) return std::nullopt;
+    --last;
+  }
+  if (first > last) return std::nullopt;
+  return FloatRange{first, last};
+}
+
+/// The counts are of points, or of steps from a t to the next, for any number of coordinates.
 struct FloatTally {
   std::uint64_t misrounded = 0;
   std::uint64_t non_monotone = 0;
@@ -29,7 +58,7 @@ struct FloatTally {
   void merge(const FloatTally& other);
 };
 
-/// What a coordinate is held to.
+/// The limits of a coordinate.
 struct AxisLimits {
   float low = 0;  ///< the interval of the control coordinates
   float high = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The named curves of exhaustive studies: named_curves.csv beside this file, which travels inside the program.
+// The named curves of exhaustive studies: named_curves.csv beside this file, which is embedded in the program.
 #pragma once
 
 #include <string>

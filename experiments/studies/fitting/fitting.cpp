@@ -44,8 +44,8 @@ bool exceeds(const reference::Rational& squared, double distance) {
 
 /// Whether a fit keeps what methods promise, given the square of its true distance.
 bool right(const reference::Rational& squared, double tolerance, const reference::Departure& departure) {
-  constexpr double longest_handle = 3 * (1 + 0x1p-40);  // up to the roundings of both
-  return !exceeds(squared, tolerance) && departure.over_limit <= 1 && departure.handle <= longest_handle;
+  constexpr double max_handle = 3 * (1 + 0x1p-40);  // up to the roundings of both
+  return !exceeds(squared, tolerance) && departure.over_limit <= 1 && departure.handle <= max_handle;
 }
 
 /// The number of data points whose place on the curve is before that of the point before.

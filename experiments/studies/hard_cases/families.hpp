@@ -100,7 +100,7 @@ HardCase<Scalar> cancellation(Draw<Scalar>& draw, Form form) {
 }
 
 template <class Scalar, class Of>
-HardCase<Scalar> of_each(Draw<Scalar>& draw, const Of& of) {
+HardCase<Scalar> case_of_values(Draw<Scalar>& draw, const Of& of) {
   HardCase<Scalar> drawn;
   const int degree = draw.between(0, 20);
   for (int i = 0; i <= degree; ++i) drawn.coefficients.push_back(of());
@@ -110,7 +110,7 @@ HardCase<Scalar> of_each(Draw<Scalar>& draw, const Of& of) {
 
 template <class Scalar>
 HardCase<Scalar> subnormal_curve(Draw<Scalar>& draw, Form /*form*/) {
-  return of_each(draw, [&] {
+  return case_of_values(draw, [&] {
     return std::ldexp(draw.symmetric(), std::numeric_limits<Scalar>::min_exponent - draw.between(0, 40));
   });
 }
@@ -119,7 +119,7 @@ HardCase<Scalar> subnormal_curve(Draw<Scalar>& draw, Form /*form*/) {
 template <class Scalar>
 HardCase<Scalar> every_magnitude(Draw<Scalar>& draw, Form /*form*/) {
   using D = Draw<Scalar>;
-  auto drawn = of_each(draw, [&] {
+  auto drawn = case_of_values(draw, [&] {
     return std::ldexp(draw.symmetric(), draw.between(-D::smallest_exponent, std::numeric_limits<Scalar>::max_exponent));
   });
   if (draw.below(2) == 0) drawn.t = std::ldexp(draw.unit(), -draw.between(0, D::smallest_exponent));
@@ -130,7 +130,7 @@ HardCase<Scalar> every_magnitude(Draw<Scalar>& draw, Form /*form*/) {
 template <class Scalar>
 HardCase<Scalar> next_to_an_end(Draw<Scalar>& draw, Form /*form*/) {
   using Limits = std::numeric_limits<Scalar>;
-  auto drawn = of_each(draw, [&] { return draw.symmetric(); });
+  auto drawn = case_of_values(draw, [&] { return draw.symmetric(); });
   switch (draw.below(4)) {
     case 0: drawn.t = Limits::denorm_min() * static_cast<Scalar>(draw.between(0, 9)); break;
     case 1: drawn.t = std::ldexp(draw.unit(), -draw.between(0, Draw<Scalar>::smallest_exponent)); break;
@@ -145,7 +145,7 @@ HardCase<Scalar> next_to_an_end(Draw<Scalar>& draw, Form /*form*/) {
 template <class Scalar>
 HardCase<Scalar> next_to_the_largest(Draw<Scalar>& draw, Form /*form*/) {
   constexpr Scalar largest = std::numeric_limits<Scalar>::max();
-  auto drawn = of_each(draw, [&]() -> Scalar {
+  auto drawn = case_of_values(draw, [&]() -> Scalar {
     switch (draw.below(3)) {
       case 0: return draw.sign() * largest;
       case 1: return draw.sign() * largest * std::ldexp(Scalar(1), -draw.between(50, 60));
@@ -160,7 +160,7 @@ HardCase<Scalar> next_to_the_largest(Draw<Scalar>& draw, Form /*form*/) {
 template <class Scalar>
 HardCase<Scalar> constant(Draw<Scalar>& draw, Form /*form*/) {
   const Scalar value = draw.below(4) == 0 ? Scalar(0) : draw.symmetric();
-  auto drawn = of_each(draw, [&] { return value; });
+  auto drawn = case_of_values(draw, [&] { return value; });
   if (draw.below(3) == 0) drawn.t = static_cast<Scalar>(draw.below(2));
   return drawn;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How near an exact value is to where rounding turns, and its decimal digits.
+// The distance of an exact value from the nearest rounding boundary, and its decimal digits.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace bezierbench::studies {
 reference::Rational boundary_distance(const reference::Format& format, const reference::Rational& value);
 
 /// A dyadic value in decimal with so many significant digits, rounded once, ties to even; with fewer digits where these
-/// are exact. `0`, `-1.25`, `3e-324`: an exponent stands wherever it is not 0.
+/// are exact. `0`, `-1.25`, `3e-324`: an exponent is written unless it is 0.
 std::string significant(const reference::Rational& value, int digits);
 
 }  // namespace bezierbench::studies

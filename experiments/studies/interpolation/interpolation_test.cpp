@@ -71,7 +71,7 @@ TEST(InterpolationStudy, BoundsResidualsOfSubnormalPoints) {
 
 TEST(InterpolationStudy, LeavesOutTheErrorWhereThereAreTooManyPoints) {
   auto study = interpolation_study_of({"c2_natural"});
-  study.points = {most_points_of_exact_splines, most_points_of_exact_splines + 1};
+  study.points = {max_exact_spline_points, max_exact_spline_points + 1};
   study.dimension = {1};
   study.trials = 1;
   const auto csv = interpolation_rows_of(study);

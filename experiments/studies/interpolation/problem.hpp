@@ -66,7 +66,7 @@ class SplineJudge {
 
 /// The largest number of points for which the exact spline is computed: its size grows with the square of this number.
 /// The conditions are checked exactly for any number of points.
-inline constexpr int most_points_of_exact_splines = 1025;
+inline constexpr int max_exact_spline_points = 1025;
 
 class InterpolationProblem {
  public:
@@ -121,13 +121,13 @@ class InterpolationProblem {
   }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t /*methods*/) {
     const double k = *part.values.points;
-    const double per_point = 1500 + (*part.values.points <= most_points_of_exact_splines ? 1500 + 2 * k : 0);
+    const double per_point = 1500 + (*part.values.points <= max_exact_spline_points ? 1500 + 2 * k : 0);
     return k * part.cell.dimension * per_point;
   }
 
   InterpolationProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part)
       : dimension_(part.cell.dimension),
-        with_exact_(*part.values.points <= most_points_of_exact_splines),
+        with_exact_(*part.values.points <= max_exact_spline_points),
         sampler_(seed, study.id, as_one_curve(part)) {}
 
   void draw(std::uint64_t number, Drawn& drawn) const {

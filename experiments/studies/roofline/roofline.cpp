@@ -10,9 +10,8 @@
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 #include "experiments/number/number.hpp"
-#include "experiments/race/clock.hpp"
 #include "experiments/race/limit.hpp"
-#include "experiments/race/timed_inputs.hpp"
+#include "experiments/race/timed_check.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/roofline/roofline_race.hpp"
 #include "experiments/studies/roster.hpp"
@@ -41,11 +40,11 @@ class Race {
  public:
   explicit Race(const RooflineRace& race) : race_(race) {}
 
-  [[nodiscard]] const race::Lap* lap(Work work, const batch::Target* target, std::string_view id = {}) const {
+  [[nodiscard]] const race::RoundTimes* lap(Work work, const batch::Target* target, std::string_view id = {}) const {
     for (std::size_t k = 0; k < race_.rivals.size(); ++k) {
       const auto& who = race_.rivals[k];
       if (who.work == work && who.target == target && (who.method == nullptr || who.method->id == id))
-        return &race_.laps.each[k];
+        return &race_.times.each[k];
     }
     return nullptr;
   }
@@ -54,7 +53,7 @@ class Race {
   [[nodiscard]] double call_ns(suite::Mode mode) const {
     const auto is_call = [mode](const TargetRival& who) { return who.work == Work::call && who.mode == mode; };
     const auto found = std::ranges::find_if(race_.rivals, is_call);
-    return interval(race_.laps.each[static_cast<std::size_t>(found - race_.rivals.begin())].ns_per_point).median;
+    return interval(race_.times.each[static_cast<std::size_t>(found - race_.rivals.begin())].ns_per_point).median;
   }
 
   /// Operations per nanosecond.
@@ -87,7 +86,7 @@ class Race {
 };
 
 /// The share of a target's peak that a lap of a method reached.
-metric::Interval share(const race::Lap& lap, const race::Lap& peak, double flops) {
+metric::Interval share(const race::RoundTimes& lap, const race::RoundTimes& peak, double flops) {
   std::vector<double> shares;
   for (std::size_t round = 0; round < lap.ns_per_point.size(); ++round)
     shares.push_back(flops * peak.ns_per_point[round] / lap.ns_per_point[round]);
@@ -100,9 +99,9 @@ using Fastest = std::map<std::pair<const batch::Target*, suite::ScalarKind>, dou
 Fastest fastest_peaks(const std::vector<RooflineRace>& races) {
   Fastest fastest;
   for (const auto& race : races)
-    for (std::size_t k = 0; k < race.laps.each.size(); ++k) {
+    for (std::size_t k = 0; k < race.times.each.size(); ++k) {
       if (race.rivals[k].work != Work::multiply_add) continue;
-      const double ns = interval(race.laps.each[k].ns_per_point).median;
+      const double ns = interval(race.times.each[k].ns_per_point).median;
       const auto [place, is_first] = fastest.try_emplace({race.rivals[k].target, race.scalar}, ns);
       if (!is_first) place->second = std::min(place->second, ns);
     }
@@ -117,7 +116,7 @@ std::optional<double> flops_of(const RooflineRace& race, const TargetRival& who)
 
 /// Of a target only what its vectors can do; a kernel for one point has all widths of the processor.
 race::ProcessorTimes times_of(const RooflineRace& race, const TargetRival& who) {
-  auto times = race.laps.operations;
+  auto times = race.times.operations;
   if (who.target == nullptr) return times;
   const auto lanes = judge::with_scalar(
       race.scalar, [&]<class Scalar>(Scalar /*zero*/) { return batch::works_of<Scalar>(*who.target).back().lanes; });
@@ -140,7 +139,7 @@ void set_limit(tables::Row& row, const RooflineRace& race, const TargetRival& wh
 void set_share(tables::Row& row, const suite::Study& study, const RooflineRace& race, std::size_t place,
                const Fastest& fastest) {
   const auto& who = race.rivals[place];
-  const auto& lap = race.laps.each[place];
+  const auto& lap = race.times.each[place];
   const Race all(race);
   const double peak = all.peak(Work::multiply_add, who.target);
   const auto used = share(lap, *all.lap(Work::multiply_add, who.target), *flops_of(race, who));
@@ -175,7 +174,7 @@ tables::Row key_row(const suite::Study& study, const RooflineRace& race, const T
 
 tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::size_t place, const Fastest& fastest) {
   const auto& who = race.rivals[place];
-  const auto& lap = race.laps.each[place];
+  const auto& lap = race.times.each[place];
   const auto ns = interval(lap.ns_per_point);
   const auto flops = flops_of(race, who);
   tables::Row row = key_row(study, race, who);
@@ -203,20 +202,19 @@ void write_roofline_rows(const suite::Study& study, const std::vector<RooflineRa
   (void)tables.table("roofline.csv");
   const auto fastest = fastest_peaks(races);
   for (const auto& race : races)
-    for (std::size_t k = 0; k < race.laps.each.size(); ++k)
+    for (std::size_t k = 0; k < race.times.each.size(); ++k)
       if (race.rivals[k].method != nullptr) tables.add(row_of(study, race, k, fastest));
 }
 
 namespace {
 
-class RooflineJob final : public run::JobOf<RooflineLaps> {
+class RooflineJob final : public run::JobOf<RooflineTimes> {
  public:
   RooflineJob(const suite::Study& study, std::uint64_t seed)
       : study_(study), seed_(seed), races_(roofline_races_of(study)) {}
 
   [[nodiscard]] std::size_t parts() const override { return races_.size(); }
   [[nodiscard]] bool exclusive() const override { return true; }
-  void require_machine() const override { race::require_steady_clock(); }
   [[nodiscard]] double cost(std::size_t part) const override {
     return 5e7 * static_cast<double>(races_[part].rivals.size());  // about the same wall time whatever the degree
   }
@@ -232,14 +230,14 @@ class RooflineJob final : public run::JobOf<RooflineLaps> {
   }
   void write(tables::Tables& tables) const override {
     auto races = races_;
-    for (std::size_t part = 0; part < races.size(); ++part) races[part].laps = state(part);
+    for (std::size_t part = 0; part < races.size(); ++part) races[part].times = state(part);
     write_roofline_rows(study_, races, tables);
   }
   void list_rows(tables::Tables& tables) const override { list_roofline_rows(study_, races_, tables); }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:
-  [[nodiscard]] RooflineLaps work(std::size_t block) const override {
+  [[nodiscard]] RooflineTimes work(std::size_t block) const override {
     if (races_[block].rivals.empty()) return {};  // no method supports the degree, or no target is there
     race::RaceOptions options;
     options.stop = run::interrupted;

@@ -10,7 +10,6 @@
 #include "experiments/metric/observed_error.hpp"
 #include "experiments/race/peak_rival.hpp"
 #include "experiments/race/timed_check.hpp"
-#include "experiments/race/timed_inputs.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -62,8 +61,8 @@ bool is_right(const race::JudgedPoints<Scalar>& judged) {
 }
 
 template <class Scalar>
-RooflineLaps laps_of(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
-                     const race::RaceOptions& options) {
+RooflineTimes times_of(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
+                       const race::RaceOptions& options) {
   const auto inputs = race::timed_inputs<Scalar>(study, race.cell, seed);
   std::map<const MethodInfo*, race::JudgedPoints<Scalar>> judged;
   std::vector<race::Rival> rivals;
@@ -71,14 +70,14 @@ RooflineLaps laps_of(const RooflineRace& race, const suite::Study& study, std::u
     const Kernel<Scalar>* kernel = nullptr;
     if (who.method != nullptr) {
       kernel = judge::find_method<Scalar>(who.method->id, who.method->form, race.cell.dimension);
-      if (!judged.contains(who.method)) judged[who.method] = race::judge(*kernel, suite::Mode::batch, inputs);
+      if (!judged.contains(who.method)) judged[who.method] = race::judge_points(*kernel, suite::Mode::batch, inputs);
     }
     rivals.push_back(rival_of<Scalar>(who, kernel, inputs, judged[who.method]));
   }
-  auto laps = race::race(fmt::format("{}/{}", study.id, race.cell.degree), rivals, options);
-  for (std::size_t k = 0; k < laps.size(); ++k)
-    laps[k].checked = laps[k].checked && is_right<Scalar>(judged[race.rivals[k].method]);
-  return {std::move(laps), race::measured_operations<Scalar>(options.clock)};
+  auto times = race::time_rounds(fmt::format("{}/{}", study.id, race.cell.degree), rivals, options);
+  for (std::size_t k = 0; k < times.size(); ++k)
+    times[k].checked = times[k].checked && is_right<Scalar>(judged[race.rivals[k].method]);
+  return {std::move(times), race::measured_operations<Scalar>(options.clock)};
 }
 
 }  // namespace
@@ -93,10 +92,10 @@ std::vector<RooflineRace> roofline_races_of(const suite::Study& study) {
   return races;
 }
 
-RooflineLaps run(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
-                 const race::RaceOptions& options) {
-  return judge::with_scalar(race.scalar,
-                            [&]<class Scalar>(Scalar /*zero*/) { return laps_of<Scalar>(race, study, seed, options); });
+RooflineTimes run(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
+                  const race::RaceOptions& options) {
+  return judge::with_scalar(
+      race.scalar, [&]<class Scalar>(Scalar /*zero*/) { return times_of<Scalar>(race, study, seed, options); });
 }
 
 }  // namespace bezierbench::studies

@@ -8,7 +8,7 @@
 
 #include "core/batch/batch.hpp"
 #include "experiments/race/operation_times.hpp"
-#include "experiments/race/race.hpp"
+#include "experiments/race/rounds.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/suite/suite.hpp"
@@ -32,9 +32,9 @@ struct TargetRival {
   const batch::Target* target;  ///< null for a kernel for one point and a call
 };
 
-/// The laps of the rivals, and what the operations of the processor took beside them.
-struct RooflineLaps {
-  std::vector<race::Lap> each;
+/// The times of the rivals, and what the operations of the processor took beside them.
+struct RooflineTimes {
+  std::vector<race::RoundTimes> each;
   race::ProcessorTimes operations = {};
 
   template <class Bytes, class Self>
@@ -47,7 +47,7 @@ struct RooflineRace {
   sample::Cell cell;
   suite::ScalarKind scalar;
   std::vector<TargetRival> rivals;  ///< those that support the degree; none where no method does
-  RooflineLaps laps = {};           ///< once it ran
+  RooflineTimes times = {};         ///< once it ran
 };
 
 /// The races of a study, before they run. Methods without a batch kernel have no part in mode `batch`. Throws
@@ -55,8 +55,8 @@ struct RooflineRace {
 std::vector<RooflineRace> roofline_races_of(const suite::Study& study);
 
 /// Judges the methods, then races them. A method whose points are wrong is timed all the same, and not `checked`.
-RooflineLaps run(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
-                 const race::RaceOptions& options);
+RooflineTimes run(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
+                  const race::RaceOptions& options);
 
 // roofline.csv: the batch kernels' share of the peak of each target, which goals they reach, and how near all kernels
 // are to the limit of the processor.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is made of the laps of a roofline; the laps are made up, so that no clock decides.
+// What is made of the times of a roofline; the times are made up, so that no clock decides.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ suite::Study roofline_study() {
   return study;
 }
 
-race::Lap lap_of(double ns) {
-  race::Lap lap;
+race::RoundTimes round_times(double ns) {
+  race::RoundTimes lap;
   lap.ns_per_point.assign(10, ns);
   return lap;
 }
@@ -52,7 +52,7 @@ double all_alike(const TargetRival& who) {
 bundle::CsvDocument written(const suite::Study& study, Times times = all_alike) {
   auto races = roofline_races_of(study);
   for (auto& race : races)
-    for (const auto& who : race.rivals) race.laps.each.push_back(lap_of(times(who)));
+    for (const auto& who : race.rivals) race.times.each.push_back(round_times(times(who)));
   tables::Tables tables;
   write_roofline_rows(study, races, tables);
   return bundle::parse_csv(tables.all().at("roofline.csv").text(), "roofline.csv");
@@ -89,7 +89,7 @@ TEST_F(Roofline, EveryTargetRunsEveryMethodThatHasABatchKernelAndAllGoPointByPoi
 }
 
 /// Every operation takes 1 ns, and 10 ns in a chain, on vectors of two and of all lanes of the widest target.
-race::ProcessorTimes made_up_times() {
+race::ProcessorTimes made_up_processor() {
   race::OperationTimes times{.lanes = 2, .apart = {{1, 1, 1, 1, 1}}, .latency = {{10, 10, 10, 10, 10}}, .mixed = 1};
   auto widest = times;
   widest.lanes = batch::works_of<double>(*batch::usable_targets().front()).back().lanes;
@@ -103,8 +103,8 @@ TEST_F(Roofline, ModesHaveTheirLimits) {
   study.methods = {"de_casteljau"};
   auto races = roofline_races_of(study);
   for (auto& race : races) {
-    for (const auto& who : race.rivals) race.laps.each.push_back(lap_of(all_alike(who)));
-    race.laps.operations = made_up_times();
+    for (const auto& who : race.rivals) race.times.each.push_back(round_times(all_alike(who)));
+    race.times.operations = made_up_processor();
   }
   tables::Tables tables;
   write_roofline_rows(study, races, tables);
@@ -118,7 +118,7 @@ TEST_F(Roofline, ModesHaveTheirLimits) {
   }
   EXPECT_THAT(found["point"], testing::ElementsAre("19", "4", "70", number::decimal(19.0 / 96)));
   EXPECT_THAT(found["latency"], testing::ElementsAre("70", "4", "70", number::decimal(70.0 / 196)));
-  const double limit = 37 / static_cast<double>(made_up_times().back().lanes);
+  const double limit = 37 / static_cast<double>(made_up_processor().back().lanes);
   EXPECT_THAT(found["batch"], testing::ElementsAre(number::decimal(limit), "0.5", "", number::decimal(limit / 19.5)));
 }
 
@@ -185,7 +185,7 @@ TEST_F(Roofline, ARaceWithASlowerPeakIsNoisy) {
   auto races = roofline_races_of(study);
   for (auto& race : races)
     for (const auto& who : race.rivals)
-      race.laps.each.push_back(lap_of(all_alike(who) * (race.cell.degree == 20 ? 1.03 : 1)));
+      race.times.each.push_back(round_times(all_alike(who) * (race.cell.degree == 20 ? 1.03 : 1)));
   tables::Tables tables;
   write_roofline_rows(study, races, tables);
   const auto table = bundle::parse_csv(tables.all().at("roofline.csv").text(), "roofline.csv");
@@ -207,12 +207,12 @@ TEST_F(Roofline, RunsAndChecksWhatItTimes) {
   const auto races = roofline_races_of(study);
   race::RaceOptions options;
   options.rounds = 1;
-  options.least_rounds = 1;
+  options.min_rounds = 1;
   options.rival_seconds = 0;
-  const auto laps = run(races[0], study, 1, options);
-  ASSERT_EQ(laps.each.size(), races[0].rivals.size());
-  EXPECT_TRUE(std::ranges::all_of(laps.each, &race::Lap::checked));
-  EXPECT_FALSE(laps.operations.empty());
+  const auto times = run(races[0], study, 1, options);
+  ASSERT_EQ(times.each.size(), races[0].rivals.size());
+  EXPECT_TRUE(std::ranges::all_of(times.each, &race::RoundTimes::checked));
+  EXPECT_FALSE(times.operations.empty());
 }
 
 }  // namespace

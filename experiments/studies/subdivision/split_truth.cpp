@@ -110,8 +110,8 @@ double SplitTruth::largest_point(int first, int last) const {
   for (int j = first; j <= last; ++j)
     for (int axis = 0; axis < curve_.dimension; ++axis) {
       const double weight = curve_.form == Form::rational ? curve_.weights[static_cast<std::size_t>(j)] : 1;
-      double& of_axis = largest[static_cast<std::size_t>(axis)];
-      of_axis = std::max(of_axis, std::abs(weight * curve_(axis, j)));
+      double& axis_max = largest[static_cast<std::size_t>(axis)];
+      axis_max = std::max(axis_max, std::abs(weight * curve_(axis, j)));
     }
   return norm(largest);
 }
@@ -139,13 +139,13 @@ double SplitTruth::weight_bound(const SplitBound* bound, Side side, int i) const
                      {u, reference::double_arithmetic.smallest_subnormal});
 }
 
-SplitError SplitTruth::of_point(const SplitBound* bound, Side side, int i, std::span<const double> computed) const {
+SplitError SplitTruth::point_error(const SplitBound* bound, Side side, int i, std::span<const double> computed) const {
   const auto k = static_cast<std::size_t>(i);
   const double error = half(side).distances[k] ? half(side).distances[k]->to(computed) : infinite;
   return judged(error, half(side).points[k].p_tilde, point_bound(bound, side, i));
 }
 
-SplitError SplitTruth::of_weight(const SplitBound* bound, Side side, int i, double computed) const {
+SplitError SplitTruth::weight_error(const SplitBound* bound, Side side, int i, double computed) const {
   const auto k = static_cast<std::size_t>(i);
   const double error = reference::error_of(computed, half(side).exact.weights[k], reference::error_format);
   return judged(error, half(side).weights[k].p_tilde, weight_bound(bound, side, i));
@@ -156,18 +156,18 @@ SplitError SplitTruth::of_weight(const SplitBound* bound, Side side, int i, doub
 /// relative errors of the weights are at most r, those of the coefficients are at most 2 r / (1 - r),
 /// and |b_i| <= p~_i.
 double SplitTruth::middle_bound(const SplitBound* bound, Side side) const {
-  double of_points = 0;
-  double of_weights = 0;  // r
+  double max_point_bound = 0;
+  double max_weight_bound = 0;  // r
   double largest = 0;
   for (int i = 0; i <= curve_.degree; ++i) {
-    of_points = std::max(of_points, point_bound(bound, side, i));
+    max_point_bound = std::max(max_point_bound, point_bound(bound, side, i));
     if (curve_.form != Form::rational) continue;
     const auto k = static_cast<std::size_t>(i);
-    of_weights = std::max(of_weights, weight_bound(bound, side, i) / half(side).weights[k].p_tilde);
+    max_weight_bound = std::max(max_weight_bound, weight_bound(bound, side, i) / half(side).weights[k].p_tilde);
     largest = std::max(largest, half(side).points[k].p_tilde);
   }
-  if (!(of_weights < 1)) return infinite;
-  return of_points + 2 * of_weights / (1 - of_weights) * largest;
+  if (!(max_weight_bound < 1)) return infinite;
+  return max_point_bound + 2 * max_weight_bound / (1 - max_weight_bound) * largest;
 }
 
 bool SplitTruth::middles_agree(const SplitBound* bound, const ComputedHalves& computed) const {

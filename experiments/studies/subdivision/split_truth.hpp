@@ -56,9 +56,10 @@ class SplitTruth {
 
   /// The error of the coordinates `computed` for control point `i` of a half. `bound` is the method's; nullptr if it
   /// has none.
-  [[nodiscard]] SplitError of_point(const SplitBound* bound, Side side, int i, std::span<const double> computed) const;
+  [[nodiscard]] SplitError point_error(const SplitBound* bound, Side side, int i,
+                                       std::span<const double> computed) const;
   /// The error of the weight `computed` for control point `i` of a half of a rational curve.
-  [[nodiscard]] SplitError of_weight(const SplitBound* bound, Side side, int i, double computed) const;
+  [[nodiscard]] SplitError weight_error(const SplitBound* bound, Side side, int i, double computed) const;
 
   /// Whether the point of each computed half at 1/2 equals the point of the curve at t/2 or (1 + t)/2, as far as the
   /// bounds of the control points allow. All points are exact. True also where no bound is proved.

@@ -66,7 +66,7 @@ suite::Study grids(std::vector<std::string> methods) {
 race::JudgedRivals rivals_of(const suite::Study& study) {
   const auto& problem = timed_problem(study);
   std::shared_ptr<const void> trials;
-  return problem.rivals(problem.race_cells(study).front(), study, 1, trials);
+  return problem.rivals(problem.races(study).front(), study, 1, trials);
 }
 
 std::vector<bool> right_of(const race::JudgedRivals& rivals) {
@@ -150,9 +150,9 @@ TEST(TimedProblem, TellsRivalsWhoseResultsAreWrong) {
 /// Whether an answer is right, and still is with one of its numbers moved.
 template <class P>
 std::pair<bool, bool> before_and_after(const suite::Study& study, std::size_t moved, std::size_t span = 0) {
-  const auto race_cell = timed_problem(study).race_cells(study).front();
-  const race::CompanionTrials<P> trials(race_cell, study, 1);
-  const auto& kernel = *std::ranges::find(P::kernels(2), race_cell.methods[0], &P::Kernel::info);
+  const auto race = timed_problem(study).races(study).front();
+  const race::CompanionTrials<P> trials(race, study, 1);
+  const auto& kernel = *std::ranges::find(P::kernels(2), race.methods[0], &P::Kernel::info);
   typename P::Answer answer{};
   trials.ask(kernel, 0, answer);
   const bool before = trials.is_right(kernel, 0, answer);
@@ -180,29 +180,29 @@ TEST(TimedProblem, AnAnswerThatIsOffIsNotRight) {
   EXPECT_EQ(before_and_after<SubdivisionProblem>(weighted, 2), caught) << "a weight";
 }
 
-TEST(TimedProblem, EveryCaseIsARaceCell) {
-  const auto race_cells_of = [](const suite::Study& study) { return timed_problem(study).race_cells(study); };
-  EXPECT_EQ(race_cells_of(derivatives({"seed_000"}, {1, 2, 3})).size(), 3U);
-  EXPECT_EQ(race_cells_of(lengths({"chord_sum"}, {1e-3, 1e-6})).size(), 2U);
-  EXPECT_EQ(race_cells_of(splines({"c2_natural"}, {3, 30, 300, 3000})).size(), 4U);
-  EXPECT_EQ(race_cells_of(fits({"schneider"}, {1e-2, 1e-3})).size(), 2U * 6) << "six kinds of data";
+TEST(TimedProblem, EveryCaseIsARace) {
+  const auto races_of = [](const suite::Study& study) { return timed_problem(study).races(study); };
+  EXPECT_EQ(races_of(derivatives({"seed_000"}, {1, 2, 3})).size(), 3U);
+  EXPECT_EQ(races_of(lengths({"chord_sum"}, {1e-3, 1e-6})).size(), 2U);
+  EXPECT_EQ(races_of(splines({"c2_natural"}, {3, 30, 300, 3000})).size(), 4U);
+  EXPECT_EQ(races_of(fits({"schneider"}, {1e-2, 1e-3})).size(), 2U * 6) << "six kinds of data";
 }
 
-race::RaceCellLap lap_of_two(double ns) {
-  race::Lap repetition;
+race::RivalTimes twice_timed(double ns) {
+  race::RoundTimes repetition;
   repetition.ns_per_point = {ns, ns};
   return {{repetition, repetition}};
 }
 
-bundle::CsvDocument written(const suite::Study& study, const std::string& file, double (*ns)(const race::RaceCell&)) {
-  auto race_cells = timed_problem(study).race_cells(study);
-  for (auto& race_cell : race_cells) {
-    race_cell.laps.assign(race_cell.methods.size(), lap_of_two(ns(race_cell)));
-    race_cell.laps.insert(race_cell.laps.end(), 2, lap_of_two(1));  // the sentinels
+bundle::CsvDocument written(const suite::Study& study, const std::string& file, double (*ns)(const race::Race&)) {
+  auto races = timed_problem(study).races(study);
+  for (auto& race : races) {
+    race.times.assign(race.methods.size(), twice_timed(ns(race)));
+    race.times.insert(race.times.end(), 2, twice_timed(1));  // the sentinels
   }
   tables::Tables tables;
-  studies::write_timing_rows(study, race_cells, tables);
-  studies::write_complexity_rows(study, race_cells, timed_problem(study).size, tables);
+  studies::write_timing_rows(study, races, tables);
+  studies::write_complexity_rows(study, races, timed_problem(study).size, tables);
   return bundle::parse_csv(tables.all().at(file).text(), file);
 }
 
@@ -213,7 +213,7 @@ std::vector<std::string> case_values(const bundle::CsvDocument& csv, std::size_t
 }
 
 TEST(TimedProblem, RowsSayWhichCase) {
-  const auto any = [](const race::RaceCell&) { return 1.0; };
+  const auto any = [](const race::Race&) { return 1.0; };
   EXPECT_THAT(case_values(written(study_of({"de_casteljau"}), "timing.csv", any), 0), ElementsAre("", "", "", ""));
   EXPECT_THAT(case_values(written(derivatives({"seed_000"}), "timing.csv", any), 0), ElementsAre("2", "", "", ""));
   EXPECT_THAT(case_values(written(lengths({"halley"}, {1e-3, 1e-9}), "timing.csv", any), 1),
@@ -228,7 +228,7 @@ TEST(TimedProblem, RowsSayWhichCase) {
 
 TEST(TimedProblem, SplinesGrowWithTheirPoints) {
   const auto csv = written(splines({"c2_natural"}, {10, 100, 1000}), "complexity.csv",
-                           [](const race::RaceCell& race_cell) { return 7.0 * *race_cell.case_values.points; });
+                           [](const race::Race& race) { return 7.0 * *race.case_values.points; });
   ASSERT_EQ(csv.row_count(), 1U);
   EXPECT_NEAR(std::stod(csv.at(0, "exponent")), 1, 1e-12);
   EXPECT_EQ(csv.at(0, "verdict"), "within");
@@ -240,7 +240,7 @@ TEST(TimedProblem, SizesOfOtherProblemsAreNotClaimed) {
   auto study = derivatives({"seed_000"});
   study.degree = {3, 5, 10};
   tables::Tables tables;
-  studies::write_complexity_rows(study, timed_problem(study).race_cells(study), timed_problem(study).size, tables);
+  studies::write_complexity_rows(study, timed_problem(study).races(study), timed_problem(study).size, tables);
   EXPECT_TRUE(tables.all().empty());
 }
 

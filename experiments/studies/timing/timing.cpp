@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "experiments/race/race_cell.hpp"
-#include "experiments/race/timed_inputs.hpp"
+#include "experiments/race/race.hpp"
+#include "experiments/race/timed_check.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/timing/racing_job.hpp"
@@ -20,107 +20,108 @@
 namespace bezierbench::studies {
 namespace {
 
-constexpr int most_reruns_per_repetition = 2;
+constexpr int max_reruns_per_repetition = 2;
 
-class TimingJob final : public RacingJob<race::RaceCellLaps> {
+class TimingJob final : public RacingJob<race::RaceTimes> {
  public:
   TimingJob(const suite::Study& study, std::uint64_t seed)
-      : RacingJob(study, seed, timed_problem(study).race_cells(study)), reruns_left_(blocks() / 2), trials_(parts()) {
+      : RacingJob(study, seed, timed_problem(study).races(study)), reruns_left_(blocks() / 2), trials_(parts()) {
     require_racing_baseline();
   }
 
   [[nodiscard]] run::Extent extent() const override {
-    run::Extent sum{race_cells().size(), 0, 0};
-    for (const auto& race_cell : race_cells()) sum.rows += race_cell.methods.size();
-    sum.evaluations = sum.rows * race::timed_inputs_per_cell;
+    tables::Tables listed;
+    list_rows(listed);
+    run::Extent sum{races().size(), listed.table("timing.csv").row_count(), 0, 0};
+    for (const auto& race : races()) sum.evaluations += race.methods.size() * race::timed_inputs_per_cell;
     return sum;
   }
   void write(tables::Tables& tables) const override {
     write_timing_rows(study(), raced(), tables);
     write_complexity_rows(study(), raced(), timed_problem(study()).size, tables);
   }
-  void list_rows(tables::Tables& tables) const override { list_timing_rows(study(), race_cells(), tables); }
+  void list_rows(tables::Tables& tables) const override { list_timing_rows(study(), races(), tables); }
   [[nodiscard]] std::vector<tables::Series> series() const override;
 
  protected:
-  [[nodiscard]] race::RaceCellLaps work(std::size_t block) const override;
+  [[nodiscard]] race::RaceTimes work(std::size_t block) const override;
 
  private:
-  /// The race cells with their laps so far.
-  [[nodiscard]] std::vector<race::RaceCell> raced() const {
-    return RacingJob::raced([this](std::size_t part) -> const race::RaceCellLaps& { return state(part); });
+  /// The races with their times so far.
+  [[nodiscard]] std::vector<race::Race> raced() const {
+    return RacingJob::raced([this](std::size_t part) -> const race::RaceTimes& { return state(part); });
   }
-  /// The sentinels' fastest repetitions in all results so far, those of an earlier run included when this one continues
-  /// it.
-  [[nodiscard]] race::Pace fastest_so_far() const {
-    race::Pace fastest;
-    for (std::size_t part = 0; part < race_cells().size(); ++part)
-      fastest.speed_up(race::fastest_pace(state(part).each));
+  /// The sentinels' fastest repetitions in all results so far, including those of the run that this one continues.
+  [[nodiscard]] race::SentinelTimes fastest_so_far() const {
+    race::SentinelTimes fastest;
+    for (std::size_t part = 0; part < races().size(); ++part)
+      fastest = min(fastest, race::fastest_sentinels(state(part).each));
     return fastest;
   }
   void require_racing_baseline() const;
 
   // Repetitions run one at a time, so these need no lock.
-  mutable std::size_t reruns_left_;                          ///< of the study, which reruns lengthen by half at most
-  mutable race::Pace fastest_;                               ///< sentinels of the study so far
-  mutable std::vector<std::shared_ptr<const void>> trials_;  ///< of each race cell, see race::run
+  mutable std::size_t reruns_left_;      ///< of the study, reruns add at most half of its repetitions
+  mutable race::SentinelTimes fastest_;  ///< sentinels of the study so far
+  mutable std::vector<std::shared_ptr<const void>> trials_;  ///< of each race, see race::run_repetition
   race::Counters counters_;
 };
 
 void TimingJob::require_racing_baseline() const {
   const auto named = race::named_baseline(study());
-  const auto races = [&](const race::RaceCell& race_cell) {
-    return race_cell.methods.empty() ||
-           std::ranges::any_of(race_cell.methods, [&](const auto* info) { return info->id == named; });
+  const auto has_baseline = [&](const race::Race& race) {
+    return race.methods.empty() ||
+           std::ranges::any_of(race.methods, [&](const auto* info) { return info->id == named; });
   };
-  if (!named.empty() && std::ranges::none_of(race_cells(), races))
+  if (!named.empty() && std::ranges::none_of(races(), has_baseline))
     suite::refuse(study(),
                   {"baseline", 0, "methods",
                    fmt::format("baseline \"{}\" is not among its methods; add it to them or leave it out", named)});
 }
 
-/// A repetition in which a sentinel drifted is run again. The attempt in which the sentinels were nearer to their
-/// fastest times counts.
-race::RaceCellLaps TimingJob::work(std::size_t block) const {
-  const race::RaceCell& race_cell = race_cells()[part_of(block)];
-  if (race_cell.methods.empty()) return {};  // none supports the degree
-  fastest_.speed_up(fastest_so_far());
-  const auto race = [&] {
-    auto options = race::options_of_a_repetition();
+/// Runs a repetition again where a sentinel drifted, and keeps the attempt in which the sentinels were nearer to their
+/// fastest times.
+race::RaceTimes TimingJob::work(std::size_t block) const {
+  const race::Race& race = races()[part_of(block)];
+  if (race.methods.empty()) return {};  // no method supports the degree
+  fastest_ = min(fastest_, fastest_so_far());
+  const auto run_once = [&] {
+    auto options = race::repetition_options();
     options.stop = run::interrupted;
     options.counters = &counters_;
-    return race::run(timed_problem(study()), race_cell, study(), seed(), block % race::repetitions_per_race, options,
-                     trials_[part_of(block)]);
+    return race::run_repetition(timed_problem(study()), race, study(), seed(), block % race::repetitions_per_race,
+                                options, trials_[part_of(block)]);
   };
-  race::RaceCellLaps laps = race();
-  for (int rerun = 0; rerun < most_reruns_per_repetition && reruns_left_ > 0; ++rerun) {
+  race::RaceTimes times = run_once();
+  for (int rerun = 0; rerun < max_reruns_per_repetition && reruns_left_ > 0; ++rerun) {
     if (run::interrupted()) break;
-    fastest_.speed_up(race::fastest_pace(laps.each));
-    if (!race::drifted(laps.each, fastest_)) break;
+    fastest_ = min(fastest_, race::fastest_sentinels(times.each));
+    if (!race::drifted(times.each, fastest_)) break;
     --reruns_left_;
-    auto again = race();
-    if (race::pace(again.each).over(fastest_) < race::pace(laps.each).over(fastest_)) laps = std::move(again);
+    auto again = run_once();
+    if (race::median_sentinels(again.each).over(fastest_) < race::median_sentinels(times.each).over(fastest_))
+      times = std::move(again);
   }
-  return laps;
+  return times;
 }
 
-/// Race cells in double only; the source report prints no scalar type.
+/// Races in double only; the source report prints no scalar type.
 std::vector<tables::Series> TimingJob::series() const {
   std::vector<tables::Series> all;
-  const auto race_cells = raced();
-  for (const auto& race_cell : race_cells)
-    for (std::size_t m = 0; m < race_cell.methods.size() && race_cell.scalar == suite::ScalarKind::float64; ++m)
+  const auto races = raced();
+  for (const auto& race : races)
+    for (std::size_t m = 0; m < race.methods.size() && race.scalar == suite::ScalarKind::float64; ++m)
       all.push_back({.study = study().id,
                      .form = std::string(name(study().form)),
-                     .method = std::string(race_cell.methods[m]->id),
+                     .method = std::string(race.methods[m]->id),
                      .statistic = "total_time",
-                     .degree = std::to_string(race_cell.cell.degree),
-                     .coordinate_range = race_cell.cell.coordinate_range,
-                     .t_interval = race_cell.cell.t_interval,
-                     .generator = race_cell.cell.generator,
+                     .degree = std::to_string(race.cell.degree),
+                     .coordinate_range = race.cell.coordinate_range,
+                     .t_interval = race.cell.t_interval,
+                     .generator = race.cell.generator,
                      .baseline = "",
-                     .mode = std::string(suite::name(race_cell.mode)),
-                     .values = race_cell.laps[m].rounds().ns_per_point});
+                     .mode = std::string(suite::name(race.mode)),
+                     .values = race.times[m].rounds().ns_per_point});
   return all;
 }
 
@@ -144,7 +145,8 @@ constexpr std::array timing_fields{
 
 suite::Finding check_timing(const suite::Study& study, const suite::Vocabulary& known) {
   if (study.degree.empty() && study.points.empty())
-    return suite::Fault{"degree", 0, {}, "degree is missing; kind \"timing\" needs it or points, add degree = [3, 5]"};
+    return suite::Fault{
+        "degree", 0, {}, "degree is missing; kind \"timing\" requires degree or points; add degree = [3, 5]"};
   if (auto found = suite::each("modes", study.modes, [](suite::Mode) { return std::string(); })) return found;
   if (auto found = suite::check_orders(study.order)) return found;
   if (auto found = suite::check_points(study.points)) return found;

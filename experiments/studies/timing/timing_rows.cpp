@@ -22,8 +22,8 @@ namespace {
 constexpr std::string_view ok = "ok";
 constexpr std::string_view noisy = "noisy";
 
-std::string_view quality(const race::RaceCell& race_cell, const race::RaceCellLap& lap, const race::Pace& fastest) {
-  return race::drifted(race_cell.laps, fastest) || race::repetitions_disagree(lap) ? noisy : ok;
+std::string_view quality(const race::Race& race, const race::RivalTimes& times, const race::SentinelTimes& fastest) {
+  return race::drifted(race.times, fastest) || race::repetitions_disagree(times) ? noisy : ok;
 }
 
 /// Median and interval of a sample, in NAME of `names`.
@@ -38,53 +38,53 @@ std::vector<double> quotients(std::span<const double> a, std::span<const double>
   return all;
 }
 
-/// Over repetitions, of each of which the ratio is taken round by round.
-void set_ratio(tables::Row& row, const race::RaceCell& race_cell, const race::RaceCellLap& lap, std::size_t base) {
-  row.set("relative_to", race_cell.methods[base]->id);
+/// Sets the ratio over repetitions; that of a repetition is the median of its rounds.
+void set_ratio(tables::Row& row, const race::Race& race, const race::RivalTimes& times, std::size_t base) {
+  row.set("relative_to", race.methods[base]->id);
   set_interval(row, {"ratio", "ratio_low", "ratio_high"},
-               race::repetition_ratios(lap.repetitions, race_cell.laps[base].repetitions));
+               race::repetition_ratios(times.repetitions, race.times[base].repetitions));
 }
 
 void set_median(tables::Row& row, std::string_view column, std::span<const double> counts) {
   if (!counts.empty()) row.set(column, metric::median_interval(counts, metric::timing_confidence).median);
 }
 
-/// Empty for a method from outside, whose operations are not known.
-std::optional<race::TimedWork> work_of(const race::RaceCell& race_cell, const MethodInfo& method) {
-  return judge::with_scalar(race_cell.scalar, [&]<class Scalar>(Scalar /*zero*/) -> std::optional<race::TimedWork> {
-    const auto* kernel = judge::find_method<Scalar>(method.id, method.form, race_cell.cell.dimension);
+/// Empty for an external method, whose operations are not known.
+std::optional<race::TimedWork> work_of(const race::Race& race, const MethodInfo& method) {
+  return judge::with_scalar(race.scalar, [&]<class Scalar>(Scalar /*zero*/) -> std::optional<race::TimedWork> {
+    const auto* kernel = judge::find_method<Scalar>(method.id, method.form, race.cell.dimension);
     if (kernel == nullptr) return std::nullopt;
-    return race::TimedWork{kernel->evaluator, kernel->conversion, race_cell.cell.degree, race_cell.cell.dimension};
+    return race::TimedWork{kernel->evaluator, kernel->conversion, race.cell.degree, race.cell.dimension};
   });
 }
 
-/// What an empty kernel took beside a method, and how near to the limit of the processor the rest of its time is.
-void set_limit(tables::Row& row, const race::RaceCell& race_cell, std::size_t m, const race::ProcessorTimes& times) {
-  const auto* const call = race::call_of(race_cell);
+/// Sets the time of an empty kernel, and the share of the processor's limit in the rest of the method's time.
+void set_limit(tables::Row& row, const race::Race& race, std::size_t m, const race::ProcessorTimes& times) {
+  const auto* const call = race::call_times(race);
   if (call == nullptr) return;
   const double call_ns = metric::median(call->repetition_ns());
   row.set("call_ns", call_ns);
-  const auto work = work_of(race_cell, *race_cell.methods[m]);
+  const auto work = work_of(race, *race.methods[m]);
   if (!work) return;
-  const auto limit = race::limit(*work, race_cell.mode, times);
+  const auto limit = race::limit(*work, race.mode, times);
   if (!limit) return;
-  const double ns = metric::median(race_cell.laps[m].repetition_ns());
+  const double ns = metric::median(race.times[m].repetition_ns());
   row.set("limit_ns", limit->ns)
       .set("share_of_limit", race::share_of_limit(limit->ns, ns, call_ns))
       .set("chain_ns", limit->chain_ns);
 }
 
-tables::Row key_row(const suite::Study& study, const race::RaceCell& race_cell, std::size_t method) {
+tables::Row key_row(const suite::Study& study, const race::Race& race, std::size_t method) {
   tables::Row row("timing.csv");
   row.set("study", study.id)
       .set("form", name(study.form))
-      .set("mode", suite::name(race_cell.mode))
-      .set("method", race_cell.methods[method]->id)
-      .set("scalar", suite::name(race_cell.scalar))
-      .set("dimension", race_cell.cell.dimension)
-      .set("degree", race_cell.cell.degree)
-      .set_each(tables::drawn_columns(), tables::drawn_fields(race_cell.cell))
-      .set_each(judge::case_columns(), judge::case_fields(race_cell.case_values));
+      .set("mode", suite::name(race.mode))
+      .set("method", race.methods[method]->id)
+      .set("scalar", suite::name(race.scalar))
+      .set("dimension", race.cell.dimension)
+      .set("degree", race.cell.degree)
+      .set_each(tables::drawn_columns(), tables::drawn_fields(race.cell))
+      .set_each(judge::case_columns(), judge::case_fields(race.case_values));
   return row;
 }
 
@@ -98,103 +98,101 @@ tables::Row sentinel_key_row(const suite::Study& study, suite::Mode mode) {
   return row;
 }
 
-/// Sets the times, rounds, counts and the check of one lap; `pace` is what the sentinels took beside.
-void set_times(tables::Row& row, const race::RaceCellLap& lap, const race::Pace& pace) {
-  const auto rounds = lap.rounds();
-  set_interval(row, {"median_ns", "low_ns", "high_ns"}, lap.repetition_ns());
+/// Sets the times, rounds, counts and the check of one rival, and those of the sentinels.
+void set_times(tables::Row& row, const race::RivalTimes& times, const race::SentinelTimes& sentinels) {
+  const auto rounds = times.rounds();
+  set_interval(row, {"median_ns", "low_ns", "high_ns"}, times.repetition_ns());
   row.set("rounds", rounds.ns_per_point.size()).set("points_per_round", rounds.points_per_round);
   set_median(row, "cycles", rounds.cycles_per_point);
   set_median(row, "instructions", rounds.instructions_per_point);
   row.set("checked", rounds.checked ? "yes" : "no")
-      .set("repetitions", lap.repetitions.size())
-      .set("sentinel_ns", pace.chain_ns)
-      .set("sweep_ns", pace.sweep_ns);
+      .set("repetitions", times.repetitions.size())
+      .set("sentinel_ns", sentinels.chain_ns)
+      .set("sweep_ns", sentinels.sweep_ns);
 }
 
-void add_race_cell(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
-                   const race::Pace& fastest) {
-  const auto base = race::relative_to(race_cell, study);
-  for (std::size_t m = 0; m < race_cell.methods.size(); ++m) add_timing_row(tables, study, race_cell, m, base, fastest);
+void add_race(tables::Tables& tables, const suite::Study& study, const race::Race& race,
+              const race::SentinelTimes& fastest) {
+  const auto base = race::relative_to(race, study);
+  for (std::size_t m = 0; m < race.methods.size(); ++m) add_timing_row(tables, study, race, m, base, fastest);
 }
 
-/// The sentinel over all race cells of a mode.
-void add_sentinel(tables::Tables& tables, const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
-                  suite::Mode mode, const race::Pace& fastest) {
-  race::RaceCellLaps all;
+/// The sentinel over all races of a mode.
+void add_sentinel(tables::Tables& tables, const suite::Study& study, const std::vector<race::Race>& races,
+                  suite::Mode mode, const race::SentinelTimes& fastest) {
+  race::RaceTimes all;
   std::string_view worst = ok;
-  for (const auto& race_cell : race_cells) {
-    if (race_cell.mode != mode || race_cell.laps.empty()) continue;
-    all.merge({{race_cell.laps.end() - 2, race_cell.laps.end()}});
-    if (race::drifted(race_cell.laps, fastest)) worst = noisy;
+  for (const auto& race : races) {
+    if (race.mode != mode || race.times.empty()) continue;
+    all.merge({{race.times.end() - 2, race.times.end()}});
+    if (race::drifted(race.times, fastest)) worst = noisy;
   }
   if (all.each.empty()) return;
   tables::Row row = sentinel_key_row(study, mode);
-  set_times(row, all.each.back(), race::pace(all.each));
+  set_times(row, all.each.back(), race::median_sentinels(all.each));
   tables.add(row.set("quality", worst));
 }
 
 }  // namespace
 
-void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
-                    std::size_t method, std::optional<std::size_t> base, const race::Pace& fastest) {
-  const auto& lap = race_cell.laps[method];
-  tables::Row row = key_row(study, race_cell, method);
-  set_times(row, lap, race::pace(race_cell.laps));
-  row.set("quality", quality(race_cell, lap, fastest));
-  if (base) set_ratio(row, race_cell, lap, *base);
+void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::Race& race, std::size_t method,
+                    std::optional<std::size_t> base, const race::SentinelTimes& fastest) {
+  const auto& times = race.times[method];
+  tables::Row row = key_row(study, race, method);
+  set_times(row, times, race::median_sentinels(race.times));
+  row.set("quality", quality(race, times, fastest));
+  if (base) set_ratio(row, race, times, *base);
   set_interval(row, {"sentinel_units", "sentinel_units_low", "sentinel_units_high"},
-               quotients(lap.repetition_ns(), race_cell.laps.back().repetition_ns()));
-  row.set("max_error_u", lap.max_error_u);
-  set_limit(row, race_cell, method, race::median_of(race_cell.operations));
+               quotients(times.repetition_ns(), race.times.back().repetition_ns()));
+  row.set("max_error_u", times.max_error_u);
+  set_limit(row, race, method, race::median_of(race.operations));
   tables.add(row);
 }
 
-void list_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
-                      tables::Tables& tables) {
-  for (const auto& race_cell : race_cells)
-    for (std::size_t m = 0; m < race_cell.methods.size(); ++m) tables.add(key_row(study, race_cell, m));
+void list_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables) {
+  for (const auto& race : races)
+    for (std::size_t m = 0; m < race.methods.size(); ++m) tables.add(key_row(study, race, m));
   for (const auto mode : study.modes)
-    if (std::ranges::any_of(race_cells, [mode](const auto& one) { return one.mode == mode && !one.methods.empty(); }))
+    if (std::ranges::any_of(races, [mode](const auto& one) { return one.mode == mode && !one.methods.empty(); }))
       tables.add(sentinel_key_row(study, mode));
 }
 
-void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
-                       tables::Tables& tables) {
+void write_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables) {
   (void)tables.table("timing.csv");
-  const race::Pace fastest = race::fastest_pace(race_cells);
-  for (const auto& race_cell : race_cells)
-    if (!race_cell.laps.empty()) add_race_cell(tables, study, race_cell, fastest);
-  for (const auto mode : study.modes) add_sentinel(tables, study, race_cells, mode, fastest);
+  const race::SentinelTimes fastest = race::fastest_sentinels(races);
+  for (const auto& race : races)
+    if (!race.times.empty()) add_race(tables, study, race, fastest);
+  for (const auto mode : study.modes) add_sentinel(tables, study, races, mode, fastest);
 }
 
 namespace {
 
 /// The times of one method over the sizes.
 struct Ladder {
-  const race::RaceCell* first;  ///< its race cells differ in the size only
+  const race::Race* first;  ///< its races differ in the size only
   const MethodInfo* method;
   std::vector<double> sizes;
   std::vector<double> ns;
 };
 
-double size_of(const race::RaceCell& race_cell, race::Size size) {
-  return size == race::Size::points ? *race_cell.case_values.points : race_cell.cell.degree;
+double size_of(const race::Race& race, race::Size size) {
+  return size == race::Size::points ? *race.case_values.points : race.cell.degree;
 }
 
-/// In the order in which their first race cells ran.
-std::vector<Ladder> ladders_of(const std::vector<race::RaceCell>& race_cells, race::Size size) {
+/// In the order in which their first races ran.
+std::vector<Ladder> ladders_of(const std::vector<race::Race>& races, race::Size size) {
   std::vector<Ladder> ladders;
   std::map<std::tuple<suite::ScalarKind, int, suite::Mode, std::vector<tables::Field>, const MethodInfo*>, std::size_t>
       places;
-  for (const auto& race_cell : race_cells)
-    for (std::size_t m = 0; m < race_cell.methods.size() && !race_cell.laps.empty(); ++m) {
-      const auto [place, is_new] = places.try_emplace({race_cell.scalar, race_cell.cell.dimension, race_cell.mode,
-                                                       tables::drawn_fields(race_cell.cell), race_cell.methods[m]},
-                                                      ladders.size());
-      if (is_new) ladders.push_back({&race_cell, race_cell.methods[m], {}, {}});
+  for (const auto& race : races)
+    for (std::size_t m = 0; m < race.methods.size() && !race.times.empty(); ++m) {
+      const auto [place, is_new] = places.try_emplace(
+          {race.scalar, race.cell.dimension, race.mode, tables::drawn_fields(race.cell), race.methods[m]},
+          ladders.size());
+      if (is_new) ladders.push_back({&race, race.methods[m], {}, {}});
       Ladder& ladder = ladders[place->second];
-      ladder.sizes.push_back(size_of(race_cell, size));
-      ladder.ns.push_back(metric::median_interval(race_cell.laps[m].repetition_ns(), metric::timing_confidence).median);
+      ladder.sizes.push_back(size_of(race, size));
+      ladder.ns.push_back(metric::median_interval(race.times[m].repetition_ns(), metric::timing_confidence).median);
     }
   return ladders;
 }
@@ -205,16 +203,16 @@ int claimed_exponent(const MethodInfo& method, suite::Mode mode) {
 
 }  // namespace
 
-void write_complexity_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells, race::Size size,
+void write_complexity_rows(const suite::Study& study, const std::vector<race::Race>& races, race::Size size,
                            tables::Tables& tables) {
   if (size == race::Size::unclaimed) return;
   (void)tables.table("complexity.csv");
-  for (const auto& ladder : ladders_of(race_cells, size)) {
+  for (const auto& ladder : ladders_of(races, size)) {
     const auto fitted = metric::growth(ladder.sizes, ladder.ns, metric::timing_confidence);
     if (!fitted) continue;
     const int claimed = claimed_exponent(*ladder.method, ladder.first->mode);
-    const auto [least, most] = std::ranges::minmax(ladder.sizes);
-    const bool of_points = size == race::Size::points;
+    const auto [min_size, max_size] = std::ranges::minmax(ladder.sizes);
+    const bool grows_with_points = size == race::Size::points;
     const auto& first = *ladder.first;
     tables::Row row("complexity.csv");
     row.set("study", study.id)
@@ -229,13 +227,13 @@ void write_complexity_rows(const suite::Study& study, const std::vector<race::Ra
         .set("claimed", claimed)
         .set("verdict", metric::name(metric::verdict(*fitted, claimed)))
         .set_each(tables::drawn_columns(), tables::drawn_fields(first.cell));
-    if (of_points)
+    if (grows_with_points)
       row.set("first_degree", first.cell.degree)
           .set("last_degree", first.cell.degree)
-          .set("first_points", least)
-          .set("last_points", most);
+          .set("first_points", min_size)
+          .set("last_points", max_size);
     else
-      row.set("first_degree", least).set("last_degree", most);
+      row.set("first_degree", min_size).set("last_degree", max_size);
     tables.add(row);
   }
 }

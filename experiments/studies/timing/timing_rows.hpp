@@ -1,33 +1,31 @@
 // SPDX-License-Identifier: MIT
-// timing.csv: the times of a study's race cells, a row per method, and a row per mode for the sentinel.
+// timing.csv: the times of a study's races, a row per method, and a row per mode for the sentinel.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "experiments/race/race_cell.hpp"
-#include "experiments/race/timed_problem.hpp"
+#include "experiments/race/race.hpp"
 #include "experiments/run/job.hpp"
 
 namespace bezierbench::studies {
 
-/// RaceCells that did not run have no rows. Times are medians over repetitions, also in units of the sentinel of the
+/// Races without repetitions have no rows. Times are medians over repetitions, also in units of the sentinel of the
 /// same repetition (`sentinel_units`), with their intervals; so are ratios, each the median over the rounds of a
 /// repetition. Of evaluators `limit_ns` is the least time that this processor could take, and `share_of_limit` the part
 /// that it is of the time without that of an empty kernel, `call_ns`. `quality` is `noisy` where a sentinel drifted or
 /// the repetitions disagree, else `ok`. `sentinel_ns` and `sweep_ns` are the times of the two sentinels. The sentinel's
-/// row is over all race cells of its mode, so it has no dimension or degree, and is `noisy` where it drifted in any of
+/// row is over all races of its mode, so it has no dimension or degree, and is `noisy` where it drifted in any of
 /// them.
-void write_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells,
-                       tables::Tables& tables);
+void write_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables);
 
-/// The keys of the same rows, of race cells before they run.
-void list_timing_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells, tables::Tables& tables);
+/// The keys of the same rows, of races before they run.
+void list_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables);
 
-/// The row of the method at place `method` of a race cell with laps. Its ratio is to the method at place `base`.
-void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::RaceCell& race_cell,
-                    std::size_t method, std::optional<std::size_t> base, const race::Pace& fastest);
+/// The row of the method at place `method` of a race that ran. Its ratio is to the method at place `base`.
+void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::Race& race, std::size_t method,
+                    std::optional<std::size_t> base, const race::SentinelTimes& fastest);
 
 // complexity.csv: the growth of a study's times with the degree or the number of points, against the claims of its
 // methods.
@@ -36,7 +34,7 @@ void add_timing_row(tables::Tables& tables, const suite::Study& study, const rac
 /// of the degree or, where first_points and last_points are not empty, of the number of points. `claimed` is the
 /// method's cost_exponent; in mode one_shot, where a curve is prepared for every point, the larger of that and its
 /// prepare_exponent. A problem whose methods claim no exponent has no rows.
-void write_complexity_rows(const suite::Study& study, const std::vector<race::RaceCell>& race_cells, race::Size size,
+void write_complexity_rows(const suite::Study& study, const std::vector<race::Race>& races, race::Size size,
                            tables::Tables& tables);
 
 }  // namespace bezierbench::studies

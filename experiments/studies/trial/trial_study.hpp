@@ -125,7 +125,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
 
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
   [[nodiscard]] std::size_t rows_of(const Part& part) const { return part.methods.size() * tolerances_.size(); }
-  /// A problem whose truth has two tiers is told which one to use.
+  /// A problem whose truth has two tiers gets the one to use.
   [[nodiscard]] P problem_of(const Part& part) const {
     if constexpr (std::constructible_from<P, const suite::Study&, std::uint64_t, const judge::TrialPart&,
                                           reference::Tier>)

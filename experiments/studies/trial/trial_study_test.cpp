@@ -128,7 +128,7 @@ TEST(TrialStudy, AsksEveryMethodAtEveryToleranceOfEachTrialOnce) {
   EXPECT_EQ(job->extent().rows, 4U);
   EXPECT_EQ(job->extent().evaluations, 4U * 10);
   run::run_all(*job);
-  EXPECT_EQ(calls.drawn, first_trials(10)) << "a trial is drawn once, whatever is asked of it";
+  EXPECT_EQ(calls.drawn, first_trials(10)) << "a trial is drawn once for all methods and tolerances";
   EXPECT_EQ(calls.asked, 4U * 10);
 }
 
@@ -227,13 +227,13 @@ TEST(TrialStudy, ItsProblemIsTimedAsItStands) {
   study.kind = &kind("timing");
   study.modes = {suite::Mode::one_shot};
   constexpr auto timed = race::timed_companion<CountedProblem>();
-  const auto race_cells = timed.race_cells(study);
-  ASSERT_EQ(race_cells.size(), 2U * 2);
+  const auto races = timed.races(study);
+  ASSERT_EQ(races.size(), 2U * 2);
   std::shared_ptr<const void> trials;
-  const auto judged = timed.rivals(race_cells.front(), study, 1, trials);
+  const auto judged = timed.rivals(races.front(), study, 1, trials);
   EXPECT_EQ(calls.drawn, first_trials(3));
-  (void)timed.rivals(race_cells.front(), study, 1, trials);
-  EXPECT_EQ(calls.drawn, first_trials(3)) << "another repetition draws no trial anew";
+  (void)timed.rivals(races.front(), study, 1, trials);
+  EXPECT_EQ(calls.drawn, first_trials(3)) << "another repetition draws no trial again";
   ASSERT_EQ(judged.rivals.size(), 2U);
   EXPECT_TRUE(judged.judged[0].right);
   EXPECT_FALSE(judged.rivals[0].check()) << "nothing ran yet";

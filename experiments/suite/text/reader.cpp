@@ -17,10 +17,10 @@
 
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/suite/external.hpp"
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/nearest.hpp"
-#include "experiments/suite/outside.hpp"
 #include "experiments/suite/text/toml_value.hpp"
 #include "experiments/suite/validate.hpp"
 
@@ -29,23 +29,23 @@ namespace {
 
 class Reader {
  public:
-  /// Methods from outside that the file records are known, too.
-  Reader(std::string_view file, const Vocabulary& known, const std::vector<OutsideMethod>& outside)
+  /// External methods that the file records are known, too.
+  Reader(std::string_view file, const Vocabulary& known, const std::vector<ExternalMethod>& external)
       : file_(file), known_(known) {
-    for (const auto& method : outside) known_.methods.push_back(method.id);
+    for (const auto& method : external) known_.methods.push_back(method.id);
   }
 
   std::vector<Suite> document(const toml::table& root) {
     check_schema(root);
     std::vector<Suite> suites;
     if (root.contains("suites")) {
-      check_keys(root, {"schema_version", "suites", "outside"});
+      check_keys(root, {"schema_version", "suites", "external"});
       for (const toml::table* table : tables(root, "suites", "[[suites]]")) {
         check_keys(*table, {"id", "title", "seed", "study"});
         suites.push_back(suite(*table, *table, "[[suites.study]]"));
       }
     } else {
-      check_keys(root, {"schema_version", "suite", "study", "outside"});
+      check_keys(root, {"schema_version", "suite", "study", "external"});
       const toml::node* head = root.get("suite");
       if (head == nullptr) fail(root, "[suite] is missing; add it with id, title and seed");
       if (!head->is_table()) fail(*head, "suite must be a table; write [suite]");
@@ -247,7 +247,7 @@ std::vector<Suite> parse_suites(std::string_view text, std::string_view file_nam
   try {
     const auto document = toml::parse(text);
     refuse_vanished_numbers(document, text, file_name);
-    return Reader(file_name, known, parse_outside(text, file_name)).document(document);
+    return Reader(file_name, known, parse_external(text, file_name)).document(document);
   } catch (const toml::parse_error& error) {
     std::string what(error.description());
     std::replace_if(

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// `inputs`: the inputs of accuracy studies as CSV, for methods that run elsewhere, and the reading of that table for
+// `judge`.
+#include "experiments/cli/external/inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "experiments/bundle/atomic_file.hpp"
+#include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/startup/suite_options.hpp"
+#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/external/answers.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/judge/input_fields.hpp"
+#include "experiments/number/number.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/external.hpp"
+#include "experiments/suite/text/reader.hpp"
+#include "experiments/suite/text/writer.hpp"
+#include "experiments/tables/cell_fields.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+const std::vector<std::string>& columns() {
+  static const auto all = [] {
+    std::vector<std::string> names{"suite", "seed", "study", "trials", "form", "dimension", "degree"};
+    const auto append = [&](const auto& more) { names.insert(names.end(), more.begin(), more.end()); };
+    append(tables::drawn_columns());
+    names.emplace_back("trial");
+    append(judge::input_columns());
+    append(external::answer_columns);
+    return names;
+  }();
+  return all;
+}
+
+bool has_inputs(const suite::Study& study) {
+  return studies::is_kind(study, studies::accuracy_kind) &&
+         std::ranges::count(study.scalar, suite::ScalarKind::float64) > 0;
+}
+
+void add_cell(const suite::Suite& of, const suite::Study& study, const sample::Cell& cell, bundle::CsvTable& table) {
+  const sample::Sampler sampler(of.seed, study.id, cell);
+  sample::Trial trial;
+  for (std::int64_t k = 0; k < study.trials; ++k) {
+    sampler.draw(static_cast<std::uint64_t>(k), trial);
+    std::vector<std::string> fields{of.id,
+                                    std::to_string(of.seed),
+                                    study.id,
+                                    std::to_string(study.trials),
+                                    std::string(name(study.form)),
+                                    std::to_string(cell.dimension),
+                                    std::to_string(cell.degree)};
+    const auto append = [&](const std::vector<std::string>& more) {
+      fields.insert(fields.end(), more.begin(), more.end());
+    };
+    for (const auto& drawn : tables::drawn_fields(cell)) fields.push_back(tables::text(drawn));
+    fields.push_back(std::to_string(k));
+    append(judge::input_fields(trial, cell.dimension));
+    append(std::vector<std::string>(external::answer_columns.size()));
+    table.add_row(std::move(fields));
+  }
+}
+
+template <class T>
+void add_once(std::vector<T>& values, const T& value) {
+  if (std::ranges::find(values, value) == values.end()) values.push_back(value);
+}
+
+template <class T>
+T& find_or_add(std::vector<T>& all, const std::string& id) {
+  const auto found = std::ranges::find(all, id, &T::id);
+  if (found != all.end()) return *found;
+  all.emplace_back().id = id;
+  return all.back();
+}
+
+/// Adds the values of one row to the axes of its study.
+void add_row(const bundle::CsvDocument& table, std::size_t row, const std::string& method,
+             std::vector<suite::Suite>& suites) {
+  const auto read = [&](std::string_view column, auto parse, std::string_view what) {
+    if (const auto value = parse(table.at(row, column))) return *value;
+    throw Failure(Exit::input_output,
+                  fmt::format("{}:{}: {} is not {}; leave the columns of `bezierbench inputs` as they are",
+                              table.file_name(), table.line(row), column, what));
+  };
+  const auto number = [&](std::string_view column) { return read(column, number::parse_number, "a number"); };
+  const auto whole = [&](std::string_view column) { return read(column, number::parse_integer, "a whole number"); };
+  auto& of = find_or_add(suites, table.at(row, "suite"));
+  of.title = "Inputs answered elsewhere";
+  of.seed = static_cast<std::uint64_t>(whole("seed"));
+  const bool is_new = std::ranges::find(of.studies, table.at(row, "study"), &suite::Study::id) == of.studies.end();
+  auto& study = find_or_add(of.studies, table.at(row, "study"));
+  if (is_new) {
+    study.kind = &studies::accuracy_kind.asks;
+    study.title = "Inputs answered elsewhere";
+    study.coordinate_range.clear();
+    study.t_interval.clear();
+    study.generator.clear();
+    study.dimension.clear();
+    study.methods = {method};
+    study.trials = whole("trials");
+  }
+  if (const auto form = suite::parse<Form>(table.at(row, "form"))) study.form = *form;
+  const auto small = [&](std::string_view column) {
+    return static_cast<int>(
+        std::clamp<std::int64_t>(whole(column), -1, max_degree + 1));  // the checks refuse both ends
+  };
+  add_once(study.dimension, small("dimension"));
+  add_once(study.degree, small("degree"));
+  add_once(study.coordinate_range, number("coordinate_range"));
+  add_once(study.t_interval, suite::Interval{number("t_min"), number("t_max")});
+  add_once(study.generator, table.at(row, "generator"));
+}
+
+/// The fields of judge::input_columns(), in the program's spelling of numbers: a file may have another.
+std::vector<std::string> input_of(const bundle::CsvDocument& table, std::size_t row) {
+  std::vector<std::string> fields;
+  for (const auto& column : judge::input_columns()) {
+    std::istringstream words(table.at(row, column));
+    auto& field = fields.emplace_back();
+    for (std::string word; words >> word;) {
+      const auto value = number::parse_number(word);
+      field += (field.empty() ? "" : " ") + (value ? number::hexadecimal(*value) : word);
+    }
+  }
+  return fields;
+}
+
+/// The inputs of the trials of a study.
+std::set<std::vector<std::string>> drawn_inputs(const suite::Suite& of, const suite::Study& study) {
+  std::set<std::vector<std::string>> inputs;
+  sample::Trial trial;
+  for (const auto& cell : sample::cells(study)) {
+    const sample::Sampler sampler(of.seed, study.id, cell);
+    for (std::int64_t k = 0; k < study.trials; ++k) {
+      sampler.draw(static_cast<std::uint64_t>(k), trial);
+      inputs.insert(judge::input_fields(trial, cell.dimension));
+    }
+  }
+  return inputs;
+}
+
+/// A row for each trial of the first replicate of each cell in double of the accuracy studies, with empty answers.
+/// Throws Failure(usage) where there is no such study, and for more than a gigabyte of inputs.
+bundle::CsvTable input_table(const std::vector<suite::Suite>& suites) {
+  constexpr double largest = 1e9;
+  double bytes = 0;
+  for (const auto& one : suites)
+    for (const auto& study : one.studies)
+      if (has_inputs(study))
+        for (const auto& cell : sample::cells(study))
+          bytes += static_cast<double>(study.trials) * static_cast<double>(judge::bytes_of_input(cell));
+  if (bytes == 0)
+    throw Failure(Exit::usage, "no study is of kind accuracy in double; choose other suites, see `list studies`");
+  if (bytes > largest)
+    throw Failure(
+        Exit::usage,
+        fmt::format("the inputs would take {:.0f} GB; choose fewer with --trials, --only or --set", bytes / largest));
+  bundle::CsvTable table(columns());
+  for (const auto& one : suites)
+    for (const auto& study : one.studies)
+      if (has_inputs(study))
+        for (const auto& cell : sample::cells(study)) add_cell(one, study, cell, table);
+  return table;
+}
+
+}  // namespace
+
+std::vector<std::string> foreign_inputs(const bundle::CsvDocument& table, const std::vector<suite::Suite>& suites) {
+  std::vector<std::string> findings;
+  for (const auto& of : suites)
+    for (const auto& study : of.studies) {
+      const auto drawn = drawn_inputs(of, study);
+      std::vector<std::size_t> foreign;
+      std::size_t all = 0;
+      for (std::size_t row = 0; row < table.row_count(); ++row) {
+        if (table.at(row, "suite") != of.id || table.at(row, "study") != study.id) continue;
+        ++all;
+        if (!drawn.contains(input_of(table, row))) foreign.push_back(table.line(row));
+      }
+      if (foreign.empty()) continue;
+      const auto what = foreign.size() == all
+                            ? fmt::format("{}: suite {} with this seed has no study {} with these {} inputs",
+                                          table.file_name(), of.id, study.id, all)
+                            : fmt::format("{}:{}: {} input{} not in this suite; this is the first", table.file_name(),
+                                          foreign.front(), foreign.size(), foreign.size() == 1 ? " is" : "s are");
+      findings.push_back(what + "; leave the columns of `bezierbench inputs` as they are");
+    }
+  return findings;
+}
+
+std::vector<suite::Suite> suites_of(const bundle::CsvDocument& table, const std::string& method) {
+  std::vector<suite::Suite> suites;
+  for (std::size_t row = 0; row < table.row_count(); ++row) add_row(table, row, method, suites);
+  if (suites.empty())
+    throw Failure(
+        Exit::input_output,
+        fmt::format("{}: has no rows; leave the columns of `bezierbench inputs` as they are", table.file_name()));
+  auto known = vocabulary();
+  known.methods.push_back(method);
+  try {  // what a file says goes through the checks of a suite
+    return suite::parse_suites(suite::to_toml(suites), "suite.toml", known);
+  } catch (const Failure& failure) {
+    throw Failure(Exit::input_output,
+                  fmt::format("{}: is not of a suite ({}); leave the columns of `bezierbench inputs` as they are",
+                              table.file_name(), failure.what()));
+  }
+}
+
+void add_inputs(Command program, Exit& exit) {
+  struct Options {
+    SuiteOptions suites;
+    std::string out;
+  };
+  auto options = std::make_shared<Options>();
+  auto command = program.command(
+      "inputs", "write the inputs of a suite's accuracy studies as CSV, for methods that run elsewhere");
+  options->suites.add_suites(command);
+  command.option("--out", options->out, "output file").required().takes(file_value);
+  options->suites.add_changes(command);
+  command.action([options, &exit] {
+    if (options->out.empty()) throw Failure(Exit::usage, "--out: is empty; name a file");
+    bundle::write_file(options->out, input_table(options->suites.read(vocabulary())).text());
+    exit = Exit::fine;
+  });
+}
+
+}  // namespace bezierbench::cli

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/external/code.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <string_view>
+
+#include "experiments/failure.hpp"
+
+namespace bezierbench::external {
+namespace {
+
+Status evaluate_each(const OpenKernel& open, const Batch& batch, std::vector<double>& points) {
+  const auto* kernel = open(batch.dimension);
+  if (kernel == nullptr) return Status::exited;
+  const auto alignment = std::align_val_t{std::max(kernel->prepared_alignment, alignof(std::max_align_t))};
+  void* const prepared = ::operator new(kernel->prepared_size, alignment);  // the process ends with the batch
+  const auto evaluate_point = kernel->evaluate_for(batch.degree);
+  try {
+    for (std::size_t k = 0; k < batch.count(); ++k) {
+      kernel->prepare(batch.curve(k), prepared);
+      evaluate_point(prepared, std::span(&batch.t[k], 1),
+                     points.data() + k * static_cast<std::size_t>(batch.dimension));
+      if (kernel->destroy != nullptr) kernel->destroy(prepared);
+    }
+  } catch (const CurveRefused&) {
+    return Status::refused;
+  } catch (...) {
+    return Status::threw;
+  }
+  return Status::ok;
+}
+
+std::string_view last_line(std::string_view text) {
+  const auto end = text.find_last_not_of(" \n\r\t");
+  if (end == std::string_view::npos) return {};
+  text = text.substr(0, end + 1);
+  return text.substr(text.rfind('\n') + 1);
+}
+
+class Own final : public Method {
+ public:
+  Own(const OwnMethod& method, const Limits& limits, bool (*stop)()) : method_(method), limits_(limits), stop_(stop) {
+    const MethodInfo& info = *method.info;
+    record_ = {std::string(info.id),
+               suite::ExternalKind::own,
+               std::string(info.label),
+               info.form,
+               info.min_degree,
+               info.max_degree,
+               {},
+               {}};
+    if (const auto what = suite::external_id_problem(record_.id, record_.kind); !what.empty())
+      throw Failure(Exit::usage, what + "; change MethodInfo::id");
+  }
+
+  [[nodiscard]] const suite::ExternalMethod& record() const override { return record_; }
+  [[nodiscard]] Answer points(const Batch& batch) const override {
+    return call_code([this](int dimension) { return open_kernel(dimension); }, batch, limits_, stop_);
+  }
+  [[nodiscard]] Limits limits() const override { return limits_; }
+  [[nodiscard]] const Kernel<double>* open_kernel(int dimension) const override {
+    return method_.kernels.at(static_cast<std::size_t>(dimension) - 1);
+  }
+
+ private:
+  OwnMethod method_;
+  suite::ExternalMethod record_;
+  Limits limits_;
+  bool (*stop_)();
+};
+
+}  // namespace
+
+Answer failed(const Ended& ended) {
+  const auto message = last_line(ended.errors);
+  const auto with = [&](const std::string& how) { return message.empty() ? how : fmt::format("{}: {}", how, message); };
+  switch (ended.end) {
+    case End::exited: {
+      const auto* const when = ended.code == 0 ? " before it had answered" : "";
+      return {Status::exited, {}, with(fmt::format("the process ended with code {}{}", ended.code, when))};
+    }
+    case End::signalled:
+      return {Status::crashed, {}, with(fmt::format("signal {} ({})", ended.code, strsignal(ended.code)))};
+    case End::timed_out: return {Status::timed_out, {}, with("it did not end within the time limit")};
+    case End::interrupted: break;
+  }
+  return {Status::timed_out, {}, "interrupted"};
+}
+
+Answer call_code(const OpenKernel& open, const Batch& batch, const Limits& limits, bool (*stop)()) {
+  const std::size_t numbers = batch.count() * static_cast<std::size_t>(batch.dimension);
+  const auto work = [&] {
+    const int answer = keep_output_for_answer();
+    // A point that was not written is not finite.
+    std::vector<double> points(numbers, std::numeric_limits<double>::quiet_NaN());
+    const Status status = evaluate_each(open, batch, points);
+    write_all(answer, {reinterpret_cast<const char*>(&status), sizeof status});
+    write_all(answer, {reinterpret_cast<const char*>(points.data()), numbers * sizeof(double)});
+  };
+  constexpr std::size_t room_for_errors = 1U << 20U;
+  const auto size = sizeof(Status) + numbers * sizeof(double);
+  const auto ended = run_in_child(work, {}, size + room_for_errors, limits, stop);
+  if (ended.end != End::exited || ended.code != 0 || ended.output.size() != size) return failed(ended);
+  Answer answer;
+  std::memcpy(&answer.status, ended.output.data(), sizeof answer.status);
+  answer.points.resize(numbers);
+  std::memcpy(answer.points.data(), ended.output.data() + sizeof answer.status, numbers * sizeof(double));
+  if (answer.status != Status::ok) answer.detail = last_line(ended.errors);
+  return answer;
+}
+
+std::shared_ptr<const Method> own(const OwnMethod& method, const Limits& limits, bool (*stop)()) {
+  return std::make_shared<Own>(method, limits, stop);
+}
+
+}  // namespace bezierbench::external

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// An external method: code or answers that are not part of this program, or that were compiled into a user's own
+// program. Batches of inputs are handed to it, each in a child process.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/curve_view.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
+#include "experiments/external/child.hpp"
+#include "experiments/external/own_method.hpp"
+#include "experiments/suite/external.hpp"
+
+namespace bezierbench::external {
+
+/// Curves of one form, dimension and degree, each with one parameter.
+struct Batch {
+  Form form = Form::bernstein;
+  int dimension = 2;
+  int degree = 0;
+  std::vector<double> t;
+  std::vector<double> coefficients;  ///< curve by curve, each point by point
+  std::vector<double> weights;       ///< curve by curve, of rational curves
+
+  [[nodiscard]] std::size_t count() const { return t.size(); }
+  [[nodiscard]] CurveView<double> curve(std::size_t k) const;
+};
+
+/// The outcome of a batch, in the order of precedence: of several batches the last in this order is reported.
+enum class Status : std::uint8_t {
+  ok,
+  non_finite,  ///< no point was finite
+  missing,     ///< a file of answers has none for some input
+  refused,     ///< the method does not take one of the curves
+  malformed,   ///< its answers cannot be read, or there are too few or too many
+  exited,      ///< the process ended before it had answered, or with another code than 0
+  threw,       ///< an exception left it
+  crashed,     ///< a signal ended the process
+  timed_out    ///< it took longer than the limit
+};
+
+/// The word for a status in tables.
+std::string_view name(Status status);
+
+struct Answer {
+  Status status = Status::ok;
+  std::vector<double> points;  ///< point by point; of every input where the status is ok
+  std::string detail;          ///< for people: the method's last line on standard error, or how it ended
+};
+
+class Method {
+ public:
+  Method() = default;
+  Method(const Method&) = delete;
+  Method& operator=(const Method&) = delete;
+  Method(Method&&) = delete;
+  Method& operator=(Method&&) = delete;
+  virtual ~Method() = default;
+
+  /// The method's record in a bundle.
+  [[nodiscard]] virtual const suite::ExternalMethod& record() const = 0;
+  /// The points of a batch. Safe to call from several threads.
+  [[nodiscard]] virtual Answer points(const Batch& batch) const = 0;
+  /// The kernel of a method that is code in this process, for times. It may be requested and called only in a child
+  /// process, which serves one method. Null where it cannot be loaded.
+  [[nodiscard]] virtual const Kernel<double>* open_kernel(int /*dimension*/) const { return nullptr; }
+  /// The limits of each of its processes.
+  [[nodiscard]] virtual Limits limits() const { return {}; }
+};
+
+/// The methods of one run, in the order in which they were given.
+using Methods = std::vector<std::shared_ptr<const Method>>;
+
+/// The method with this id; null where there is none.
+const Method* find(const Methods& methods, std::string_view id);
+
+/// A method that the user's program has compiled in. Throws Failure(usage) for an id that does not begin with own_. The
+/// bound that its info states is not used, because nobody has checked its proof.
+std::shared_ptr<const Method> own(const OwnMethod& method, const Limits& limits, bool (*stop)());
+
+/// A shared object with the interface of plugin.h. It is loaded in child processes only, here to read its id, form and
+/// degrees. Throws Failure(usage) for a file that is not a plug-in, Failure(input_output) for one that cannot be read.
+std::shared_ptr<const Method> plugin(const std::filesystem::path& file, const Limits& limits, bool (*stop)());
+
+/// A command, started once for each batch, which reads inputs from its standard input and writes answers to its standard
+/// output; docs/own_method.md describes both. It is started here without inputs to read its id. Throws Failure(usage)
+/// for a first line that is not as described there.
+std::shared_ptr<const Method> program(const std::string& command, const Limits& limits, bool (*stop)());
+
+}  // namespace bezierbench::external

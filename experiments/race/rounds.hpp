@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Times rivals against each other. In every round each runs once, in an order that changes from round to round. Drift
+// of the machine therefore affects all rivals equally, and ratios are taken within rounds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/race/counters.hpp"
+
+namespace bezierbench::race {
+
+/// Nanoseconds since a fixed moment.
+using Clock = std::int64_t (*)();
+
+/// std::chrono::steady_clock.
+std::int64_t steady_ns();
+
+/// The minimum time of one rival in one round, unless the options of a race say otherwise.
+inline constexpr double min_round_seconds = 5e-5;
+
+/// One rival. `run` does its whole batch once and writes the results that `check` reads.
+struct Rival {
+  std::string name;
+  std::size_t points_per_batch;
+  std::function<void()> run;
+  std::function<bool()> check;  ///< after every round, not timed: true where the results are the judged ones
+};
+
+/// The times of one rival in the rounds of one repetition.
+struct RoundTimes {
+  std::vector<double> ns_per_point;            ///< one per round
+  std::vector<double> cycles_per_point;        ///< one per round in which the counters ran; none without counters
+  std::vector<double> instructions_per_point;  ///< likewise
+  std::size_t points_per_round = 0;            ///< the largest number, of several repetitions
+  bool checked = true;                         ///< every check held
+
+  /// Appends the rounds of another repetition of the same rival.
+  void append(const RoundTimes& other);
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.ns_per_point, self.cycles_per_point, self.instructions_per_point, self.points_per_round, self.checked);
+  }
+};
+
+/// Many short rounds measure better than few long ones: a round shorter than the scheduler's time slice is seldom
+/// interrupted, and all rivals of the round meet the same state of the machine. On two processors with a load of
+/// 12, half the interval of the ratio of a kernel to itself was 68 % with 41 rounds of 0.5 ms and 0.07 % with 400
+/// rounds of 0.05 ms, in half the time.
+struct RaceOptions {
+  std::size_t rounds = 400;                  ///< at most, approximately
+  std::size_t min_rounds = 41;               ///< before `rival_seconds` may end the race
+  double round_seconds = min_round_seconds;  ///< minimum time of one rival in one round
+  double rival_seconds = 0.04;               ///< of one rival in all rounds, on average
+  double max_seconds = 30;                   ///< the race ends after the round that reaches this, in any case
+  Clock clock = steady_ns;
+  const Counters* counters = nullptr;
+  bool (*stop)() = nullptr;  ///< called between rounds; true ends the race early
+};
+
+/// Runs the rounds as one Google Benchmark benchmark with manual time; the times are in the order of the rivals. Unless
+/// `max_seconds` or `stop` end it, every order of the rivals has occurred equally often.
+std::vector<RoundTimes> time_rounds(const std::string& name, std::span<const Rival> rivals, const RaceOptions& options);
+
+}  // namespace bezierbench::race

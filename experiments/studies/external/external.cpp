@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/studies/external/external.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/run/notes.hpp"
+#include "experiments/studies/roster.hpp"
+#include "experiments/suite/kind.hpp"
+#include "experiments/suite/names.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+/// The study without external methods.
+suite::Study without_external(suite::Study study) {
+  std::erase_if(study.methods, [](const auto& id) { return suite::is_external(id); });
+  return study;
+}
+
+}  // namespace
+
+JudgedExternal::JudgedExternal(suite::ExternalMethod record, Form form, const external::Method* given)
+    : record_(std::move(record)),
+      given_(given),
+      info_{.id = record_.id,
+            .label = record_.label,
+            .form = form,
+            .min_degree = record_.min_degree,
+            .max_degree = record_.max_degree,
+            .flops = {},
+            .citation = {}} {
+  for (int dimension = 1; dimension <= 3; ++dimension) {
+    auto& kernel = described_[static_cast<std::size_t>(dimension) - 1];
+    kernel = {};
+    kernel.info = kernel.evaluator = &info_;
+    kernel.dimension = dimension;
+    kernel.evaluated_form = form;
+  }
+}
+
+const external::Method& JudgedExternal::method() const {
+  if (given_ == nullptr) throw std::logic_error(record_.id + ": was not given");
+  return *given_;
+}
+
+void JudgedExternal::report(const suite::Study& study, const external::Answer& answer) const {
+  if (!reported_.test_and_set())
+    run::note(fmt::format("{}: {} in study {}{}{}; the status of its rows says where", record_.id, name(answer.status),
+                          study.id, answer.detail.empty() ? "" : ": ", answer.detail));
+}
+
+std::string why_unasked(const suite::Study& study, const suite::ExternalMethod& record) {
+  const bool is_code = record.kind == suite::ExternalKind::own || record.kind == suite::ExternalKind::plugin;
+  if (is_kind(study, timing_kind)) {
+    if (!is_code) return "its methods are timed, and only a shared object or a compiled-in method can be timed";
+    if (timed_problem(without_external(study)).problem != Problem::evaluation) return "it times another problem";
+  } else if (!is_kind(study, accuracy_kind)) {
+    return fmt::format("it is of kind {}", suite::kind_of(study).id);
+  }
+  if (record.kind != suite::ExternalKind::answers && record.form != study.form)
+    return fmt::format("its curves are {}, the method takes {}", name(study.form), name(record.form));
+  return std::ranges::count(study.scalar, suite::ScalarKind::float64) == 0 ? "it is in float only" : "";
+}
+
+std::unique_ptr<run::Job> external_job(const suite::Study& study, const suite::ExternalMethod& record,
+                                       const external::Method* given, const run::JobContext& context) {
+  if (!why_unasked(study, record).empty()) return nullptr;
+  if (is_kind(study, accuracy_kind)) return external_accuracy_job(study, record, given, context);
+  return external_timing_job(without_external(study), record, given, context);
+}
+
+}  // namespace bezierbench::studies

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Errors of an external method. A block is one batch, in a process of its own. A batch holds trials of several replicates
+// where each has few, since starting a process may take as long as a thousand answers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "experiments/judge/trial_inputs.hpp"
+#include "experiments/run/interruption.hpp"
+#include "experiments/studies/accuracy/accuracy_cell.hpp"
+#include "experiments/studies/external/external.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+using external::Status;
+
+/// The errors of the answered blocks, and the worst status of all blocks.
+struct ExternalTally {
+  judge::CellTally tally;
+  std::uint8_t status = 0;
+
+  template <class Bytes, class Self>
+  static void each_field(Bytes& bytes, Self& self) {
+    bytes(self.tally, self.status);
+  }
+  void merge(const ExternalTally& other) {
+    tally.merge(other.tally);
+    status = std::max(status, other.status);
+  }
+};
+
+class ExternalAccuracyJob final : public run::JobOf<ExternalTally> {
+ public:
+  ExternalAccuracyJob(const suite::Study& study, const suite::ExternalMethod& record, const external::Method* given,
+                      run::JobContext context)
+      : study_(study), method_(record, study.form, given) {
+    context.audited_trials = 0;  // the study's own job audits them
+    for (const auto& cell : sample::cells(study_)) {
+      cells_.emplace_back(study_, context, cell, method_.described(cell.dimension));
+      late_.emplace_back(false);
+    }
+  }
+
+  [[nodiscard]] std::size_t parts() const override { return cells_.size(); }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return (cells_.front().blocks() - 1) / together() + 1; }
+  [[nodiscard]] double cost(std::size_t part) const override {
+    constexpr double process_cost = 2e7;
+    return process_cost + static_cast<double>(together()) * cells_[part].cost();
+  }
+  [[nodiscard]] run::Extent extent() const override {
+    run::Extent sum;
+    for (const auto& cell : cells_) sum += cell.extent();
+    sum.cells = 0;  // they are those of the study's own job
+    return sum;
+  }
+  void write(tables::Tables& tables) const override {
+    (void)tables.table("reference.csv");
+    for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k].write(state(k).tally, tables, failure(state(k)));
+  }
+  /// Rows of reference.csv are not planned, since a method that fails has none.
+  void list_rows(tables::Tables& tables) const override {
+    for (const auto& cell : cells_) cell.list_judgements(tables);
+  }
+  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
+
+ protected:
+  [[nodiscard]] ExternalTally work(std::size_t block) const override;
+
+ private:
+  using Cell = AccuracyCell<double>;
+
+  /// Blocks of a cell that one batch holds.
+  [[nodiscard]] std::size_t together() const {
+    constexpr std::uint64_t max_trials = 1024;
+    const auto [first, end] = cells_.front().trials_of(0);
+    return std::max<std::size_t>(1, max_trials / (end - first));
+  }
+  /// The first block of a cell in a batch, and one past the last.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> blocks_in(const Cell& cell, std::size_t batch) const {
+    return {batch * together(), std::min(cell.blocks(), (batch + 1) * together())};
+  }
+  void add_inputs(const Cell& cell, std::size_t block, external::Batch& batch) const;
+  /// The errors of the blocks in a batch; without points a tally without trials.
+  [[nodiscard]] judge::CellTally judged(const Cell& cell, std::size_t batch, std::span<const double> points) const;
+  /// The status in place of the numbers; empty where there are numbers.
+  static std::string_view failure(const ExternalTally& state) {
+    const auto status = static_cast<Status>(state.status);
+    if (status != Status::ok) return name(status);
+    const bool finite = std::ranges::any_of(state.tally.judgements, [](const auto& j) { return j.error.count() > 0; });
+    return finite ? std::string_view() : name(Status::non_finite);
+  }
+
+  suite::Study study_;
+  JudgedExternal method_;
+  std::deque<Cell> cells_;  ///< elements must not move: a cell holds references to itself
+  mutable std::deque<std::atomic<bool>>
+      late_;  ///< cells in which a block took too long; their other blocks are skipped
+};
+
+void ExternalAccuracyJob::add_inputs(const Cell& cell, std::size_t block, external::Batch& batch) const {
+  judge::TrialInputs<double> inputs(study_.form, cell.cell());
+  const auto [first, end] = cell.trials_of(block);
+  for (auto trial = first; trial < end; ++trial) {
+    inputs.draw(cell.sampler(), trial);
+    const auto curve = inputs.curve();
+    batch.t.push_back(inputs.t());
+    batch.coefficients.insert(batch.coefficients.end(), curve.coefficients.begin(), curve.coefficients.end());
+    batch.weights.insert(batch.weights.end(), curve.weights.begin(), curve.weights.end());
+  }
+}
+
+judge::CellTally ExternalAccuracyJob::judged(const Cell& cell, std::size_t batch,
+                                             std::span<const double> points) const {
+  const auto [first_block, end_block] = blocks_in(cell, batch);
+  std::optional<judge::CellTally> sum;
+  for (auto block = first_block; block < end_block; ++block) {
+    const auto [first, end] = cell.trials_of(block);
+    const auto block_points =
+        points.first(std::min(points.size(), (end - first) * static_cast<std::size_t>(cell.cell().dimension)));
+    points = points.subspan(block_points.size());
+    auto tally = cell.judge_block(block, block_points);
+    if (sum)
+      sum->merge(tally);
+    else
+      sum = std::move(tally);
+  }
+  return std::move(*sum);
+}
+
+ExternalTally ExternalAccuracyJob::work(std::size_t block) const {
+  const std::size_t part = part_of(block);
+  const std::size_t batch_number = block % blocks_per_part();
+  const Cell& cell = cells_[part];
+  const auto nothing = [&](Status status) {
+    return ExternalTally{judged(cell, batch_number, {}), static_cast<std::uint8_t>(status)};
+  };
+  if (!method_.info().supports<double>(cell.cell().degree)) return nothing(Status::ok);
+  if (late_[part]) return nothing(Status::timed_out);
+  external::Batch batch{study_.form, cell.cell().dimension, cell.cell().degree, {}, {}, {}};
+  const auto [first, end] = blocks_in(cell, batch_number);
+  for (auto k = first; k < end; ++k) add_inputs(cell, k, batch);
+  const auto answer = method_.method().points(batch);
+  if (run::interrupted()) return nothing(Status::ok);  // the engine drops unfinished blocks
+  if (answer.status == Status::ok) {
+    const auto lost = std::ranges::count_if(answer.points, [](double x) { return !std::isfinite(x); });
+    if (lost > 0)
+      method_.report(study_, {Status::non_finite, {}, fmt::format("{} of {} coordinates", lost, answer.points.size())});
+    return {judged(cell, batch_number, answer.points), 0};
+  }
+  if (answer.status == Status::timed_out) late_[part] = true;
+  method_.report(study_, answer);
+  return nothing(answer.status);
+}
+
+}  // namespace
+
+std::unique_ptr<run::Job> external_accuracy_job(const suite::Study& study, const suite::ExternalMethod& record,
+                                                const external::Method* given, const run::JobContext& context) {
+  return std::make_unique<ExternalAccuracyJob>(study, record, given, context);
+}
+
+}  // namespace bezierbench::studies
