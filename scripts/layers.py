@@ -58,7 +58,7 @@ TABLE = {
     ),
     "experiments/cli": (["core", "reference", "experiments"], ["CLI11"]),
     "experiments/programs": (["core", "reference", "experiments"], ["CLI11"]),
-    "bindings": (["core", "reference", "experiments/metric", "experiments/number"], ["GMP/MPFR"]),
+    "bindings": (["core", "reference"], ["GMP/MPFR"]),
     "experiments/examples": ([], ["bezierbench"]),  # what users of the installed package write
 }
 

@@ -8,7 +8,10 @@
 
 namespace bezierbench::bundle {
 
-/// One aspect of a machine to know before times are believed.
+/// The aspect of a Concern about the clock.
+inline constexpr std::string_view clock_aspect = "clock";
+
+/// One aspect of a machine to know before times are relied on.
 struct Concern {
   std::string aspect;  ///< clock, governor, boost, load, virtualised, counters
   std::string text;    ///< what is wrong and what to do about it

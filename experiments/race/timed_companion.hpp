@@ -129,7 +129,7 @@ JudgedRivals rivals_of_companion(const Race& race, const suite::Study& study, st
 
 template <judge::TrialProblem P>
 constexpr TimedProblem timed_companion(Size size = Size::unclaimed) {
-  return {P::problem, size, races_of_companion<P>, rivals_of_companion<P>};
+  return {size, races_of_companion<P>, rivals_of_companion<P>};
 }
 
 }  // namespace bezierbench::race

@@ -13,8 +13,8 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/schema/columns.hpp"
-#include "experiments/suite/external.hpp"
 #include "experiments/suite/fault.hpp"
+#include "experiments/suite/external.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "experiments/suite/text/writer.hpp"
 #include "experiments/tables/choices.hpp"
@@ -77,7 +77,7 @@ void add_external_jobs(const RunRequest& request, const suite::Study& study, con
   }
   if (names_some && plan.jobs.size() == before)
     suite::refuse(study, {"methods", static_cast<std::size_t>(named - study.methods.begin()), "kind",
-                          fmt::format("method \"{}\" is external and not available in this study, because of its "
+                          fmt::format("method \"{}\" is external and cannot be asked in this study, because of its "
                                       "kind, form or scalar; remove it",
                                       *named)});
 }
@@ -106,15 +106,16 @@ void find_unchecked_times(const tables::Tables& tables, Outcome& outcome) {
   for (const auto& [file, table] : tables.all()) {
     if (bundle::declared_table(file)->column("checked") == nullptr) continue;
     bundle::FewLines lines(file);
-    const auto document = bundle::parse_csv(table.text(), file);
-    for (std::size_t row = 0; row < document.row_count(); ++row)
-      if (document.at(row, "checked") == "no" && suite::is_external(document.at(row, "method")))
-        lines.add(
-            fmt::format("what was timed did not give what was judged: study {}, method {}, degree {}, mode {}; "
-                        "see {}:{}",
-                        document.at(row, "study"), document.at(row, "method"), document.at(row, "degree"),
-                        document.at(row, "mode"), file, document.line(row)));
-    for (auto& line : lines.take()) outcome.findings.push_back(std::move(line));
+    std::size_t line = 1;
+    for (const auto& row : tables::rows_of(table)) {
+      ++line;
+      if (row.text("checked") == "no" && suite::is_external(row.text("method")))
+        lines.add(fmt::format(
+            "what was timed did not give what was judged: study {}, method {}, degree {}, mode {}; see "
+            "{}:{}",
+            row.text("study"), row.text("method"), text(row.field("degree")), row.text("mode"), file, line));
+    }
+    for (auto& found : lines.take()) outcome.findings.push_back(std::move(found));
   }
 }
 
@@ -128,7 +129,7 @@ void count_times(const tables::Tables& tables, Outcome& outcome) {
 
 }  // namespace
 
-Plan::Plan(const RunRequest& request)
+Plan::Plan(const RunRequest& request, Unplannable unplannable)
     : suite_text(suite::to_toml(request.suites) + suite::to_toml(request.external)),
       manifest(manifest_of(request, suite_text)),
       reference(reference::name(request.tier)) {
@@ -151,8 +152,8 @@ Plan::Plan(const RunRequest& request)
     studies.push_back({std::move(*own), context});
   });
   // Last, so that no row of another method is elsewhere than without them.
-  for (const auto& one : request.suites)
-    for (const auto& study : one.studies) add_external_jobs(request, study, {one.seed, request.tier}, *this);
+  each_study(
+      [&](const suite::Study& study, const JobContext& context) { add_external_jobs(request, study, context, *this); });
 }
 
 void tell_unasked(const RunRequest& request, const Plan& plan) {
@@ -246,7 +247,7 @@ bundle::Expected expected_of(const RunRequest& request, const Plan& plan) {
   for (const auto& [file, table] : tables.all()) expected.plan.rows.emplace(file, table.document());
   expected.plan.methods_csv = request.methods_csv;
   expected.plan.git_commit = request.git_commit;
-  for (const auto& method : request.outside) expected.plan.outside.insert(method.id);
+  for (const auto& method : request.external) expected.plan.outside.insert(method.id);
   return expected;
 }
 

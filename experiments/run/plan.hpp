@@ -21,7 +21,7 @@ struct PlannedStudy {
   JobContext context;
 };
 
-/// An external method that a study does not ask.
+/// An external method that a study does not evaluate.
 struct Unasked {
   std::string method;
   std::string study;
@@ -35,7 +35,7 @@ struct Plan {
   explicit Plan(const RunRequest& request, Unplannable unplannable = Unplannable::refused);
 
   Jobs jobs;                           ///< those of `studies` in their order, then those for external methods
-  std::vector<std::string> job_names;  ///< of the study of a job; of the study and the method for an external method
+  std::vector<std::string> job_names;  ///< of the study of a job; of that and the method for an external method
   std::vector<PlannedStudy> studies;   ///< without the names of external methods
   std::vector<Unasked> unasked;
   std::string suite_text;     ///< the resolved suites
@@ -43,8 +43,8 @@ struct Plan {
   std::string reference;      ///< the tier
 };
 
-/// Tells the user which studies ask nothing of which external method. Throws Failure(usage) where no study asks a
-/// method.
+/// Tells the user which studies do not evaluate which external method. Throws Failure(usage) for a method that no
+/// study evaluates.
 void tell_unasked(const RunRequest& request, const Plan& plan);
 
 /// The first difference between two manifests whose results must not be mixed, for example "seed 1, this run has 2".

@@ -27,79 +27,9 @@ std::string name_of(const std::optional<Shard>& shard) {
   return shard ? fmt::format("shard {}/{}", shard->number, shard->count) : "run";
 }
 
-/// The work of this process.
-class Share {
- public:
-  Share(const Jobs& jobs, const Checkpoints& checkpoints, const Shard& shard) : jobs_(jobs), checkpoints_(checkpoints) {
-    for (std::size_t job = 0; job < jobs.size(); ++job) blocks_.push_back(dealt(*jobs[job], job, shard));
-  }
-
-  [[nodiscard]] BlockSet::Run blocks(std::size_t job) const { return blocks_[job]; }
-  [[nodiscard]] const std::vector<BlockSet::Run>& blocks() const { return blocks_; }
-  [[nodiscard]] std::uint64_t count() const {
-    std::uint64_t sum = 0;
-    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += count(job);
-    return sum;
-  }
-  [[nodiscard]] std::uint64_t count(std::size_t job) const { return blocks(job).second - blocks(job).first; }
-  [[nodiscard]] std::uint64_t count_done() const {
-    std::uint64_t sum = 0;
-    for (std::size_t job = 0; job < jobs_.size(); ++job) sum += count_done(job);
-    return sum;
-  }
-  [[nodiscard]] std::uint64_t count_done(std::size_t job) const {
-    return checkpoints_.done(job).within(blocks(job)).size();
-  }
-  [[nodiscard]] double cost_left(std::size_t number) const {
-    const Job& job = *jobs_[number];
-    const auto each = job.blocks_per_part();
-    const auto [first, end] = blocks(number);
-    double sum = 0;
-    for (std::uint64_t at = first; at < end;) {
-      const auto part = job.part_of(at);
-      const BlockSet::Run run{at, std::min<std::uint64_t>(end, (part + 1) * each)};
-      sum +=
-          job.cost(part) * static_cast<double>(run.second - run.first - checkpoints_.done(number).within(run).size());
-      at = run.second;
-    }
-    return sum;
-  }
-
- private:
-  const Jobs& jobs_;
-  const Checkpoints& checkpoints_;
-  std::vector<BlockSet::Run> blocks_;  ///< per job
-};
-
-/// What the rest of a run takes, to an order of magnitude.
-struct Needs {
-  double seconds = 0;  ///< of processor time
-  double disk = 0;     ///< bytes
-  double memory = 0;   ///< bytes
-};
-
-/// A row of CSV has some 300 bytes. A result has the histograms of a row, and a number or two of each replicate; it is
-/// held in memory, and in files of blocks.
-Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, const Extent& extent) {
-  constexpr double nanosecond = 1e-9;
-  constexpr double bytes_per_row = 300;
-  constexpr double bytes_per_result = 20e3;
-  constexpr double bytes_per_replicate = 16;
-  constexpr double bytes_of_program = 30e6;
-  Needs needs{.disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
-                      bytes_per_row * static_cast<double>(extent.rows),
-              .memory = bytes_of_program};
-  for (std::size_t job = 0; job < plan.studies.size(); ++job) {  // what external methods take is not known
-    const Job& planned = *plan.jobs[job];
-    if (!planned.is_estimable()) continue;
-    needs.seconds += nanosecond * share.cost_left(job);
-    const double result =
-        static_cast<double>(planned.extent().rows) *
-        (bytes_per_result + bytes_per_replicate * static_cast<double>(plan.studies[job].study.replicates));
-    needs.disk += result;
-    needs.memory += result;
-  }
-  return needs;
+Checkpoints::Owner owner_of(const RunRequest& request, const Plan& plan, const RunFolder& folder) {
+  return {folder.blocks(), writer_of(request.shard), plan.manifest,
+          plan.reference,  folder.machine(),         request.checkpoint};
 }
 
 /// Prints the size of the run and, to an order of magnitude, what the rest of it takes.
@@ -137,6 +67,12 @@ void describe(const RunRequest& request, const Plan& plan, RunFolder& folder) {
              folder.is_complete() ? " (already complete)" : "");
 }
 
+/// Checks before the first block, not after hours, whether the machine is fit for timings.
+void require_machine(const Jobs& jobs, const Share& share) {
+  for (std::size_t number = 0; number < jobs.size(); ++number)
+    if (const auto [first, end] = share.blocks(number); first < end) jobs[number]->require_machine();
+}
+
 /// The work of this process that is left, study by study.
 std::vector<StudyWork> work_left(const Plan& plan, const Share& share) {
   std::vector<StudyWork> all;
@@ -150,6 +86,7 @@ std::vector<StudyWork> work_left(const Plan& plan, const Share& share) {
 double work(const RunRequest& request, const Plan& plan, Checkpoints& checkpoints) {
   const Jobs& jobs = plan.jobs;
   const Share share(jobs, checkpoints, request.shard.value_or(Shard()));
+  require_machine(jobs, share);
   if (request.telling == Telling::json)
     note_event(beginning_json(jobs.size(), cells_of(jobs), share.count(), share.count_done()));
   Progress progress(work_left(plan, share), request.telling);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/method.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/suite/kind.hpp"

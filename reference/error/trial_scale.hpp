@@ -48,6 +48,15 @@ struct BoundCheck {
   bool violated;   ///< the error is certainly beyond the bound
 };
 
+/// error / divisor / unit; 0 for error 0, whatever the divisor. An error over a divisor of 0 is infinite.
+inline double in_units(double error, double divisor, double unit = 1) {
+  const double quotient = error / divisor / unit;
+  return error == 0 ? 0 : quotient;
+}
+
+/// The amplifications of a trial that are known.
+using Amplifications = std::array<std::optional<double>, amplification_count>;
+
 /// Scales of one (curve, t); amplifications are computed on first use. Reusable.
 class TrialScale {
  public:

@@ -64,7 +64,7 @@ struct Evidence {
   std::vector<std::string> damaged;  ///< damaged files that were used nevertheless
 };
 
-/// The methods of one race cell, the fastest first, and the class of curves of the choice.
+/// The methods of one race, the fastest first, and the class of curves of the choice.
 struct JudgedRace {
   ChoiceGroup group;
   DrawnClass of;
@@ -166,9 +166,8 @@ std::vector<ChoiceGroup> races_of(const Evidence& evidence, const Wish& wish) {
   return groups;
 }
 
-/// The races whose methods were judged on the class of the choice.
-std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& groups, const Evidence& evidence,
-                                     const Wish& wish) {
+/// The races whose methods were judged on the class of the choice, that with the most methods first.
+std::vector<JudgedRace> judged_races(const Evidence& evidence, const Wish& wish) {
   std::vector<JudgedRace> races;
   std::string missing;  // of the first, which most of the users of a bundle are after
   for (auto group : races_of(evidence, wish)) {
@@ -188,14 +187,25 @@ std::vector<JudgedRace> judged_races(const std::vector<tables::ChoiceGroup>& gro
   return races;
 }
 
-/// The race with the most methods, with the names of the others.
-JudgedRace one_of(const std::vector<JudgedRace>& races) {
-  const auto size = [](const JudgedRace& race) { return race.group.choices.size(); };
-  const auto best = std::ranges::max_element(races, {}, size);
-  auto chosen = *best;
-  for (auto race = races.begin(); race != races.end(); ++race)
-    if (race != best) chosen.others.push_back(timed_curves(*race));
-  return chosen;
+/// The methods within the tolerance, in the order of the race.
+std::vector<Candidate> candidates_of(const JudgedRace& race, const Wish& wish) {
+  std::vector<metric::Tradeoff> tradeoffs;
+  for (const auto& choice : race.group.choices) tradeoffs.push_back({choice.ns, wish.error_of(choice).observed});
+  const auto fronts = metric::pareto_front(tradeoffs);
+  std::vector<Candidate> candidates;
+  for (std::size_t k = 0; k < fronts.size(); ++k) {
+    const auto& choice = race.group.choices[k];
+    const auto& error = wish.error_of(choice);
+    if (error.observed > wish.tolerance) continue;
+    const auto within = [&](const std::optional<double>& bound) { return bound && *bound <= wish.tolerance; };
+    Candidate one{.choice = &choice, .error = error.observed, .front = fronts[k]};
+    const bool by_trials = !within(error.class_bound) && within(error.bound);
+    one.assurance = within(error.class_bound) ? proved : by_trials ? "proved for the trials" : "observed";
+    one.bound = by_trials || !error.class_bound ? error.bound : error.class_bound;
+    one.bound_of = !one.bound ? "" : by_trials || !error.class_bound ? "trials" : "class";
+    candidates.push_back(one);
+  }
+  return candidates;
 }
 
 /// Lines in the width of the terminal, those after the first four characters to the right.

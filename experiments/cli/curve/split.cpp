@@ -64,13 +64,14 @@ void Split::add_rows(const CurveCase<SplitKernel>& one, CurveTable& table) const
       };
       for (int axis = 0; axis < curve.dimension; ++axis) {
         const auto value = control.subspan(static_cast<std::size_t>(axis), 1);
-        const auto& truth = target.axes[static_cast<std::size_t>(axis)].truth;
-        add(axis_name(axis), judged(value[0], exact.points[k].coordinate(axis), p_tilde.points[k].coordinate(axis),
-                                    truth.point_error(method.bound, side, i, value).bound));
+        const auto& truth = axes[static_cast<std::size_t>(axis)].truth;
+        add(axis_name(axis),
+            judged_coordinate(value[0], true_half.points[k].coordinate(axis), p_tilde_half.points[k].coordinate(axis),
+                              truth.point_error(method.bound, side, i, value).bound));
       }
       if (curve.form == Form::rational)
-        add("w", judged(control.back(), exact.weights[k], p_tilde.weights[k],
-                        target.axes[0].truth.weight_error(method.bound, side, i, control.back()).bound));
+        add("w", judged_coordinate(control.back(), true_half.weights[k], p_tilde_half.weights[k],
+                                   axes[0].truth.weight_error(method.bound, side, i, control.back()).bound));
     }
   };
   for (const auto* method : one.methods) {

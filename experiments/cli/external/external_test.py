@@ -269,7 +269,7 @@ class Faults(External):
         suite = self.suite({**STUDY, **SMALL}, length, {**STUDY, "id": '"power"', "curve": '"power"', "methods": '["horner"]'},
                            {**STUDY, "id": '"float"', "scalar": '["float"]'}, TIMING)
         told = self.run_program("run", suite, "--out", "b", "--program", ANSWER, "--dry-run").stderr.decode()
-        for sentence in ("length: it is of kind arc_length", "power: its curves are polynomial, the method takes bezier",
+        for sentence in ("length: it is of kind arc_length", "power: its curves are in power form, the method takes bernstein form",
                          "float: it is in float only", "t: its methods are timed, and only a shared object or a compiled-in method can be timed"):
             self.assertIn(f"program_mine: is not asked in study {sentence}\n", told)
 

@@ -3,7 +3,7 @@
 // operators in containers, tables of factorials and powers made in each call (sections 1.1 to 1.4), and a conversion for
 // each point. It includes no header of core: it measures this coding, compiled with and without optimisation.
 //
-// printed_times [ROUNDS]   prints curve,method,degree,ms: the minimum processor time of 1000 evaluations, each of a curve of
+// printed_times [ROUNDS]   prints form,method,degree,ms: the minimum processor time of 1000 evaluations, each of a curve of
 // its own
 #include <algorithm>
 #include <cmath>
@@ -156,8 +156,8 @@ int main(int count, char** arguments) {
         min_ms[m] = std::min(min_ms[m], 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
       }
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      std::cout << methods[m].curve << ',' << methods[m].name << ',' << degree << ',' << min_ms[m] << '\n';
-      const std::size_t first = methods[m].curve == "bezier" ? 0 : 3;
+      std::cout << methods[m].form << ',' << methods[m].name << ',' << degree << ',' << min_ms[m] << '\n';
+      const std::size_t first = methods[m].form == "bernstein" ? 0 : 3;
       for (std::size_t k = 0; k < curves; ++k) {
         const Point apart = found[m][k] - found[first][k];
         if (!(std::hypot(apart.x, apart.y) <= alike * range)) {

@@ -38,7 +38,7 @@ constexpr auto judgement_field = [](const Statistics& s) { return field(s.judgem
 template <auto Member, Statistic Of>
 constexpr auto source_field = [](const Statistics& s) { return field(s.judgement.sources.*Member, Of); };
 template <Statistic Of>
-constexpr auto condition_field = [](const Statistics& s) { return s.exact ? field(s.condition, Of) : std::string(); };
+constexpr auto condition_field = [](const Statistics& s) { return s.exact ? field(s.condition, Of) : tables::Field(); };
 
 constexpr Column columns[]{
     {"mean_error", judgement_field<&judge::Judgement::error, mean>},
@@ -48,11 +48,10 @@ constexpr Column columns[]{
     {"max_error", judgement_field<&judge::Judgement::error, largest>},
     {"mean_error_u", judgement_field<&judge::Judgement::error_u, mean>},
     {"max_error_u", judgement_field<&judge::Judgement::error_u, largest>},
-    {"bound_u",
-     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound_u.value) : std::string(); }},
+    {"bound_u", [](const Statistics& s) { return s.bounded() ? field(s.judgement.bound_u) : tables::Field(); }},
     {"bound_violations",
-     [](const Statistics& s) { return s.bounded() ? std::to_string(s.judgement.violations.count) : std::string(); }},
-    {"non_finite", [](const Statistics& s) { return std::to_string(s.judgement.non_finite); }},
+     [](const Statistics& s) { return s.bounded() ? field(s.judgement.violations) : tables::Field(); }},
+    {"non_finite", [](const Statistics& s) { return field(s.judgement.non_finite); }},
     {"mean_error_ulp", judgement_field<&judge::Judgement::error_ulp, mean>},
     {"max_error_ulp", judgement_field<&judge::Judgement::error_ulp, largest>},
     {"mean_relative", judgement_field<&judge::Judgement::relative, mean>},
@@ -66,8 +65,7 @@ constexpr Column columns[]{
     {"max_one_minus_t_error", source_field<&judge::SourceTallies::one_minus_t, largest>},
     {"mean_evaluation_error", source_field<&judge::SourceTallies::evaluation, mean>},
     {"max_evaluation_error", source_field<&judge::SourceTallies::evaluation, largest>},
-    {"max_bound",
-     [](const Statistics& s) { return s.bounded() ? number::decimal(s.judgement.bound.value) : std::string(); }},
+    {"max_bound", [](const Statistics& s) { return s.bounded() ? field(s.judgement.bound) : tables::Field(); }},
     {"unbounded_trials", [](const Statistics& s) {
        return s.exact ? field(s.trials - static_cast<std::int64_t>(s.judgement.bounded)) : tables::Field();
      }}};

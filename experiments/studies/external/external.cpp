@@ -62,7 +62,7 @@ std::string why_unasked(const suite::Study& study, const suite::ExternalMethod& 
     return fmt::format("it is of kind {}", suite::kind_of(study).id);
   }
   if (record.kind != suite::ExternalKind::answers && record.form != study.form)
-    return fmt::format("its curves are {}, the method takes {}", name(study.form), name(record.form));
+    return fmt::format("its curves are in {} form, the method takes {} form", name(study.form), name(record.form));
   return std::ranges::count(study.scalar, suite::ScalarKind::float64) == 0 ? "it is in float only" : "";
 }
 
