@@ -115,7 +115,7 @@ class TrialScale {
   double t_ = 0;
   int dimension_ = 0;
   double largest_ = 0;
-  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|; empty until their first use
+  std::vector<double> norms_;  ///< |b_i|, or |w_i b_i|; empty until they are first used
   Weights weights_;
   ExactCurve exact_;
   Amplifications amplified_;

@@ -35,7 +35,7 @@ struct PartSizes {
 ///   L_1     <= gamma_r V_0
 ///   V_F     <= (1 + gamma_r) V_F + (1 + gamma_e(F)) L_F
 ///   L_(F+1) <= gamma_e(F) L_F + gamma_r V_F
-/// in every step, where r = `value_gamma` and e = `of_error`; L_K is dropped.
+/// in every step, where r = `value_roundings` and e = `error_roundings`; L_K is dropped.
 template <int K, class Roundings>
 constexpr PartSizes<K> after_steps(int n, double u, PartSizes<K> sizes) {
   const double value_gamma = gamma_over_u(Roundings::value_roundings, u);
