@@ -2,12 +2,19 @@
 // A bundle with two tables of a committed one, for this folder's tests only.
 #pragma once
 
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/check/verify.hpp"
+#include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
+#include "experiments/bundle/folder.hpp"
 
 namespace bezierbench::bundle {
 
