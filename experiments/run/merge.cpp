@@ -76,8 +76,8 @@ void refuse_damaged_machines(const std::vector<Source>& sources) {
         }))
       (void)source.directory.read_listed(machine_name);  // says why
   for (const auto& source : sources)
-    if (const auto why = bundle::machine_fault(source.machine_text))
-      refuse(source.path / machine_name, fmt::format("{}; restore it", *why));
+    if (const auto why = bundle::machine_fault(source.machine_text, (source.path / machine_name).string()))
+      throw Failure(Exit::finding, fmt::format("{}; restore it", *why));
 }
 
 /// Times of a machine other than the bundle's last do not count, because that machine was to take them again.

@@ -132,7 +132,7 @@ bool RunFolder::begin() {
 void RunFolder::choose_machine() {
   // Empty where it is damaged, or where a run was killed just after it had continued one of another machine.
   auto theirs = directory_.read_if_listed(machine_name);
-  if (theirs && bundle::machine_fault(*theirs)) theirs.reset();
+  if (theirs && bundle::machine_fault(*theirs, machine_name)) theirs.reset();
   machine_ = bundle::machine_fingerprint(theirs.value_or(""));
   const bool times_here = !request_.shard || request_.shard->number == 1;
   if (!theirs)
