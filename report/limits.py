@@ -10,7 +10,7 @@ SHOWN = 8  # pairs of methods that a sentence names
 
 
 def limited(rows):
-    """Those that have a limit, as older bundles have none."""
+    """Those that have a limit; methods whose operations are not counted have none."""
     return [r for r in rows if r["limit_ns"] is not None and r["share_of_limit"] is not None]
 
 

@@ -47,8 +47,8 @@ TEST(Columns, SayWhetherTheyHoldNumbersAndWhatARowIsAbout) {
 }
 
 TEST(Columns, OfEarlierProgramsAreNotWritten) {
-  EXPECT_TRUE(declared_table("reference.csv")->column("unbounded_trials")->is_deprecated);
-  EXPECT_THAT(declared_table("reference.csv")->header(), Not(Contains("unbounded_trials")));
+  EXPECT_TRUE(declared_table("timing.csv")->column("sittings")->is_deprecated);
+  EXPECT_THAT(declared_table("timing.csv")->header(), Not(Contains("sittings")));
 }
 
 /// Digests are taken per study and method, so that every row must name both.
