@@ -76,35 +76,19 @@ class Share {
   std::vector<BlockSet::Run> blocks_;  ///< per job
 };
 
-/// What the rest of a run takes, to an order of magnitude.
-struct Needs {
-  double seconds = 0;  ///< of processor time
-  double disk = 0;     ///< bytes
-  double memory = 0;   ///< bytes
-};
-
-/// A row of CSV has some 300 bytes. A result has the histograms of a row, and a number or two of each replicate; it is
-/// held in memory, and in files of blocks.
-Needs needs_of(const RunRequest& request, const Plan& plan, const Share& share, const Extent& extent) {
-  constexpr double nanosecond = 1e-9;
-  constexpr double bytes_per_row = 300;
-  constexpr double bytes_per_result = 20e3;
-  constexpr double bytes_per_replicate = 16;
+/// What the rest of a run takes, to an order of magnitude. What methods from outside take is not known.
+std::string estimate(const Plan& plan, const Share& share, const Extent& extent) {
+  constexpr double bytes_of_row = 300;      // of CSV
+  constexpr double bytes_of_result = 20e3;  // the histograms of a row, in memory and in files of blocks
   constexpr double bytes_of_program = 30e6;
-  Needs needs{.disk = static_cast<double>(plan.suite_text.size() + request.methods_csv.size() + extent.input_bytes) +
-                      bytes_per_row * static_cast<double>(extent.rows),
-              .memory = bytes_of_program};
-  for (std::size_t job = 0; job < plan.studies.size(); ++job) {  // what methods from outside take is not known
-    const Job& planned = *plan.jobs[job];
-    if (!planned.is_estimable()) continue;
-    needs.seconds += nanosecond * share.cost_left(job);
-    const double result =
-        static_cast<double>(planned.extent().rows) *
-        (bytes_per_result + bytes_per_replicate * static_cast<double>(plan.studies[job].study.replicates));
-    needs.disk += result;
-    needs.memory += result;
-  }
-  return needs;
+  double nanoseconds = 0;
+  for (std::size_t job = 0; job < plan.studies.size(); ++job)
+    if (plan.jobs[job]->is_estimable()) nanoseconds += share.cost_left(job);
+  const double results = bytes_of_result * static_cast<double>(extent.rows);
+  const double tables = bytes_of_row * static_cast<double>(extent.rows) + static_cast<double>(extent.input_bytes);
+  constexpr double megabyte = 1e6;
+  return fmt::format("{:.1f} s on one thread, {:.2f} MB of disk, {:.0f} MB of memory", nanoseconds * 1e-9,
+                     (tables + results) / megabyte, (bytes_of_program + results) / megabyte);
 }
 
 void describe(const RunRequest& request, const Plan& plan, bool already_complete) {
@@ -120,15 +104,13 @@ void describe(const RunRequest& request, const Plan& plan, bool already_complete
     if (!already_complete && !plan.jobs[job]->is_estimable())
       left_out += fmt::format("no estimate  for {}: how long it searches depends on what it finds\n",
                               printable(plan.job_names[job]));
-  const Needs needs = already_complete ? Needs{} : needs_of(request, plan, share, extent);
-  constexpr double megabyte = 1e6;
   fmt::print("studies      {}\ncells        {}\nevaluations  {}\n", plan.studies.size(), extent.cells,
              extent.evaluations);
   fmt::print("blocks       {}{}, {} of them done\n", share.count(),
              request.shard ? fmt::format(" of {}", name_of(request.shard)) : "",
              already_complete ? share.count() : share.count_done());
-  fmt::print("estimated    {:.1f} s on one thread, {:.2f} MB of disk, {:.0f} MB of memory\n{}out          {}{}\n",
-             needs.seconds, needs.disk / megabyte, needs.memory / megabyte, left_out, printable(request.out.string()),
+  if (!already_complete) fmt::print("estimated    {}\n", estimate(plan, share, extent));
+  fmt::print("{}out          {}{}\n", left_out, printable(request.out.string()),
              already_complete ? " (already complete)" : "");
 }
 

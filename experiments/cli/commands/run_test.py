@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import (CONVERSION, FINDING, FINE, HAS_SANITIZER, INPUT_OUTPUT, INTERRUPTED, PATIENCE,  # noqa: E402
+from program_case import (CONVERSION, FINDING, FINE, INPUT_OUTPUT, INTERRUPTED, PATIENCE,  # noqa: E402
                           PROGRAM, REPORT_SUITE, ROOT, STUDY, TIMING, USAGE, Case, rows)
 
 sys.path.append(str(ROOT))
@@ -99,13 +99,6 @@ class Bundles(Case):
         few, many = (self.estimated(suite, "--trials", str(trials))[0] for trials in (10**8, 10**12))
         self.assertGreater(many / few, 10**4 / 4)
         self.assertLess(many / few, 10**4 * 4)
-
-    @unittest.skipIf(HAS_SANITIZER, "a sanitizer does not say how much memory is allocated")
-    def test_estimates_of_memory_grow_with_replicates(self):
-        suite = self.suite({**STUDY, "degree": "[20]"})
-        alone, repeated = (self.estimated(suite, "--trials", "1", "--set", f"replicates={n}")[2] for n in (1, 10**6))
-        self.assertGreater(repeated - alone, 30)  # two methods, two statistics of 8 bytes each, a million times
-        self.assertLess(repeated - alone, 500)
 
     def test_no_timing(self):
         self.bundle(self.suite(STUDY, TIMING), "--no-timing")
