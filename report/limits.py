@@ -5,7 +5,7 @@ from . import schema
 from .document import Bullets, Text
 from .wording import count, general, listing, percent, shortest, span
 
-HALF = 0.5  # of the limit, which a coding is asked to reach
+HALF = 0.5  # of the limit, which a coding must reach
 SHOWN = 8  # pairs of methods that a sentence names
 
 
