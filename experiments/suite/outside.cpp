@@ -90,7 +90,7 @@ std::vector<OutsideMethod> parse_outside(std::string_view text, std::string_view
           fail(file_name, table.source().begin, "another method from outside has this id; remove one");
     }
   } catch (const toml::parse_error& error) {
-    fail(file_name, error.source().begin, "not TOML; mend the syntax here");
+    fail(file_name, error.source().begin, "not TOML; correct the syntax here");
   }
   return methods;
 }
