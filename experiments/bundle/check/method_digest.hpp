@@ -35,13 +35,12 @@ struct MethodDigest {
 
 /// The digest of each method in each study, in the order of their first rows. The digest is the SHA-256 of a CSV file
 /// with those rows in the order of the table, these columns in this order, and a header line. Throws
-/// Failure(Exit::input_output) where the table lacks one of the columns, or that of the study or the method.
+/// Failure(Exit::input_output) where the table is without one of the columns, or that of the study or the method.
 [[nodiscard]] std::vector<MethodDigest> method_digests(const DeclaredTable& declared, const CsvDocument& table,
                                                        const std::vector<std::string>& columns);
 
 /// The digests of all deterministic tables in the folder `bundle`, sorted by table, as digests.csv lists them.
-/// Throws Failure(Exit::input_output) where a table cannot be read or
-/// lacks a column.
+/// Throws Failure(Exit::input_output) where a table cannot be read or is without a column.
 [[nodiscard]] std::vector<MethodDigest> digests_of(const std::filesystem::path& bundle);
 [[nodiscard]] std::string digests_csv(const std::vector<MethodDigest>& digests);
 
