@@ -225,7 +225,7 @@ class Findings(unittest.TestCase):
                     row["verdict"] = "outside"
         found = next(f for f in _findings(rarely)[0] if f.id == "cells_inside_band")
         self.assertFalse(found.holds)  # four where 0.048 are expected
-        self.assertIn("more than chance leaves outside, which are 0.048 of 48 on average", found.headline)
+        self.assertIn("more than the 0.048 that chance leaves there on average", found.headline)
 
     def test_a_quantity_has_one_mean_on_the_page(self):
         """The larger sample: 2.3.1-bezier, which the smaller of truth-bezier does not agree with."""

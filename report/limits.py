@@ -5,12 +5,12 @@ from . import schema
 from .document import Bullets, Text
 from .wording import count, general, listing, percent, shortest, span
 
-HALF = 0.5  # of the limit, which a coding is asked to reach
+HALF = 0.5  # of the limit, which a coding must reach
 SHOWN = 8  # pairs of methods that a sentence names
 
 
 def limited(rows):
-    """Those that have a limit, as older bundles have none."""
+    """Those that have a limit; methods whose operations are not counted have none."""
     return [r for r in rows if r["limit_ns"] is not None and r["share_of_limit"] is not None]
 
 

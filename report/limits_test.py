@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is said of a table of times and the limits of the processor."""
+"""What a page states about a table of times and the limits of the processor."""
 
 import csv
 import tempfile

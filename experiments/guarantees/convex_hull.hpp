@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point in the plane and the convex hull of others.
+// The distance of a point in the plane from the convex hull of other points.
 #pragma once
 
 #include <span>

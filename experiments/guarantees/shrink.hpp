@@ -38,7 +38,7 @@ Scalar with_bits(Scalar value, int bits) {
   return std::ldexp(std::trunc(std::ldexp(significand, bits)), exponent - bits);
 }
 
-/// Tries what is smaller in place of each number, the smallest first, until nothing helps or `accept` was asked
+/// Tries what is smaller in place of each number, the smallest first, until nothing helps or `accept` was called
 /// `most_tries` times. `accept(candidate, input)` makes a candidate that is smaller and still breaks the property the
 /// input, and says whether it did.
 template <class Scalar, class Accept>

@@ -75,7 +75,7 @@ std::vector<double> with_random(std::vector<double> ts, Inputs& inputs, int coun
   return ts;
 }
 
-/// Points of curves whose coordinates are all 1, 1 and -1 in turn, and 0 but for a 1 in the middle.
+/// Points of curves whose coordinates are all 1, 1 and -1 in turn, and 0 except for a 1 in the middle.
 template <class Scalar>
 void expect_numbers(const Kernel<Scalar>& kernel, int degree, Outcome& outcome) {
   const auto d = static_cast<std::size_t>(kernel.dimension);
@@ -335,7 +335,7 @@ constexpr std::array<Property, 13> all{{
     {"largest_degree", "at its largest degrees, in double and float, coordinates of at most 1 give numbers", any,
      works_up_to_its_largest_degree},
     {"mild_curves", "errors are small on curves of low degree in [-1, 1], t in [0, 1]", any, is_right_on_mild_curves},
-    {"constants", "a curve whose points are all the same is that point, to rounding", any, reproduces_constants},
+    {"constants", "a curve whose control points are equal is that point, to rounding", any, reproduces_constants},
     {"affine_maps", "an affine map of the curve maps its points, to rounding", any, is_affinely_invariant},
     {"reversal", "control points in reverse give the same curve from its other end, to rounding", is_bernstein,
      reverses_with_its_control_points},

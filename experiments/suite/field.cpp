@@ -42,15 +42,4 @@ std::string to_text(const Field& field, const Study& study) {
   return std::visit([](const auto* value) { return to_text(*value); }, field.value(study));
 }
 
-void read(std::string_view source, const toml::node& node, const Field& field, Study& out) {
-  const Source from{source, field.key};
-  const auto slot = field.slot(out);
-  if (auto* const* texts = std::get_if<std::vector<std::string>*>(&slot);
-      texts != nullptr && field.bare_if_single && node.is_string()) {
-    (*texts)->resize(1);
-    return read(from, node, (*texts)->front());
-  }
-  std::visit([&](auto* value) { read(from, node, *value); }, slot);
-}
-
 }  // namespace bezierbench::suite

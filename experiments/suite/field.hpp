@@ -51,7 +51,7 @@ constexpr Field field(Field described) {
 /// Whether the key has no value in the study: an empty text, an empty list, a count of 0.
 bool is_empty(const Field& field, const Study& study);
 
-/// The number of values that are swept; 1 for a key that is no axis and for an axis without values.
+/// The number of values that are swept; 1 for a key that is not an axis and for an axis without values.
 std::size_t sweep_length(const Field& field, const Study& study);
 
 /// The value as TOML; empty where is_empty() holds.

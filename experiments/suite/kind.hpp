@@ -39,7 +39,7 @@ struct Inputs {
   std::string_view forms_reason = {};  ///< why it does not take all forms
   bool double_only = false;
   DegreeUse degree = DegreeUse::required;
-  std::string_view degree_reason = {};  ///< what the degree is, where it is no key
+  std::string_view degree_reason = {};  ///< what the degree is, where it is not a key
   int least_degree = 0;
   std::string_view least_degree_reason = {};
   Parameters parameters = Parameters::any;
@@ -82,7 +82,7 @@ std::string foreign_key_problem(const Kind& kind, std::string_view key, std::spa
 /// The first fault in the inputs of a study: what its kind does not take.
 Finding check_inputs(const Study& study, std::span<const KnownGenerator> generators);
 /// The first fault in the inputs and axes of a timing study: what the problem of its methods, that of the kind `judged`,
-/// does not take, or lacks.
+/// does not take, or requires.
 Finding check_timed(const Study& study, const Kind& judged, std::span<const KnownGenerator> generators);
 
 }  // namespace bezierbench::suite

@@ -68,7 +68,7 @@ TEST(Tables, WhatTheSchemaDoesNotDeclareIsNotWritten) {
   EXPECT_THROW((void)tables.table("other.csv"), std::logic_error);
   EXPECT_THROW(Row("other.csv"), std::logic_error);
   EXPECT_THROW(Row("accuracy.csv").set("mean", 1), std::logic_error);
-  EXPECT_THROW(Row("reference.csv").set("unbounded_trials", 1), std::logic_error) << "deprecated";
+  EXPECT_THROW(Row("timing.csv").set("sittings", 1), std::logic_error) << "deprecated";
   EXPECT_THROW(Row("accuracy.csv").set("trials", 1).set("trials", 2), std::logic_error);
 }
 

@@ -53,8 +53,7 @@ def study_tables(bundle, study):
 
 
 def _line(target, mode):
-    """Older bundles name no mode: the scalar kernel went point by point."""
-    return target if mode in (None, "batch") else f"{target}, {mode}"
+    return target if mode == "batch" else f"{target}, {mode}"
 
 
 def _peaks(rows):

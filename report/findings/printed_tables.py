@@ -10,8 +10,6 @@ from ..document import Finding
 from ..wording import as_printed, count, factor, general, listing, percent, scientific, shortest, span
 from .finding import finding
 
-BAND = 0.95 - 0.05
-RARE = 0.05  # a probability below which chance is no explanation
 ACCURACY_TABLES = ("2.3.1", "2.3.2", "2.3.3")
 
 
@@ -45,12 +43,6 @@ class Event:
         found = {row["verdict"] for row in self.rows}
         return found.pop() if len(found) == 1 else "edge"
 
-    @property
-    def chance(self):
-        """The probability that a repetition of the report's experiment is called outside."""
-        stated = self.rows[0]["chance_outside"]
-        return 1 - BAND if stated is None else stated  # older bundles know no edge
-
 
 def events(bundle):
     """The distinct errors and counts that the report prints, as Events."""
@@ -59,15 +51,6 @@ def events(bundle):
         key = tuple(row[c] for c in ("form", "statistic", "degree", "coordinate_range", "t_min", "t_max", "published"))
         found.setdefault(key, []).append(row)
     return [Event(tuple(rows)) for rows in found.values()]
-
-
-def outside_by_chance(found):
-    """(how many of these events chance leaves outside on average, the probability that it leaves as many outside as there are, if the
-    events were independent)."""
-    expected = sum(event.chance for event in found)
-    share, n = expected / len(found), len(found)
-    outside = sum(event.verdict == "outside" for event in found)
-    return expected, math.fsum(math.comb(n, k) * share ** k * (1 - share) ** (n - k) for k in range(outside, n + 1))
 
 
 def against_exact(bundle, method, degree):
@@ -100,33 +83,25 @@ EXPONENTIAL = 1.5
 FLAT = 1.25
 
 
-def verdicts(found):
-    """How many events have which verdict, in words, and whether chance explains those outside."""
-    by = Counter(event.verdict for event in found)
-    expected, probability = outside_by_chance(found)
-    holds = probability >= RARE
-    return by, holds, (f"{'as many as' if holds else 'more than'} chance leaves outside, which are {general(expected, 2)} of "
-                       f"{len(found)} on average")
-
-
 @finding()
 def cells_inside(bundle):
-    """Holds where chance leaves as many events outside as there are, but for a rare accident."""
+    """Holds where no more events are outside than chance leaves there on average."""
     found = events(bundle)
-    by, holds, chance = verdicts(found)
+    by = Counter(event.verdict for event in found)
+    by_chance = sum(event.rows[0].number("chance_outside") for event in found)
+    holds = by["outside"] <= by_chance
     outside = [event for event in found if event.verdict == "outside"]
     below = sum(event.rows[0].number("published") < event.rows[0].number("ours_p05") for event in outside)
-    _, probability = outside_by_chance(found)
     drawn = experiments(accuracy_cells(bundle))
     missed = sum(any(r["verdict"] == "outside" for r in one) for one in drawn)
     cells = sum(len(event.rows) for event in found)
     return Finding(
         id="cells_inside_band", about="reproduction", claim="", holds=holds,
         headline=f"{by['inside']} of the {len(found)} distinct errors and counts that the report prints lie inside our 5–95 % band, "
-                 f"{by['edge']} on its edge and {by['outside']} outside, {chance}; {by['explained']} more "
-                 f"{'is' if by['explained'] == 1 else 'are'} explained.",
-        detail=(f"Of those outside {below} lie below the band and {len(outside) - below} above. If they were independent, chance would "
-                f"leave at least as many outside with a probability of {percent(probability)}"
+                 f"{by['edge']} on its edge and {by['outside']} outside, "
+                 f"{'no more' if holds else 'more'} than the {general(by_chance, 2)} that chance leaves there on average; "
+                 f"{by['explained']} more {'is' if by['explained'] == 1 else 'are'} explained.",
+        detail=(f"Of those outside {below} lie below the band and {len(outside) - below} above"
                 + ("." if holds else ": the experiment is not fully reproduced."),
                 f"The accuracy cells are of {count(len(drawn), 'independent experiment')}, each a form, degree, range and interval. In "
                 "our repetitions all methods and both statistics of an experiment share its trials and move together, so chance spreads "

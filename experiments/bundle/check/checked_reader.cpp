@@ -24,9 +24,8 @@ CheckedReader::CheckedReader(const std::filesystem::path& path, Damage damage)
 
 void CheckedReader::damage(std::string_view name, std::string_view what) {
   if (damage_ == Damage::refused)
-    throw Failure(
-        Exit::input_output,
-        fmt::format("{}: {}; restore it, or give --damaged to use the bundle all the same", place(name), what));
+    throw Failure(Exit::input_output,
+                  fmt::format("{}: {}; restore it, or give --damaged to use the bundle anyway", place(name), what));
   if (std::ranges::find(told_, place(name)) == told_.end()) told_.push_back(place(name));
 }
 

@@ -79,7 +79,7 @@ class MethodLists {
     }
   }
 
-  /// Whether a row of the method must be as this build plans it. What is no method, the sentinel for example, must.
+  /// Whether a row of the method must be as this build plans it. A row of something else, such as the sentinel, must.
   [[nodiscard]] bool is_ours(std::string_view method) const {
     return std::ranges::none_of(steps_of(method), [&](const auto& step) { return other_.contains(step); });
   }

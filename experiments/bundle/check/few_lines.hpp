@@ -20,7 +20,7 @@ class FewLines {
     if (++count_ <= most_) lines_.push_back(std::move(line));
   }
 
-  /// Returns all lines and starts anew.
+  /// Returns all lines and forgets them.
   std::vector<std::string> take() {
     if (count_ > most_) lines_.push_back(fmt::format("{}: {} more of that kind", place_, count_ - most_));
     count_ = 0;

@@ -2,51 +2,90 @@
 #include "experiments/bundle/check/table_schema.hpp"
 
 #include <fmt/format.h>
+#include <regex.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 #include "experiments/bundle/check/few_lines.hpp"
-#include "experiments/bundle/check/schema.hpp"
 #include "experiments/bundle/schema/columns.hpp"
+#include "experiments/bundle/schema/tables_schema.hpp"
+#include "experiments/echo.hpp"
 #include "experiments/number/number.hpp"
 
 namespace bezierbench::bundle {
 namespace {
 
-using Json = Schema::Json;
+using Json = nlohmann::ordered_json;
 
-/// The schema of a row of the table.
-const Json& row_schema(std::string_view name) {
-  return tables_schema().resolved(tables_schema().document().at("properties").at(std::string(name))).at("items");
+/// Whether some part of `text` matches the pattern. std::regex would overflow the stack on the long fields of worst.csv.
+bool matches(const std::string& pattern, const std::string& text) {
+  static std::map<std::string, regex_t> compiled;  // for the life of the program: the schema has a handful of patterns
+  const auto [place, is_new] = compiled.try_emplace(pattern);
+  if (is_new && regcomp(&place->second, pattern.c_str(), REG_EXTENDED | REG_NOSUB) != 0)
+    throw std::logic_error("tables.schema.json: not a regular expression: " + pattern);
+  return text.find('\0') == std::string::npos && regexec(&place->second, text.c_str(), 0, nullptr, 0) == 0;
 }
 
-/// The JSON values that a field may stand for: null, a number that the program writes in this way, text.
-std::vector<Json> readings(const std::string& text) {
-  std::vector<Json> all;
-  if (text.empty()) all.emplace_back(nullptr);
-  constexpr std::size_t longest_number = 32;
-  if (text.size() <= longest_number) {
-    static const std::string integer = "^-?(0|[1-9][0-9]*)$";
-    if (const auto whole = number::parse_integer(text); whole && matches(integer, text)) all.emplace_back(*whole);
-    static const std::string decimal = "^-?[0-9]+(\\.[0-9]+)?(e[+-][0-9]+)?$";
-    if (const auto number = number::parse_number(text); number && matches(decimal, text))
-      if (number::decimal(*number) == text) all.emplace_back(*number);
-  }
-  all.emplace_back(text);
-  return all;
+bool is_whole(const std::string& text) {
+  const auto whole = number::parse_integer(text);
+  return whole && std::to_string(*whole) == text;
 }
 
-/// Why the column admits no reading of a field: the reason for its reading as text. Empty where it admits one.
-std::optional<std::string> field_fault(const Json& column, const std::string& text) {
-  std::optional<std::string> why;
-  for (const Json& value : readings(text)) {
-    why = tables_schema().fault(column, value);
-    if (!why) return why;
+/// The number that the program writes as `text`; empty for a text with superfluous digits, which it never writes.
+std::optional<double> number_of(const std::string& text) {
+  const auto number = number::parse_number(text);
+  const bool is_written_so = number && std::isfinite(*number) && (number::decimal(*number) == text || is_whole(text));
+  return is_written_so ? number : std::nullopt;
+}
+
+bool has_type(const std::string& text, const Json& type) {
+  if (type == "null") return text.empty();
+  if (type == "integer") return is_whole(text);
+  if (type == "number") return number_of(text).has_value();
+  return type == "string";
+}
+
+/// Whether `text` fulfils a keyword of JSON Schema that constrains values; any other keyword describes the column.
+bool fulfils(const std::string& text, const std::string& keyword, const Json& value) {
+  const auto is_text = [&](const Json& one) { return one.is_null() ? text.empty() : one == text; };
+  const auto is_number = [&](const auto& holds) {
+    const auto number = number_of(text);
+    return !number || holds(*number, value.get<double>());
+  };
+  if (keyword == "type")
+    return value.is_array() ? std::ranges::any_of(value, [&](const Json& one) { return has_type(text, one); })
+                            : has_type(text, value);
+  if (keyword == "enum") return std::ranges::any_of(value, is_text);
+  if (keyword == "const") return is_text(value);
+  if (keyword == "minimum") return is_number(std::greater_equal<>());
+  if (keyword == "exclusiveMinimum") return is_number(std::greater<>());
+  if (keyword == "maximum") return is_number(std::less_equal<>());
+  if (keyword == "minLength") return text.size() >= value.get<std::size_t>();
+  if (keyword == "pattern") return matches(value.get<std::string>(), text);
+  return true;
+}
+
+/// The part of a column's schema that does not admit the field, such as `type "integer"`. Empty where all do.
+std::optional<std::string> broken_part(const Json& schema, const std::string& text) {
+  for (const auto& [keyword, value] : schema.items()) {
+    std::optional<std::string> broken;
+    if (keyword == "$ref") {
+      broken = broken_part(referred(schema), text);
+    } else if (keyword == "anyOf") {
+      if (std::ranges::none_of(value, [&](const Json& one) { return !broken_part(one, text); }))
+        broken = broken_part(value.front(), text);
+    } else if (!fulfils(text, keyword, value)) {
+      broken = fmt::format("{} {}", keyword, value.dump());
+    }
+    if (broken) return broken;
   }
-  return why;
+  return std::nullopt;
 }
 
 std::string at(const CsvDocument& table, std::size_t line, const std::string& what) {
@@ -66,17 +105,16 @@ void check_header(const Json& rows, const std::vector<std::string>& digested, co
 }
 
 void check_column(const Json& column, std::size_t place, const CsvDocument& table, FewLines& lines) {
-  // Texts that were found valid. Most columns repeat a few texts; long ones rarely repeat and are not worth the memory.
-  std::set<std::string> good;
+  std::set<std::string> valid;  // most columns repeat a few texts
   constexpr std::size_t most_texts = 1000;
-  constexpr std::size_t longest = 64;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     const std::string& text = table.row(row)[place];
-    if (good.contains(text)) continue;
-    if (const auto why = field_fault(column, text))
-      lines.add(at(table, table.line(row), table.header()[place] + *why));
-    else if (good.size() < most_texts && text.size() <= longest)
-      good.insert(text);
+    if (valid.contains(text)) continue;
+    if (const auto broken = broken_part(column, text))
+      lines.add(at(table, table.line(row),
+                   fmt::format("{} is \"{}\"; its schema requires {}", table.header()[place], echo(text), *broken)));
+    else if (valid.size() < most_texts)
+      valid.insert(text);
   }
 }
 
@@ -85,7 +123,9 @@ void check_column(const Json& column, std::size_t place, const CsvDocument& tabl
 bool is_table_name(std::string_view name) { return declared_table(name) != nullptr; }
 
 std::vector<std::string> table_faults(std::string_view name, const CsvDocument& table) {
-  const Json& rows = row_schema(name);
+  const Json* declared = &tables_schema().at("properties").at(std::string(name));
+  while (declared->contains("$ref")) declared = &referred(*declared);
+  const Json& rows = declared->at("items");
   const Json& columns = rows.at("properties");
   FewLines of_header(table.file_name());
   check_header(rows, declared_table(name)->digested(), table, of_header);

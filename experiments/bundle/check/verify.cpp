@@ -21,7 +21,6 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
-#include "experiments/bundle/json_object.hpp"
 #include "experiments/bundle/manifest.hpp"
 #include "experiments/failure.hpp"
 
@@ -176,8 +175,7 @@ class Verification {
   void check_manifest(Findings& all) {
     const std::string text = read_bundle_file(path_ / manifest_name);
     const Manifest manifest = parse_manifest(text, place(manifest_name));
-    if (const auto fault = manifest_schema().fault(parse_json_object(text, place(manifest_name))))
-      add(all, manifest_name, *fault);
+    if (auto fault = manifest_fault(text, place(manifest_name))) all.push_back(std::move(*fault));
     complete_ = manifest.state == complete;
     git_commit_ = manifest.git_commit;
     if (!complete_) add(all, manifest_name, "state is partial; continue with bezierbench run");
@@ -240,8 +238,7 @@ class Verification {
 
   void check_machine(Findings& all) const {
     const std::string file = place(machine_name);
-    if (const auto fault = machine_schema().fault(parse_json_object(read_bundle_file(file), file)))
-      add(all, machine_name, *fault);
+    if (auto fault = machine_fault(read_bundle_file(file), file)) all.push_back(std::move(*fault));
   }
 
   void check_strays(Findings& all) const {

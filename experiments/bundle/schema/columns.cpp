@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <iterator>
 
-#include "experiments/bundle/check/schema.hpp"
+#include "experiments/bundle/schema/tables_schema.hpp"
+#include "schemas.hpp"
 
 namespace bezierbench::bundle {
 namespace {
 
-using Json = Schema::Json;
+using Json = nlohmann::ordered_json;
 
 /// A schema together with the schemas that it refers to.
 class Declaration {
@@ -19,7 +20,7 @@ class Declaration {
   /// The value of the keyword, or null. A keyword beside a `$ref` takes precedence over the one in the schema referred
   /// to.
   [[nodiscard]] const Json* find(const char* keyword) const {
-    for (const Json* part = &part_;; part = &tables_schema().referred(*part)) {
+    for (const Json* part = &part_;; part = &referred(*part)) {
       if (const auto found = part->find(keyword); found != part->end()) return &*found;
       if (!part->contains("$ref")) return nullptr;
     }
@@ -100,6 +101,15 @@ std::vector<std::string> names(const std::vector<Column>& columns, Predicate is_
 
 }  // namespace
 
+const Json& tables_schema() {
+  static const Json schema = Json::parse(tables_schema_text);
+  return schema;
+}
+
+const Json& referred(const Json& part) {
+  return tables_schema().at(Json::json_pointer(part.at("$ref").get_ref<const std::string&>().substr(1)));
+}
+
 const Column* DeclaredTable::column(std::string_view name) const {
   const auto found = std::ranges::find(columns, name, &Column::name);
   return found == columns.end() ? nullptr : &*found;
@@ -116,8 +126,7 @@ std::vector<std::string> DeclaredTable::digested() const {
 const std::vector<DeclaredTable>& declared_tables() {
   static const std::vector<DeclaredTable> tables = [] {
     std::vector<DeclaredTable> all;
-    for (const auto& [file, part] : tables_schema().document().at("properties").items())
-      all.push_back(table_of(file, part));
+    for (const auto& [file, part] : tables_schema().at("properties").items()) all.push_back(table_of(file, part));
     return all;
   }();
   return tables;
@@ -129,13 +138,11 @@ const DeclaredTable* declared_table(std::string_view file) {
 }
 
 std::vector<std::vector<std::string>> ascending_columns() {
-  return tables_schema().document().at("ascending").get<std::vector<std::vector<std::string>>>();
+  return tables_schema().at("ascending").get<std::vector<std::vector<std::string>>>();
 }
 
-int written_version() { return tables_schema().document().at("version").get<int>(); }
+int written_version() { return tables_schema().at("version").get<int>(); }
 
-std::string last_reader_of_earlier() {
-  return tables_schema().document().at("last_reader_of_earlier").get<std::string>();
-}
+std::string last_reader_of_earlier() { return tables_schema().at("last_reader_of_earlier").get<std::string>(); }
 
 }  // namespace bezierbench::bundle

@@ -23,7 +23,7 @@ struct Column {
   bool is_digested = false;    ///< part of the table's digests
   bool is_deprecated = false;  ///< written by earlier programs only
   bool is_of_machine = false;  ///< a key that the suite does not determine
-  /// What a count above 0, or a `no`, says against a row, for `verify`; empty where it says nothing.
+  /// What a count above 0, or a `no`, says against a row, for `verify`; empty where it does not matter.
   std::string accuses = {};
   bool is_of_promise = false;  ///< it accuses only methods for which methods.csv states a bound or promise
   std::optional<Limit> at_most = std::nullopt;

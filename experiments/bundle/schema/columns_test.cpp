@@ -41,14 +41,14 @@ TEST(Columns, SayWhetherTheyHoldNumbersAndWhatARowIsAbout) {
   for (const char* name : {"study", "method", "data", "mode"}) EXPECT_FALSE(timing.column(name)->is_number) << name;
   EXPECT_TRUE(timing.column("median_ns")->is_number);
   EXPECT_FALSE(timing.column("median_ns")->is_key);
-  EXPECT_FALSE(declared_table("scorecard.csv")->column("degree")->is_number) << "1..20 is none";
+  EXPECT_FALSE(declared_table("scorecard.csv")->column("degree")->is_number) << "1..20 is a range";
   EXPECT_TRUE(declared_table("accuracy.csv")->column("max_error")->is_number) << "also where it is inf";
   EXPECT_FALSE(declared_table("worst.csv")->column("t")->is_number);
 }
 
 TEST(Columns, OfEarlierProgramsAreNotWritten) {
-  EXPECT_TRUE(declared_table("reference.csv")->column("unbounded_trials")->is_deprecated);
-  EXPECT_THAT(declared_table("reference.csv")->header(), Not(Contains("unbounded_trials")));
+  EXPECT_TRUE(declared_table("timing.csv")->column("sittings")->is_deprecated);
+  EXPECT_THAT(declared_table("timing.csv")->header(), Not(Contains("sittings")));
 }
 
 /// Digests are taken per study and method, so that every row must name both.

@@ -182,10 +182,16 @@ Json key_schema(const Kind& kind, const Field& field) {
   return schema;
 }
 
-Json kind_schema(const Kind& kind) {
+/// The schema of a kind. `definitions` has the schemas of keys, each as the first kind with the key has it; a kind with the
+/// same one refers to it.
+Json kind_schema(const Kind& kind, Json& definitions) {
   Json schema{{"type", "object"}, {"description", kind.about}, {"additionalProperties", false}};
   for (const Field* field : suite::fields_of(kind)) {
-    schema["properties"][std::string(field->key)] = key_schema(kind, *field);
+    const auto name = fmt::format("key_{}", field->key);
+    Json key = key_schema(kind, *field);
+    if (!definitions.contains(name)) definitions[name] = key;
+    if (definitions[name] == key) key = {{"$ref", "#/definitions/" + name}};
+    schema["properties"][std::string(field->key)] = std::move(key);
     if (suite::is_required(kind, *field)) schema["required"].push_back(field->key);
   }
   return schema;
@@ -222,7 +228,7 @@ std::string suite_schema() {
   Json study{{"type", "object"}, {"required", {"id", "kind"}}, {"oneOf", Json::array()}};
   Json definitions;
   for (const Kind* kind : studies::kinds()) {
-    definitions[std::string(kind->id)] = kind_schema(*kind);
+    definitions[std::string(kind->id)] = kind_schema(*kind, definitions);
     study["oneOf"].push_back({{"$ref", fmt::format("#/definitions/{}", kind->id)}});
   }
   const Json schema{

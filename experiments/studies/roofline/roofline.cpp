@@ -135,7 +135,7 @@ void set_limit(tables::Row& row, const RooflineRace& race, const TargetRival& wh
       .set("chain_ns", limit->chain_ns);
 }
 
-/// What only a kernel of a target has: its share of the peak, and what it is asked to reach.
+/// What only a kernel of a target has: its share of the peak, and the goals of its row.
 void set_share(tables::Row& row, const suite::Study& study, const RooflineRace& race, std::size_t place,
                const Fastest& fastest) {
   const auto& who = race.rivals[place];
@@ -256,7 +256,7 @@ std::unique_ptr<run::Job> roofline_job(const suite::Study& study, const run::Job
 
 constexpr std::array roofline_fields{suite::field<&suite::Study::goals>(
     {.key = "goals",
-     .meaning = "what is asked of batch kernels: of a method, a share of the peak or no_slower_than another method; "
+     .meaning = "what batch kernels must reach: of a method, a share of the peak or no_slower_than another method; "
                 "scalar, from_degree and to_degree say in which rows, needs_additions_beside on which processors",
      .example = "[{ method = \"horner_bernstein_fma\", share = 0.6 }]",
      .left_out = "none",

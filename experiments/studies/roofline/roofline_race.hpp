@@ -54,7 +54,7 @@ struct RooflineRace {
 /// Failure(usage) for methods that do not take the curves.
 std::vector<RooflineRace> roofline_races_of(const suite::Study& study);
 
-/// Judges the methods, then races them. A method whose points are wrong is timed all the same, and not `checked`.
+/// Judges the methods, then races them. A method whose points are wrong is timed nevertheless, and not `checked`.
 RooflineTimes run(const RooflineRace& race, const suite::Study& study, std::uint64_t seed,
                   const race::RaceOptions& options);
 

@@ -30,7 +30,7 @@ Suite parse_suite(std::string_view text, std::string_view file_name, const Vocab
 Suite read_suite(const std::filesystem::path& file, const Vocabulary& known);
 
 /// The `seconds` of a document with one suite: what all its studies take of processor time, as its author measured it.
-/// It says nothing of what a run does, so a Suite has no such member, and a resolved suite no such key. Empty where it is
+/// It does not describe what a run does, so a Suite has no such member, and a resolved suite no such key. Empty where it is
 /// left out. The text must be one that parse_suites reads.
 std::optional<std::int64_t> declared_seconds(std::string_view text);
 
