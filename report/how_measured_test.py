@@ -8,8 +8,7 @@ from pathlib import Path
 
 from . import fixture, schema
 from .bundle import Bundle
-from .chapters import how_measured
-from .chapters.how_measured import used_generators
+from .chapters.provenance import how_measured, used_generators
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -17,7 +16,7 @@ ROOT = Path(__file__).resolve().parent.parent
 def _blocks(without=()):
     with tempfile.TemporaryDirectory() as place:
         bundle = Bundle(fixture.write(f"{place}/b", without=without))
-        return bundle, list(how_measured.blocks(bundle, ((), ())))
+        return bundle, list(how_measured(bundle, ((), ())))
 
 
 def _table(blocks, name):
@@ -57,7 +56,7 @@ class HowMeasured(unittest.TestCase):
 
     def test_the_committed_bundles_are_explained(self):
         bundle = Bundle(ROOT / "results/baseline")
-        self.assertIsNotNone(_table(list(how_measured.blocks(bundle, ((), ()))), "columns"))
+        self.assertIsNotNone(_table(list(how_measured(bundle, ((), ()))), "columns"))
 
 
 if __name__ == "__main__":

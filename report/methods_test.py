@@ -10,7 +10,7 @@ from pathlib import Path
 
 from . import fixture, render
 from .bundle import Bundle
-from .chapters import method_list
+from .chapters.provenance import method_list
 from .chapters.roster import build_all
 from .document import Chapter
 
@@ -30,7 +30,7 @@ def cells(markdown, heading):
 
 
 def page(bundle):
-    chapter = Chapter("methods", method_list.TITLE, tuple(method_list.blocks(bundle, ([], []))))
+    chapter = Chapter("methods", "The methods", tuple(method_list(bundle, ([], []))))
     return render.files(bundle, [chapter], [])
 
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What the chapters of the suites have in common: findings first, figures where there are rows, times, how to replay."""
+"""What chapters are declared with and consist of: findings first, figures where there are rows, tables, times, how to replay."""
 
 import functools
+from collections.abc import Callable
+from dataclasses import dataclass
 
 from ..bundle import Missing
 from ..document import Heading, Text
@@ -9,8 +11,40 @@ from ..figures import drawn
 from ..time_tables import reading_times, time_tables, times
 from ..wording import general, interval, large, shortest
 
-
 COMPANION_PEERS = "companion_peers"  # studies of several problems, each in the chapter of its own
+
+
+@dataclass(frozen=True)
+class Declared:
+    """A chapter: `blocks(bundle, findings)` makes it, or raises Missing. `suite` and `kind` say whose studies it shows; one of the `whole`
+    bundle shows a user's own suites, too."""
+
+    id: str
+    title: str
+    blocks: Callable
+    suite: str
+    kind: str
+    whole: bool
+
+
+ROSTER = []  # of Declared, in the order of the page
+TABLES = {}  # by kind of study: a function of (bundle, study) to tables and texts
+
+
+def chapter(title, suite="", kind="", whole=False):
+    """Declares the function `blocks` of a chapter, whose name is its id."""
+    def declare(blocks):
+        ROSTER.append(Declared(blocks.__name__.replace("_", "-"), title, blocks, suite, kind, whole))
+        return blocks
+    return declare
+
+
+def tables_of(kind):
+    """Declares the function (bundle, study) that makes the tables of a study of that kind."""
+    def declare(study_tables):
+        TABLES[kind] = study_tables
+        return study_tables
+    return declare
 
 
 def of_suite(findings, suite):
@@ -18,10 +52,10 @@ def of_suite(findings, suite):
     return [f for f in findings[0] if f.suite == suite]
 
 
-def figure(name, bundle):
+def figure(name, bundle, *study):
     """The figure of that name as a list, empty where the bundle has no rows for it."""
     try:
-        return [drawn(name, bundle)]
+        return [drawn(name, bundle, *study)]
     except Missing:
         return []
 
@@ -30,24 +64,18 @@ def study_figure(bundle, study):
     """The figure of one study, as a list, empty where there is nothing to draw: that of its kind, else lines along the axis that it
     varies."""
     name = {"guarantees": "guarantee_matrix", "hard_cases": "hard_case_distances"}.get(bundle.studies[study].kind, "study_lines")
-    try:
-        return [drawn(name, bundle, study)]
-    except Missing:
-        return []
+    return figure(name, bundle, study)
 
 
-def of_studies(bundle, findings, suite, studies, tables, *figures):
-    """What the chapter of a suite says first: its findings, these figures, then the figure and the tables of each study."""
-    yield from of_suite(findings, suite)
-    for name in figures:
-        yield from figure(name, bundle)
+def of_studies(bundle, studies):
+    """The figure and the tables of each study."""
     for study in studies:
         yield from study_figure(bundle, study)
-        yield from tables(bundle, study)
+        yield from TABLES[bundle.studies[study].kind](bundle, study)
 
 
 def with_times(problem, *figures):
-    """For the blocks of a chapter about that problem: what one answer costs follows them, with these figures. The chapter is left
+    """For the blocks of a chapter about that problem: the times of one answer follow them, with these figures. The chapter is left
     out where the bundle has neither errors nor times."""
     def around(errors):
         @functools.wraps(errors)
@@ -78,9 +106,7 @@ def replay(bundle, suite):
     except Missing:
         return []
     worst = max(kept, key=lambda r: r["error_u"] or 0)
-    return [Text("The trial behind each largest error is kept in `worst.csv` with its inputs to the last bit "
-                 f"({large(len(kept))} "
-                 f"here). `bezierbench replay BUNDLE {worst['worst_id']}` recomputes the largest of them, "
-                 f"{general(worst['error_u'])} "
-                 f"u p~ by `{worst['method']}` (degree {shortest(worst['degree'])}, `{worst['generator']}`, t in "
-                 f"{interval(worst['t_min'], worst['t_max'])}), step by step against the exact value.")]
+    return [Text(f"The trial behind each largest error is kept in `worst.csv`, with its inputs to the last bit ({large(len(kept))} here). "
+                 f"`bezierbench replay BUNDLE {worst['worst_id']}` recomputes the largest of them, {general(worst['error_u'])} u p~ by "
+                 f"`{worst['method']}` (degree {shortest(worst['degree'])}, `{worst['generator']}`, t in {interval(*worst['interval'])}), step by "
+                 "step against the exact value.")]
