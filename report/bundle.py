@@ -14,7 +14,7 @@ from pathlib import Path
 
 from . import files, schema
 from .files import BundleError, shown
-from .inline import visible
+from .inline import visible, visible_json
 from .rows import Missing, Row, Table
 
 __all__ = ["Bundle", "BundleError", "Comparison", "Missing", "Row", "Study", "Table", "decided_by", "made_of"]
@@ -176,7 +176,7 @@ class Bundle(Folder):
 
     def _json(self, name):
         data = self._bytes(name)
-        return None if data is None else files.document(self.path / name, data)
+        return None if data is None else visible_json(files.document(self.path / name, data))
 
     def __contains__(self, file):
         return file in self.tables

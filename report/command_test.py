@@ -62,7 +62,7 @@ class Command(unittest.TestCase):
         done = run(self.bundle, "--comparison", comparison, "--out", self.place / "pages")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("Clang", (self.place / "pages/tables/comparison-1-machines.csv").read_text())
-        self.fails(4, self.bundle, "--comparison", self.place, says=("facts.csv: missing", "bezierbench compare"))
+        self.fails(4, self.bundle, "--comparison", self.place, says=("comparison.csv: missing", "bezierbench compare"))
 
     def test_usage(self):
         for arguments in ((), ("--wrong",), (self.bundle, "--out"), (self.bundle, "--out", self.bundle),

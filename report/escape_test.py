@@ -22,17 +22,21 @@ from .inline import visible
 EVIL = ('"><script>x</script><img src=//x onerror=y><meta http-equiv=refresh content="0;url=//x"><form action=//x><base href=//x>'
         "</style></title></svg> `c`` <b> ** [t](javascript:x) ![i](//x/y) | https://x.invalid www.x.invalid $\\write18{x}$ "
         "\\input{/etc/passwd} ^^5c % # _ ~ & \x1b[2J \u202e \u2028 '{{ 7 * 7 }}")
+SHOWN = ("truth-bezier", "2.4-bezier", "roofline-bezier", "worst-bezier")  # few figures, which take long to draw
 ALLOWED_META = ["charset", "name", "name", "http-equiv"]
 
 
 def evil_bundle(place):
     """Hostile wherever a reader of bundles takes any text."""
     def change(at, row):
+        if row.get("study", SHOWN[0]) not in SHOWN:
+            return False
         row.update({c: EVIL.replace("\u2028", "") for c in ("note", "citation", "flops", "bound", "form", "quality", "status", "claimed_by")
                     if c in row and "word" in schema.types(at, c)
                     and at in ("scorecard.csv", "scorecard_timing.csv", "methods.csv", "timing.csv", "roofline.csv", "search.csv")})
         if at == "methods.csv":
             row["id"] = f"{row['id']}{EVIL}" if row["problem"] == "conversion" else row["id"]
+        return True
     bundle = fixture.write(place, change)
     info = {**fixture.INFO, "seed": EVIL, "state": EVIL, "git_commit": EVIL, EVIL: {EVIL: [EVIL, {EVIL: 1}]}}
     (bundle / "bundle.json").write_text(json.dumps(info))

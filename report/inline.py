@@ -21,6 +21,15 @@ def visible(text):
     return _ACTING.sub(lambda found: found[0].encode("unicode_escape").decode("ascii"), text)
 
 
+def visible_json(value):
+    """`visible` for every text in a value of json.loads, keys included."""
+    if isinstance(value, dict):
+        return {visible(key): visible_json(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [visible_json(inner) for inner in value]
+    return visible(value) if isinstance(value, str) else value
+
+
 def to_html(text):
     """Escaped, marked, and with Chinese text tagged for screen readers and fonts."""
     if _NUMBER.fullmatch(text):  # most cells of a large page
@@ -60,8 +69,8 @@ def to_markdown(text):
     if isinstance(text, Markdown):
         return text
     parts = re.split(r"(`[^`]+`|\*\*)", str(text))
-    return Markdown("".join(part if part == "**" else _markdown_code(part[1:-1]) if part[:1] == "`" and len(part) > 1
-                            else _markdown_words(part) for part in parts))
+    return Markdown("".join(part if part == "**" else _markdown_code(part[1:-1]) if _CODE.fullmatch(part) else _markdown_words(part)
+                            for part in parts))
 
 
 _LATEX = {"\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_", "{": r"\{", "}": r"\}",
@@ -80,5 +89,5 @@ def _latex_words(text):
 def to_latex(text):
     """Escaped, with code in typewriter type."""
     parts = re.split(r"(`[^`]+`)", text.replace("**", ""))
-    return "".join(rf"\texttt{{{_latex_words(p[1:-1]).strip()}}}" if p.startswith("`") and len(p) > 1 else _latex_words(p)
+    return "".join(rf"\texttt{{{_latex_words(p[1:-1]).strip()}}}" if _CODE.fullmatch(p) else _latex_words(p)
                    for p in parts).strip()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Verdicts of printed cells: counted by table, whichever program wrote them."""
+"""Verdicts of printed cells, counted by table."""
 
 import tempfile
 import unittest
@@ -11,15 +11,9 @@ from .findings.roster import find_all
 from .fixture import scorecards
 
 
-def _bundle(change=None):
+def _bundle():
     with tempfile.TemporaryDirectory() as place:
-        return Bundle(fixture.write(f"{place}/b", change))
-
-
-def _older(at, row):
-    """Programs that know no `untestable` call a time of 0 or 1 ms inside or outside."""
-    if at == "scorecard_timing.csv" and row["verdict"] == "untestable":
-        row["verdict"] = "inside"
+        return Bundle(fixture.write(f"{place}/b"))
 
 
 class Scorecard(unittest.TestCase):
@@ -34,11 +28,6 @@ class Scorecard(unittest.TestCase):
         found = self.counted(_bundle())["Table 2.4"]
         self.assertEqual((found["– untestable"], found["✗ outside"], found["cells"]), (str(few), str(len(rows) - few), str(len(rows))))
         self.assertEqual(self.counted(_bundle())["Table 2.3.1"]["– untestable"], "0")
-
-    def test_bundles_without_the_verdict_are_read(self):
-        found = self.counted(_bundle(_older))["Table 2.4"]
-        self.assertEqual(found["– untestable"], "0")
-        self.assertNotEqual(found["✓ inside"], "0")
 
     def test_the_summary_has_a_column_for_it(self):
         bundle = _bundle()
