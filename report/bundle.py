@@ -113,7 +113,7 @@ class Folder:
         values, texts = {}, {column: visible(text) for column, text in fields.items()}
         for column, text in fields.items():
             types = schema.types(name, column)
-            number = None if types == {"word"} or column in WORDS else files.number(text)
+            number = None if types and "number" not in types or column in WORDS else files.number(text)
             if column in IDS and text and not ID.fullmatch(text):
                 self.fail(name, f"`{column}` is '{shown(text)}', which is not an id", line)
             if text == "" and types and "empty" not in types:

@@ -12,7 +12,7 @@ import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 
-from . import fixture, inline, render, schema, script, summary
+from . import fixture, render, schema, script, summary
 from .bundle import Bundle
 from .chapters.roster import build_all
 from .findings.roster import find_all
