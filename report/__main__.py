@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""scripts/report BUNDLE [--comparison DIR] [--out DIR] [--summary] [--damaged]: renders tables, figures and pages from a bundle
-alone."""
+"""scripts/report BUNDLE [--comparison DIR] [--out DIR] [--summary]: renders tables, figures and pages from a bundle alone."""
 
 import argparse
 import importlib.util
@@ -11,16 +10,15 @@ from pathlib import Path
 
 from .bundle import Bundle, BundleError, made_of
 from .findings.roster import find_all
-from .foreign import one_line
-from .inline import to_plain
+from .inline import visible
 
 FINE, USAGE, ENVIRONMENT, INPUT, INTERRUPTED = 0, 2, 3, 4, 130
 PACKAGES = {"matplotlib": "python3-matplotlib", "jinja2": "python3-jinja2"}
-USE = "scripts/report BUNDLE [--comparison DIR] [--out DIR] [--summary] [--damaged]"
+USE = "scripts/report BUNDLE [--comparison DIR] [--out DIR] [--summary]"
 
 
 def _complain(message):
-    print(f"report: {one_line(message)}", file=sys.stderr)
+    print(f"report: {visible(str(message))}", file=sys.stderr)
 
 
 class _Arguments(argparse.ArgumentParser):
@@ -35,10 +33,8 @@ def _parse(arguments):
     parser = _Arguments(prog="report", allow_abbrev=False, description="Renders tables, figures and pages from a bundle alone.")
     parser.add_argument("bundle", metavar="BUNDLE", type=Path, help="the directory that `bezierbench run --out` wrote")
     parser.add_argument("--comparison", metavar="DIR", type=Path, help="the directory that `bezierbench compare --out` wrote")
-    parser.add_argument("--out", metavar="DIR", type=Path, help="where to write; default: BUNDLE-report beside the bundle")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="the output directory; default: BUNDLE-report next to the bundle")
     parser.add_argument("--summary", action="store_true", help="print scorecard and findings as plain text, write nothing")
-    parser.add_argument("--damaged", action="store_true",
-                        help="read files, too, that are not as SHA256SUMS lists them; the first line printed and the page say so")
     chosen = parser.parse_args(arguments)
     if chosen.summary and chosen.out:
         parser.error("--summary writes nothing, so --out has no meaning with it")
@@ -59,33 +55,26 @@ def _render(bundle, out):
         output.write(out, files)
     except OSError as error:
         raise BundleError(f"{error.filename or out}: {error.strerror}; choose another place with --out or make room") from None
-    kinds = {suffix: sum(name.endswith(suffix) and "/" in name for name in files) for suffix in (".csv", ".tex", ".svg", ".png")}
+    kinds = {suffix: sum(name.endswith(suffix) and "/" in name for name in files) for suffix in (".csv", ".svg")}
     without = f"; {len(left_out)} chapters without data are named at the end of the page" if left_out else ""
-    print(one_line(f"report: wrote {out / 'report.html'} and report.md, tables ({kinds['.csv']} as CSV and LaTeX) and figures "
-                   f"({kinds['.svg']} as SVG and PNG) beside them{without}"))
-
-
-def _summarise(bundle):
-    from . import summary
-    found = find_all(bundle)
-    with made_of(bundle, "the summary"):
-        sys.stdout.write(summary.text(bundle, found))
+    print(visible(f"report: wrote {out / 'report.html'} and report.md, tables ({kinds['.csv']} as CSV and LaTeX) and figures "
+                  f"({kinds['.svg']} as SVG and PNG) beside them{without}"))
 
 
 def _run(chosen):
-    bundle = Bundle(chosen.bundle, chosen.comparison, chosen.damaged)
-    if bundle.damage:
-        print(one_line(f"report: {bundle.path}: damaged: {'; '.join(map(to_plain, bundle.damage))}"))
+    bundle = Bundle(chosen.bundle, chosen.comparison)
     if chosen.summary:
-        _summarise(bundle)
+        from . import summary
+        found = find_all(bundle)
+        with made_of(bundle, "the summary"):
+            print(summary.text(bundle, found), end="")
     else:
         _render(bundle, chosen.out)
     sys.stdout.flush()
 
 
 def _output_failed(why):
-    """The exit code where standard output takes nothing. What is left in its buffer is dropped, so that Python does not try to
-    write it again at the end."""
+    """The exit code where standard output cannot be written. Its buffer is dropped, so that Python does not write it again at the end."""
     _complain(f"standard output: {why}; free space or choose another place")
     if sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -95,8 +84,7 @@ def _output_failed(why):
 def main(arguments=None):
     """Returns the exit code of the contract."""
     chosen = _parse(arguments)
-    lacking = [] if chosen.summary else [p for module, p in PACKAGES.items() if importlib.util.find_spec(module) is None]
-    if lacking:
+    if not chosen.summary and any(importlib.util.find_spec(module) is None for module in PACKAGES):
         _complain(f"missing for {sys.executable}: install the Debian packages {' '.join(PACKAGES.values())}")
         return ENVIRONMENT
     signal.signal(signal.SIGTERM, signal.default_int_handler)
@@ -107,9 +95,6 @@ def main(arguments=None):
     except BundleError as error:
         _complain(error)
         return INPUT
-    except MemoryError:
-        _complain(f"{chosen.bundle}: not enough memory; run fewer studies into one bundle")
-        return ENVIRONMENT
     except BrokenPipeError:
         sys.stderr.close()
         return FINE

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Which method to choose: what the bundle knows of time and error, cell by cell, and which cell to show first."""
+"""Which method to choose: times and errors of the bundle, cell by cell, and the cell to show first."""
 
 import math
 from dataclasses import dataclass
 
+from .rows import grouped
 from .wording import count, interval, shortest
 
-# A largest error above this share of p~, the sum of the absolute terms, leaves so few digits that no time makes up for it.
+# A largest error above this share of p~, the sum of the absolute terms, leaves so few correct digits that the method is useless, whatever its time.
 USELESS = 1e-3
 ROUNDOFF = {"double": 2.0 ** -53, "float": 2.0 ** -24}
-LOSING = 100  # a largest error in units of u p~ from which on the page says how many digits are lost
+LOSING = 100  # a largest error in units of u p~ above which the page gives the number of lost digits
 SMALL = 5  # roundings per degree: above the proved bounds of all methods in one pass over the control points
 NO_TIME = "not timed"
 TYPICAL = 10  # degree
@@ -19,7 +20,7 @@ FORMS = {"bernstein": "Bernstein form", "power": "power form", "rational": "rati
 
 @dataclass(frozen=True)
 class Cell:
-    """What is asked: one value of every axis of the picker."""
+    """A question: one value of every axis of the picker."""
 
     form: str
     degree: float
@@ -67,7 +68,7 @@ class Candidate:
 
 
 def useful(error_u, scalar):
-    """Whether a largest error in units of u p~ leaves digits enough."""
+    """Whether a largest error in units of u p~ leaves enough digits."""
     return isinstance(error_u, float) and error_u * ROUNDOFF.get(scalar, ROUNDOFF["double"]) <= USELESS
 
 
@@ -77,7 +78,7 @@ def small(degree, form):
 
 
 def is_proved_small(bound_u, degree, form):
-    """Whether a proved bound in units of u p~ is small: what is asked of a method where nothing else is."""
+    """Whether a proved bound in units of u p~ is small: the requirement by default."""
     return isinstance(bound_u, float) and bound_u <= small(degree, form)
 
 
@@ -95,12 +96,8 @@ def _cell(row, mode):
 
 def _replays(bundle):
     """{(study, method, scalar, dimension, degree): id of the kept trial of the largest error}."""
-    kept = {}
-    for row in bundle.tables["worst.csv"].rows if "worst.csv" in bundle else ():
-        key = tuple(row[c] for c in ("study", "method", "scalar", "dimension", "degree"))
-        if key not in kept or (row["error_u"] or 0) > (kept[key]["error_u"] or 0):
-            kept[key] = row
-    return {key: row["worst_id"] for key, row in kept.items()}
+    kept = grouped(bundle.tables["worst.csv"].rows if "worst.csv" in bundle else (), "study", "method", "scalar", "dimension", "degree")
+    return {key: max(rows, key=lambda row: row["error_u"] or 0)["worst_id"] for key, rows in kept.items()}
 
 
 def candidates(bundle):
@@ -124,7 +121,7 @@ def candidates(bundle):
 
 def ranked(members, cell):
     """The useful ones before the others. Where there are times, those whose bound is proved to be small come first, then by time; else
-    that of the least error."""
+    that with the smallest error."""
     def key(one):
         later = cell.mode != NO_TIME and not is_proved_small(one.bound_u, cell.degree, cell.form)
         size = one.ns if one.ns is not None else one.error_u

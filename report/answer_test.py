@@ -8,7 +8,7 @@ from pathlib import Path
 from . import fixture
 from .answer import NO_TIME, USELESS, candidates, default_cell, is_proved_small, lost, useful
 from .bundle import Bundle, Missing
-from .chapters import answer, choosing, opening
+from .chapters import first_glance, speed
 from .findings.roster import find_all
 
 U = 2.0 ** -53
@@ -25,7 +25,7 @@ class Answer(unittest.TestCase):
         return Bundle(fixture.write(self.place / f"b{self.made}", change, without))
 
     def tiles(self, bundle):
-        return {tile.label: tile for block in opening.blocks(bundle, None) if block.kind == "tiles" for tile in block.items}
+        return {tile.label: tile for block in first_glance.opening(bundle, None) if block.kind == "tiles" for tile in block.items}
 
     def test_methods_are_ranked_by_time(self):
         cells = candidates(self.bundle())
@@ -33,18 +33,18 @@ class Answer(unittest.TestCase):
         self.assertEqual((cell.form, cell.mode, cell.scalar, cell.dimension), ("bernstein", "point", "double", 2))
         times = [one.ns for one in cells[cell]]
         self.assertEqual(times, sorted(times))
-        block = next(b for b in answer.blocks(self.bundle(), None) if b.kind == "answer")
+        block = next(b for b in first_glance.answer(self.bundle(), None) if b.kind == "answer")
         self.assertEqual([g.key for g in block.table.groups], ["horner_bernstein", "direct", "de_casteljau", "compensated_de_casteljau"])
         self.assertIn("`horner_bernstein`", block.sentence)
-        self.assertNotIn("`direct`", block.sentence)  # beaten
+        self.assertNotIn("`direct`", block.sentence)  # dominated
 
     def test_a_method_without_a_small_proved_bound_is_not_recommended(self):
-        """What is asked for first is the README's need; the fastest method here loses log10(8219) = 3.9 digits."""
+        """The default is the README's need; the fastest method here loses log10(8219) = 3.9 digits."""
         def loses_digits(at, row):
             if at == "pareto.csv" and row["method"] == "horner_bernstein":
                 row.update(observed_max_u=8219, bound_u=1.97e6)
         bundle = self.bundle(loses_digits)
-        block = next(b for b in answer.blocks(bundle, None) if b.kind == "answer")
+        block = next(b for b in first_glance.answer(bundle, None) if b.kind == "answer")
         self.assertNotIn("horner_bernstein", block.sentence)
         self.assertIn("with a proved bound of at most 20 u p~, fastest first: `compensated_de_casteljau`", block.sentence)
         last = block.table.groups[-1]
@@ -52,7 +52,7 @@ class Answer(unittest.TestCase):
         texts = [cell.text for cell in last.rows[0][1]]
         self.assertIn("8219, loses 4 digits", texts)
         self.assertFalse(any(cell.mark == "inside" for cell in last.rows[0][1]))
-        tables = [b for b in choosing.blocks(bundle, find_all(bundle)) if b.kind == "table"]
+        tables = [b for b in speed.choosing(bundle, find_all(bundle)) if b.kind == "table"]
         cells = [c for t in tables for g in t.groups if g.key == "horner_bernstein" for _, row in g.rows for c in row if c.text]
         self.assertTrue(cells)
         self.assertTrue(all("8219 u, loses 4 digits" in c.text and c.mark == "" for c in cells), [c.text for c in cells])
@@ -73,9 +73,9 @@ class Answer(unittest.TestCase):
             if at == "pareto.csv" and row["method"] == "horner_bernstein":
                 row["observed_max_u"] = 1.01 * USELESS / U
         bundle = self.bundle(ruin)
-        block = next(b for b in answer.blocks(bundle, None) if b.kind == "answer")
+        block = next(b for b in first_glance.answer(bundle, None) if b.kind == "answer")
         self.assertNotIn("horner_bernstein", [g.key for g in block.table.groups])
-        tables = [b for b in choosing.blocks(bundle, find_all(bundle)) if b.kind == "table"]
+        tables = [b for b in speed.choosing(bundle, find_all(bundle)) if b.kind == "table"]
         self.assertTrue(tables)
         self.assertFalse(any(g.key == "horner_bernstein" for table in tables for g in table.groups))
         self.assertTrue(useful(0.99 * USELESS / U, "double"))
@@ -93,7 +93,7 @@ class Answer(unittest.TestCase):
     def test_nothing_to_rank_is_no_answer(self):
         bundle = self.bundle(without=("pareto.csv", "accuracy.csv", "unstable.csv"))
         with self.assertRaises(Missing):
-            list(answer.blocks(bundle, None))
+            list(first_glance.answer(bundle, None))
 
     def test_tiles_count_violations_and_noise(self):
         calm = self.tiles(self.bundle())

@@ -1,31 +1,46 @@
 # SPDX-License-Identifier: MIT
 """The only way in: a bundle directory, its CSV files read by column name.
 
-A file that is absent is a fact that a chapter can state; a file that is malformed is an error that names file and line. Nothing
-is read that is not as it was written, unless a damaged bundle was asked for; then `damage` says what is wrong with it.
+A file that is absent is a fact that a chapter can state; a file that is malformed, or is not as it was written, is an error that names
+file and line.
 """
 
 import copy
+import re
 import tomllib
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from pathlib import Path
 
 from . import files, schema
 from .files import BundleError, shown
-from .folder import ID, Folder
-from .foreign import literal
+from .inline import visible, visible_json
 from .rows import Missing, Row, Table
 
 __all__ = ["Bundle", "BundleError", "Comparison", "Missing", "Row", "Study", "Table", "decided_by", "made_of"]
 
-# What a calculation raises where rows are lacking that it counts on, and where a field is empty or no number makes sense.
-LACKING = (ArithmeticError, LookupError, ValueError)
-UNUSABLE = (*LACKING, AttributeError, RuntimeError, TypeError)
+# What a calculation raises without rows that it requires, and what one raises with values that make no sense.
+WITHOUT_ROWS = (ArithmeticError, LookupError, ValueError)
+UNUSABLE = (*WITHOUT_ROWS, AttributeError, RuntimeError, TypeError)
+# The columns of what `bezierbench compare` writes that the report reads, and those that are words, even where a value looks like a
+# number (study 2.2).
+COMPARISON = {
+    "comparison.csv": ("kind study method degree mode a b ratio ratio_low ratio_high verdict against bundle file column "
+                       "quality normalised normalised_low normalised_high normalised_verdict rank_a rank_b").split(),
+    "facts.csv": "against bundle fact a b".split(),
+    "standings.csv": "rank bundle cpu compiler machine accuracy_rows_differing timings mean_ratio mean_normalised".split(),
+}
+WORDS = frozenset("kind study table curve method scalar mode generator baseline verdict against bundle file column quality "
+                  "normalised_verdict fact cpu compiler machine".split())
+# Ids as a suite has to write them; they stand in names of files and in commands that a reader copies.
+ID = re.compile(r"[A-Za-z0-9._:+-]+")
+IDS = frozenset("study accuracy_study worst_id search_id guarantee_id method conversion curve scalar generator mode".split())
+SPAN = re.compile(r"\d+\.\.\d+")  # of degrees: a count of table 2.2 is over all of them
 
 
 @dataclass(frozen=True)
 class Study:
-    """What a suite says of one of its studies."""
+    """What a suite states about one of its studies."""
 
     id: str
     title: str
@@ -35,128 +50,133 @@ class Study:
 
 
 def _unstable(file):
-    """The file of the rows that depend on a library, beside those of the digest."""
+    """The file of the rows that depend on a library, next to that of the digested ones."""
     return "unstable.csv" if file == "accuracy.csv" else file.replace(".csv", "_unstable.csv")
-
-
-def _kind_of(file):
-    """The kind of the studies that the rows of a file are of; None where other files say it."""
-    return next((kind for kind in schema.kinds() if file in (f"{kind}.csv", _unstable(f"{kind}.csv"))), None)
 
 
 @contextmanager
 def made_of(bundle, part):
-    """Around what computes a part of the report: fields that make no sense end in one line."""
+    """Around the computation of a part of the report: fields that make no sense end in one line."""
     try:
         yield
     except BundleError:
         raise
     except UNUSABLE as error:
-        raise BundleError(f"{bundle.path}: {part} cannot be made of its values ({type(error).__name__}: {shown(str(error))}); "
-                          f"{bundle.advice()}") from error
+        raise BundleError(f"{bundle.path}: {part} cannot be computed from its values ({type(error).__name__}: {shown(str(error))}); "
+                          f"{bundle.advice}") from error
 
 
 @contextmanager
 def decided_by(bundle, part):
-    """The same around a part that may be left out: it is where rows are lacking."""
+    """The same around a part that is left out where rows are missing."""
     try:
         with made_of(bundle, part):
             yield
     except BundleError as error:
-        if isinstance(error.__cause__, LACKING):
-            raise Missing(f"its rows do not suffice: {literal(shown(str(error.__cause__)))}") from error
+        if isinstance(error.__cause__, WITHOUT_ROWS):
+            raise Missing(f"its rows do not suffice: {visible(shown(str(error.__cause__)))}") from error
         raise
+
+
+class Folder:
+    """A directory of data files, as some command wrote it."""
+
+    writer = "bezierbench run --out"
+    advice = "run `bezierbench verify` on the bundle"  # about a malformed file
+
+    def __init__(self, path):
+        self.path = Path(path)
+        if not self.path.is_dir():
+            raise BundleError(f"{self.path}: no such directory; give the directory that `{self.writer}` wrote")
+        self.name = visible(self.path.resolve().name)
+
+    def fail(self, name, what, line=None):
+        """Ends the reading of a file."""
+        raise BundleError(f"{self.path / name}{'' if line is None else f':{line}'}: {what}; {self.advice}")
+
+    def _bytes(self, name):
+        """None where there is no such file."""
+        try:
+            return files.content(self.path / name)
+        except files.NoFile:
+            return None
+
+    def _csv(self, name):
+        """The table of a file that is there."""
+        columns, lines = files.table(self.path / name, self._bytes(name))
+        for column in schema.required(name) if schema.is_declared(name) else COMPARISON.get(name, ()):
+            if column not in columns:
+                raise BundleError(f"{self.path / name}:1: no column `{column}`; run the suite again with this program version")
+        return Table(name, columns, [self._row(name, line, dict(zip(columns, fields))) for line, fields in lines])
+
+    def _row(self, name, line, fields):
+        values, texts = {}, {column: visible(text) for column, text in fields.items()}
+        for column, text in fields.items():
+            types = schema.types(name, column)
+            number = None if types and "number" not in types or column in WORDS else files.number(text)
+            if column in IDS and text and not ID.fullmatch(text):
+                self.fail(name, f"`{column}` is '{shown(text)}', which is not an id", line)
+            if text == "" and types and "empty" not in types:
+                self.fail(name, f"`{column}` is empty", line)
+            if text and number is None and "number" in types and "word" not in types and not (column == "degree" and SPAN.fullmatch(text)):
+                self.fail(name, f"`{column}` is '{shown(text)}', a number was expected", line)
+            values[column] = None if text == "" else texts[column] if number is None else number
+        return Row(name, line, values, texts)
 
 
 class Comparison(Folder):
     """What `bezierbench compare` found between bundles."""
 
     writer = "bezierbench compare BUNDLE... --out"
+    advice = f"write it again with `{writer}`"
 
     def __init__(self, path):
         super().__init__(path)
-        for name in ("facts.csv", "comparison.csv", "standings.csv"):
+        for name in COMPARISON:
             if self._bytes(name) is None:
-                raise BundleError(f"{self.path / name}: missing; {self.advice()}")
+                raise BundleError(f"{self.path / name}: missing; {self.advice}")
         self.facts, self.rows, self.standings = map(self._csv, ("facts.csv", "comparison.csv", "standings.csv"))
 
 
 class Bundle(Folder):
-    """A bundle directory. Files are read, and checked, when the bundle is opened; `comparison` is a directory that
-    `bezierbench compare` wrote about it, if any. With `damaged`, files that are not as they were written are read, too."""
+    """A bundle directory, read and compared with its checksums when it is opened; `comparison` is a directory that `bezierbench compare` wrote
+    about it, if any."""
 
-    writer = "bezierbench run --out"
-
-    def __init__(self, path, comparison=None, damaged=False):
+    def __init__(self, path, comparison=None):
         super().__init__(path)
-        self.damage = []
-        self._take_damage = damaged
-        self._listed = {}
         self._listed = self._sums()
         self.info = self._json("bundle.json")
-        self._check_info()
+        files.check_version(self.path / "bundle.json", self.info)
         self.machine = self._json("machine.json")
-        self.suite = self._text("suite.toml")
+        data = self._bytes("suite.toml")
+        self.suite = None if data is None else files.text(self.path / "suite.toml", data)
         self.suites, self.studies = self._suites()  # {id: title} and {id: Study}
-        self.tables = {name: self._csv(name) for name in self._tables()}
+        self.tables = {name: self._csv(name) for name in sorted({path.name for path in self.path.glob("*.csv")} | {n for n in self._listed if n.endswith(".csv")})}
         self._add_unnamed()
         self.comparison = Comparison(comparison) if comparison else None
-
-    def advice(self):
-        return "run `bezierbench verify` on the bundle"
-
-    def _damaged(self, name, what):
-        if not self._take_damage:
-            raise BundleError(f"{self.path / name}: {what}; restore it, or read the bundle as it is with --damaged")
-        self.damage.append(f"{name} {what}")
 
     def _sums(self):
         if super()._bytes("bundle.json") is None:
             raise BundleError(f"{self.path / 'bundle.json'}: missing; this directory is not a bundle, or its run never "
                               "started: run `bezierbench run SUITE --out BUNDLE`")
-        data = self._bytes(files.SUMS)
+        data = super()._bytes(files.SUMS)
         if data is None:
-            self._damaged(files.SUMS, "is missing")
-            return {}
-        try:
-            return files.checksums(self.path / files.SUMS, data)
-        except BundleError as error:
-            if not self._take_damage:
-                raise BundleError(f"{error}, or read the bundle as it is with --damaged") from None
-            self._damaged(files.SUMS, "is not a list of checksums")
-            return {}
+            self.fail(files.SUMS, "is missing")
+        return files.checksums(self.path / files.SUMS, data)
 
     def _bytes(self, name):
         data = super()._bytes(name)
-        if name == files.SUMS or self.damage[:1] and not self._listed:  # no sums to check by: said once
-            return data
         if data is None and name in self._listed:
-            self._damaged(name, "is missing")
-        elif data is not None and name not in self._listed:
-            self._damaged(name, f"is not in {files.SUMS}")
-        elif data is not None and not files.fits(self._listed[name], data):
-            self._damaged(name, f"is not what {files.SUMS} lists")
+            self.fail(name, "is missing")
+        if data is not None and name not in self._listed:
+            self.fail(visible(name), f"is not in {files.SUMS}")
+        if data is not None and not files.fits(self._listed[name], data):
+            self.fail(name, f"is not what {files.SUMS} lists")
         return data
 
-    def _tables(self):
-        """The names of the tables that are there or should be."""
-        present = {path.name for path in self.path.glob("*.csv")}
-        for name in sorted({name for name in self._listed if name.endswith(".csv")} - present):
-            self._damaged(name, "is missing")
-        for name in sorted(present):
-            if not ID.fullmatch(name):
-                self.fail(literal(name), "is no name of a table")
-        return sorted(present)
-
-    def _check_info(self):
-        files.check_version(self.path / "bundle.json", self.info)
-        suites = self.info.setdefault("suites", {})
-        ids = suites.setdefault("ids", []) if isinstance(suites, dict) else None
-        if not isinstance(ids, list) or not all(isinstance(one, str) and ID.fullmatch(one) for one in ids):
-            self.fail("bundle.json", "`suites` is not an object with the `ids` of suites")
-        for key, kind in (("state", str), ("seed", (int, str))):
-            if not isinstance(self.info.get(key, ""), kind):
-                self.fail("bundle.json", f"`{key}` is neither text nor a number that a run writes")
+    def _json(self, name):
+        data = self._bytes(name)
+        return None if data is None else visible_json(files.document(self.path / name, data))
 
     def __contains__(self, file):
         return file in self.tables
@@ -196,7 +216,7 @@ class Bundle(Folder):
         return part
 
     def title(self, study):
-        """What the suite calls that study; its id where the bundle does not say."""
+        """The title of that study in its suite; its id where the bundle has none."""
         return self.studies[study].title if study in self.studies else study
 
     def accuracy(self, **key):
@@ -209,31 +229,23 @@ class Bundle(Folder):
             resolved = tomllib.loads(self.suite or "")
             suites = [(one.get("suite", one) if one is resolved else one, one.get("study", []))
                       for one in resolved.get("suites", [resolved])]
-            titles = {head["id"]: head.get("title", "") for head, _ in suites if "id" in head}
-            studies = [Study(study["id"], study.get("title", ""), study.get("kind", ""), head.get("id", ""), bool(study.get("published")))
-                       for head, members in suites for study in members]
-            for name, title in [*titles.items(), *((study.id, study.title) for study in studies)]:
-                self._check_title(name, title)
-            if not all(isinstance(study.kind, str) and ID.fullmatch(study.kind or "none") for study in studies):
-                self.fail("suite.toml", "the kind of a study is no word")
+            titles = {head["id"]: visible(head.get("title", "")) or head["id"] for head, _ in suites if "id" in head}
+            studies = [Study(one["id"], visible(one.get("title", "")) or one["id"], one.get("kind", ""), head.get("id", ""), bool(one.get("published")))
+                       for head, members in suites for one in members]
         except tomllib.TOMLDecodeError as error:
             self.fail("suite.toml", str(error))
-        except BundleError:
-            raise
         except UNUSABLE:
-            self.fail("suite.toml", "its studies are no tables with an id")
-        return ({name: literal(title) or name for name, title in titles.items()},
-                {one.id: replace(one, title=literal(one.title) or one.id) for one in studies})
-
-    def _check_title(self, name, title):
-        if not (isinstance(name, str) and ID.fullmatch(name) and isinstance(title, str)):
-            self.fail("suite.toml", f"a suite or study has the id '{shown(str(name))}' or a title that no suite takes")
+            self.fail("suite.toml", "a study is not a table with an id, a title and a kind")
+        for name in (*titles, *(name for one in studies for name in (one.id, one.kind or "none"))):
+            if not (isinstance(name, str) and ID.fullmatch(name)):
+                self.fail("suite.toml", f"'{shown(str(name))}' is not an id")
+        return titles, {one.id: one for one in studies}
 
     def _add_unnamed(self):
         """Studies that suite.toml does not name follow those that it does; tables learn the suites of all."""
         for file, table in self.tables.items():
-            named = dict.fromkeys(row["study"] for row in table.rows) if "study" in table.columns else {}
-            unnamed = [study for study in named if study is not None and study not in self.studies]
-            if unnamed and (kind := _kind_of(file)):
-                self.studies.update((study, Study(study, study, kind, "")) for study in unnamed)
+            kind = next((kind for kind in schema.kinds() if file in (f"{kind}.csv", _unstable(f"{kind}.csv"))), None)
+            if kind and "study" in table.columns:
+                self.studies.update((study, Study(study, study, kind, "")) for study in table.distinct("study") if study and study not in self.studies)
+        for table in self.tables.values():
             table.suite_of = {study.id: study.suite for study in self.studies.values()}

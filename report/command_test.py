@@ -62,7 +62,7 @@ class Command(unittest.TestCase):
         done = run(self.bundle, "--comparison", comparison, "--out", self.place / "pages")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("Clang", (self.place / "pages/tables/comparison-1-machines.csv").read_text())
-        self.fails(4, self.bundle, "--comparison", self.place, says=("facts.csv: missing", "bezierbench compare"))
+        self.fails(4, self.bundle, "--comparison", self.place, says=("comparison.csv: missing", "bezierbench compare"))
 
     def test_usage(self):
         for arguments in ((), ("--wrong",), (self.bundle, "--out"), (self.bundle, "--out", self.bundle),
@@ -86,7 +86,7 @@ class Command(unittest.TestCase):
             fixture.seal(self.bundle)
         for name, old, new, says in (
                 ("bundle.json", "{", "[", "bundle.json:1"),
-                ("bundle.json", '"schema_version": 3', '"schema_version": 9', "schema_version"),
+                ("bundle.json", '"schema_version": 2', '"schema_version": 9', "schema_version"),
                 ("accuracy.csv", "mean_error,", "mean_eror,", "mean_error"),
                 ("accuracy.csv", "9e-11", "nine", "accuracy.csv:2"),
                 ("scorecard.csv", "inside,,0.1\n", "inside,,0.1,\n", "scorecard.csv:2"),
@@ -105,6 +105,35 @@ class Command(unittest.TestCase):
         (self.bundle / "audit.csv").write_bytes(b"")
         fixture.seal(self.bundle)
         self.fails(4, self.bundle, "--summary", says=("audit.csv:1",))
+
+    def test_what_is_not_as_it_was_written_is_refused(self):
+        sums = (self.bundle / "SHA256SUMS").read_text()
+        other = (self.bundle / "scorecard.csv").read_text().replace("inside", "outside", 1)
+        for name, data, words in (("scorecard.csv", other, "scorecard.csv: is not what SHA256SUMS lists"), ("audit.csv", None, "audit.csv: is missing"),
+                                  ("suite.toml", None, "suite.toml: is missing"), ("extra.csv", "study\nx\n", "extra.csv: is not in SHA256SUMS"),
+                                  ("SHA256SUMS", None, "SHA256SUMS: is missing"), ("SHA256SUMS", "x\n", "SHA256SUMS:1: is not a line of sha256sum"),
+                                  ("SHA256SUMS", sums + f"{'0' * 64}  ../x\n", "is not a line of sha256sum")):
+            with self.subTest(name=name, words=words):
+                path = self.bundle / name
+                before = path.read_text() if path.exists() else None
+                path.unlink() if data is None else path.write_text(data)
+                self.fails(4, self.bundle, "--summary", says=(words,))
+                path.unlink(missing_ok=True) if before is None else path.write_text(before)
+
+    def test_no_link_is_followed(self):
+        path = self.bundle / "audit.csv"
+        path.rename(self.place / "outside.csv")
+        path.symlink_to(self.place / "outside.csv")
+        self.fails(4, self.bundle, "--summary", says=("audit.csv: is a link",))
+
+    def test_a_message_repeats_the_beginning_of_a_field_only(self):
+        path = self.bundle / "audit.csv"
+        path.write_text(path.read_text().replace("1.25", "\x1b[2J" + "9" * 100_000 + "x"))
+        fixture.seal(self.bundle)
+        done = run(self.bundle, "--summary")
+        self.assertEqual(done.returncode, 4)
+        self.assertLess(len(done.stderr), 500)
+        self.assertIn(r"\x1b[2J999", done.stderr)
 
     def test_not_a_bundle(self):
         self.fails(4, self.place / "nowhere", says=("nowhere",))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from . import fixture
 from .bundle import Bundle, BundleError, Missing
-from .chapters import comparison
+from .chapters import provenance
 from .document import Table
 from .fixture.comparison import ACCURACY, FACTS, SENTINEL, TIME, write_comparison
 
@@ -22,7 +22,7 @@ class Chapter(unittest.TestCase):
         return write_comparison(self.place / "comparison", rows, facts)
 
     def blocks(self, rows, facts=()):
-        return list(comparison.blocks(Bundle(self.bundle, self.write(rows, facts)), ()))
+        return list(provenance.comparison(Bundle(self.bundle, self.write(rows, facts)), ()))
 
     def words(self, *arguments):
         return [block.text for block in self.blocks(*arguments) if block.kind == "text"]
@@ -32,7 +32,7 @@ class Chapter(unittest.TestCase):
 
     def test_without_a_comparison_it_is_left_out(self):
         with self.assertRaises(Missing):
-            list(comparison.blocks(Bundle(self.bundle), ()))
+            list(provenance.comparison(Bundle(self.bundle), ()))
 
     def test_machines_come_first(self):
         blocks = self.blocks([ACCURACY, TIME], FACTS)

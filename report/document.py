@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""What a chapter is made of. Chapters say what is in them; render.py knows how HTML and Markdown look.
+"""What a chapter consists of. Chapters state their content; render.py and the templates turn it into HTML and Markdown.
 
 Texts know two marks, as in Markdown: `code` and **strong**.
 """
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
-
 
 SENTENCE = 30  # characters from which a cell is a sentence
 LONG = 40  # lines from which a table scrolls by itself
@@ -18,9 +17,18 @@ LONGEST = 120  # characters; with what is added to them they are names of files 
 FIXED = ("content", "left-out", "title", "page-data", "page-script", "picker", "view", "said", "answer-sentence")  # of the page itself
 
 
+class Block:
+    """A part of a chapter."""
+
+    @property
+    def kind(self):
+        """Its template."""
+        return type(self).__name__.lower()
+
+
 @dataclass(frozen=True)
 class Cell:
-    """What a reader sees, what the CSV file holds, and a mark (a verdict) that is shown by colour as well. `units` is the same
+    """What a reader sees, what the CSV file holds, and a mark (a verdict) that is shown by colour as well. `units` has the same
     quantity in other units, as a reader sees it."""
 
     text: str = ""
@@ -39,7 +47,7 @@ class Group:
 
 
 @dataclass(frozen=True)
-class Table:
+class Table(Block):
     """A table: two label columns (group and row), then one column per value of an axis."""
 
     id: str
@@ -52,7 +60,6 @@ class Table:
     row_head: str = ""
     csv_head: tuple = ()  # filled where the CSV holds more than the page shows
     csv_rows: tuple = ()
-    kind: str = field(default="table", init=False)
 
     @property
     def single(self):
@@ -116,7 +123,7 @@ class Drawing:
 
 
 @dataclass(frozen=True)
-class Figure:
+class Figure(Block):
     """A figure, which takes long to draw: `draw` is called where `drawing` is first read."""
 
     id: str
@@ -124,7 +131,6 @@ class Figure:
     caption_zh: str
     alt: str
     draw: Callable  # () -> Drawing
-    kind: str = field(default="figure", init=False)
 
     @cached_property
     def drawing(self):
@@ -132,27 +138,23 @@ class Figure:
 
 
 @dataclass(frozen=True)
-class Text:
+class Text(Block):
     text: str
-    kind: str = field(default="text", init=False)
 
 
 @dataclass(frozen=True)
-class Heading:
+class Heading(Block):
     text: str
-    kind: str = field(default="heading", init=False)
 
 
 @dataclass(frozen=True)
-class Bullets:
+class Bullets(Block):
     items: tuple
-    kind: str = field(default="bullets", init=False)
 
 
 @dataclass(frozen=True)
-class Definitions:
+class Definitions(Block):
     items: tuple  # of (term, meaning)
-    kind: str = field(default="definitions", init=False)
 
 
 @dataclass(frozen=True)
@@ -167,40 +169,37 @@ class Tile:
 
 
 @dataclass(frozen=True)
-class Tiles:
+class Tiles(Block):
     items: tuple  # of Tile
-    kind: str = field(default="tiles", init=False)
 
 
 @dataclass(frozen=True)
-class Answer:
+class Answer(Block):
     """The picker: every cell with its candidates, the one to show first, and its table, which is what stands there without script."""
 
     cells: dict
     first: object
     sentence: str
     table: Table
-    kind: str = field(default="answer", init=False)
 
 
 @dataclass(frozen=True)
-class Finding:
+class Finding(Block):
     """One statement about the source report that the bundle decides."""
 
     id: str
     about: str  # conclusion: the report's, tested; correction: ours, against it; reproduction; note; suite: another suite's
     claim: str  # what the report says, in our words; empty where the statement is about the reproduction
-    holds: bool  # whether the bundle supports the statement; where it does not, the sentences say the opposite
+    holds: bool  # whether the bundle supports the statement; where it does not, the sentences state the opposite
     headline: str
     detail: tuple = ()
     rows: tuple = ()  # the rows of the bundle that decide it
     place: str = ""  # where the report says so: section and paragraph
     suite: str = ""  # the suite whose chapter it stands in; the report's own stand under their headings
-    kind: str = field(default="finding", init=False)
 
     @property
     def evidence(self):
-        """Where the numbers stand: `accuracy.csv lines 3, 7`, file by file."""
+        """Where the numbers are: `accuracy.csv lines 3, 7`, file by file."""
         lines = {}
         for row in self.rows:
             lines.setdefault(row.file, set()).add(row.line)

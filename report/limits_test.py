@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a page states about a table of times and the limits of the processor."""
+"""The sentences below a table of times, about the limits of the processor."""
 
 import csv
 import tempfile
@@ -7,9 +7,9 @@ import unittest
 
 from . import fixture
 from .bundle import Bundle, Row
-from .chapters import roofline, timing
+from .chapters.speed import roofline, timing
 from .findings.conclusions import time_order
-from .limits import nearness, orders, reading_limits, reading_load
+from .time_tables import nearness, orders, reading_limits, reading_load
 
 
 def _row(method, ns, limit, mode="point", degree=5, call=2.0, chain=None, file="timing.csv", **more):
@@ -39,8 +39,8 @@ class Nearness(unittest.TestCase):
     def test_says_which_orders_would_hold(self):
         rows = [_row("fast", 10, 1), _row("slow", 20, 2), _row("badly_coded", 30, 0.5)]
         kept, turned = orders(rows)
-        self.assertEqual(set(kept), {("fast", "slow")})
-        self.assertEqual(set(turned), {("fast", "badly_coded"), ("slow", "badly_coded")})
+        self.assertEqual(kept, {("fast", "slow"): 1})
+        self.assertEqual(turned, {("fast", "badly_coded"): 1, ("slow", "badly_coded"): 1})
         self.assertIn("Of 3 orders of two methods of a race 1 would hold at the limits and 2 would not: `fast` before `badly_coded` in 1 race "
                       "and `slow` before `badly_coded` in 1 race.", _said(rows))
         self.assertIn("All 1 order of two methods of a race would hold", _said(rows[:2]))
@@ -74,7 +74,7 @@ class Page(unittest.TestCase):
             bundle = Bundle(fixture.seal(folder))
             if machine is not None:
                 bundle.machine = machine
-            return [b.text for b in timing.blocks(bundle, None) if b.kind == "text"], time_order(bundle)
+            return [b.text for b in timing(bundle, None) if b.kind == "text"], time_order(bundle)
 
     def test_says_it_of_each_table(self):
         texts, _ = self.blocks()
@@ -89,7 +89,7 @@ class Page(unittest.TestCase):
 
     def test_the_roofline_says_it_by_mode(self):
         with tempfile.TemporaryDirectory() as place:
-            blocks = list(roofline.blocks(Bundle(fixture.write(f"{place}/b")), ([], [])))
+            blocks = list(roofline(Bundle(fixture.write(f"{place}/b")), ([], [])))
         tables = [b for b in blocks if b.kind == "table" and b.id.startswith("roofline-bezier-double")]
         lines = {label: cells[0].text for label, cells in tables[0].groups[0].rows}
         self.assertEqual(set(lines), {"AVX2", "scalar, point"})

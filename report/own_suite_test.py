@@ -9,8 +9,7 @@ from pathlib import Path
 
 from . import fixture, render, schema
 from .bundle import Bundle
-from .chapters import studies
-from .chapters.roster import build_all
+from .chapters.roster import UNNAMED, build_all
 from .findings.roster import find_all
 
 # One study of each kind, and one whose id looks like that of a known suite.
@@ -129,7 +128,7 @@ class OwnSuite(unittest.TestCase):
             (path / "suite.toml").unlink()
             bundle = Bundle(fixture.seal(path))
             chapters, _ = build_all(bundle, find_all(bundle))
-            unnamed = next(chapter for chapter in chapters if chapter.title == studies.UNNAMED)
+            unnamed = next(chapter for chapter in chapters if chapter.title == UNNAMED)
             self.assertEqual([b.text for b in unnamed.blocks if b.kind == "heading"], ["truth-bezier"])
 
     def test_what_no_chapter_of_a_known_suite_shows_has_its_own(self):

@@ -14,7 +14,6 @@ from markupsafe import Markup, escape
 
 from . import latex, script
 from .document import SAFE
-from .foreign import restored
 from .inline import Markdown, to_html, to_markdown, to_plain
 
 TEMPLATES = Path(__file__).parent / "templates"
@@ -29,7 +28,7 @@ def _environment(**more):
 def _checked(name):
     """An id that may stand in a link: build_all gives no other."""
     if not SAFE.fullmatch(name):
-        raise ValueError(f"{name!r} is no id")
+        raise ValueError(f"{name!r} is not an id")
     return name
 
 
@@ -41,7 +40,7 @@ def _html():
 
 def _markdown():
     environment = _environment(autoescape=False, finalize=to_markdown)
-    environment.filters.update(plain=to_plain, md=to_markdown, code=lambda text: to_markdown(f"`{text}`"), id=lambda name: Markdown(_checked(name)))
+    environment.filters.update(plain=to_plain, md=to_markdown, raw=Markdown, code=lambda text: to_markdown(f"`{text}`"), id=lambda name: Markdown(_checked(name)))
     return environment.get_template("page.md.j2")
 
 
@@ -62,7 +61,7 @@ def files(bundle, chapters, left_out):
         head, rows = table.csv()
         out = io.StringIO()
         writer = csv.writer(out, lineterminator="\n")
-        writer.writerows([restored(field) for field in row] for row in [head, *rows])
+        writer.writerows([head, *rows])
         written[f"tables/{table.id}.csv"] = out.getvalue().encode()
         written[f"tables/{table.id}.tex"] = latex.table(table).encode()
     for figure in _of_kind(chapters, "figure"):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 
 class Missing(Exception):
-    """The bundle is sound but does not hold the rows that a finding, figure or chapter needs."""
+    """The bundle is sound but does not have the rows that a finding, figure or chapter requires."""
 
 
 @dataclass(frozen=True)
@@ -19,7 +19,8 @@ class Row:
     texts: dict = field(hash=False)
 
     def __getitem__(self, column):
-        return self.values.get(column)
+        """The value; `interval` is (t_min, t_max)."""
+        return (self.values.get("t_min"), self.values.get("t_max")) if column == "interval" else self.values.get(column)
 
     def text(self, column):
         """The field as it stands in the file."""
@@ -44,10 +45,7 @@ class Table:
 
     def select(self, **key):
         """Rows whose columns equal the given values; a tuple, list or set means any of its members."""
-        def fits(row):
-            return all(row[c] in v if isinstance(v, (tuple, list, set, frozenset)) else row[c] == v
-                       for c, v in key.items())
-        return [row for row in self.rows if fits(row)]
+        return [row for row in self.rows if fits(row, key)]
 
     def some(self, **key):
         """As select, but Missing where there is none."""
@@ -76,7 +74,25 @@ class Table:
 
     def distinct(self, column, **key):
         """The different values of a column, in order of first appearance."""
-        return list(dict.fromkeys(row[column] for row in self.select(**key)))
+        return distinct(self.select(**key), column)
+
+
+def fits(row, key):
+    """Whether the columns of a row equal the values of {column: value}; a tuple of values means any of them, except for `interval`."""
+    return all(row[c] in v if isinstance(v, (tuple, list, set, frozenset)) and c != "interval" else row[c] == v for c, v in key.items())
+
+
+def distinct(rows, column):
+    """The different values of a column, in order of first appearance."""
+    return list(dict.fromkeys(row[column] for row in rows))
+
+
+def grouped(rows, *columns):
+    """{value of the column: rows}, or of several columns {values: rows}, in order of first appearance."""
+    groups = {}
+    for row in rows:
+        groups.setdefault(tuple(row[c] for c in columns) if len(columns) > 1 else row[columns[0]], []).append(row)
+    return groups
 
 
 def _describe(key):

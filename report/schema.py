@@ -15,7 +15,7 @@ def _whole():
 
 
 def _resolved(declared):
-    """With what a $ref names; what is said beside it goes before."""
+    """Resolves $ref; sibling keys take precedence."""
     while "$ref" in declared:
         named = functools.reduce(dict.__getitem__, declared["$ref"].removeprefix("#/").split("/"), _whole())
         declared = {**named, **{key: value for key, value in declared.items() if key != "$ref"}}
@@ -58,14 +58,6 @@ def measures(kind):
     return tuple(table(f"{kind}.csv")["measures"].items())
 
 
-@functools.cache
-def timed():
-    """{problem: what is declared of its times}: what one is of (`unit`, in Chinese `unit_zh`), the axis that runs `across` their
-    tables, and when an answer is `right`."""
-    blocks = {file.removesuffix(".csv"): declared["timed"] for file, declared in _whole()["properties"].items() if "timed" in declared}
-    return {"evaluation": blocks.pop("accuracy"), **blocks}
-
-
 def method(kind):
     """The column of what is judged."""
     return table(f"{kind}.csv").get("method", "method")
@@ -102,55 +94,22 @@ def unit(file, column):
 
 
 @functools.cache
-def holds_numbers(file, column):
-    """Whether a field of the column is a number wherever it is not empty."""
-    return column in columns(file) and _numeric(columns(file)[column])
-
-
-@functools.cache
-def holds_words(file, column):
-    """Whether a field of the column is never a number."""
-    return column in columns(file) and not _may_be_number(columns(file)[column])
-
-
-@functools.cache
-def may_be_empty(file, column):
-    """Whether a field of the column may be empty."""
-    return column not in columns(file) or _may_be_null(columns(file)[column])
+def types(file, column):
+    """What a field of the column may be, of `number`, `word` and `empty`; nothing for a column that is not declared."""
+    return frozenset(kind for one in _alternatives(columns(file).get(column)) for kind in _kinds_of(one))
 
 
 def _alternatives(declared):
     """The declarations of which a field follows any."""
+    if declared is None:
+        return []
     declared = _resolved(declared)
     return [one for part in declared["anyOf"] for one in _alternatives(part)] if "anyOf" in declared else [declared]
 
 
-def _types(declared):
-    types = declared.get("type", ())
-    return {types} if isinstance(types, str) else set(types)
-
-
-def _may_be_number(declared):
-    return any(_types(one) & {"number", "integer"} for one in _alternatives(declared))
-
-
-def _may_be_null(declared):
-    return any("null" in _types(one) or None in one.get("enum", ()) for one in _alternatives(declared))
-
-
-def _numeric(declared):
-    declared = _resolved(declared)
-    if "anyOf" in declared:
-        kinds = [one for one in map(_resolved, declared["anyOf"]) if one.get("type") != "null"]
-        return any(_is_number(one) for one in kinds) and all(_numeric(one) or _words(one) <= _NOT_FINITE for one in kinds)
-    return _is_number(declared)
-
-
-def _is_number(declared):
-    types = declared.get("type")
-    types = {types} if isinstance(types, str) else set(types or ())
-    return bool(types - {"null"}) and types <= {"number", "integer", "null"} or "anyOf" in declared and _numeric(declared)
-
-
-def _words(declared):
-    return set(declared.get("enum", [declared["const"]] if "const" in declared else ["any word"]))
+def _kinds_of(declared):
+    values = declared.get("enum", [declared["const"]] if "const" in declared else None)
+    if values is not None:
+        return {"empty" if value is None else "number" if value in _NOT_FINITE or not isinstance(value, str) else "word" for value in values}
+    given = declared.get("type", "string")
+    return {{"number": "number", "integer": "number", "null": "empty"}.get(one, "word") for one in ([given] if isinstance(given, str) else given)}

@@ -10,7 +10,6 @@ from pathlib import Path
 from markupsafe import Markup
 
 from .answer import FORMS, LOSING, NO_TIME, ROUNDOFF, USELESS, small
-from .foreign import restored
 from .inline import to_plain
 
 PARTS = ("state", "tables", "figures", "answer", "main")
@@ -41,7 +40,7 @@ def data(bundle, chapters):
     blocks = [one for chapter in chapters for one in chapter.blocks]
     answer = next((one for one in blocks if one.kind == "answer"), None)
     replays = _replays(bundle)
-    return {"bundle": _shell_word(restored(bundle.name)), "roots": roots(bundle), "colours": _colours(blocks),
+    return {"bundle": _shell_word(bundle.name), "roots": roots(bundle), "colours": _colours(blocks),
             "answer": _answer(answer) if answer else None,
             "figures": {one.id: [_series(series, replays) for series in one.drawing.series]
                         for one in blocks if one.kind == "figure" and one.drawing.series}}
@@ -71,15 +70,15 @@ def _number(value):
 
 
 def _answer(answer):
-    from .chapters.answer import where
+    from .chapters.first_glance import where
     cells = []
     for cell, members in answer.cells.items():
-        methods = [dict(method=restored(one.method), ns=_number(one.ns), low=_number(one.timed and one.timed["ns_low"]),
+        methods = [dict(method=one.method, ns=_number(one.ns), low=_number(one.timed and one.timed["ns_low"]),
                         high=_number(one.timed and one.timed["ns_high"]), error_u=_number(one.error_u), bound_u=_number(one.bound_u),
                         error=_number(one.number("observed_max", "max_error")), bound=_number(one.number("bound", "max_bound")),
                         noisy=bool(one.timed and one.timed["quality"] == "noisy"), front=one.front or "", replay=one.replay or "")
                    for one in members]
-        cells.append(dict(form=restored(cell.form), degree=cell.degree, mode=restored(cell.mode), scalar=restored(cell.scalar),
+        cells.append(dict(form=cell.form, degree=cell.degree, mode=cell.mode, scalar=cell.scalar,
                           dimension=cell.dimension, small=small(cell.degree, cell.form), where=cell.where, words=to_plain(where(cell)), methods=methods))
     return dict(cells=cells, first=list(answer.cells).index(answer.first), forms=FORMS, useless=USELESS, losing=LOSING, untimed=NO_TIME,
                 roundoff={**ROUNDOFF, **{c["scalar"]: ROUNDOFF["double"] for c in cells if c["scalar"] not in ROUNDOFF}})
@@ -96,5 +95,5 @@ def _replays(bundle):
 def _series(series, replays):
     def replay(row):
         return (row["search_id"] or replays.get(tuple(row[c] for c in KEY), "")) if row else ""
-    return dict(name=restored(series.name), method=restored(series.name.split(" (")[0]), colour=series.colour,
-                points=[[x, y, restored(words), replay(row)] for x, y, words, row in series.points])
+    return dict(name=series.name, method=series.name.split(" (")[0], colour=series.colour,
+                points=[[x, y, words, replay(row)] for x, y, words, row in series.points])

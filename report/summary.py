@@ -4,7 +4,7 @@
 import textwrap
 
 from .bundle import Missing
-from .chapters.scorecard import VERDICTS, counts
+from .chapters.printed import MARK, counts
 from .findings.roster import grouped
 from .inline import to_plain
 
@@ -17,9 +17,9 @@ def text(bundle, findings):
     lines = [f"Scorecard of {bundle.name}"]
     try:
         tables = counts(bundle)
-        lines.append("  " + f"{'table':<8}" + "".join(f"{v:>12}" for v in VERDICTS) + f"{'cells':>8}")
+        lines.append("  " + f"{'table':<8}" + "".join(f"{v:>12}" for v in MARK) + f"{'cells':>8}")
         for number, verdicts in tables.items():
-            lines.append("  " + f"{number:<8}" + "".join(f"{verdicts[v]:>12}" for v in VERDICTS)
+            lines.append("  " + f"{number:<8}" + "".join(f"{verdicts[v]:>12}" for v in MARK)
                          + f"{sum(verdicts.values()):>8}")
     except Missing as lack:
         lines.append(f"  none: {lack}")

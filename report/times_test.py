@@ -6,17 +6,15 @@ import unittest
 
 from . import fixture
 from .bundle import Bundle
-from .chapters import arc_length, bspline, derivative, fitting, grid, interpolation, inverse_arc_length, projection, subdivision, timing
+from .chapters.parts import ROSTER
 from .findings.roster import find_all
 from .fixture.times import COMPANIONS
 
-CHAPTERS = {"derivative": derivative, "arc_length": arc_length, "inverse_arc_length": inverse_arc_length, "projection": projection,
-            "interpolation": interpolation, "fitting": fitting, "subdivision": subdivision, "grid": grid,
-            "bspline": bspline,
-            "evaluation": timing}
+CHAPTERS = {**{one.suite: one for one in ROSTER}, "evaluation": next(one for one in ROSTER if one.id == "timing")}
+PROBLEMS = ("derivative", "arc_length", "inverse_arc_length", "projection", "interpolation", "fitting", "subdivision", "grid", "bspline", "evaluation")
 
 
-def _blocks(change=None, problems=tuple(CHAPTERS)):
+def _blocks(change=None, problems=PROBLEMS):
     """({problem: blocks of its chapter}, findings)"""
     with tempfile.TemporaryDirectory() as place:
         bundle = Bundle(fixture.write(f"{place}/b", change))

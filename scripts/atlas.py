@@ -27,7 +27,7 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).resolve().parent.parent))
 sys.dont_write_bytecode = True  # the source tree may be read-only
 from report.bundle import Bundle  # noqa: E402
-from report.chapters import opening  # noqa: E402
+from report.chapters import first_glance  # noqa: E402
 from report.findings.roster import find_all  # noqa: E402
 from report.inline import to_plain  # noqa: E402
 from scripts.digests import Agreement, AgreementWithDigests  # noqa: E402
@@ -127,7 +127,7 @@ def index():
                       f"[the digests of its rows](../../atlas/{suite}/digests.csv) are kept.", ""]
             continue
         bundle = Bundle(BUNDLES / suite)
-        tiles = {tile.label: tile for block in opening.blocks(bundle, None) for tile in getattr(block, "items", ())}
+        tiles = {tile.label: tile for block in first_glance.opening(bundle, None) for tile in getattr(block, "items", ())}
         title = bundle.suites.get(suite) or suite
         lines += [f"## [{title}]({suite}/README.md)", "",
                   f"Suite `{suite}`: {tiles['judged'].value} {tiles['judged'].note}; violations: {tiles['violations'].value}; "

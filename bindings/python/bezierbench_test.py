@@ -8,7 +8,6 @@ import hashlib
 import json
 import math
 import os
-import random
 import shutil
 import signal
 import sys
@@ -27,8 +26,6 @@ import bezierbench
 from bezierbench import files
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT))
-from scripts.hostile_bundle import damaged  # noqa: E402
 
 CURVE = [[0.0, 0.0], [1.0, 2.0], [3.0, 0.1]]
 T = [0.0, 0.1, 0.7, 1.0]
@@ -414,27 +411,6 @@ class Bundles(unittest.TestCase):
                     bezierbench.read(bundle, frames=False)
                 self.assertIn(str(bundle), str(caught.exception))
                 self.assertLess(len(str(caught.exception)), 500 + len(str(bundle)))
-
-    def test_bundles_as_an_enemy_or_a_bad_disk_would_leave_them(self):
-        """Each is read, or refused by the one exception; one that is not what its checksums say is refused."""
-        listed = {line.split()[1] for line in (ROOT / "results/atlas/grid/SHA256SUMS").read_text().splitlines()}
-        outcomes = []
-        for seed in range(200):
-            with self.subTest(seed=seed), tempfile.TemporaryDirectory() as folder:
-                bundle = Path(folder) / "bundle"
-                shutil.copytree(ROOT / "results/atlas/grid", bundle)
-                changed, signed = damaged(bundle, random.Random(seed))
-                try:
-                    bezierbench.read(bundle, frames=False)
-                    refused = False
-                except bezierbench.BundleError as error:
-                    refused = True
-                    self.assertIn(str(bundle), str(error))
-                    self.assertLess(len(str(error)), 500 + len(str(bundle)))
-                if not signed and changed & {"SHA256SUMS", *listed}:
-                    self.assertTrue(refused)
-                outcomes.append((signed, refused))
-        self.assertLessEqual({(True, True), (True, False), (False, True)}, set(outcomes))
 
     def test_numbers_are_those_of_the_program(self):
         """Python's float() takes more: 1_0, infinity, blanks, digits of other scripts."""

@@ -46,9 +46,9 @@ def _large(bundle, out):
 
 def main():
     chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    lacking = [name for name, there in (("chromium", chromium), ("node", shutil.which("node")), ("playwright-core", _playwright())) if not there]
-    if lacking:
-        print(f"skipped: not here: {', '.join(lacking)}")
+    absent = [name for name, there in (("chromium", chromium), ("node", shutil.which("node")), ("playwright-core", _playwright())) if not there]
+    if absent:
+        print(f"skipped: missing: {', '.join(absent)}")
         return SKIPPED
     _report()
     from report import fixture

@@ -177,7 +177,7 @@ async function figures(page) {
   const mark = figure.locator("svg g path").nth(1);
   const box = await mark.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  check((await page.locator(".tip").textContent()).includes("u p~ seen"), "no values under the pointer");
+  check((await page.locator(".tip").textContent()).includes("observed errors of at most"), "no values under the pointer");
   await figure.focus();
   await page.keyboard.press("ArrowRight");
   const one = await page.locator("#said").textContent();

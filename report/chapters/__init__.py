@@ -1,2 +1,4 @@
 # SPDX-License-Identifier: MIT
-"""Chapters of the page. One file per chapter with TITLE and `blocks(bundle, findings)`; roster.py lists them."""
+"""Chapters of the page: functions `name(bundle, findings)` with the decorator `chapter`, in a file for each part of the page."""
+
+from . import first_glance, printed, evaluators, guarantees, companions, speed, provenance  # noqa: F401, I001  the order of the page

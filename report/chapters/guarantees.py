@@ -1,98 +1,130 @@
 # SPDX-License-Identifier: MIT
-"""What each method keeps of a curve's properties: the matrix of verdicts, the open cells, the smallest counterexamples."""
+"""Facts about all inputs: properties that each method keeps or breaks, errors at every float, inputs next to rounding boundaries."""
+
+from decimal import Decimal
 
 from ..document import Cell, Group, Table, Text
-from ..guarantee_words import MARKS, WORDS, of_all, share, with_share
+from ..guarantee_words import MARKS, SEARCHES, WORDS, of_all, share, with_share
+from ..rows import distinct, grouped
+from ..tables import listed
 from ..wording import count, general, large, percent
-from .suite_parts import figure
-
-TITLE = "What each method keeps"
-SUITE = KIND = "guarantees"
+from .parts import chapter, figure, tables_of
 
 
-def _grouped(rows, *columns):
-    """Rows by their values in these columns, in the order of the file."""
-    groups = {}
-    for row in rows:
-        groups.setdefault(tuple(row[c] for c in columns), []).append(row)
-    return groups
+def _by_method(table_id, caption, caption_zh, head, groups):
+    """Methods down, each with a line (label, texts) for each property."""
+    return Table(id=table_id, caption=caption, caption_zh=caption_zh, head=head, row_head="property", groups=tuple(
+        Group(f"`{method}`", method, tuple((label, [c if isinstance(c, Cell) else Cell(c, c) for c in cells]) for label, cells in lines))
+        for method, lines in groups))
 
 
 def _matrix(study, rows):
     """Methods down, properties across: the verdicts over all degrees and scalar types."""
-    properties = list(dict.fromkeys(r["property"] for r in rows))
-    cells = _grouped(rows, "method", "property")
+    properties, cells = distinct(rows, "property"), grouped(rows, "method", "property")
 
     def cell(method, name):
         own = cells.get((method, name))
         return Cell(with_share(own), of_all(own), MARKS[of_all(own)]) if own else Cell()
-
-    methods = dict.fromkeys(r["method"] for r in rows)
-    groups = tuple(Group(f"`{m}`", m, (("", [cell(m, p) for p in properties]),)) for m in methods)
-    return Table(id=f"{study}-matrix", caption="What each method keeps, over all degrees and scalar types; in brackets the largest "
-                 "share of random inputs that break it", caption_zh="各方法所保持的性质", groups=groups,
-                 head=tuple(p.replace("_", " ") for p in properties))
+    return listed(f"{study}-matrix", "What each method keeps, over all degrees and scalar types; in brackets the largest share of random inputs "
+                  "that break it", "各方法所保持的性质", ("method", *(p.replace("_", " ") for p in properties)),
+                  [(f"`{m}`", *(cell(m, p) for p in properties)) for m in distinct(rows, "method")])
 
 
 def _open(study, rows):
-    """The cells that are neither proved nor broken, with what was tried."""
-    groups = []
-    for (method,), own in _grouped([r for r in rows if r["verdict"] == "not_refuted"], "method").items():
-        lines = []
-        for (name, scalar), cells in _grouped(own, "property", "scalar").items():
-            tried = min(r["trials"] + r["searched"] for r in cells)
-            nearest = [r["largest"] for r in cells if isinstance(r["largest"], float)]
-            degrees = ", ".join(f"{r['degree']:g}" for r in cells)
-            lines.append((f"{name.replace('_', ' ')}, {scalar}", [Cell(degrees, degrees), Cell(large(tried), f"{tried:g}"),
-                                                                  Cell(general(max(nearest)), repr(max(nearest))) if nearest else Cell()]))
-        groups.append(Group(f"`{method}`", method, tuple(lines)))
-    return Table(id=f"{study}-open", caption="Neither proved nor broken: degrees, inputs tried at each degree, and the best attempt",
-                 caption_zh="既未证明亦未推翻者", groups=tuple(groups), head=("degrees", "inputs", "best attempt, ulp"), row_head="property")
+    """The cells that are neither proved nor broken, with the inputs tried."""
+    def line(name, scalar, cells):
+        tried, nearest = min(r["trials"] + r["searched"] for r in cells), [r["largest"] for r in cells if isinstance(r["largest"], float)]
+        return f"{name.replace('_', ' ')}, {scalar}", [", ".join(f"{r['degree']:g}" for r in cells), Cell(large(tried), f"{tried:g}"),
+                                                       Cell(general(max(nearest)), repr(max(nearest))) if nearest else Cell()]
+    return _by_method(f"{study}-open", "Neither proved nor broken: degrees, inputs tried at each degree, and the best attempt", "既未证明亦未推翻者",
+                      ("degrees", "inputs", "best attempt, ulp"),
+                      [(method, [line(*key, cells) for key, cells in grouped(own, "property", "scalar").items()])
+                       for method, own in grouped(rows, "method").items()])
 
 
 def _counterexamples(study, rows):
     """The smallest input that breaks a property, at the lowest degree where one does."""
-    groups = []
-    for (method,), own in _grouped([r for r in rows if r["verdict"] == "refuted"], "method").items():
-        lines = []
-        for (name,), cells in _grouped(own, "property").items():
-            row = min(cells, key=lambda r: (r["degree"], len(r.text("coefficients")) + len(r.text("t"))))
-            broken = share([row])
-            shown = [f"{row['degree']:g}, {row['scalar']}", percent(broken) if broken is not None else "", general(row["largest"]),
-                     row.text("t") + (f" and {row.text('t_next')}" if row.text("t_next") else ""),
-                     row.text("coefficients") + (f"; moved by {row.text('offset')}" if row.text("offset") else "")]
-            lines.append((name.replace("_", " "), [Cell(text, text) for text in shown]))
-        groups.append(Group(f"`{method}`", method, tuple(lines)))
-    return Table(id=f"{study}-counterexamples", caption="The smallest counterexample that a search found, at the lowest degree with one: "
-                 "share of random inputs that break it, largest excess in ulp, t, control points axis by axis",
-                 caption_zh="搜索所得最小反例", groups=tuple(groups), head=("degree", "share", "largest", "t", "control points"),
-                 row_head="property")
+    def line(name, cells):
+        row = min(cells, key=lambda r: (r["degree"], len(r.text("coefficients")) + len(r.text("t"))))
+        broken = share([row])
+        return name.replace("_", " "), [f"{row['degree']:g}, {row['scalar']}", percent(broken) if broken is not None else "", general(row["largest"]),
+                                        row.text("t") + (f" and {row.text('t_next')}" if row.text("t_next") else ""),
+                                        row.text("coefficients") + (f"; moved by {row.text('offset')}" if row.text("offset") else "")]
+    return _by_method(f"{study}-counterexamples", "The smallest counterexample that a search found, at the lowest degree with one: share of random "
+                      "inputs that break it, largest excess in ulp, t, control points axis by axis", "搜索所得最小反例",
+                      ("degree", "share", "largest", "t", "control points"),
+                      [(method, [line(*item) for item in grouped(own, "property").items()]) for method, own in grouped(rows, "method").items()])
 
 
+@tables_of("guarantees")
 def study_tables(bundle, study):
     """The matrix, the open cells, the counterexamples."""
     rows = bundle.judged("guarantees.csv").some(study=study)
+    by = {verdict: [r for r in rows if r["verdict"] == verdict] for verdict in WORDS}
     yield _matrix(study, rows)
-    left = [r for r in rows if r["verdict"] == "not_refuted"]
-    verdicts = ", ".join(f"{sum(r['verdict'] == v for r in rows)} {WORDS[v]}" for v in WORDS)
-    yield Text(f"{count(len(rows), 'cell')} of one method, scalar type, degree and property: {verdicts}.")
-    if left:
-        yield _open(study, left)
-    if any(r["verdict"] == "refuted" for r in rows):
-        yield _counterexamples(study, rows)
+    yield Text(f"{count(len(rows), 'cell')} of one method, scalar type, degree and property: "
+               + ", ".join(f"{len(own)} {WORDS[v]}" for v, own in by.items()) + ".")
+    if by["not_refuted"]:
+        yield _open(study, by["not_refuted"])
+    if by["refuted"]:
+        yield _counterexamples(study, by["refuted"])
 
 
-def blocks(bundle, _findings):
+@chapter("What each method keeps", suite="guarantees", kind="guarantees")
+def guarantees(bundle, _findings):
     """The figure, then the tables of each study."""
-    table = bundle.judged("guarantees.csv").of_suite(SUITE)
-    yield Text("Yes or no: does the curve end exactly in its last point, is a constant reproduced, does a point stay between its "
-               "control points? A property is `proved` where the method's header in core/evaluate has the proof, broken where an "
-               "input was found that breaks it, and open where neither is the case.")
+    table = bundle.judged("guarantees.csv").of_suite("guarantees")
+    yield Text("Yes or no: does the curve end exactly in its last point, is a constant reproduced, does a point stay between its control points? A "
+               "property is `proved` where the method's header in core/evaluate has the proof, broken where an input was found that breaks it, and "
+               "open where neither is the case.")
     yield from figure("guarantee_matrix", bundle)
     for study in table.distinct("study"):
         yield from study_tables(bundle, study)
-    yield Text("The statements stand in experiments/guarantees, one file each, with what they say of subnormal numbers and overflow: "
-               "a value that is not finite counts against `finite` and `total` alone. Shares are of inputs with full significands; "
-               "counterexamples are sought among few bits, neighbours of powers of two, the largest and the smallest numbers, too, and "
-               "then made smaller. Every one is exact in hexadecimal: `bezierbench replay BUNDLE ID` tries it again, with the id of its "
-               "row in guarantees.csv.")
+    yield Text("The properties are defined in experiments/guarantees, one file each, also for subnormal numbers and overflow: a value that is not "
+               "finite counts against `finite` and `total` alone. Shares are of inputs with full significands; counterexamples are sought also among "
+               "numbers of few bits, neighbours of powers of two, the largest and the smallest numbers, and then made smaller. Every one is exact in "
+               "hexadecimal: `bezierbench replay BUNDLE ID` tries it again, with the id of its row in guarantees.csv.")
+
+
+COUNTS = ("misrounded", "non_monotone", "out_of_hull")
+
+
+@tables_of("exhaustive")
+def _at_every_float(bundle, study):
+    """A table of each interval: curves, each with its methods."""
+    def cells(row):
+        error = row["max_error_ulp"]
+        return [Cell("not finite", "", "outside") if error is None else Cell(general(error, 6), row.text("max_error_ulp")),
+                Cell(f"{float.fromhex(row.text('worst_t')):.9g}", row.text("worst_t")),
+                *(Cell(large(row[column]), row.text(column)) for column in COUNTS)]
+    for number, rows in enumerate(grouped(bundle["exhaustive.csv"].some(study=study), "interval").values(), 1):
+        shown = f"[{float(rows[0].text('t_min')):.9g}, {float(rows[0].text('t_max')):.9g}]"
+        yield Table(id=f"{study}-{number}", caption=f"The largest error at the {large(rows[0]['points'])} floats t of {shown}, and the numbers of "
+                    "misrounded points, of steps that are not monotone and of points outside the hull",
+                    caption_zh=f"区间 {shown} 内全部单精度参数处的最大误差（ulp）及舍入错误、非单调、越界的次数",
+                    groups=tuple(Group(f"`{curve}`, degree {own[0]['degree']:g}", curve, tuple((f"`{r['method']}`", cells(r)) for r in own))
+                                 for curve, own in grouped(rows, "curve_id").items()),
+                    head=("largest error, ulp", "at t", *(column.replace("_", " ") for column in COUNTS)), group_head="curve", row_head="method")
+    yield Text("Every float t of the interval was evaluated in float, so that these are facts about all inputs, not estimates. An error is that of a "
+               "coordinate, in the spacing of floats at its true value. A point is misrounded where a coordinate is not the float nearest to the true "
+               "value; a step from a t to the next is not monotone where a coordinate goes against its control coordinates, where these never "
+               "decrease or never increase.")
+
+
+@tables_of("hard_cases")
+def _hard_cases(bundle, study):
+    """The families of inputs, each with its searches: how many cases were kept, and how near to a rounding boundary the nearest lies."""
+    rows = bundle["hard_cases.csv"].some(study=study)
+
+    def cells(own):
+        text = min((r.text("distance_ulp") for r in own), key=Decimal)
+        least = Decimal(text)
+        return [Cell(str(len(own)), str(len(own))), Cell(general(float(least)) if float(least) or not least else f"{least:.2e}", text)]
+    groups = []
+    for (family, scalar), own in grouped(rows, "family", "scalar").items():
+        by = grouped(own, "search")
+        groups.append(Group(f"`{family}`, {scalar}", f"{family} {scalar}", tuple((words, cells(by[s])) for s, words in SEARCHES.items() if s in by)))
+    yield Table(id=f"{study}-families", caption=f"Inputs kept by family ({large(max(r['drawn'] for r in rows))} drawn for each family): cases, and the "
+                "smallest distance of an exact value from a rounding boundary in ulp",
+                caption_zh="各类难例的数目及真值与舍入边界的最小距离（以 ulp 计）", groups=tuple(groups), head=("cases", "smallest distance"),
+                group_head="family", row_head="search")

@@ -21,14 +21,13 @@ from matplotlib.patches import Patch  # noqa: E402
 from matplotlib.ticker import FixedFormatter, FixedLocator, FuncFormatter, LogFormatter, LogLocator, NullLocator  # noqa: E402
 
 from ..document import Drawing, Figure, Series  # noqa: E402
-from ..foreign import restored  # noqa: E402
 from ..wording import general, shortest  # noqa: E402
 
 # Ink and paper are replaced by the page's colours where a figure is put into the page.
 INK = "#1b1f24"
 PAPER = "#fefefe"
 FAINT = "#8a929b"
-# Readable on light and dark paper, and told apart by people who see no red or green.
+# Readable on light and dark paper, and distinguished by people who see no red or green.
 COLOURS = ("#2f7fc1", "#d2691e", "#2a9d6f", "#a05fb4", "#b8860b", "#c0506a", "#5b7a99")
 DASHED, DOTTED = (0, (5, 2)), (0, (1, 1.5))
 POINTS = 72  # of an inch in SVG
@@ -203,7 +202,7 @@ def _draw(canvas, bottom):
     svg, png = io.StringIO(), io.BytesIO()
     canvas.savefig(svg, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
     canvas.savefig(png, format="png", dpi=150, metadata={"Software": None})
-    return Drawing(svg=restored(_lean(svg.getvalue())), png=png.getvalue(), series=series)
+    return Drawing(svg=_lean(svg.getvalue()), png=png.getvalue(), series=series)
 
 
 def _lean(svg):

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Methods as lines: colours by family, one line for methods that agree in every point, panels one above the other."""
+"""Methods as lines: colours by family, one line for methods that agree in every point."""
 
 import math
 
-from ..wording import general
-from .canvas import COLOURS, DASHED, DOTTED, finish, log_axis, panels
+from .canvas import COLOURS, DASHED, DOTTED, log_axis
 
 STROKES = ("solid", DASHED, DOTTED, (0, (5, 1.5, 1, 1.5)), (0, (7, 3)))
 MARKERS = (None, "s", "^", "v")
@@ -30,22 +29,13 @@ def point_of(row, x, y):
 
 
 def series(rows, x, column):
-    """{method: points ascending} of the rows that a logarithmic axis can show. `x` is a column or a function of a row."""
+    """{method: points ascending} of the rows that a logarithmic axis can show. `x` is a function of a row."""
     points = {}
     for row in rows:
         value = positive(row, column)
         if value is not None:
-            points.setdefault(row["method"], []).append(point_of(row, x(row) if callable(x) else row[x], value))
+            points.setdefault(row["method"], []).append(point_of(row, x(row), value))
     return {method: sorted(line) for method, line in points.items()}
-
-
-def costs(rows, x, column):
-    """{method: (x, y) in the order of the rows}: what an error costs, where both can be shown."""
-    lines = {}
-    for row in rows:
-        if positive(row, column) and positive(row, x):
-            lines.setdefault(row["method"], []).append((row[x], row[column]))
-    return lines
 
 
 def conversion(method):
@@ -120,43 +110,5 @@ def _apart(values):
     return kept
 
 
-def degrees_across(ax, lines):
-    """The axis across for lines over degrees."""
-    degree_axis(ax, {x for points in lines.values() for x, _ in points})
-
-
 def sentence_case(words):
     return words[:1].upper() + words[1:]
-
-
-def best_and_worst(at):
-    """The words about a panel: which method is best and which worst where the lines end."""
-    def words(lines):
-        last = {method: points[-1][1] for method, points in lines.items()}
-        best, worst = min(last, key=last.get), max(last, key=last.get)
-        return f"{at} {best} has {general(last[best])}, {worst} {general(last[worst])}"
-    return words
-
-
-def ends_at(unit):
-    """The words about a panel: where each line ends."""
-    return lambda lines: ", ".join(f"{m} ends at {general(points[-1][0])} {unit} with {general(points[-1][1])}" for m, points in lines.items())
-
-
-def stacked(figure_id, captions, parts, x, y, *, across=degrees_across, look=None, height=2.4, words=best_and_worst("at the highest degree"),
-            draw=draw_methods, also="", scale="Doubly logarithmic", bottom=0.1, **more):
-    """The figure of panels one above the other, with logarithmic errors. `parts` are pairs of a title and {method: points}, `captions`
-    are English and Chinese, `x` and `y` say what the axes are; without titles each part has its own `y`. `across(axes, lines)` makes the
-    axis across, `words(lines)` describes a panel, and `also` the figure."""
-    look = look or looks(sorted({m for _, lines in parts for m in lines}))  # the same in every panel
-    canvas, axes = panels(len(parts), 1, height=height, **more)
-    for ax, (title, lines) in zip(axes[:, 0], parts):
-        draw(ax, lines, look)
-        if y:
-            ax.set_title(title, loc="left")
-        ax.set_yscale("log")
-        across(ax, lines)
-        ax.set_ylabel(y or title)
-    axes[-1][0].set_xlabel(x)
-    told = "; ".join(f"{title}: {words(lines)}" if title else words(lines) for title, lines in parts)
-    return finish(canvas, figure_id, *captions, f"{scale}. {sentence_case(told) if not parts[0][0] else told}{also}.", bottom=bottom)

@@ -1,17 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Methods or families down, a value across: marks, bars and squares."""
 
-import math
 from decimal import Decimal
 
 from ..bundle import Missing
-from ..chapters.hard_cases import SEARCHES
 from ..findings.evaluators import UNIT
-from ..findings.curves import by_method
-from ..guarantee_words import of_all, share
-from ..methods import FORM, IN_STUDIES
+from ..guarantee_words import SEARCHES, of_all, share
+from ..methods import FORM
 from ..wording import general, listing, percent
-from .canvas import COLOURS, DOTTED, FAINT, INK, PAPER, figure, finish, panels
+from .canvas import COLOURS, DOTTED, FAINT, INK, figure, finish, panels
 from .lines import beside, conversion, looks, positive
 
 CONDITION_MARKS = ("o", "s", "^", "D", "v", "x", "+", "P")
@@ -24,7 +21,6 @@ STEP = 0.16  # from one search of a family to the next, in lines
 MAXIMA_MARKS = (("sampled_error_u", "sampled", "o", COLOURS[0]), ("searched_error_u", "searched", "D", COLOURS[1]),
          ("bound_u", "proved bound", "|", INK))
 LIMIT = 1e4  # an error beyond it is written at the edge: on its axis the others would be one point
-CURVES = ("bernstein", "power")
 
 
 @figure
@@ -194,75 +190,3 @@ def searched_maxima(bundle):
     canvas.legend(handles=handles, loc="lower center", ncol=3, fontsize=9)
     return finish(canvas, "searched-maxima", "Sampled and searched maximum and proved bound, methods that evaluate the given form",
                   "抽样最大误差、搜索最大误差与已证误差界", "Logarithmic. " + "; ".join(words) + ".", bottom=0.35)
-
-
-@figure
-def projection_missed(bundle):
-    """Two panels with a bar per method: the share of missed foot points, and the largest error in units of 2^-52."""
-    methods = by_method(bundle)
-    names = list(methods)
-    shares = [100 * methods[m].share for m in names]
-    errors = [max(methods[m].largest, 1e-2) for m in names]
-    canvas, axes = panels(1, 2, height=3, sharey=True)
-    places = range(len(names))
-    colours = [COLOURS[i % len(COLOURS)] for i in places]
-    for ax, values, label in zip(axes[0], (shares, errors), ("missed foot points, %",
-                                                            "largest error / (2^-52 max |coordinate|)")):
-        ax.barh(places, values, color=colours)
-        ax.set_xlabel(label)
-    axes[0][0].invert_yaxis()  # both, for they share it
-    axes[0][0].set_yticks(list(places), names)
-    axes[0][1].set_xscale("log")
-    words = "; ".join(f"{m} misses {percent(methods[m].share)}, largest error {general(methods[m].largest)} units" for m in names)
-    return finish(canvas, "projection-missed", "Foot points: missed, and the largest error of the distance", "垂足：漏掉的最近点与距离的最大误差",
-                  f"Bars by method: {words}.", bottom=0.1)
-
-
-def _shade(i, n):
-    """From light to full blue."""
-    low, high = (0.60, 0.77, 0.93), (0.10, 0.36, 0.64)
-    f = i / max(n - 1, 1)
-    return tuple(a + f * (b - a) for a, b in zip(low, high))
-
-
-def _errors(bundle, curve):
-    """[(method, {degree: mean error over u p~})], worst at its highest degree first."""
-    rows = bundle.judged().some(study=f"truth-{IN_STUDIES[curve]}", baseline="exact", generator="continuous", scalar="double",
-                                dimension=2)
-    methods = {}
-    for row in rows:
-        value = row["mean_error_u"]
-        if isinstance(value, float) and math.isfinite(value) and value > 0:
-            methods.setdefault(row["method"], {})[row["degree"]] = value
-    return sorted(methods.items(), key=lambda item: -item[1][max(item[1])])
-
-
-@figure
-def truth_against_degree(bundle):
-    """Mean error over u p~: one line per method, one dot per degree."""
-    errors = {curve: _errors(bundle, curve) for curve in CURVES}
-    heights = [len(e) for e in errors.values()]
-    degrees = sorted({n for e in errors.values() for _, points in e for n in points})
-    canvas, axes = panels(2, 1, height=0.105 * sum(heights) + 0.9, gridspec_kw={"height_ratios": heights}, sharex=True)
-    words = []
-    for curve, ax in zip(CURVES, axes[:, 0]):
-        title = FORM[curve][0]
-        for line, (_, points) in enumerate(errors[curve]):
-            ax.plot(list(points.values()), [line] * len(points), color=INK, linewidth=0.6, alpha=0.5, zorder=1)
-            for degree in sorted(points):
-                ax.plot(points[degree], line, linestyle="none", marker="o", markersize=7, markeredgewidth=0.6,
-                        markeredgecolor=PAPER, color=_shade(degrees.index(degree), len(degrees)), zorder=2 + degree)
-        ax.set_yticks(range(len(errors[curve])), [method for method, _ in errors[curve]], fontsize=8.5)
-        ax.set_ylim(len(errors[curve]) - 0.4, -0.6)
-        ax.set_xscale("log")
-        ax.set_title(title)
-        (worst, bad), (best, good) = errors[curve][0], errors[curve][-1]
-        words.append(f"{title}: the worst at its highest degree is {worst} with {general(bad[max(bad)])}, the best {best} "
-                     f"with {general(good[max(good)])}")
-    axes[-1][0].set_xlabel("mean error / (u p~)")
-    handles = [axes[-1][0].plot([], [], linestyle="none", marker="o", markersize=7, color=_shade(i, len(degrees)),
-                                label=f"n = {degree:g}")[0] for i, degree in enumerate(degrees)]
-    canvas.legend(handles=handles, loc="lower center", ncol=len(handles), fontsize=9, columnspacing=1.2, handletextpad=0.2)
-    return finish(canvas, "truth-against-degree", "Mean error over u p~ of every method, against the exact value",
-                  "各方法相对精确值的平均误差（以 u p~ 计）",
-                  "One line per method, one dot per degree, logarithmic. " + "; ".join(words) + ".", bottom=0.35)

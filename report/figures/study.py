@@ -5,7 +5,8 @@ import textwrap
 
 from .. import schema
 from ..bundle import Missing
-from ..tables import AXIS, axis_label, axis_value
+from ..rows import distinct, grouped
+from ..tables import AXIS, axis_label
 from ..wording import general, listing
 from .canvas import figure, finish, panels
 from .lines import degree_axis, draw_methods, draw_paths, looks, path_colours, point_of, positive
@@ -20,13 +21,13 @@ WIDTH = 28  # characters that fit the height of a panel
 NARROW = ("interval", "generator", "placement", "data", "knots", "curve_id")  # axes whose values are places side by side
 LONG = 10  # characters from which the names of places are written aslant, each of them
 WORDS = {"placement": "placement of the point", "data": "data", "knots": "kind of knots", "generator": "inputs",
-         "dimension": "axes of a point", "curve_id": "curve", **AXIS}
+         "dimension": "axes of a point", "curve_id": "curve", "tolerance": "tolerance", "points": "points", **AXIS}
 
 
 def _axis(kind, rows):
     """The first axis that the rows vary, of the kind or else of all; the last of the kind where they vary none."""
     axes = schema.across(kind)
-    return next((a for a in (*axes, *BESIDE) if len({axis_value(r, a) for r in rows}) > 1), axes[-1])
+    return next((a for a in (*axes, *BESIDE) if len(distinct(rows, a)) > 1), axes[-1])
 
 
 def _rows(bundle, study, kind):
@@ -37,16 +38,13 @@ def _rows(bundle, study, kind):
 
 def _parts(rows):
     """{what sets a panel apart: rows}."""
-    varies = [c for c in APART if len({r[c] for r in rows}) > 1]
-    parts = {}
-    for row in rows:
-        parts.setdefault(", ".join(str(row[c]) for c in varies if row[c]), []).append(row)
-    return parts
+    varies = [c for c in APART if len(distinct(rows, c)) > 1]
+    return {", ".join(str(own[0][c]) for c in varies if own[0][c]): own for own in grouped(rows, *APART).values()}
 
 
 def _merged(rows, axis):
     """What else varies, of which each point shows the largest value."""
-    return [one.replace("_", " ") for one in BESIDE if one != axis and len({axis_value(r, one) for r in rows}) > 1]
+    return [one.replace("_", " ") for one in BESIDE if one != axis and len(distinct(rows, one)) > 1]
 
 
 def _lines(rows, where, axis, column, method):
@@ -54,7 +52,7 @@ def _lines(rows, where, axis, column, method):
     best = {}
     for row in rows:
         if positive(row, column) is not None:
-            key = row[method], where[axis_value(row, axis)]
+            key = row[method], where[row[axis]]
             if key not in best or row[column] > best[key][column]:
                 best[key] = row
     lines = {}
@@ -64,7 +62,7 @@ def _lines(rows, where, axis, column, method):
 
 
 def _apart(lines):
-    """Lines that a common axis can show; what ends far above the best has an axis of its own, so that the others are not one line."""
+    """Lines that a common axis can show; outliers have a panel of their own, so that the others remain distinguishable."""
     highest = {method: max(y for _, y in points) for method, points in lines.items()}
     limit = FAR * min(highest.values(), default=0)
     near = {method: points for method, points in lines.items() if highest[method] <= limit}
@@ -80,7 +78,7 @@ def study_lines(bundle, study):
     kind = bundle.studies[study].kind
     rows = [r for r in _rows(bundle, study, kind) if r["method"] != "sentinel"]
     axis = _axis(kind, rows)
-    values = list(dict.fromkeys(axis_value(r, axis) for r in rows))
+    values = distinct(rows, axis)
     if not any(v is None or isinstance(v, str) for v in values):
         values.sort()
     if None in values:
@@ -105,7 +103,7 @@ def study_lines(bundle, study):
         if side_by_side:
             aslant = axis == "curve_id" and max(map(len, values)) > LONG
             named = values if aslant else values[::-(-len(values) // MOST_TICKS)]
-            ax.set_xticks([where[v] for v in named], [axis_label(v, axis) if not isinstance(v, str) else v for v in named],
+            ax.set_xticks([where[v] for v in named], [axis_label(v, axis) for v in named],
                           **({"fontsize": 7, "rotation": 40, "ha": "right"} if aslant else {"fontsize": 8}))
         else:
             degree_axis(ax, values)

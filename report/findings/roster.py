@@ -10,11 +10,11 @@ def _found(find, bundle):
     try:
         return find(bundle)
     except ZeroDivisionError:
-        raise Missing("a ratio that it needs divides by an error or time of 0") from None
+        raise Missing("a ratio divides by an error or time of 0") from None
 
 
 def find_all(bundle):
-    """(findings, [(name, what the bundle lacks)]); the second list has the findings that cannot be decided."""
+    """(findings, [(name, what is missing in the bundle)]); the second list has the findings that cannot be decided."""
     found, undecided = [], []
     for find, suite in ROSTER:
         if suite and not bundle.has_suite(suite):
@@ -24,7 +24,7 @@ def find_all(bundle):
             with decided_by(bundle, f"the finding '{name.replace('_', ' ')}'"):
                 found.append(_found(find, bundle))
         except Missing as lack:
-            if suite:  # nobody asked for what any bundle may have
+            if suite:  # one of any bundle is left out in silence
                 undecided.append((name, str(lack)))
     return found, undecided
 

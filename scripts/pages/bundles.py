@@ -9,7 +9,7 @@ from pathlib import Path
 
 from report import files
 from report.bundle import Bundle, Comparison
-from report.chapters.scorecard import VERDICTS, counts
+from report.chapters.printed import MARK, counts
 from report.findings.printed_tables import events, verdicts
 from report.wording import listing
 from scripts.digests import Agreement
@@ -27,8 +27,8 @@ SAID = {"inside": "inside the band of our repetitions", "edge": "on its edge, wi
 
 
 def scorecard(_page):
-    body = [[number, *(found[verdict] for verdict in VERDICTS), found.total()] for number, found in counts(Bundle(BASELINE)).items()]
-    return table(["table of the report", *VERDICTS, "printed cells"], body)
+    body = [[number, *(found[verdict] for verdict in MARK), found.total()] for number, found in counts(Bundle(BASELINE)).items()]
+    return table(["table of the report", *MARK, "printed cells"], body)
 
 
 def printed(_page):

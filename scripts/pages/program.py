@@ -6,11 +6,8 @@ import os
 import re
 import subprocess
 import sys
-import tempfile
-from pathlib import Path
 
-from report.chapters import method_list
-from report.bundle import Folder
+from report.chapters.provenance import METHOD_COLUMNS
 from scripts.pages.markdown import table
 
 COMMAND = re.compile(r"^  ([a-z][a-z_-]*)(?:\s{2,}|$)")
@@ -27,15 +24,6 @@ def rows_of(program, what):
     return list(csv.DictReader(io.StringIO(output(program, "list", what, "--format", "csv"))))
 
 
-class Listing(Folder):
-    """The output of `list methods` as a folder that the report's code can read."""
-
-    writer = "bezierbench list methods --format csv"
-
-    def __getitem__(self, name):
-        return self._csv(self.path / name)
-
-
 def method_list_of(program):
     """Our own methods as CSV, without peers, which depend on what a machine has installed."""
     text = output(program, "list", "methods", "--format", "csv")
@@ -44,11 +32,8 @@ def method_list_of(program):
 
 def methods(_page, program):
     """The program's methods in the columns of the report's chapter."""
-    with tempfile.TemporaryDirectory() as place:
-        (Path(place) / "methods.csv").write_text(method_list_of(program), encoding="utf-8")
-        listed = method_list.listed(Listing(place))
-    body = [[write(row) for _, write in method_list.COLUMNS] for row in listed]
-    return table([heading for heading, _ in method_list.COLUMNS], body)
+    rows = [row for row in csv.DictReader(io.StringIO(method_list_of(program))) if ":" not in row["id"]]
+    return table([heading for heading, _ in METHOD_COLUMNS], [[write(row) for _, write in METHOD_COLUMNS] for row in rows])
 
 
 def suites(_page, program):

@@ -1,7 +1,7 @@
 // The answer: a picker over the cells of the bundle, which ranks the methods and draws them, time against error.
 
 const AXES = [["form", "form"], ["degree", "degree"], ["mode", "mode"], ["scalar", "scalar"], ["dimension", "axes"], ["where", "range"]];
-const WORTH = new Map([["yes", "✓ worth choosing"], ["unresolved", "? perhaps"], ["no", "beaten"]]);
+const WORTH = new Map([["yes", "✓ not dominated"], ["unresolved", "? undecided"], ["no", "dominated"]]);
 
 function useful(cell, one) {
   return one.error_u !== null && one.error_u * data.answer.roundoff[cell.scalar] <= data.answer.useless;
@@ -24,7 +24,7 @@ function tolerance() {
   return state.get("tolerance") && asked >= 0 ? asked : Infinity;
 }
 
-// In the order of the page, those with a small proved bound first; within a tolerance that is asked for, the fastest first.
+// In the order of the page, those with a small proved bound first; within a requested tolerance, the fastest first.
 function ranked(cell) {
   const coordinate = state.get("in") === "coordinate";
   const most = tolerance();
@@ -50,17 +50,17 @@ function bounded(one) {
 
 function sentence(cell, methods) {
   const asked = Number.isFinite(tolerance()) ? ` within ${general(tolerance())} ${state.get("in") === "coordinate" ? "coordinate units" : "u p~"}` : "";
-  if (!methods.length) return `No method of this bundle is right${asked} here; the largest errors of all stand in the tables below.`;
+  if (!methods.length) return `No method of this bundle has its errors${asked || " in a useful range"} here; the tables below list the largest errors of all methods.`;
   const [first] = methods;
   const time = first.ns === null ? "" : `, ${general(first.ns)} ns per point`;
-  const proved = asked && bounded(first) ? "; its proved bound keeps the tolerance in these trials, too" : asked ? "; no proved bound says so, only the trials" : "";
+  const proved = asked && bounded(first) ? "; its proved bound keeps the tolerance in these trials, too" : asked ? "; this is observed in the trials, not proved" : "";
   if (!asked && first.ns !== null) {
     const small = methods.filter((one) => provedSmall(cell, one));
-    if (!small.length) return `No method has a proved bound of at most ${general(cell.small)} u p~ here; the table has those without.`;
+    if (!small.length) return `No method has a proved bound of at most ${general(cell.small)} u p~ here; the table lists the other methods.`;
     const front = small.filter((one) => one.front === "yes");
-    return `With a proved bound of at most ${general(cell.small)} u p~, fastest first: ${(front.length ? front : small.slice(0, 1)).map((one) => `${one.method} (${general(one.ns)} ns, at most ${general(one.error_u)} u p~ seen)`).join(", ")}.`;
+    return `With a proved bound of at most ${general(cell.small)} u p~, fastest first: ${(front.length ? front : small.slice(0, 1)).map((one) => `${one.method} (${general(one.ns)} ns, observed errors of at most ${general(one.error_u)} u p~)`).join(", ")}.`;
   }
-  return `${first.ns === null ? "Least error" : "Fastest"}${asked}: ${first.method}${time}, at most ${general(first.error_u)} u p~ seen${proved}.`;
+  return `${first.ns === null ? "Smallest error" : "Fastest"}${asked}: ${first.method}${time}, observed errors of at most ${general(first.error_u)} u p~${proved}.`;
 }
 
 function fillTable(cell, methods) {
@@ -74,7 +74,7 @@ function fillTable(cell, methods) {
       td(general(one.error_u) + lost(one.error_u), one.error_u), td(general(one.bound_u), one.bound_u),
       ...(timed ? [td(WORTH.get(one.front) ?? "", one.front, one.front === "yes" && !lost(one.error_u) ? "inside" : "")] : [])))));
   const caption = table.querySelector("caption strong");
-  const order = !timed ? "least error first" : Number.isFinite(tolerance()) ? "fastest first" : "those with a small proved bound first, then by time";
+  const order = !timed ? "smallest error first" : Number.isFinite(tolerance()) ? "fastest first" : "those with a small proved bound first, then by time";
   caption.textContent = `Methods for ${cell.words}, ${order}`;
   table.querySelectorAll("thead th").forEach((head) => head.removeAttribute("aria-sort"));
 }
@@ -119,7 +119,7 @@ function draw(cell, methods) {
   for (const at of decades(x0, x1)) svg.append(make("svg:path", { class: "rule", d: `M${x(at)},12V${height - bottom}` }), text([x(at), height - bottom + 16], general(at), { "text-anchor": "middle" }));
   for (const at of decades(y0, y1)) svg.append(make("svg:path", { class: "rule", d: `M${left},${y(at)}H${width - 16}` }), text([left - 6, y(at) + 4], general(at), { "text-anchor": "end" }));
   svg.append(text([(left + width) / 2, height - 8], "ns per point", { "text-anchor": "middle" }),
-    text([0, 0], "largest error seen, u p~", { "text-anchor": "middle", transform: `translate(14,${(height - bottom) / 2}) rotate(-90)` }));
+    text([0, 0], "largest observed error, u p~", { "text-anchor": "middle", transform: `translate(14,${(height - bottom) / 2}) rotate(-90)` }));
   const right = new Set(methods.map((one) => one.method));
   const series = shown.map((one, at) => {
     const colour = COLOURS[at % COLOURS.length];
@@ -128,11 +128,11 @@ function draw(cell, methods) {
       make("svg:path", { d: SHAPES[Math.floor(at / COLOURS.length) % SHAPES.length](x(one.ns), y(one.error_u)), fill: one.front === "yes" ? colour : "none", "stroke-width": 1.4 }));
     if (one.bound_u > one.error_u) group.append(make("svg:path", { d: `M${x(one.ns)},${y(one.error_u)}V${y(one.bound_u)}`, "stroke-width": 0.8 }));
     svg.append(group);
-    const words = `${general(one.ns)} ns, at most ${general(one.error_u)} u p~ seen${one.bound_u === null ? "" : `, bound ${general(one.bound_u)}`}`;
+    const words = `${general(one.ns)} ns, observed errors of at most ${general(one.error_u)} u p~${one.bound_u === null ? "" : `, bound ${general(one.bound_u)}`}`;
     return { name: one.method, method: one.method, colour, points: [[x(one.ns), y(one.error_u), words, one.replay]] };
   });
   element.querySelector("svg").replaceWith(svg);
-  element.querySelector("figcaption").firstChild.textContent = `Time against the largest error seen, ${cell.words}; the thin line upwards leads to the proved bound, filled marks are worth choosing, faint ones miss the tolerance`;
+  element.querySelector("figcaption").firstChild.textContent = `Time against the largest observed error, ${cell.words}; the thin line upwards leads to the proved bound, filled marks are not dominated, faint ones miss the tolerance`;
   dressFigure(element, series);
 }
 

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: MIT
+"""Times of evaluators: every timed method, times against errors, kernels against the peak, other libraries."""
+
+from ..answer import USELESS, lost, useful
+from ..bundle import Missing
+from ..document import Cell, Text
+from ..methods import form
+from ..rows import distinct, grouped
+from ..tables import by_axis, one
+from ..time_tables import EVALUATION, UNITS, nearness, reading_limits, reading_load, reading_times, share_of_limit, time_tables, times, where
+from ..wording import count, general, interval, large, listing, percent, shortest, span
+from .parts import chapter, figure, of_suite, study_figure, tables_of
+
+
+@chapter("Time per point on this machine", kind="timing")
+def timing(bundle, _findings):
+    """One table per study: median with its interval, by mode. Times of other problems stand in the chapters of these."""
+    rows = times(bundle, EVALUATION) if bundle["timing.csv"].rows else []
+    if not rows:
+        raise Missing("`timing.csv` has no time of an evaluation; times of other problems are in their chapters")
+    yield Text("`one_shot`: prepare a curve and evaluate one point. `point`: prepared, one point at a time. `latency`: likewise, where each t depends on "
+               "the previous point. `batch`: one curve, many t.")
+    yield reading_times(bundle, EVALUATION)
+    yield from filter(None, (reading_load(bundle), reading_limits(rows)))
+    for study in distinct(rows, "study"):
+        yield from study_figure(bundle, study)
+        yield from time_tables(bundle.only({study}), EVALUATION)
+
+
+@tables_of("timing")
+def _any_times(bundle, study):
+    """Medians with their intervals, whatever problem was timed."""
+    part = bundle.only({study})
+    for problem in UNITS:
+        if times(part, problem):
+            yield from time_tables(part, problem)
+            yield reading_times(part, problem)
+
+
+@chapter("Time against error", kind="timing")
+def choosing(bundle, findings):
+    """A table for each form and scalar type of the methods that are on the front anywhere."""
+    rows = bundle["pareto.csv"].rows
+    if not rows:
+        raise Missing("`pareto.csv` has no rows")
+    yield from of_suite(findings, "speed")
+    yield from figure("time_against_error", bundle)
+    yield Text("Each cell gives nanoseconds per point and the largest observed error, in units of u p~. ✓: no other method of the same race is at least "
+               "as accurate and certainly faster. ✗: useless, since its largest error exceeds "
+               f"{shortest(USELESS)} of p~, whatever its time. ?: another method is at least as accurate and faster by its median, but the 99 % intervals "
+               "of the two times overlap. Methods that are dominated everywhere are in `pareto.csv` only. `bezierbench choose BUNDLE --degree N "
+               "--tolerance E` answers the same question for a tolerance.")
+    for number, own in enumerate(grouped(rows, "study", "accuracy_study", "form", "scalar", "dimension").values(), 1):
+        worth = {(r["method"], r["mode"]) for r in own if r["pareto"] != "no" and useful(r["observed_max_u"], r["scalar"])}
+        (english, chinese), modes = form(own[0]["form"]), distinct(own, "mode")
+        yield by_axis([r for r in own if (r["method"], r["mode"]) in worth], "degree", f"choosing-{number}",
+                      f"Not dominated, {english} ({where(own[0])}): times of `{own[0]['study']}`, errors of `{own[0]['accuracy_study']}`, modes "
+                      f"{listing(modes)}", f"值得选用的方法，{chinese}", [(mode, _chosen, {"mode": mode}) for mode in modes], row_head="mode")
+
+
+def _chosen(rows):
+    row = rows[-1]
+    good, loss = useful(row["observed_max_u"], row["scalar"]), lost(row["observed_max_u"])
+    text = ", ".join(filter(None, (f"{general(row['ns'])} ns", f"{general(row['observed_max_u'])} u", loss)))
+    return Cell(text + ({"yes": " ✓", "unresolved": " ?"}.get(row["pareto"], "") if good else " ✗"),
+                f"{row.text('ns')} {row.text('observed_max_u')} {row.text('pareto')}",
+                "outside" if not good else "inside" if row["pareto"] == "yes" and not loss else "")
+
+
+@chapter("Kernels against the peak and the limit of this machine", suite="roofline", kind="roofline")
+def roofline(bundle, findings):
+    """The figure and the tables of each study."""
+    table = bundle["roofline.csv"]
+    rows = [r for r in table.rows if r["share_of_peak"] is not None]
+    if not rows:
+        raise Missing("`roofline.csv` has no rows")
+    yield from of_suite(findings, "roofline")
+    yield Text("One curve, many t, on one core. The peak is that of fused multiply-adds, measured in the same rounds as the methods: "
+               + listing(_peaks(rows)) + ". A fused multiply-add counts as two operations. Every point has the bits of the scalar kernel's"
+               + ("." if all(r["checked"] == "yes" for r in table.rows) else ", **except where a row has `checked` no**.")
+               + " ✓ and ✗: the row has a goal, which is met or not. ~: in that race the peak itself was more than 2 % below the best of the study; "
+               "other processes were running.")
+    if reading := reading_limits(table.rows):
+        yield reading
+    for study in table.distinct("study"):
+        yield from study_figure(bundle, study)
+        yield from _kernels(bundle, study)
+
+
+@tables_of("roofline")
+def _kernels(bundle, study):
+    """A table for each scalar type and number of axes."""
+    for (scalar, dimension), rows in grouped(bundle["roofline.csv"].some(study=study), "scalar", "dimension").items():
+        english, chinese = form(rows[0]["form"])
+        inside = "" if rows[0]["interval"] == (0, 1) else f", t in {interval(*rows[0]['interval'])}"
+        yield by_axis(rows, "degree", f"{study}-{scalar}-{shortest(dimension)}",
+                      f"Nanoseconds per point and share of the peak, {english} ({where(rows[0])}{inside})", f"批量求值：每点用时（纳秒）与占峰值的比例，{chinese}",
+                      [(target if mode in (None, "batch") else f"{target}, {mode}", _kernel, {"target": target, "mode": mode})
+                       for target, mode in grouped(rows, "target", "mode")], row_head="target")
+        yield from nearness(rows)
+
+
+def _peaks(rows):
+    """`AVX2 double 45.2 to 47.9 GFLOP/s, 50.3 to 52.1 with additions interleaved`, by target and scalar type, over the races."""
+    def extent(races, column):
+        found = [row[column] for row in races if row[column] is not None]
+        return span(min(found), max(found), general) if found else "unknown"
+    return [f"{target} {scalar} {extent(races, 'peak_gflops')} GFLOP/s, {extent(races, 'mixed_peak_gflops')} with additions interleaved"
+            for (target, scalar), races in grouped(rows, "target", "scalar").items()]
+
+
+def _kernel(rows):
+    row = rows[-1]
+    share = f", {percent(row['share_of_peak'])}" if row["share_of_peak"] is not None else ""
+    if row["mode"] in ("point", "latency") and row["share_of_limit"] is not None:
+        share = f", {share_of_limit(row['share_of_limit'])} of the limit"
+    noisy, sign = " ~" if row["quality"] == "noisy" else "", {"yes": " ✓", "no": " ✗"}.get(row["goal_met"], "")
+    return Cell(f"{general(row['median_ns'])}{share}{noisy}{sign}", row.text("median_ns"), {"yes": "inside", "no": "outside"}.get(row["goal_met"], ""))
+
+
+PEER = "peer_"  # how the ids of other libraries' methods begin
+MODES = {"point": "ns per point, prepared", "one_shot": "ns, prepare and one point"}
+
+
+@chapter("Other libraries", suite="peers")
+def peers(bundle, findings):
+    """One table: the errors and times of each method, degree by degree."""
+    errors = bundle.exact("peers").select(form="bernstein", scalar="double", dimension=2)
+    if not any(r["method"].startswith(PEER) for r in errors):
+        raise Missing("`unstable.csv` has no method of another library in a study of the suite `peers`")
+    timed = [r for r in bundle["timing.csv"].rows if bundle.studies[r["study"]].suite == "peers" and r["degree"] is not None
+             and r["form"] == "bernstein" and r["mode"] in MODES] if "timing.csv" in bundle else []
+    yield from of_suite(findings, "peers")
+    for study in distinct(errors, "study"):
+        yield from study_figure(bundle, study)
+    lines = [(label, one(column), {"mode": None}) for label, column in (
+        ("mean error / (u p~)", "mean_error_u"), ("largest error / (u p~)", "max_error_u"), ("largest error", "max_error"))]
+    yield by_axis([*errors, *timed], "degree", "peers-errors-and-times", "Errors and times of our own methods and of other libraries', Bézier curves",
+                  "自有方法与其他程序库：误差与用时", lines + [(label, _time, {"mode": mode}) for mode, label in MODES.items()], row_head="quantity")
+    yield Text(f"{large(max(r['trials'] for r in errors))} trials per cell against the exact value, in double in the plane; every method on the same "
+               "inputs, through the same harness, timed in the same races. " + _libraries(bundle)
+               + "Header-only libraries are compiled like our own methods, the others are as the system ships them, so last bits may differ from version "
+                 "to version: their errors are in `unstable.csv`, which no digest covers."
+               + (" ✗: the timed output was not the judged one." if any(r["checked"] != "yes" for r in timed) else "")
+               + (" ~: the machine changed its speed during the race." if any(r["quality"] == "noisy" for r in timed) else ""))
+
+
+def _time(rows):
+    row = rows[-1]
+    failed = "" if row["checked"] == "yes" else " ✗"
+    return Cell(general(row["median_ns"]) + (" ~" if row["quality"] == "noisy" else "") + failed, row.text("median_ns"), "outside" if failed else "")
+
+
+def _libraries(bundle):
+    """`3 libraries: gsl 2.7.1, ...` as in machine.json."""
+    versions = (bundle.machine or {}).get("peers")
+    if not isinstance(versions, dict):
+        return ""
+    return f"{count(len(versions), 'library', 'libraries')}: {listing(f'{library} {version}' for library, version in versions.items())}. "
