@@ -86,7 +86,7 @@ class Command(unittest.TestCase):
             fixture.seal(self.bundle)
         for name, old, new, says in (
                 ("bundle.json", "{", "[", "bundle.json:1"),
-                ("bundle.json", '"schema_version": 2', '"schema_version": 9', "schema_version"),
+                ("bundle.json", '"schema_version": 3', '"schema_version": 9', "schema_version"),
                 ("accuracy.csv", "mean_error,", "mean_eror,", "mean_error"),
                 ("accuracy.csv", "9e-11", "nine", "accuracy.csv:2"),
                 ("scorecard.csv", "inside,,0.1\n", "inside,,0.1,\n", "scorecard.csv:2"),
