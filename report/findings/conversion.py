@@ -76,7 +76,7 @@ def conversion_norm(bundle):
         kept["power"] and not broken["bernstein"],
         "To power form every conversion loses what the problem itself loses; to Bernstein form, where the norm is only n+1, "
         f"{names(kept['power'])} {'keeps' if len(kept['power']) == 1 else 'keep'} to it"
-        + (f" and {names(broken['polynomial'])} exceeds it." if broken["power"] else "."),
+        + (f" and {names(broken['power'])} exceeds it." if broken["power"] else "."),
         f"{count(len(exceeding), 'conversion exceeds', 'conversions exceed')} the norm: {names(exceeding)}.", *lines, rows=worst.values())
 
 
