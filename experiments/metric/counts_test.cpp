@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/number/bytes.hpp"
-
 namespace bezierbench::metric {
 namespace {
 
@@ -40,13 +38,6 @@ Outer of_trial(std::uint64_t trial, double error, std::uint64_t steps) {
   return one;
 }
 
-template <class T>
-std::string bytes_of(const T& value) {
-  number::ByteWriter bytes;
-  bytes(value);
-  return bytes.bytes();
-}
-
 TEST(MergeFields, TakesEveryFieldByItsKind) {
   Outer sum = of_trial(9, 2, 30);
   merge_fields(sum, of_trial(4, 8, 5));
@@ -58,15 +49,6 @@ TEST(MergeFields, TakesEveryFieldByItsKind) {
   EXPECT_EQ(sum.steps.largest, 30U);
   EXPECT_EQ(sum.inner.count, 2U);
   EXPECT_EQ(sum.inner.largest.value, 8);
-}
-
-TEST(MergeFields, IsFreeOfOrder) {
-  const std::vector<Outer> trials{of_trial(0, 4, 1), of_trial(1, 0.5, 7), of_trial(2, 0, 0)};
-  Outer forwards = trials[0];
-  for (const std::size_t k : {1U, 2U}) merge_fields(forwards, trials[k]);
-  Outer backwards = trials[2];
-  for (const std::size_t k : {1U, 0U}) merge_fields(backwards, trials[k]);
-  EXPECT_EQ(bytes_of(forwards), bytes_of(backwards));
 }
 
 TEST(MergeFields, TakesContainersElementByElement) {
