@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/failure.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/roster.hpp"
@@ -36,21 +35,6 @@ inline void expect_kept(const bundle::CsvDocument& csv, std::size_t row) {
   if (csv.at(row, "non_converged") == "0") {
     EXPECT_LE(*number::parse_number(csv.at(row, "max_relative")), tolerance * 1.001);
   }
-}
-
-inline void expect_refusals(run::MakeJob make, const suite::Study& good) {
-  auto polynomial = good;
-  polynomial.curve = Form::power;
-  EXPECT_THROW(make(polynomial, {1}), Failure);
-  auto single = good;
-  single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make(single, {1}), Failure);
-  auto outside = good;
-  outside.t_interval = {{-1, 1}};
-  EXPECT_THROW(make(outside, {1}), Failure);
-  auto evaluator = good;
-  evaluator.methods = {"de_casteljau"};
-  EXPECT_THROW(make(evaluator, {1}), Failure);
 }
 
 }  // namespace bezierbench::studies

@@ -11,7 +11,6 @@
 
 #include "core/batch/batch.hpp"
 #include "core/evaluate/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/number/number.hpp"
@@ -192,43 +191,6 @@ TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
   EXPECT_NEAR(float_error / double_error, 0x1p29, 0x1p28);
   EXPECT_NEAR(*number::parse_number(csv.at(0, "mean_error_u")) / *number::parse_number(csv.at(1, "mean_error_u")), 1,
               0.2);
-}
-
-/// Bounds are proved for such weights, and hold; float weights are rounded like the coordinates.
-TEST(Accuracy, RationalCurvesKeepTheirBounds) {
-  auto study = small_accuracy_study();
-  study.degree = {1, 4, 12};
-  study.curve = Form::rational;
-  study.generator = {"weights_mild", "weights_wild"};
-  study.methods = {};
-  study.baseline = {"exact"};
-  study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
-  study.trials = 500;
-  study.decomposed_trials = 50;
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  EXPECT_TRUE(job->violations().empty());
-  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
-  std::size_t bounded = 0;
-  for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    EXPECT_EQ(csv.at(row, "non_finite"), "0");
-    if (csv.at(row, "bound_u").empty()) continue;
-    ++bounded;
-    EXPECT_LE(*number::parse_number(csv.at(row, "max_error_u")), *number::parse_number(csv.at(row, "bound_u")));
-  }
-  EXPECT_GT(bounded, csv.row_count() / 2);
-}
-
-TEST(Accuracy, RefusesAMethodOfTheOtherForm) {
-  auto study = small_accuracy_study();
-  study.methods = {"horner"};
-  try {
-    make_job(study, {1});
-    FAIL() << "accepted";
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit(), Exit::usage);
-    EXPECT_NE(std::string(failure.what()).find("horner"), std::string::npos);
-  }
 }
 
 /// wozny_chudy_positive has a bound for t in [0,1] only, the degree and range of double allow every one.

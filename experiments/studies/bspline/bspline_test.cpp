@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/sample/knot_kind.hpp"
 #include "experiments/studies/roster.hpp"
@@ -50,38 +49,6 @@ TEST(BsplineStudy, BoundsHoldOverEveryKindOfKnots) {
     if (!makes_bernstein(csv, row)) continue;
     EXPECT_LE(run::number_at(csv, row, "max_control_error_u"), run::number_at(csv, row, "control_bound_u")) << where;
   }
-}
-
-/// Over a clamped span the curve begins in its first control point, which no step changes.
-TEST(BsplineStudy, IsExactAtTheFirstPointOfAClampedCurve) {
-  auto study = small_bspline_study();
-  study.t_interval = {{0, 0}};
-  const auto csv = bspline_rows_of(study);
-  int clamped = 0;
-  for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    if (csv.at(row, "knots") != "clamped") continue;
-    EXPECT_EQ(csv.at(row, "max_error"), "0") << csv.at(row, "method");
-    ++clamped;
-  }
-  EXPECT_EQ(clamped, 3 * 4);
-}
-
-TEST(BsplineStudy, RefusesWhatItCannotDo) {
-  auto rational = small_bspline_study();
-  rational.curve = Form::rational;
-  EXPECT_THROW(make_job(rational, {1}), Failure);
-  auto single = small_bspline_study();
-  single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(single, {1}), Failure);
-  auto constant = small_bspline_study();
-  constant.degree = {0};
-  EXPECT_THROW(make_job(constant, {1}), Failure);
-  auto outside = small_bspline_study();
-  outside.t_interval = {{0, 1.5}};
-  EXPECT_THROW(make_job(outside, {1}), Failure);
-  auto whole = small_bspline_study();
-  whole.generator = {"bspline"};
-  EXPECT_THROW(make_job(whole, {1}), Failure);
 }
 
 }  // namespace

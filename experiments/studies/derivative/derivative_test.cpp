@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "core/derivative/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/roster.hpp"
 
@@ -70,21 +67,6 @@ TEST(DerivativeStudy, TakesTheMethodsOfTheForm) {
   const auto csv = derivative_rows_of(study);
   ASSERT_EQ(csv.row_count(), 2 * 3 * methods_of(Form::power));
   EXPECT_EQ(csv.at(0, "method"), "power_derivative");
-}
-
-TEST(DerivativeStudy, RefusesWhatItCannotDo) {
-  auto rational = small_derivative_study();
-  rational.curve = Form::rational;
-  EXPECT_THROW(make_job(rational, {1}), Failure);
-  auto single = small_derivative_study();
-  single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(single, {1}), Failure);
-  auto of_points = small_derivative_study();
-  of_points.methods = {"de_casteljau"};
-  EXPECT_THROW(make_job(of_points, {1}), Failure);
-  auto of_another_form = small_derivative_study();
-  of_another_form.methods = {"power_derivative"};
-  EXPECT_THROW(make_job(of_another_form, {1}), Failure);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/sample/data_kind.hpp"
 #include "experiments/studies/roster.hpp"
@@ -75,24 +74,6 @@ TEST(FittingStudy, ShowsAnExample) {
     }
   }
   EXPECT_EQ(row, csv.row_count());
-}
-
-TEST(FittingStudy, RefusesWhatItCannotDo) {
-  auto polynomial = small_fitting_study();
-  polynomial.curve = Form::power;
-  EXPECT_THROW(make_job(polynomial, {1}), Failure);
-  auto single = small_fitting_study();
-  single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(single, {1}), Failure);
-  auto point = small_fitting_study();
-  point.degree = {0};
-  EXPECT_THROW(make_job(point, {1}), Failure);
-  auto roots = small_fitting_study();
-  roots.generator = {"multiple_root"};
-  EXPECT_THROW(make_job(roots, {1}), Failure);
-  auto evaluator = small_fitting_study();
-  evaluator.methods = {"de_casteljau"};
-  EXPECT_THROW(make_job(evaluator, {1}), Failure);
 }
 
 }  // namespace

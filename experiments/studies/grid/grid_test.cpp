@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/roster.hpp"
 
@@ -55,19 +54,6 @@ TEST(GridStudy, TakesTheMethodsOfTheForm) {
   auto study = small_grid_study();
   study.curve = Form::power;
   EXPECT_EQ(grid_rows_of(study).row_count(), 2U * 2 * 2);
-}
-
-TEST(GridStudy, RefusesWhatItCannotDo) {
-  auto rational = small_grid_study();
-  rational.curve = Form::rational;
-  EXPECT_THROW(make_job(rational, {1}), Failure);
-  auto single = small_grid_study();
-  single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(single, {1}), Failure);
-  auto uneven = small_grid_study();
-  uneven.kind = &kind("grid");
-  uneven.points = {16};
-  EXPECT_THROW(run::run_all(*make_job(uneven, {1})), Failure);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "core/interpolate/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/interpolation/problem.hpp"
 #include "experiments/studies/roster.hpp"
@@ -114,19 +113,6 @@ TEST(SplineJudge, MeasuresSubnormalErrors) {
   SplineErrors errors;
   SplineJudge(points, 1, true).judge(segments, 0, 0, errors);
   EXPECT_EQ(errors.error.max(), 0.25 * tiny);
-}
-
-TEST(InterpolationStudy, RefusesWhatItDoesNotJudge) {
-  const auto refused = [](auto change) {
-    auto study = interpolation_study_of({});
-    change(study);
-    EXPECT_THROW(make_job(study, {1}), Failure);
-  };
-  refused([](auto& study) { study.curve = Form::power; });
-  refused([](auto& study) { study.scalar = {suite::ScalarKind::float32}; });
-  refused([](auto& study) { study.generator = {"clustered_roots"}; });
-  refused([](auto& study) { study.t_interval = {{0, 0.5}}; });
-  refused([](auto& study) { study.methods = {"de_casteljau"}; });
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <map>
 
-#include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/sample/placement.hpp"
 #include "experiments/studies/projection/problem.hpp"
@@ -86,19 +85,6 @@ TEST(ProjectionStudy, MethodsThatAreNotBitStableHaveAFileOfTheirOwn) {
   for (std::size_t row = 0; row < csv.row_count(); ++row) status[csv.at(row, "method")] = csv.at(row, "status");
   EXPECT_EQ(status, (std::map<std::string, std::string>{{"quintic_companion", "ok"},
                                                         {"quintic_seed_002", "degree_unsupported"}}));
-}
-
-TEST(ProjectionStudy, RefusesWhatItDoesNotJudge) {
-  auto study = projection_study_of({});
-  study.curve = Form::power;
-  EXPECT_THROW(make_job(study, {1}), Failure);
-  study = projection_study_of({});
-  study.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(study, {1}), Failure);
-  study = projection_study_of({});
-  study.generator = {"clustered_roots"};
-  EXPECT_THROW(make_job(study, {1}), Failure);
-  EXPECT_THROW(make_job(projection_study_of({"de_casteljau"}), {1}), Failure);
 }
 
 }  // namespace

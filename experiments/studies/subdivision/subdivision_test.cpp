@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/roster.hpp"
 
@@ -57,18 +56,6 @@ TEST(SubdivisionStudy, BoundsAndPromisesHold) {
   }
 }
 
-/// The halves at t = 1/2 of a line between integer points have coordinates that are multiples of 1/2.
-TEST(SubdivisionStudy, IsExactWhereNothingIsRounded) {
-  auto study = small_subdivision_study();
-  study.degree = {1};
-  study.coordinate_range = {1000};
-  study.generator = {"integer"};
-  study.t_interval = {{0.5, 0.5}};
-  const auto csv = subdivision_rows_of(study);
-  ASSERT_EQ(csv.row_count(), 5U);
-  for (std::size_t row = 0; row < csv.row_count(); ++row) EXPECT_EQ(csv.at(row, "max_error"), "0");
-}
-
 /// Bounds are proved for t in [0,1] only.
 TEST(SubdivisionStudy, HasNoBoundOutside) {
   auto study = small_subdivision_study();
@@ -79,18 +66,6 @@ TEST(SubdivisionStudy, HasNoBoundOutside) {
     EXPECT_EQ(csv.at(row, "bound_violations"), "");
     EXPECT_GT(run::number_at(csv, row, "max_error_u"), 0);
   }
-}
-
-TEST(SubdivisionStudy, RefusesWhatItCannotDo) {
-  auto power = small_subdivision_study();
-  power.curve = Form::power;
-  EXPECT_THROW(make_job(power, {1}), Failure);
-  auto single = small_subdivision_study();
-  single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(single, {1}), Failure);
-  auto of_points = small_subdivision_study();
-  of_points.methods = {"de_casteljau"};
-  EXPECT_THROW(make_job(of_points, {1}), Failure);
 }
 
 }  // namespace

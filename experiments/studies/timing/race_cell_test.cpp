@@ -66,14 +66,6 @@ std::vector<std::string> column(const bundle::CsvDocument& document, std::string
   return values;
 }
 
-TEST(RaceCell, EveryScalarCellAndModeIsOne) {
-  auto study = timing_study();
-  study.scalar = {suite::ScalarKind::float64, suite::ScalarKind::float32};
-  study.modes = {suite::Mode::point, suite::Mode::batch, suite::Mode::latency};
-  study.dimension = {1, 2};
-  EXPECT_EQ(timed_problem(study).race_cells(study).size(), 2U * 3 * 2 * 4);
-}
-
 TEST(RaceCell, HoldsTheMethodsOfItsScalarType) {
   auto study = timing_study();
   study.degree = {100};
@@ -279,11 +271,6 @@ TEST(RaceCellLaps, OneRepetitionThatFoundPointsWrongSpoilsAll) {
   auto laps = race::RaceCellLaps{{lap_of(3, 1)}};
   laps.merge(wrong);
   EXPECT_FALSE(laps.each[0].rounds().checked);
-}
-
-TEST(TimingRows, OnlyRaceCellsThatRanHaveRows) {
-  const auto study = timing_study();
-  EXPECT_EQ(timing_csv(study, timed_problem(study).race_cells(study)).row_count(), 0U);
 }
 
 TEST(ComplexityRows, FitTheDegreesOfAStudyAgainstTheClaim) {

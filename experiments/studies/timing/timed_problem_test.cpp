@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "experiments/bundle/csv.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/arc_length/problem.hpp"
@@ -243,48 +242,6 @@ TEST(TimedProblem, SizesOfOtherProblemsAreNotClaimed) {
   tables::Tables tables;
   studies::write_complexity_rows(study, timed_problem(study).race_cells(study), timed_problem(study).size, tables);
   EXPECT_TRUE(tables.all().empty());
-}
-
-/// Adds a key that is missing, removes one that is there.
-template <class T>
-void toggle(std::vector<T>& key, T value) {
-  if (key.empty())
-    key.push_back(value);
-  else
-    key.clear();
-}
-
-TEST(TimedProblem, RefusesWhatIsNotTimed) {
-  const auto refused = [](const suite::Study& study) { EXPECT_THROW(studies::make_job(study, {1}), Failure); };
-  for (const auto& good : one_of_each()) {
-    EXPECT_NO_THROW(studies::make_job(good, {1})) << good.methods[0];
-    auto study = good;
-    toggle(study.tolerance, 1e-3);
-    refused(study);
-    study = good;
-    toggle(study.order, 1);
-    refused(study);
-    study = good;
-    toggle(study.points, 10);
-    refused(study);
-    study = good;
-    toggle(study.degree, 3);
-    refused(study);
-    if (good.methods[0] == "de_casteljau") continue;
-    study = good;
-    study.modes = {suite::Mode::one_shot, suite::Mode::point};
-    refused(study);
-    study = good;
-    study.scalar = {suite::ScalarKind::float32};
-    refused(study);
-    study = good;
-    const bool splits = timed_problem(good).problem == Problem::subdivision;
-    study.curve = splits ? Form::power : Form::rational;
-    refused(study);
-    study = good;
-    study.methods.emplace_back("de_casteljau");
-    refused(study);
-  }
 }
 
 }  // namespace

@@ -182,12 +182,6 @@ TEST(TrialStudy, LeavesOutWhatTheMethodsDoNotTake) {
   EXPECT_EQ(csv.at(0, "broken_promises"), "");
 }
 
-TEST(TrialStudy, RefusesMethodsOfAnotherForm) {
-  auto study = small_study();
-  study.curve = Form::power;
-  EXPECT_THROW(trial_job<CountedProblem>(study, {1}), Failure);
-}
-
 TEST(TrialStudy, SaysWhichTrialHasNoCertainTruth) {
   auto study = small_study();
   study.trials = uncertain_trial + 1;
