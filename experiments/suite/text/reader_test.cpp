@@ -29,16 +29,6 @@ std::string refused(const std::string& text) {
   return line;
 }
 
-// The parser would nest one table per part and overflow the stack.
-TEST(Reader, RefusesKeysOfManyParts) {
-  std::string key = "a";
-  for (int part = 0; part < 200000; ++part) key += ".a";
-  for (const std::string& line : {key + " = 1\n", "[" + key + "]\n", "x = {" + key + " = 1}\n"})
-    EXPECT_THAT(refused(minimal + line), HasSubstr("dots in one key"));
-  const std::string ornament = "# " + std::string(200, '.') + "\n";
-  EXPECT_EQ(parsed(ornament + minimal + "degree = [3]\n").studies.size(), 1U);
-}
-
 TEST(Reader, RefusesNumbersThatVanish) {
   EXPECT_EQ(refused(minimal + "degree = [3]\ncoordinate_range = [1, 1e-999]\n"),
             "x.toml:8:24: this number is too small for a double; write 0, or a larger one");
@@ -47,26 +37,6 @@ TEST(Reader, RefusesNumbersThatVanish) {
               HasSubstr("9:19: this number"));
   const Suite suite = parsed(minimal + "degree = [3]\ncoordinate_range = [0e-999, 1]\nt_interval = [[-0.0, 0.0]]\n");
   EXPECT_THAT(suite.studies[0].coordinate_range, ElementsAre(0.0, 1.0));
-}
-
-TEST(Reader, ReadsTheReportSuite) {
-  const Suite suite = read_suite(BEZIERBENCH_SOURCE_DIR "/experiments/suites/report.toml", test_vocabulary());
-  EXPECT_EQ(suite.id, "report");
-  EXPECT_EQ(suite.seed, 1U);
-  ASSERT_EQ(suite.studies.size(), 11U);
-  const Study& ranges = suite.studies[3];
-  EXPECT_EQ(ranges.id, "2.3.2-bezier");
-  EXPECT_TRUE(studies::is_kind(ranges, studies::accuracy_kind));
-  EXPECT_THAT(ranges.degree, ElementsAre(20));
-  EXPECT_THAT(ranges.coordinate_range, ElementsAre(1e-6, 1e-4, 1e-2, 1, 10, 1e2, 1e4, 1e6));
-  EXPECT_THAT(ranges.generator, ElementsAre("report", "continuous"));
-  EXPECT_THAT(ranges.baseline, ElementsAre("direct", "exact"));
-  EXPECT_EQ(ranges.trials, 1000);
-  EXPECT_EQ(ranges.replicates, 400);
-  EXPECT_EQ(ranges.published, "report_tables.csv");
-  EXPECT_THAT(suite.studies[5].t_interval,
-              ElementsAre(Interval{0, 0.2}, Interval{0.4, 0.6}, Interval{0.2, 0.8}, Interval{0, 1}, Interval{0.8, 1}));
-  EXPECT_THAT(suite.studies.back().modes, ElementsAre(Mode::one_shot, Mode::point));
 }
 
 TEST(Reader, ReadsTheGoalsOfARoofline) {
