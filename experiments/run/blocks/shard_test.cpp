@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "experiments/run/costs_test.hpp"
 
 namespace bezierbench::run {
@@ -53,13 +51,6 @@ TEST(Dealt, SmallJobsGoRound) {
       blocks[shard - 1] += run.second - run.first;
     }
   EXPECT_EQ(blocks, (std::vector<std::uint64_t>{2, 2, 2, 2}));
-}
-
-// More blocks than could be counted one by one.
-TEST(Dealt, ManyBlocks) {
-  const Costs job({1, 3}, std::size_t{1} << 50U, false);
-  EXPECT_EQ(dealt(job, 0, {1, 2}).second, dealt(job, 0, {2, 2}).first);
-  EXPECT_NEAR(cost_of(Costs({1, 3}, 1000, false), dealt(Costs({1, 3}, 1000, false), 0, {1, 2})), 2000, 3);
 }
 
 }  // namespace
