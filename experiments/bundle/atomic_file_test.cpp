@@ -63,17 +63,6 @@ TEST(AtomicFile, NewFileGetsTheUsersUsualMode) {
   EXPECT_EQ(fs::status(folder.path() / "a").permissions(), fs::perms(0644));
 }
 
-TEST(AtomicFile, ReplacementIsANewFileSoThatAnOpenReaderKeepsTheOldOne) {
-  const ScratchFolder folder;
-  const fs::path path = folder.path() / "a";
-  write_file(path, "old");
-  std::ifstream reader(path);
-  write_file(path, "new");
-  std::string word;
-  reader >> word;
-  EXPECT_EQ(word, "old");
-}
-
 TEST(AtomicFile, FullDeviceIsReportedInOneLine) {
   EXPECT_EQ(line_of([] { write_file("/dev/full", "x"); }),
             "/dev/full: cannot be written: No space left on device; free space or choose another --out");
@@ -168,75 +157,12 @@ TEST(AtomicFile, ThreadsDoNotShareTemporaryFiles) {
   EXPECT_EQ(folder.names(), std::set<std::string>{"a"});
 }
 
-void do_nothing(int) {}
-
-// A pipe that nobody empties for a while: writes are short, and a signal without SA_RESTART interrupts them.
-TEST(AtomicFile, SurvivesSignalsAndShortWrites) {
-  const ScratchFolder folder;
-  const fs::path pipe = folder.path() / "pipe";
-  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  struct sigaction action {};
-  action.sa_handler = do_nothing;
-  struct sigaction before {};
-  ASSERT_EQ(sigaction(SIGUSR1, &action, &before), 0);
-  const std::string bytes(500'000, 'p');
-  std::string failure;
-  std::thread writer([&] {
-    try {
-      write_file(pipe, bytes);
-    } catch (const Failure& caught) {
-      failure = caught.what();
-      int end = -1;
-      while (end == -1) end = open(pipe.c_str(), O_WRONLY);  // lets the reader below come to an end
-      close(end);
-    }
-  });
-  for (int i = 0; i < 20; ++i) {
-    usleep(500);
-    pthread_kill(writer.native_handle(), SIGUSR1);
-  }
-  std::ifstream reader(pipe, std::ios::binary);
-  for (int i = 0; i < 20; ++i) {
-    usleep(500);
-    pthread_kill(writer.native_handle(), SIGUSR1);
-  }
-  std::string got(bytes.size() + 1, ' ');
-  reader.read(got.data(), static_cast<std::streamsize>(got.size()));
-  got.resize(static_cast<std::size_t>(reader.gcount()));
-  writer.join();
-  sigaction(SIGUSR1, &before, nullptr);
-  EXPECT_EQ(failure, "");
-  EXPECT_TRUE(got == bytes);
-}
-
 TEST(AtomicFile, UnreadableIsReported) {
   const ScratchFolder folder;
   EXPECT_EQ(line_of([&] { (void)read_file(folder.path() / "absent"); }),
             (folder.path() / "absent").string() +
                 ": cannot be read: No such file or directory; check the path and its permissions");
   EXPECT_THAT(line_of([&] { (void)read_file(folder.path()); }), HasSubstr("Is a directory"));
-}
-
-TEST(BundleFile, OnlyRegularFilesAreRead) {
-  const ScratchFolder folder;
-  folder.put("file", "x");
-  fs::create_symlink("file", folder.path() / "link");
-  fs::create_symlink("/dev/zero", folder.path() / "endless");
-  fs::create_directory(folder.path() / "folder");
-  ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);  // nobody writes to it
-  EXPECT_EQ(read_bundle_file(folder.path() / "file"), "x");
-  for (const auto& [name, kind] :
-       {std::pair("link", "symbolic link"), {"endless", "symbolic link"}, {"pipe", "pipe"}, {"folder", "folder"}})
-    EXPECT_THAT(line_of([path = folder.path() / name] { (void)read_bundle_file(path); }),
-                testing::AllOf(HasSubstr(name), HasSubstr(kind)));
-  EXPECT_THAT(line_of([] { (void)read_bundle_file("/dev/zero"); }), HasSubstr("is a device"));
-}
-
-TEST(BundleFile, HasALargestSize) {
-  const ScratchFolder folder;
-  folder.put("file", "x");
-  fs::resize_file(folder.path() / "file", largest_bundle_file + 1);  // a sparse file
-  EXPECT_THAT(line_of([&] { (void)read_bundle_file(folder.path() / "file"); }), HasSubstr("larger than"));
 }
 
 TEST(BundleFile, WhatIsThereIsReplacedAndNotWrittenThrough) {

@@ -7,7 +7,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -29,9 +28,7 @@ namespace bezierbench::bundle {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Contains;
 using testing::ElementsAre;
-using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -97,18 +94,6 @@ TEST(Bundle, FinishedBundleIsWholeForUsAndForCoreutils) {
   const std::string command = "cd '" + bundle.path().string() +
                               "' && sha256sum --strict --status -c SHA256SUMS && LC_ALL=C sort -c -k2 SHA256SUMS";
   EXPECT_EQ(std::system(command.c_str()), 0);
-}
-
-TEST(Bundle, ACompleteOneHasDigestsByMethod) {
-  const ScratchFolder folder;
-  const BundleDirectory bundle = filled(folder.path() / "b");
-  bundle.finish(with_state("partial"));
-  EXPECT_FALSE(bundle.has("digests.csv"));
-  bundle.finish(with_state("complete"));
-  EXPECT_THAT(verify(bundle.path(), expected), IsEmpty());
-  EXPECT_EQ(bundle.manifest().accuracy_digest, sha256_hex(bundle.read("digests.csv")));
-  EXPECT_EQ(bundle.manifest().accuracy_digest, accuracy_digest(bundle.path()));
-  EXPECT_THAT(bundle.read("SHA256SUMS"), HasSubstr("  digests.csv\n"));
 }
 
 TEST(Bundle, FinishingAgainChangesNothing) {
@@ -195,14 +180,6 @@ TEST(Bundle, LocksMayComeWhileBlocksAreRemoved) {
   for (int round = 0; round < 1000; ++round) EXPECT_NO_THROW(bundle.clear_away());
   done = true;
   for (auto& shard : shards) shard.join();
-}
-
-TEST(Bundle, LocksAreRegularFiles) {
-  const ScratchFolder folder;
-  fs::create_symlink("away", folder.path() / "link");
-  ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
-  for (const char* name : {"link", "pipe"}) EXPECT_THROW(LockFile(folder.path() / name), Failure) << name;
-  EXPECT_FALSE(fs::exists(folder.path() / "away"));
 }
 
 // Where SHA256SUMS cannot be written, the old `complete` must not remain, nor a new one appear.

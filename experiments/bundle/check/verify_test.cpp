@@ -22,7 +22,6 @@ using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::SizeIs;
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto place = text.find(from);
@@ -217,52 +216,12 @@ TEST_F(Verify, TypesOfFields) {
                                       HasSubstr("accuracy.csv:2: t_max is \"1e\"")));
 }
 
-TEST_F(Verify, AHostileTableIsAFewLines) {
-  std::string table = bundle_.read("accuracy.csv");
-  const auto header = table.substr(0, table.find('\n') + 1);
-  const auto columns = static_cast<std::size_t>(std::ranges::count(header, ',')) + 1;
-  std::string row = "?";
-  for (std::size_t k = 1; k < columns; ++k) row += ",?";
-  table = header;
-  for (int k = 0; k < 1000; ++k) table += row + '\n';
-  bundle_.write("accuracy.csv", table);
-  bundle_.finish(with_state("complete"));
-  EXPECT_THAT(findings(), AllOf(SizeIs(testing::Lt(30U)), Contains(HasSubstr("more of that kind"))));
-}
-
-TEST_F(Verify, LongFieldsDoNotOverflowTheStack) {
-  put("worst.csv", "coefficients\n0x1p+0" + std::string(5'000'000, ' ') + "\n");
-  EXPECT_THAT(findings(), Contains(HasSubstr("worst.csv:2: coefficients is \"0x1p+0")));
-  std::string many = "0x1p+0";
-  while (many.size() < 5'000'000) many += " -0x1.8p-3";
-  put("worst.csv", "coefficients\n" + many + "\n");
-  EXPECT_THAT(findings(), testing::Each(testing::Not(HasSubstr("coefficients is"))));
-}
-
 TEST_F(Verify, RowsThatAccuse) {
   change("timing.csv", ",noisy,yes", ",noisy,no");
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv:2: what was timed did not give what was judged")));
   change("timing.csv", ",noisy,no", ",noisy,yes");
   change("timing.csv", "\nfixture-timing,", "\nother,");
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv:2: its study is not one of those of suite.toml")));
-}
-
-/// Nothing but regular files is opened: opening these would block for ever or fill the memory.
-TEST_F(Verify, PipesAndLinks) {
-  remove("timing.csv");
-  ASSERT_EQ(mkfifo((bundle_.path() / "timing.csv").c_str(), 0600), 0);
-  remove("accuracy.csv");
-  fs::create_symlink("/dev/zero", bundle_.path() / "accuracy.csv");
-  EXPECT_THAT(findings(), AllOf(Contains(HasSubstr("timing.csv: does not belong")),
-                                Contains(HasSubstr("accuracy.csv: does not belong"))));
-  remove("bundle.json");
-  fs::create_symlink("/dev/zero", bundle_.path() / "bundle.json");
-  EXPECT_THAT(findings(), Contains(HasSubstr("bundle.json: is missing")));
-}
-
-TEST_F(Verify, FilesBeyondEveryUse) {
-  fs::resize_file(bundle_.path() / "timing.csv", largest_bundle_file + 1);  // a sparse file
-  EXPECT_THROW((void)findings(), Failure);
 }
 
 TEST_F(Verify, NoFolder) { EXPECT_THROW((void)verify(folder_.path() / "absent", expected), Failure); }
