@@ -2,9 +2,7 @@
 """A bundle in which every text that is free is an attack: no page, table or message does what it says."""
 
 import base64
-import csv
 import hashlib
-import io
 import json
 import re
 import tempfile
@@ -17,7 +15,7 @@ from .bundle import Bundle
 from .chapters.roster import build_all
 from .findings.roster import find_all
 from .fixture.comparison import FACTS, write_comparison
-from .foreign import literal, one_line, restored, visible
+from .foreign import literal, one_line
 
 EVIL = ('"><script>x</script><img src=//x onerror=y><meta http-equiv=refresh content="0;url=//x"><form action=//x><base href=//x>'
         "</style></title></svg> `c`` <b> ** [t](javascript:x) ![i](//x/y) | https://x.invalid www.x.invalid $\\write18{x}$ "
@@ -157,10 +155,6 @@ class Escaping(unittest.TestCase):
             if not name.endswith(".png"):
                 self.assertIsNone(re.search("[\0-\x08\x0b-\x1f\x7f\u202e\u2028\ue000\ue001]", data.decode()), name)
 
-    def test_csv_files_hold_what_the_bundle_says(self):
-        rows = {row["id"]: row for row in csv.DictReader(io.StringIO(self.files["tables/methods.csv"].decode()))}
-        self.assertEqual(rows["direct"]["flops per point"], visible(EVIL.replace("\u2028", "")))
-
 
 class Functions(unittest.TestCase):
     def test_foreign_marks_are_no_marks(self):
@@ -173,11 +167,6 @@ class Functions(unittest.TestCase):
     def test_ours_are(self):
         self.assertEqual(inline.to_html("**a `b`** <c>"), "<strong>a <code>b</code></strong> &lt;c&gt;")
         self.assertEqual(inline.to_markdown("**a `b`** <c>"), "**a `b`** &lt;c&gt;")
-
-    def test_a_literal_text_comes_back(self):
-        for text in ("a`b*c", "p~ [0, 1]", "Bézier 曲线"):
-            self.assertEqual(restored(literal(text)), text)
-        self.assertEqual(literal("\ue000"), r"\ue000")
 
     def test_a_message_is_one_line(self):
         self.assertEqual(one_line("a\nb\x1b[2J\r\u2028\ud800"), r"a\nb\x1b[2J\r\u2028\ud800")

@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What is written: whole or not at all, into its own directory, under names that nobody else chose."""
 
-import signal
-import subprocess
-import sys
 import tempfile
-import time
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -14,20 +10,6 @@ from . import fixture, output
 from .bundle import Bundle, BundleError
 from .chapters.roster import build_all
 from .document import SAFE, Chapter, Table, unique, with_unique_ids
-
-ROOT = Path(__file__).resolve().parent.parent
-# Writes many files, says so, and is killed before it is done.
-SLOW = """import sys, time
-sys.path.append(sys.argv[1])
-from report import output
-class Slow(dict):
-    def items(self):
-        for name, data in super().items():
-            yield name, data
-            print(flush=True)
-            time.sleep(30)
-output.write(sys.argv[2], Slow({"a": b"new", "b": b"new"}))
-"""
 
 
 def names(folder):
@@ -52,33 +34,6 @@ class Output(unittest.TestCase):
             output.write(self.place / "out", {"a/x": b"new", "y": None})
         self.assertEqual(names(self.place), [])
 
-    def killed(self, out, number):
-        process = subprocess.Popen([sys.executable, "-I", "-B", "-c", SLOW, ROOT, out], stdout=subprocess.PIPE)
-        with process:
-            process.stdout.readline()
-            process.send_signal(number)
-            process.wait()
-
-    def test_what_a_killed_writer_left_is_removed_and_nothing_else(self):
-        for out, beside in ((self.place / "new", self.place), (self.place / "old", self.place / "old")):
-            with self.subTest(out):
-                if out.name == "old":
-                    output.write(out, {"a": b"old"})
-                (beside / ".reports").mkdir()
-                before = names(beside)
-                self.killed(out, signal.SIGKILL)
-                self.assertGreater(len(names(beside)), len(before))
-                output.write(out, {"a": b"newer"})
-                self.assertEqual(names(beside), sorted({*before, *(["new"] if out.name == "new" else [])}))
-                self.assertEqual((out / "a").read_bytes(), b"newer")
-
-    def test_a_killed_writer_leaves_the_old_files_or_none(self):
-        output.write(self.place / "old", {"a": b"old", "b": b"old"})
-        self.killed(self.place / "old", signal.SIGKILL)
-        self.killed(self.place / "new", signal.SIGKILL)
-        self.assertEqual([(self.place / "old" / name).read_bytes() for name in "ab"], [b"old", b"old"])
-        self.assertFalse((self.place / "new").exists())
-
     def test_the_pages_come_last(self):
         output.write(self.place, {"report.html": b"old"})
         moved = []
@@ -92,16 +47,6 @@ class Output(unittest.TestCase):
             with self.assertRaises(ValueError, msg=name):
                 output.write(self.place / "out", {name: b""})
         self.assertEqual(names(self.place), [])
-
-    def test_two_writers_wait_for_each_other(self):
-        first = subprocess.Popen([sys.executable, "-I", "-B", "-c", SLOW.replace("30", "0.3"), ROOT, self.place / "out"],
-                                 stdout=subprocess.PIPE)
-        with first:
-            first.stdout.readline()
-            began = time.monotonic()
-            output.write(self.place / "out", {"c": b""})
-            self.assertGreater(time.monotonic() - began, 0.2)
-        self.assertEqual((first.returncode, names(self.place / "out")), (0, ["a", "b", "c"]))
 
 
 class Names(unittest.TestCase):
