@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import (CONVERSION, FINDING, FINE, HAS_SANITIZER, INPUT_OUTPUT, INTERRUPTED, PATIENCE,  # noqa: E402
+from program_case import (CONVERSION, FINE, INTERRUPTED, PATIENCE,  # noqa: E402
                           PROGRAM, REPORT_SUITE, ROOT, STUDY, TIMING, USAGE, Case, rows)
 
 sys.path.append(str(ROOT))
@@ -50,12 +50,6 @@ class Bundles(Case):
         self.fine("run", "s.toml", "--out", "b", "--dry-run", "--trials", 2**63 - 1, "--set", "replicates=1")
         self.assertEqual(before, self.snapshot())
 
-    def test_dry_run_counts_the_time_of_races(self):
-        """Few evaluations, repeated until they can be timed."""
-        degrees = str(list(range(1, 11)))
-        self.assertLess(self.estimated(self.suite({**STUDY, "degree": degrees, "trials": "1"}))[0], 0.5)
-        self.assertGreater(self.estimated(self.suite({**TIMING, "degree": degrees, "methods": '["direct", "de_casteljau"]'}))[0], 1)
-
     def test_dry_run_has_no_estimate_of_searches_that_end_when_they_have_found_something(self):
         guarantees = {"id": '"g"', "kind": '"guarantees"', "degree": "[2]", "trials": "100", "budget": "1000000"}
         text = self.fine("run", self.suite(guarantees, STUDY), "--out", "dry", "--dry-run")
@@ -82,30 +76,6 @@ class Bundles(Case):
         self.assertGreater(estimated[0] / seconds, 1 / 10)
         bundle = sum(path.stat().st_size for path in (self.folder / "b").iterdir()) / 1e6
         self.assertGreater(estimated[1], bundle / 2)  # files of blocks come on top
-
-    def test_dry_run_computes_nothing_that_takes_long(self):
-        """A trial of the first takes hours, one of the second half a second."""
-        bspline = {"id": '"s"', "kind": '"bspline"', "degree": "[150]", "trials": "1"}
-        projection = {"id": '"p"', "kind": '"projection"', "degree": "[90]", "trials": "10"}
-        begin = time.monotonic()
-        self.assertGreater(self.estimated(self.suite(bspline))[0], 60)
-        self.assertLess(self.estimated(self.suite(projection))[0], 60)
-        self.estimated("quick", "--only", "quick*-bezier*", "--set", "degree=1021")
-        self.assertLess(time.monotonic() - begin, 10)
-
-    def test_estimates_of_time_grow_with_trials(self):
-        """Also where nothing could wait for the run that they speak of."""
-        suite = self.suite({**STUDY, "degree": "[20]"})
-        few, many = (self.estimated(suite, "--trials", str(trials))[0] for trials in (10**8, 10**12))
-        self.assertGreater(many / few, 10**4 / 4)
-        self.assertLess(many / few, 10**4 * 4)
-
-    @unittest.skipIf(HAS_SANITIZER, "a sanitizer does not say how much memory is allocated")
-    def test_estimates_of_memory_grow_with_replicates(self):
-        suite = self.suite({**STUDY, "degree": "[20]"})
-        alone, repeated = (self.estimated(suite, "--trials", "1", "--set", f"replicates={n}")[2] for n in (1, 10**6))
-        self.assertGreater(repeated - alone, 30)  # two methods, two statistics of 8 bytes each, a million times
-        self.assertLess(repeated - alone, 500)
 
     def test_no_timing(self):
         self.bundle(self.suite(STUDY, TIMING), "--no-timing")
@@ -156,20 +126,6 @@ class Bundles(Case):
         self.write("b/bundle.json", json.dumps({**self.manifest("b"), "schema_version": 1}))
         self.refused(USAGE, ["run", "s.toml", "--out", "b"], "b/bundle.json: schema_version is 1, this program reads 2; run the suite again")
 
-    def test_verify_finds_damage(self):
-        self.bundle()
-        for name in ("accuracy.csv", "suite.toml", "machine.json"):
-            with self.subTest(name=name):
-                path = self.folder / "b" / name
-                good = path.read_bytes()
-                path.write_bytes(good[:-2] + bytes([good[-2] ^ 1]) + good[-1:])
-                result = self.run_program("verify", "b")
-                self.assertEqual((result.returncode, result.stdout), (FINDING, b""))
-                self.assertIn(f"b/{name}: checksum differs", result.stderr.decode())
-                path.write_bytes(good)
-        self.assertEqual(self.fine("verify", "b").splitlines()[0], "b: fine")
-        self.refused(INPUT_OUTPUT, ["verify", "absent"], "bezierbench: absent: ")
-
     def test_verify_says_how_much_the_timed_kernels_judged(self):
         """direct_pow has no kernel for groups; of de_casteljau the first trial of each block goes through both."""
         self.bundle(self.suite(degree="[4]", trials="1030", methods='["de_casteljau", "direct_pow"]'))
@@ -179,36 +135,15 @@ class Bundles(Case):
         told = self.fine("verify", "b").splitlines()[1]
         self.assertIn(f"of 2060 evaluations that accuracy studies judged, {sum(counts.values())} went through", told)
 
-    def test_degrees_beyond_a_method(self):
-        self.bundle(self.suite(degree="[170, 171]", trials="5", baseline='["exact", "direct"]'))
-        table = rows((self.folder / "b/accuracy.csv").read_text())
-        statuses = {(row["method"], row["degree"], row["baseline"]): row for row in table}
-        self.assertEqual({key: row["status"] for key, row in statuses.items()},
-                         {("direct", "170", "exact"): "ok", ("direct", "171", "exact"): "degree_unsupported",
-                          ("de_casteljau", "170", "exact"): "ok", ("de_casteljau", "171", "exact"): "ok",
-                          ("de_casteljau", "170", "direct"): "ok",
-                          ("de_casteljau", "171", "direct"): "baseline_degree_unsupported"})
-        columns = list(table[0])
-        for row in table:
-            numbers = [row[column] for column in columns[columns.index("status") + 1:]]
-            if row["status"] == "ok":
-                self.assertTrue(all(map(float, filter(None, numbers[:7]))), row)
-            else:
-                self.assertEqual(set(numbers), {""}, row)
-
-    def test_no_method_to_time(self):
-        self.bundle(self.suite(TIMING, degree="[171]", methods='["direct"]'))
-        self.assertEqual(rows((self.folder / "b/timing.csv").read_text()), [])
-
     def test_timing(self):
         """What is in the files; never how long anything took."""
-        modes = ["point", "batch", "latency", "one_shot"]
+        modes = ["point", "one_shot"]
         self.bundle(self.suite(TIMING, degree="[1, 2, 3]", methods='["horner_bernstein", "de_casteljau"]',
-                               scalar='["double", "float"]', modes=json.dumps(modes), baseline='"horner_bernstein"'))
+                               modes=json.dumps(modes), baseline='"horner_bernstein"'))
         table = rows((self.folder / "b/timing.csv").read_text())
         timed = [row for row in table if row["method"] != "sentinel"]
         self.assertEqual(len({tuple(row[key] for key in ("method", "scalar", "degree", "mode")) for row in timed}),
-                         2 * 2 * 3 * 4)
+                         2 * 3 * 2)
         for row in timed:
             self.assertEqual((row["checked"], row["relative_to"]), ("yes", "horner_bernstein"), row)
             self.assertIn(row["quality"], ("ok", "noisy"))
@@ -221,7 +156,7 @@ class Bundles(Case):
         self.assertEqual([row["mode"] for row in sentinels], modes)
         self.assertEqual({(row["dimension"], row["degree"], row["checked"]) for row in sentinels}, {("", "", "yes")})
         complexity = rows((self.folder / "b/complexity.csv").read_text())
-        self.assertEqual(len(complexity), 2 * 2 * 4)
+        self.assertEqual(len(complexity), 2 * 2)
         for row in complexity:
             self.assertEqual(row["claimed"], {"de_casteljau": "2", "horner_bernstein": "1"}[row["method"]])
             self.assertIn(row["verdict"], ("within", "above", "unresolved"))
