@@ -105,24 +105,6 @@ TEST(ExactCurve, OfRationalCurvesIsTheDefinitionOnNastyInputs) {
       }
 }
 
-/// The quarter circle ((1-t^2)/(1+t^2), 2t/(1+t^2)) ([Farin 2002], conics) lies on the
-/// circle for every t, and at 1/2 is 3-4-5.
-TEST(ExactCurve, RunsAroundTheCircle) {
-  const std::vector<double> c{1, 0, 1, 1, 0, 1};
-  const std::vector<double> w{1, 1, 2};
-  ExactCurve exact;
-  for (const double t : nasty_t) {
-    const auto& point = exact.point({Form::rational, 2, 2, c, w}, t);
-    ASSERT_TRUE(point.exists());
-    const Rational x = point.coordinate(0);
-    const Rational y = point.coordinate(1);
-    EXPECT_TRUE(same(x * x + y * y, Rational{1, 1, 0})) << t;
-  }
-  const auto& half = exact.point({Form::rational, 2, 2, c, w}, 0.5);
-  EXPECT_TRUE(same(half.coordinate(0), Rational{3, 5, 0}));
-  EXPECT_TRUE(same(half.coordinate(1), Rational{4, 5, 0}));
-}
-
 TEST(ExactCurve, OfRationalCurvesHasNoPointWhereTheWeightsSumToZero) {
   const std::vector<double> c{1, 2};
   const std::vector<double> w{1, -3};  // 1 - 4t

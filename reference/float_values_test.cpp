@@ -75,12 +75,5 @@ TEST(FloatValues, AreThoseOfTheIntegers) {
   }
 }
 
-TEST(FloatValues, NeedControlPointsOfATakenDegree) {
-  EXPECT_THROW(FloatValuesOf({}), std::invalid_argument);
-  EXPECT_THROW(FloatValuesOf(std::vector<float>(102)), std::invalid_argument);
-  FloatValues values;
-  EXPECT_THROW(FloatValuesOf(std::vector{1.0F}).find(std::vector<float>(1025), values), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace bezierbench::reference

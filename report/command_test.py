@@ -144,13 +144,6 @@ class Command(unittest.TestCase):
         (self.place / "file").write_text("in the way")
         self.fails(4, self.bundle, "--out", self.place / "file", says=("file", "--out"))
 
-    def test_standard_output_that_takes_nothing(self):
-        for redirection in (">/dev/full", ">&-"):
-            with self.subTest(redirection=redirection):
-                done = run("-c", f'"$0" "$1" --summary {redirection}', ROOT / "scripts/report", self.bundle, command=("bash",))
-                self.assertEqual((done.returncode, done.stderr.count("\n")), (4, 1), done.stderr)
-                self.assertIn("standard output", done.stderr)
-
     def test_reads_hexadecimal_numbers(self):
         path = self.bundle / "audit.csv"
         path.write_text(path.read_text().replace("1.25", "0x1.4p+0"))

@@ -47,14 +47,6 @@ class Commands(unittest.TestCase):
         page, _ = self.page(f"```console\n{command} 12.5 ns\nsaid check\ntook 3 ms\n```\n")
         self.assertEqual(len(page.faults), 1)
 
-    def test_another_compiler_may_be_named(self):
-        says = "            compiler differs: GNU 12.2.0 before,\n            GNU 14.2.0 now\n  accuracy  the same\n"
-        command = "bezierbench check horner --against results/baseline"
-        self.assertEqual(docs_commands.masked(command, f"against     a\n{says}"), ["against", "a", "accuracy", "the"])
-        self.assertEqual(docs_commands.masked(command, "against     a; 2 more with --all\n  accuracy  the same\n"),
-                         ["against", "a", "accuracy", "the"])
-        self.assertEqual(docs_commands.masked("bezierbench list", says), says.splitlines())
-
     def test_a_script_must_succeed(self):
         self.assertEqual(self.page("```sh\nbuild/release/bezierbench list\n```\n")[0].faults, [])
         self.assertEqual(len(self.page("```sh\nbuild/release/bezierbench fail | cat\n```\n")[0].faults), 1)
@@ -65,16 +57,6 @@ class Commands(unittest.TestCase):
         self.assertEqual((page.faults, text), ([], page.text))
         self.assertEqual(self.skipped, ["skipped: scripts/test -j 2", "skipped: scripts/check golden"])
         self.assertEqual(len(self.page("```sh\nscripts/check nothing\n```\n")[0].faults), 1)
-
-    def test_a_run_of_a_whole_suite_is_planned(self):
-        page, _ = self.page("```sh\nbuild/release/bezierbench run experiments/suites/report.toml --out results/local/mine\n"
-                            "test -e results/local/mine/bundle.json\n```\n")
-        self.assertEqual(page.faults, [])
-        self.assertIn("planned", self.skipped[0])
-
-    def test_what_a_command_prints_beside_a_skipped_one_is_compared(self):
-        page, text = self.page("```console\n$ scripts/build; echo here: ~\nhere: there\n```\n")
-        self.assertEqual((len(page.faults), text), (1, "```console\n$ scripts/build; echo here: ~\nhere: ~\n```\n"))
 
     def test_links_lead_somewhere(self):
         self.assertEqual(self.page("[a](page.md), [b](page.md#b), [c](https://example.org)\n")[0].faults, [])

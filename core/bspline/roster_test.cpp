@@ -33,18 +33,6 @@ TEST(Bspline, SaysWhichKnotsBoundASpan) {
   EXPECT_FALSE(are({0, std::numeric_limits<double>::quiet_NaN(), 2, 3}));
 }
 
-/// Over uniform knots the Bernstein form of a quadratic begins and ends in the middles of its control polygon's sides.
-/// The point in the middle of the span is a quarter of its ends and half of its middle point.
-TEST(Bspline, PointsOfAUniformQuadraticAreExactWhereNothingRounds) {
-  const std::vector<double> knots{0, 1, 2, 3};
-  const std::vector<double> control_points{0, 8, 3, 4, 4, -4};
-  for (const auto& kernel : bspline_kernels(2)) {
-    std::vector<double> expected{2.75, 3.5};
-    if (kernel.makes_bernstein) expected.insert(expected.end(), {1.5, 6, 3, 4, 3.5, 0});
-    EXPECT_EQ(solve(kernel, {2, 2, knots, control_points}, 1.5), expected) << kernel.info->id;
-  }
-}
-
 /// The first and the last knot are 2e308 apart. The point is that of the knots over 1e308, by de Boor's algorithm in
 /// fractions.
 TEST(Bspline, DifferencesOfKnotsMayLeaveTheRange) {

@@ -185,14 +185,6 @@ TEST(ExactConversion, CentredRoundsCorrectly) {
   }
 }
 
-/// (2t-1)^2 = 4 (t-1/2)^2 and t^3 = 1/8 + 3/4 s + 3/2 s^2 + s^3 by hand.
-TEST(CentredConversion, GivesHandComputedCoefficients) {
-  EXPECT_THAT(convert_axis<DifferencesCentered>({1, -1, 1}), testing::ElementsAre(0, 0, 4));
-  EXPECT_THAT(convert_axis<ExactToPowerCentered>({1, -1, 1}), testing::ElementsAre(0, 0, 4));
-  EXPECT_THAT(convert_axis<DifferencesCentered>({0, 0, 0, 1}), testing::ElementsAre(0.125, 0.75, 1.5, 1));
-  EXPECT_THAT(convert_axis<ExactToPowerCentered>({0, 0, 0, 1}), testing::ElementsAre(0.125, 0.75, 1.5, 1));
-}
-
 /// Coefficient by coefficient: gamma_(n+1) C(n,j) 2^j M^n |b|, where M^n |b| <= max |b|; for n = 60 with 60 more.
 TEST(CentredConversion, DifferencesKeepTheirBoundInEachCoefficient) {
   std::mt19937_64 words(5);

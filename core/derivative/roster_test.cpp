@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 
 #include "core/derivative/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
@@ -70,60 +69,6 @@ TEST(Derivative, TheFactorOfTheSeedDocumentWrapsAround) {
   const CurveView<double> curve{Form::bernstein, 1, 20, first};
   EXPECT_EQ(derivative(derivative_kernels(1).back(), curve, 8, 0)[0], 784143104);
   EXPECT_EQ(derivative(derivative_kernels(1).front(), curve, 8, 0)[0], 5079110400);
-}
-
-/// Calls `check` for every method, form, order and degree.
-template <class Check>
-void for_each_method(Check check) {
-  for (const Form form : {Form::bernstein, Form::power})
-    for (const int order : {0, 1, 2, 3, 5, 8})
-      for (const auto& kernel : right_kernels(form, 1, order))
-        for (const int n : {0, 1, 2, 3, 8, 20}) check(kernel, form, order, n);
-}
-
-TEST(Derivative, OfAConstantAndBeyondTheDegreeIsZero) {
-  for_each_method([](const DerivativeKernel& kernel, Form form, int order, int n) {
-    std::vector<double> constant(static_cast<std::size_t>(n) + 1, form == Form::bernstein ? 0.7 : 0.0);
-    constant[0] = 0.7;
-    for (const double t : {-0.5, 0.0, 0.3, 1.0}) {
-      const double value = derivative(kernel, {form, 1, n, constant}, order, t)[0];
-      if (order > 0) {
-        EXPECT_NEAR(value, 0, 1e-15 * std::pow(4 * (n + 1), order)) << kernel.info->id << " " << order << " " << n;
-      }
-    }
-    if (order <= n) return;
-    const auto c = Inputs(static_cast<std::uint64_t>(n)).coefficients(n, 1);
-    EXPECT_EQ(derivative(kernel, {form, 1, n, c}, order, 0.3)[0], 0) << kernel.info->id << " " << order << " " << n;
-  });
-}
-
-/// A power of two scales every operation exactly while nothing underflows.
-TEST(Derivative, ScalesWithTheCurve) {
-  for_each_method([](const DerivativeKernel& kernel, Form form, int order, int n) {
-    const auto c = Inputs(static_cast<std::uint64_t>(n)).coefficients(n, 1);
-    auto larger = c;
-    for (double& value : larger) value *= -0x1p+40;
-    EXPECT_EQ(derivative(kernel, {form, 1, n, larger}, order, 0.3)[0],
-              -0x1p+40 * derivative(kernel, {form, 1, n, c}, order, 0.3)[0])
-        << kernel.info->id << " " << order << " " << n;
-  });
-}
-
-TEST(Derivative, AxesDoNotMix) {
-  for (const Form form : {Form::bernstein, Form::power})
-    for (const int order : {0, 1, 4}) {
-      const auto c = Inputs(5).coefficients(6, 3);
-      const auto in_space = right_kernels(form, 3, order);
-      const auto on_a_line = right_kernels(form, 1, order);
-      for (std::size_t k = 0; k < in_space.size(); ++k) {
-        const auto point = derivative(in_space[k], {form, 3, 6, c}, order, 0.3);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          std::vector<double> own;
-          for (std::size_t i = 0; i < 7; ++i) own.push_back(c[3 * i + axis]);
-          EXPECT_EQ(derivative(on_a_line[k], {form, 1, 6, own}, order, 0.3)[0], point[axis]) << in_space[k].info->id;
-        }
-      }
-    }
 }
 
 /// Curves on which differences or evaluators lose digits or range.

@@ -166,27 +166,6 @@ TEST(Interpolation, OfASegmentAndOfCoincidingPointsIsStraight) {
   }
 }
 
-TEST(Interpolation, ReversedAndScaledAndByAxisIsTheSame) {
-  Inputs inputs(2);
-  for (const auto& kernel : interpolation_kernels())
-    for (const std::size_t count : {2U, 5U, 30U}) {
-      const auto x = points_of(0, count, inputs);
-      const auto y = points_of(4, count, inputs);
-      const auto of_x = kernel.interpolate(x, 1);
-      const auto of_y = kernel.interpolate(y, 1);
-      std::vector<double> points;
-      std::vector<double> reversed(x.rbegin(), x.rend());
-      for (std::size_t i = 0; i < count; ++i) points.insert(points.end(), {x[i], 0x1p+990 * y[i]});
-      const auto plane = kernel.interpolate(points, 2);
-      const auto back = kernel.interpolate(reversed, 1);
-      for (std::size_t i = 0; i < of_x.size(); ++i) {
-        EXPECT_EQ(plane[2 * i], of_x[i]);
-        EXPECT_EQ(plane[2 * i + 1], 0x1p+990 * of_y[i]);
-        EXPECT_NEAR(back[of_x.size() - 1 - i], of_x[i], 8 * u) << kernel.info->id;
-      }
-    }
-}
-
 /// Sums of coordinates overflow long before control points do.
 TEST(Interpolation, TakesTheLargestAndTheSmallestNumbers) {
   const std::vector<double> large{1.7e308, -1.7e308, 1.7e308, 1.6e308};

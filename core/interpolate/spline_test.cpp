@@ -174,52 +174,6 @@ TEST(Spline, OfMonotoneDataIsMonotoneIfThatIsWanted) {
   for (std::size_t k = 0; k < free.size(); ++k) EXPECT_NEAR(monotone[k], free[k], 50 * u);
 }
 
-TEST(Spline, ReversedScaledAndMovedIsTheSame) {
-  Inputs inputs(4);
-  for (const auto parameters : every_parameters)
-    for (const auto ends : every_ends) {
-      const auto points = random_points(9, inputs);
-      const std::vector<double> start{1, 2};
-      const std::vector<double> end{-1, 0.5};
-      const auto of = [&](std::span<const double> k, std::span<const double> first, std::span<const double> last) {
-        return spline_segments(k, 2, knot_steps(k, 2, parameters, false), {ends, false, false, first, last});
-      };
-      const auto segments = of(points, start, end);
-      std::vector<double> back;
-      for (std::size_t k = points.size(); k > 0; k -= 2) back.insert(back.end(), {points[k - 2], points[k - 1]});
-      const auto reversed = of(back, std::vector<double>{1, -0.5}, std::vector<double>{-1, -2});
-      std::vector<double> large = points;
-      for (double& x : large) x *= 0x1p+1000;
-      const auto scaled =
-          of(large, std::vector<double>{0x1p+1000, 0x1p+1001}, std::vector<double>{-0x1p+1000, 0x1p+999});
-      std::vector<double> moved = points;
-      for (double& x : moved) x = 8 - 3 * x;
-      const auto affine = of(moved, std::vector<double>{-3, -6}, std::vector<double>{3, -1.5});
-      for (std::size_t k = 0; k < segments.size(); ++k) {
-        const std::size_t mirrored = segments.size() - 2 - k / 2 * 2 + k % 2;
-        EXPECT_NEAR(reversed[mirrored], segments[k], 100 * u);
-        EXPECT_EQ(scaled[k], segments[k] * 0x1p+1000);
-        EXPECT_NEAR(affine[k], 8 - 3 * segments[k], 2000 * u);
-      }
-    }
-}
-
-/// A closed spline does not depend on where it begins.
-TEST(Spline, ClosedHasNoBeginning) {
-  Inputs inputs(5);
-  for (const std::size_t count : {2U, 3U, 4U, 8U}) {
-    auto points = random_points(count, inputs);
-    const auto of = [](std::span<const double> k) {
-      return spline_segments(k, 2, knot_steps(k, 2, Parameters::centripetal, true), {.closed = true});
-    };
-    auto segments = of(points);
-    std::rotate(points.begin(), points.begin() + 2, points.end());
-    std::rotate(segments.begin(), segments.begin() + 8, segments.end());
-    const auto rotated = of(points);
-    for (std::size_t k = 0; k < segments.size(); ++k) EXPECT_NEAR(rotated[k], segments[k], 50 * u);
-  }
-}
-
 TEST(KnotSteps, ArePowersOfDistances) {
   const std::vector<double> points{0, 0, 3, 4, 3, 24, 3, 24};  // distances 5, 20, 0, and back sqrt(585)
   EXPECT_EQ(knot_steps(points, 2, Parameters::uniform, false), (std::vector<double>{1, 1, 1}));

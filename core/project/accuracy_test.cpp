@@ -151,17 +151,6 @@ TEST(Projection, KeepsTheBoundOfTheResidualOnNastyCurves) {
   }
 }
 
-/// The default of the Python package once returned t = 0.56549963311.
-TEST(Projection, EveryMethodFindsTheFootOfAPublicReport) {
-  const std::vector<double> points{259, 322, 272, 329, 297, 341, 350, 397};
-  const std::vector<double> point{300, 340};
-  for (const auto& kernel : projection_kernels(2))
-    if (kernel.residual_bound != nullptr) {
-      EXPECT_NEAR(kernel.project({Form::bernstein, 2, 3, points}, point).t, 0.565499632684385754, 2e-16)
-          << kernel.info->id;
-    }
-}
-
 /// C - P cancels to the last digits of both, or beyond. The distance at t is still right up to its own rounding.
 TEST(OffsetCurve, IsRightToItsOwnRoundingNextToTheCurve) {
   Inputs inputs(12);

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from program_case import (BERNSTEIN, CODE, ENVIRONMENT, FINDING, INPUT_OUTPUT, INTERRUPTED, METHOD_COLUMNS, POWER, PROGRAM, ROOT, TIMING, TO_BERNSTEIN,
+from program_case import (BERNSTEIN, CODE, ENVIRONMENT, FINDING, INPUT_OUTPUT, INTERRUPTED, METHOD_COLUMNS, POWER, PROGRAM, ROOT, TO_BERNSTEIN,
                           TO_POWER, USAGE, Case, rows)
 
 
@@ -14,66 +14,30 @@ class CommandLine(Case):
     def test_parser_says_one_line(self):
         suite = self.suite()
         for arguments, needle in [
-                (["rnu"], "rnu: unknown command; did you mean \"run\"?"), (["list"], "subcommand"),
-                (["list", "method"], "did you mean \"methods\"?"), (["curve"], "subcommand"),
-                (["curve", "evl"], "did you mean \"eval\"?"), (["curve", "lenght", "--curve", "c"], "lenght: unknown command; did you mean \"length\"?"), (["rnu", "--out", "b"], "rnu: unknown command; did you mean \"run\"?"), (["--nonsense"], "--help"),
+                (["rnu"], "rnu: unknown command; did you mean \"run\"?"), (["list"], "subcommand"), (["complte"], "did you mean \"compare\"?"),
+                (["list", "complte"], "unknown command; known are"), (["curve", "evl"], "did you mean \"eval\"?"),
+                (["--nonsense"], "--help"), (["rnu", "--help"], "rnu: unknown command"), (["run", "--oot", "b", "--help"], "--oot"),
                 (["run"], "SUITE is required; see bezierbench run --help"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
-                (["run", "--out", "b"], "SUITE is required"), (["run", suite, "--out", "b", "--nonsense"], "--nonsense"),
-                (["run", suite, "--oot", "b"], "--oot: unknown option; did you mean \"--out\"?"),
                 (["run", suite, "--oot=b"], "--oot: unknown option; did you mean \"--out\"?"),
-                (["list", "methods", "--fromat", "csv"], "did you mean \"--format\"?"),
-                (["curve", "at-length", "--curve", "c", "--fractoin", "1"], "did you mean \"--fraction\"?"),
-                (["rnu", "--help"], "rnu: unknown command; did you mean \"run\"?"), (["--help", "rnu"], "rnu: unknown command"),
-                (["curve", "evl", "--help"], "did you mean \"eval\"?"), (["run", "--oot", "b", "--help"], "--oot"),
                 (["run", suite, "--out", ""], "--out"), (["run", suite, "--out", "b", "--out", "c"], "--out"),
-                (["verify"], "BUNDLE is required"), (["verify", "b", "c"], "c: is one argument too many"), (["curve", "eval", "--t", "0"], "--curve"),
-                (["curve", "eval", "--curve", "c"], "--t"), (["curve", "convert", "--curve", "c"], "--method"),
-                (["curve", "eval", "--curve", "c", "--t", "0", "--form", "beta"], "beta"),
-                (["list", "methods", "--format", "xml"], "xml must be one of text, csv"),
-                (["list", "methods", "--format", "cvs"], "did you mean \"csv\"?"), (["list", "complte"], "unknown command; known are"),
-                (["complte"], "unknown command; did you mean \"compare\"?"), (["run", "--progres", "json"], "did you mean \"--progress\"?")]:
+                (["verify", "b", "c"], "c: is one argument too many"), (["curve", "eval", "--curve", "c"], "--t"),
+                (["list", "methods", "--format", "cvs"], "did you mean \"csv\"?")]:
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, arguments, needle)
 
-    def test_messages_stay_short(self):
-        """A value of two thousand characters does not fill the screen, and what to do still stands at the end."""
-        self.write("c.csv", "x\n1\n2\n")
-        for arguments, needle in [
-                (["curve", "eval", "--curve", "c.csv", "--t", "0", "--method", "m" * 2000], "see `list methods`"),
-                (["curve", "eval", "--curve", "c.csv", "--t", "7" * 2000], "--t"), (["verify", "b" * 2000], "bbb"),
-                (["r" * 2000], "known are"), (["run", self.suite(), "--out", "o" * 2000], "ooo")]:
-            with self.subTest(arguments=[argument[:20] for argument in arguments]):
-                message = self.run_program(*arguments).stderr.decode()
-                self.assertIn(needle, message)
-                self.assertLess(len(message), 700)
-
     def test_values_of_options(self):
         run = ["run", self.suite(), "--out", "b"]
+        """One of each option; tests of what `--set` takes are beside the code that reads it."""
         for arguments, needle in [
-                (["--jobs", "0"], "--jobs: 0 must be from 1 to 4096"), (["--jobs", "x"], "--jobs: x must be a whole number"), (["--jobs", "99999999999999999999"], "--jobs"),
-                (["--seed", "-1"], "--seed -1"), (["--seed", "x"], "--seed x"), (["--seed", "1.5"], "--seed 1.5"),
-                (["--seed", "99999999999999999999"], "--seed 99999999999999999999"),
-                (["--trials", "0"], "--trials 0"), (["--trials", "-3"], "--trials -3"), (["--trials", "x"], "--trials x"),
-                (["--trials", "99999999999999999999"], "--trials"), (["--reference", "guess"], "guess"),
-                (["--only", "z*"], "--only z*"), (["--set", "degree"], "axis=v1,v2"), (["--set", "degree="], "no value"),
-                (["--set", "=3"], "axis"), (["--set", "degre=3"], "did you mean \"degree\"?"),
-                (["--set", "id=x"], "unknown axis \"id\""), (["--set", "degree=x"], "--set degree=x"),
-                (["--set", "degree=1.5"], "whole"), (["--set", "degree=-1"], "0 to"), (["--set", "degree=9999"], "0 to"),
-                (["--set", "degree=3,3"], "twice"), (["--set", "coordinate_range=nan"], "finite"),
-                (["--set", "coordinate_range=inf"], "finite"), (["--set", "coordinate_range=-1"], "negative"),
-                (["--set", "t_interval=0"], "intervals"), (["--set", "t_interval=1:0"], "a <= b"),
-                (["--set", "t_interval=0:nan"], "finite"), (["--set", "scalar=doubel"], "did you mean \"double\"?"),
-                (["--set", "generator=dyadc"], "did you mean \"dyadic\"?"), (["--set", "dimension=4"], "1, 2 or 3"),
+                (["--jobs", "0"], "--jobs: 0 must be from 1 to 4096"), (["--jobs", "x"], "--jobs: x must be a whole number"),
+                (["--seed", "-1"], "--seed -1"), (["--seed", "99999999999999999999"], "--seed 99999999999999999999"),
+                (["--trials", "0"], "--trials 0"), (["--reference", "guess"], "guess"), (["--only", "z*"], "--only z*"),
+                (["--set", "degree"], "axis=v1,v2"), (["--set", "degre=3"], "did you mean \"degree\"?"),
+                (["--set", "generator=dyadc"], "did you mean \"dyadic\"?"),
                 (["--set", "methods=horne_bernstein"], "did you mean \"horner_bernstein\"?"),
-                (["--set", "replicates=1000000000000"], "replicates"), (["--set", "trials=1,2"], "one value"),
-                (["--set", "degree=1", "--set", "degree=2"], "keep one"),
-                (["--set", "generator=integer", "--set", "coordinate_range=0.5"], "from 1 to 2^53"),
                 (["--set", "coordinate_range=1e39", "--set", "scalar=float"], "largest float")]:
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, run + arguments, needle)
-
-    def test_no_timing_leaves_nothing(self):
-        self.refused(USAGE, ["run", self.suite(TIMING), "--no-timing", "--out", "b"], "--no-timing")
 
     def test_doctor(self):
         """Warnings do not fail: few machines are free of them."""

@@ -3,15 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): kill is not in <csignal>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -38,13 +35,6 @@ TEST(Child, ReportsTheSignalThatEndsIt) {
   EXPECT_EQ(ended.code, SIGABRT);
 }
 
-TEST(Child, ReportsItsEndThoughChildrenWereIgnored) {
-  signal(SIGCHLD, SIG_IGN);
-  const auto ended = run_in_child([] { std::abort(); }, {}, room, {}, nullptr);
-  signal(SIGCHLD, SIG_DFL);
-  EXPECT_EQ(ended.end, End::signalled);
-}
-
 /// Waits until the process is gone; false after two seconds.
 bool ends(pid_t process) {
   for (int k = 0; k < 200; ++k) {
@@ -68,42 +58,6 @@ TEST(Child, TakesItsOwnChildrenWithIt) {
   }
 }
 
-/// Also where they leave their group one after the other, and their parents end.
-TEST(Child, LeavesNoProcessBehind) {
-  const auto work = [] {
-    for (int k = 0; k < 40; ++k)
-      if (fork() == 0) {
-        setpgid(0, 0);
-        if (k % 2 == 0 && fork() > 0) _exit(0);
-        std::printf("%d\n", getpid());
-        std::fflush(stdout);
-        while (true) pause();
-      }
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  };
-  const auto ended = run_in_child(work, {}, room, {}, nullptr);
-  EXPECT_EQ(ended.end, End::exited);
-  std::istringstream processes(ended.output);
-  int count = 0;
-  for (pid_t process = 0; processes >> process; ++count) EXPECT_TRUE(ends(process)) << process;
-  EXPECT_GT(count, 20);
-}
-
-TEST(Child, EndsTheWardenAndNotTheRun) {
-  const auto ended = run_in_child([] { kill(getppid(), SIGKILL), pause(); }, {}, room, {}, nullptr);
-  EXPECT_EQ(ended.end, End::signalled);
-  EXPECT_EQ(ended.code, SIGKILL);
-}
-
-TEST(Child, CannotRaiseItsLimits) {
-  const auto work = [] {
-    rlimit data{};
-    getrlimit(RLIMIT_DATA, &data);
-    _exit(data.rlim_max == data.rlim_cur && data.rlim_max != RLIM_INFINITY ? 0 : 1);
-  };
-  EXPECT_EQ(run_in_child(work, {}, room, {}, nullptr).code, 0);
-}
-
 TEST(Child, EndsWhenTheRunIsInterrupted) {
   const auto ended = run_in_child([] { pause(); }, {}, room, {.seconds = 60}, [] { return true; });
   EXPECT_EQ(ended.end, End::interrupted);
@@ -121,29 +75,6 @@ TEST(Child, WritesAndAllocatesWithinItsLimits) {
   EXPECT_EQ(run_in_child(eat, {}, room, {.megabytes = 100}, nullptr).code, 3);
   EXPECT_EQ(run_in_child(eat, {}, room, {.megabytes = 2000}, nullptr).code, 0);
 #endif
-}
-
-/// Exit handlers of this process must not run in a child that a method ends.
-TEST(Child, RunsNoExitHandlerOfItsParent) {
-  static bool in_child = false;
-  std::atexit([] {
-    if (in_child) std::abort();
-  });
-  const auto work = [] {
-    in_child = true;
-    std::exit(5);
-  };
-  const auto ended = run_in_child(work, {}, room, {}, nullptr);
-  EXPECT_EQ(ended.end, End::exited);
-  EXPECT_EQ(ended.code, 5);
-}
-
-TEST(Child, SeesNoFileOfItsParent) {
-  std::FILE* const file = std::tmpfile();
-  const int number = fileno(file);
-  const auto ended = run_in_child([number] { _exit(write(number, "x", 1) == 1 ? 1 : 0); }, {}, room, {}, nullptr);
-  EXPECT_EQ(ended.code, 0);
-  std::fclose(file);
 }
 
 TEST(Child, ManyMayRunAtOnce) {

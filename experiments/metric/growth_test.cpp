@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <random>
 #include <vector>
 
 namespace bezierbench::metric {
@@ -49,39 +47,11 @@ TEST(Growth, NeedsThreeDegrees) {
   EXPECT_FALSE(growth({}, {}, confidence));
 }
 
-/// Coverage by simulation with normal noise of 5 %.
-TEST(Growth, KeepsItsCoverage) {
-  std::mt19937_64 words(1);
-  const auto unit = [&] { return static_cast<double>(words() >> 11U) * 0x1p-53; };
-  int covered = 0;
-  constexpr int experiments = 4000;
-  for (int k = 0; k < experiments; ++k) {
-    std::vector<double> noisy;
-    for (const double n : degrees) {
-      double normal = -6;
-      for (int part = 0; part < 12; ++part) normal += unit();
-      noisy.push_back(3 * n * std::exp(0.05 * normal));
-    }
-    const auto fitted = growth(degrees, noisy, confidence);
-    covered += fitted->low <= 1 && 1 <= fitted->high ? 1 : 0;
-  }
-  EXPECT_GE(covered, experiments * 98 / 100);
-  EXPECT_LT(covered, experiments);
-}
-
 TEST(Growth, AClaimIsABoundFromAbove) {
   EXPECT_EQ(verdict({2.02, 1.97, 2.07}, 2), GrowthVerdict::within);
   EXPECT_EQ(verdict({0.8, 0.7, 0.9}, 1), GrowthVerdict::within);
   EXPECT_EQ(verdict({1.5, 0.9, 2.1}, 1), GrowthVerdict::unresolved);
   EXPECT_EQ(verdict({2, 1.9, 2.1}, 1), GrowthVerdict::above);
-}
-
-/// The flops of de Casteljau in the plane claimed to be linear, and as they are.
-TEST(Growth, AQuadraticMethodIsNotLinear) {
-  const auto fitted = growth(degrees, costs([](double n) { return 3 * n * (n + 1) + 1; }), confidence);
-  ASSERT_TRUE(fitted);
-  EXPECT_EQ(verdict(*fitted, 1), GrowthVerdict::above);
-  EXPECT_EQ(verdict(*fitted, 2), GrowthVerdict::within);
 }
 
 }  // namespace

@@ -46,15 +46,5 @@ TEST(Cell, CellsAreTheCrossProductInOrder) {
   EXPECT_EQ(keys.size(), all.size());
 }
 
-TEST(Cell, ScalarsAndMethodsDoNotCount) {
-  suite::Study study;
-  study.degree = {4};
-  const std::vector<Cell> before = cells(study);
-  study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
-  study.methods = {"direct"};
-  study.trials = 5;
-  EXPECT_EQ(cells(study), before);
-}
-
 }  // namespace
 }  // namespace bezierbench::sample

@@ -4,10 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 namespace bezierbench::sample {
 namespace {
 
@@ -43,23 +39,9 @@ TEST(DataKinds, PolylineKeepsItsVertices) {
   }
 }
 
-TEST(DataKinds, ClosedCurvesCloseSmoothly) {
-  const auto data = made("closed", {1, 4, {1, 2, 5, 9, 4}, std::vector<double>(1001, 0.0)});
-  EXPECT_EQ(data.front(), data.back());
-  EXPECT_NEAR(data[1] - data[0], data[1000] - data[999], 1e-4);
-  EXPECT_GT(data[1] - data[0], 1e-3);
-}
-
 TEST(DataKinds, AClosedCubicIsALoop) {
   const auto data = made("closed", {2, 3, {0, 0, 6, 0, 0, 6, 9, 9}, std::vector<double>(10, 0.0)});
   EXPECT_THAT(data, testing::ElementsAre(0, 0, 2.53125, 0.84375, 2.25, 2.25, 0.84375, 2.53125, 0, 0));
-}
-
-TEST(DataKinds, DrawnDataRepeatThemselves) {
-  const auto data = made("drawn", {1, 1, {0, 100}, std::vector<double>(101, 0.0)});
-  EXPECT_EQ(data.size(), 101U);
-  EXPECT_EQ(data[2], data[3]);
-  EXPECT_LT(data[21], data[20]);
 }
 
 TEST(DataKinds, OfACellAreDrawnFromItsCurve) {

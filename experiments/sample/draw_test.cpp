@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <fstream>
@@ -115,14 +114,6 @@ TEST(Draw, EveryPartOfTheIdentityCounts) {
   }
 }
 
-TEST(Draw, HasDegreePlusOnePoints) {
-  Cell cell = cell_of("report");
-  cell.dimension = 3;
-  EXPECT_EQ(drawn(1, "a", cell, 0).coefficients.size(), 15U);
-  cell.degree = 0;
-  EXPECT_EQ(drawn(1, "a", cell, 0).coefficients.size(), 3U);
-}
-
 TEST(Draw, UnknownGeneratorIsAUsageError) {
   try {
     Sampler(1, "a", cell_of("gaussian"));
@@ -144,63 +135,6 @@ struct AsTypes<std::tuple<Gs...>> {
 };
 TYPED_TEST_SUITE(GeneratorTest, AsTypes<Generators>::type);
 
-template <class G>
-class CoordinateGeneratorTest : public ::testing::Test {};
-
-template <class G>
-using IfCoordinates = std::conditional_t<CoordinateGenerator<G>, std::tuple<G>, std::tuple<>>;
-template <class>
-struct OfCoordinates;
-template <class... Gs>
-struct OfCoordinates<std::tuple<Gs...>> {
-  using type = decltype(std::tuple_cat(IfCoordinates<Gs>{}...));
-};
-TYPED_TEST_SUITE(CoordinateGeneratorTest, AsTypes<OfCoordinates<Generators>::type>::type);
-
-TYPED_TEST(CoordinateGeneratorTest, StaysInRangeAndFillsIt) {
-  const suite::Interval interval{0.25, 0.75};
-  const double range = 1000;
-  const Sampler sampler(1, "a", cell_of(TypeParam::info.id, range, interval));
-  Trial trial;
-  const bool distant = TypeParam::info.id == std::string_view("distant");
-  const double lowest = distant ? range * (1 - 0x1p-20) : -range;
-  // For uniform x the means of x^2 and x^4 are 1/3 and 1/5. For `graded`, these are multiplied by the means of 4^-e and
-  // 16^-e, e = 0 ... 60.
-  const bool graded = TypeParam::info.id == std::string_view("graded");
-  const double square = (graded ? 4.0 / 3 / 61 : 1) / 3;
-  const double fourth = (graded ? 16.0 / 15 / 61 : 1) / 5;
-  double sum = 0;  // of coordinates, mapped from [lowest, range] to [-1, 1]
-  double squares = 0;
-  double t_sum = 0;
-  double low = 1;
-  double high = -1;
-  constexpr int trials = 4000;
-  for (std::uint64_t i = 0; i < trials; ++i) {
-    sampler.draw(i, trial);
-    ASSERT_TRUE(trial.t >= interval.min && trial.t <= interval.max);
-    t_sum += trial.t;
-    for (const double coordinate : trial.coefficients) {
-      ASSERT_TRUE(coordinate >= lowest && coordinate <= range);
-      const double x = (coordinate - lowest) / (range - lowest) * 2 - 1;
-      sum += x;
-      squares += x * x;
-      low = std::min(low, x);
-      high = std::max(high, x);
-    }
-  }
-  // Means of uniform numbers, within five standard deviations. The source report's r % 20001 with r of 15 bits takes 0
-  // to 12766 for two values of r each, which makes the mean of its coordinates -0.140925 R.
-  const bool lattice = TypeParam::info.id == std::string_view("report");
-  const double n = 10.0 * trials;
-  EXPECT_NEAR(sum / n, lattice ? -0.140925 : 0, 5 / std::sqrt(3.0 * n));
-  if (!lattice) {
-    EXPECT_NEAR(squares / n, square, 5 * std::sqrt((fourth - square * square) / n));
-  }
-  EXPECT_NEAR(t_sum / trials, 0.5, 5 * 0.5 / std::sqrt(12.0 * trials));
-  EXPECT_LT(low, -0.99);
-  EXPECT_GT(high, 0.99);
-}
-
 TYPED_TEST(GeneratorTest, HasWeightsForRationalCurvesWhereItSaysSo) {
   Cell cell = cell_of(TypeParam::info.id, 1);
   EXPECT_TRUE(drawn(1, "a", cell, 0).weights.empty());
@@ -220,13 +154,6 @@ TYPED_TEST(GeneratorTest, ReplacesTheTrialOfAnotherSampler) {
   EXPECT_TRUE(trial.weights.empty());
 }
 
-TYPED_TEST(GeneratorTest, DescribesItself) {
-  static_assert(Generator<TypeParam>);
-  EXPECT_FALSE(TypeParam::info.id.empty());
-  EXPECT_FALSE(TypeParam::info.coordinates.empty());
-  EXPECT_FALSE(TypeParam::info.t.empty());
-}
-
 TEST(Dyadic, OneMinusTIsExact) {
   const Sampler sampler(1, "a", cell_of("dyadic", 1, {0, 1}));
   const Sampler narrow(1, "a", cell_of("dyadic", 1, {-0x1p-50, 0x1p-50}));
@@ -242,45 +169,6 @@ TEST(Dyadic, OneMinusTIsExact) {
         ASSERT_EQ(1 - (1 - trial.t), trial.t);
       }
     }
-  }
-}
-
-TEST(IntegerGenerator, DrawsEveryIntegerAsOften) {
-  std::map<double, int> count;
-  const Sampler sampler(1, "a", cell_of("integer", 1.9));
-  Trial trial;
-  for (std::uint64_t i = 0; i < 3000; ++i) {
-    sampler.draw(i, trial);
-    for (const double x : trial.coefficients) ++count[x];
-  }
-  ASSERT_EQ(count.size(), 3U);  // -1, 0, 1
-  for (const auto& [value, times] : count) {
-    EXPECT_EQ(value, std::trunc(value));
-    EXPECT_NEAR(times, 10000, 5 * std::sqrt(30000 * 2.0 / 9));
-  }
-}
-
-TEST(IntegerGenerator, ReachesTheLargestRange) {
-  const Sampler sampler(1, "a", cell_of("integer", 0x1p53));
-  Trial trial;
-  double most = 0;
-  for (std::uint64_t i = 0; i < 1000; ++i) {
-    sampler.draw(i, trial);
-    for (const double x : trial.coefficients) most = std::max(most, std::abs(x));
-  }
-  EXPECT_LE(most, 0x1p53);
-  EXPECT_GT(most, 0x1.fp52);
-}
-
-TEST(ReportGenerator, UsesTheLeadingFifteenBitsOfOneWordEach) {
-  const Cell cell = cell_of("report", 1e3, {0.4, 0.6});
-  const Trial trial = drawn(3, "a", cell, 5);
-  Words words(3, key(std::string_view("a")), key(cell), 5);
-  const auto r_t = static_cast<double>(words.next() >> 49U);
-  EXPECT_EQ(trial.t, 0.4 + (0.6 - 0.4) * (r_t / 32767.0));
-  for (const double x : trial.coefficients) {
-    const int r = static_cast<int>(words.next() / 0x2000000000000U);
-    EXPECT_EQ(x, 1e3 * ((r % 20001 - 10000) / 10000.0));
   }
 }
 

@@ -4,12 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <vector>
 
@@ -70,20 +68,6 @@ TEST(MultipleRoot, IsThatPolynomialAtEveryDegree) {
   }
 }
 
-/// The integer without its factors 2, which the mantissa of a double must hold.
-Exact odd_part(const Exact& value) {
-  const auto integer = numerator(value);
-  return {integer >> lsb(integer)};
-}
-
-TEST(MultipleRoot, IsExactAtNoLargerDegree) {
-  EXPECT_GT(odd_part(power(3, MultipleRoot::info.limits.bezier_degree + 1)), power(2, 53));
-  const int n = MultipleRoot::info.limits.polynomial_degree + 1;
-  Exact largest = 0;
-  for (int j = 0; j <= n; ++j) largest = std::max(largest, odd_part(binomial(n, j) * power(3, n - j)));
-  EXPECT_GT(largest, power(2, 53));
-}
-
 /// The factor that clears the denominators C(n,i): lcm C(n,i) = lcm(1, ..., n+1) / (n+1).
 std::int64_t common_multiple(int n) {
   std::int64_t multiple = 1;
@@ -118,31 +102,6 @@ TEST(ClusteredRoots, HasItsRootsOnTheLatticeAtEveryDegree) {
         ASSERT_EQ(value_at(2, curve, coefficients), at_two) << n;
       }
     }
-  }
-}
-
-TEST(ClusteredRoots, HasOneAtTheCentreAndTheOthersAnywhereAsOften) {
-  constexpr int n = 5;
-  constexpr int trials = 2000;
-  const Exact step = 1 / power(2, ClusteredRoots::lattice_bits(n));
-  std::map<int, int> count;
-  for (std::uint64_t trial = 0; trial < trials; ++trial) {
-    const auto coefficients = drawn(ClusteredRoots::info, Form::power, n, 1, trial);
-    for (int k = -n; k <= n; ++k)
-      if (value_at(Exact(1, 2) + k * step, Form::power, coefficients) == 0) ++count[k];
-  }
-  for (int k = -n; k <= n; ++k) {
-    const double p = k == 0 ? 1 : (n - 1) / (2.0 * n);
-    EXPECT_NEAR(count[k], trials * p, 5 * std::sqrt(trials * p * (1 - p))) << k;
-  }
-}
-
-TEST(ClusteredRoots, IsAsTightAsDoublesAllow) {
-  for (int n = 1; n <= ClusteredRoots::largest_degree; ++n) {
-    const int m = ClusteredRoots::lattice_bits(n);
-    EXPECT_LE(common_multiple(n) * power(power(2, m - 1) + n, n), power(2, 53)) << n;
-    EXPECT_TRUE(m == 53 || common_multiple(n) * power(power(2, m) + n, n) > power(2, 53)) << n;
-    EXPECT_LE(n, power(2, m - 3)) << "the cluster lies in [3/8, 5/8]";
   }
 }
 

@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
-#include <random>
 
 #include "reference/rational_test.hpp"
 
@@ -94,44 +92,6 @@ TEST(ExactSplit, OfRationalCurvesIsTheSplitInHomogeneousCoordinates) {
       expect_halves_of(weights, halves.left.weights, halves.right.weights, t);
       expect_halves_of(weighted, homogeneous(halves.left, 0), homogeneous(halves.right, 0), t);
     }
-}
-
-/// The blossom of t^n is the product of its arguments ([Ramshaw 1987]), so that all control points of its left half
-/// are 0 but the last, t^n, and those of its right half t^(n-i).
-TEST(ExactSplit, OfAPowerIsProductsOfTheArguments) {
-  for (const double t : {0.0, 1.0, 0.3, -1.7, 0x1p-1074}) {
-    const std::vector<double> power{0, 0, 0, 0, 1};
-    const auto halves = exact_split({Form::bernstein, 1, 4, power}, t);
-    Rational expected = one;
-    for (std::size_t i = 5; i-- > 0;) {
-      EXPECT_TRUE(same(halves.right.points[i].coordinate(0), expected)) << i << " " << t;
-      if (i > 0) expected = expected * exactly(t);
-    }
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(halves.left.points[i].numerator[0], 0);
-    EXPECT_TRUE(same(halves.left.points[4].coordinate(0), expected));
-  }
-}
-
-/// The quarter circle (1,0) (1,1) (0,1) with weights 1, 1, 2 (Farin, Curves and Surfaces for CAGD, 5th ed., conics) is
-/// at 1/2 in (3/5, 4/5). Tangents of circles: the inner control points lie where the tangent there, 3x + 4y = 5, meets
-/// those at the ends, x = 1 and y = 1.
-TEST(ExactSplit, OfTheCircleHasItsTangents) {
-  const std::vector<double> c{1, 0, 1, 1, 0, 1};
-  const std::vector<double> w{1, 1, 2};
-  const auto [left, right] = exact_split({Form::rational, 2, 2, c, w}, 0.5);
-  const auto expect_point = [](const ExactPoint& point, const Rational& x, const Rational& y) {
-    ASSERT_TRUE(point.exists());
-    EXPECT_TRUE(same(point.coordinate(0), x));
-    EXPECT_TRUE(same(point.coordinate(1), y));
-  };
-  expect_point(left.points[0], one, Rational{});
-  expect_point(left.points[1], one, Rational{1, 2, 0});
-  expect_point(left.points[2], Rational{3, 5, 0}, Rational{4, 5, 0});
-  expect_point(right.points[0], Rational{3, 5, 0}, Rational{4, 5, 0});
-  expect_point(right.points[1], Rational{1, 3, 0}, one);
-  expect_point(right.points[2], Rational{}, one);
-  EXPECT_TRUE(same(left.weights[0], one));
-  EXPECT_TRUE(same(right.weights[2], Rational{2, 1, 0}));
 }
 
 /// The middles of the exact halves, term by term; neither t/2 nor (1 + t)/2 need be a double.

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "core/arc_length/inverse/kernel.hpp"
@@ -87,37 +86,6 @@ TEST(InverseArcLength, KeepsItsToleranceOrSaysSo) {
     }
 }
 
-/// Random curves of degrees 1 to 12, small whole numbers, collinear ones and curves far away. Another method measures
-/// the length found. The study of this kind uses true lengths, for fewer curves.
-TEST(InverseArcLength, BracketsConvergeOnTenThousandCurves) {
-  Inputs inputs(11);
-  std::int64_t most = 0;
-  for (int trial = 0; trial < 12000; ++trial) {
-    const int d = 1 + trial % 3;
-    auto points = inputs.coefficients(1 + trial % 12, d);
-    const int kind = trial / 12 % 4;
-    for (double& value : points) {
-      if (kind == 1) value = std::floor(value * 3);
-      if (kind == 2) value += 0x1p+10;
-    }
-    if (kind == 3)  // collinear
-      for (std::size_t i = 0; i < points.size(); ++i) points[i] = points[i - i % static_cast<std::size_t>(d)];
-    const auto curve = view(points, d);
-    const auto& measure = arc_length_kernels(d)[2];
-    ASSERT_EQ(measure.info->id, GaussLegendreAdaptive::info.id);
-    const double whole = measure.measure(curve, 0, 1, 1e-13).length;
-    const double target = whole * inputs.unit();
-    for (const auto* info : {&BracketedNewton::info, &Halley::info})
-      for (const double tolerance : {1e-3, 1e-9}) {
-        const auto result = kernel_of(*info, d).solve(curve, target, tolerance);
-        EXPECT_TRUE(result.converged) << info->id << " " << trial;
-        EXPECT_NEAR(measure.measure(curve, 0, result.t, 1e-13).length, target, (tolerance + 1e-12) * whole) << trial;
-        most = std::max(most, result.iterations);
-      }
-  }
-  EXPECT_LE(most, 30);
-}
-
 TEST(InverseArcLength, EndsWhereRoundingPermitsNoMore) {
   Points large = sharp;
   for (double& value : large) value *= 5e7;  // a length near 1e8: 1e-9 of a unit is 1e-17 of it
@@ -152,19 +120,6 @@ TEST(InverseArcLength, ALengthBeyondTheCurveIsNotReached) {
         EXPECT_EQ(result.t, target < 0 ? 0 : 1) << kernel.info->id;
       }
     }
-}
-
-TEST(InverseArcLength, SizeChangesNothing) {
-  for (const auto& kernel : inverse_arc_length_kernels(2)) {
-    const auto plain = kernel.solve(view(sharp), 0.4, 1e-8);
-    for (const int exponent : {-960, 960}) {
-      Points points = sharp;
-      for (double& value : points) value = std::ldexp(value, exponent);
-      const auto scaled = kernel.solve(view(points), std::ldexp(0.4, exponent), 1e-8);
-      EXPECT_EQ(scaled.t, plain.t) << kernel.info->id;
-      EXPECT_EQ(scaled.iterations, plain.iterations) << kernel.info->id;
-    }
-  }
 }
 
 /// Points with distances of about 1e-30 on one axis and the same coordinate, 1e300, on the other: s = 2t + t^2 times
@@ -228,38 +183,6 @@ TEST(SourceDocument, PrintedFormulaNeverConverges) {
   EXPECT_GT(nearest, 1e-3);
   const auto code = kernel_of(Seed000Newton::info).solve(view(formula.points), formula.target, 1e-9);
   EXPECT_TRUE(code.converged);  // the code divides both derivatives by 2
-}
-
-/// Newton's method for the minimum of d^2 with the correct second derivative, 2 |C'|^2 + 2 d (C'.C'')/|C'|, leaves [0,
-/// 1] from t = 0.3 on this curve.
-TEST(SourceDocument, RightSecondDerivativeJumpsAwayToo) {
-  const double whole = arc_length_kernels(2)[2].measure(view(sharp), 0, 1, 1e-13).length;
-  const Formula formula{sharp, 0.3 * whole};
-  const double d = formula.distance(0.3);
-  const auto v = formula.derivative(1, 0.3);
-  const double speed = v.norm();
-  const double slope = 2 * d * speed;
-  const double bend = 2 * speed * speed + 2 * d * v.dot(formula.derivative(2, 0.3)) / speed;
-  const double next = 0.3 - slope / bend;
-  const auto found = kernel_of(BracketedNewton::info).solve(view(sharp), formula.target, 1e-12);
-  ASSERT_TRUE(found.converged);
-  EXPECT_NEAR(std::abs(next - found.t), 3.0, 0.1);
-}
-
-/// There is no mean value theorem |C(b) - C(a)| = |C'(xi)| (b - a) for vectors. For a closed curve that never stops the
-/// left side is 0 and the right side is not. The length of a polygon of chords is at most that of the curve.
-TEST(SourceDocument, NoMeanValueOfVectors) {
-  const Formula closed{{0, 0, 3, 3, -3, 3, 0, 0}, 0};
-  double slowest = std::numeric_limits<double>::infinity();
-  for (int k = 0; k <= 1000; ++k) slowest = std::min(slowest, closed.derivative(1, k / 1000.0).norm());
-  EXPECT_GT(slowest, 1);
-  for (const int chords : {1, 2, 3, 10, 100}) {
-    double sum = 0;
-    for (int k = 0; k < chords; ++k)
-      sum += (closed.derivative(0, (k + 1.0) / chords) - closed.derivative(0, 1.0 * k / chords)).norm();
-    EXPECT_LT(sum, LengthAlong(view(closed.points)).whole()) << chords;
-    EXPECT_EQ(sum == 0, chords == 1);
-  }
 }
 
 /// Equal chords are not equal arcs. At half the length of a parabola the error falls by 4 when the number of chords is

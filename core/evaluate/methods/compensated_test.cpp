@@ -111,27 +111,6 @@ TEST(CompensatedBound, ImpliesThoseOfTheLiteratureAndTheTexts) {
   }
 }
 
-template <class E>
-void expect_nearly_correctly_rounded() {
-  Inputs inputs(11);
-  for (int repeat = 0; repeat < 2000; ++repeat) {
-    const int n = inputs.up_to(50);
-    const auto b = inputs.coefficients(n);
-    const double t = inputs.unit();
-    const Truth truth(Form::bernstein, b, t);
-    const double gamma = gamma_over_u(3 * n, u) * u;
-    EXPECT_LE(truth.error_of(value<E>(b, t)), (u * std::abs(truth.p) + 2 * gamma * gamma * truth.p_tilde) * (1 + 4 * u))
-        << E::info.id << " degree " << n << " t " << t;
-  }
-}
-
-TEST(Compensated, RandomCurvesToDegree50ComeOutNearlyCorrectlyRounded) {
-  expect_nearly_correctly_rounded<CompensatedDeCasteljau>();
-  expect_nearly_correctly_rounded<CompensatedDeCasteljauK3>();
-  expect_nearly_correctly_rounded<CompensatedDeCasteljauK4>();
-  expect_nearly_correctly_rounded<CompensatedVolkSchumaker>();
-}
-
 /// 280 (t-1) (4t-3)^7, the curve of [Jiang et al. 2010] and [Hermes 2019] (section 5) scaled so that its control points
 /// are integers: b_i = sum_j C(i,j) / C(8,j) q_j, where 280 / C(8,j) is an integer.
 std::vector<double> near_sevenfold_root() {

@@ -45,10 +45,9 @@ class Resume(ResumeCase):
         self.bundle(suite, name="whole")
         self.start_and_stop("start", suite)
         good = self.block_files("start")[0].read_bytes()
-        places = [0, 10, 40, len(good) // 3, len(good) // 2, len(good) - 70, len(good) - 64, len(good) - 1]
-        damages = [good[:size] for size in (0, 5, 30, len(good) // 2, len(good) - 64, len(good) - 1)]
-        damages += [good[:place] + bytes([good[place] ^ 0x55]) + good[place + 1:] for place in places]
-        damages += [good + b"\0", good + good]
+        damages = [good[:size] for size in (0, len(good) // 2, len(good) - 1)]
+        damages += [good[:place] + bytes([good[place] ^ 0x55]) + good[place + 1:] for place in (10, len(good) // 2, len(good) - 1)]
+        damages.append(good + b"\0")
         for number, damaged in enumerate(damages):
             with self.subTest(number=number):
                 shutil.copytree(self.folder / "start", self.folder / "b")
@@ -79,12 +78,6 @@ class Resume(ResumeCase):
         self.start_and_stop("b", suite, which=signal.SIGINT)
         self.change("b", "methods.csv", "id\n")
         self.refused(USAGE, ["run", suite, "--out", "b", "--quiet"], "b/methods.csv", "other methods")
-
-    def test_other_generators_are_refused(self):
-        suite = self.suite(ACCURACY)
-        self.start_and_stop("b", suite, which=signal.SIGINT)
-        self.change("b", "generators.csv", "id,coordinates,t,weights\n")
-        self.refused(USAGE, ["run", suite, "--out", "b", "--quiet"], "b/generators.csv", "other generators")
 
     def test_leftovers_of_a_killed_end(self):
         """Killed between the last write and the removal of blocks/."""

@@ -42,16 +42,6 @@ TEST(Shard, AutoReadsEveryLauncher) {
   EXPECT_EQ(shard("auto", array), Pair(3, 6));
 }
 
-TEST(Shard, AutoPrefersTheInnermostLauncher) {
-  EXPECT_EQ(shard("auto", {{"OMPI_COMM_WORLD_RANK", "1"},
-                           {"OMPI_COMM_WORLD_SIZE", "2"},
-                           {"PMI_RANK", "5"},
-                           {"PMI_SIZE", "6"},
-                           {"SLURM_PROCID", "0"},
-                           {"SLURM_NTASKS", "3"}}),
-            Pair(2, 2));
-}
-
 // Every process of every job of the array gets its own number.
 TEST(Shard, ArraysAndProcessesMultiply) {
   std::set<Pair> seen;

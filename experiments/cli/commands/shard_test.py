@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: MIT
 """Runs in parts: side by side, one after the other, in one folder or in several that are merged, by hand and by the
 launchers that people use. Usage: shard_test.py BEZIERBENCH"""
-import itertools
 import json
 import os
 import re
@@ -47,7 +46,7 @@ class ShardCase(ResumeCase):
 class OneFolder(ShardCase):
     def test_one_after_the_other(self):
         expected = self.whole()
-        for order in ([1, 2, 3], [3, 1, 2]):
+        for order in ([3, 1, 2],):
             with self.subTest(order=order):
                 self.assertEqual([self.shard(number, 3, "b") for number in order], ["partial", "partial", "complete"])
                 self.assert_complete("b")
@@ -57,7 +56,7 @@ class OneFolder(ShardCase):
 
     def test_side_by_side(self):
         expected = self.whole()
-        for count in (1, 2, 5, 9):
+        for count in (2, 5):
             with self.subTest(count=count):
                 command = [PROGRAM, "run", self.everything, "--quiet", "--jobs", "1", "--out", f"b{count}", "--shard"]
                 shards = [subprocess.Popen([*command, f"{number}/{count}"], cwd=self.folder, stderr=subprocess.PIPE)
@@ -124,7 +123,7 @@ class Merge(ShardCase):
         expected = self.whole()
         shards = self.apart(3)
         before = self.snapshot()
-        for number, order in enumerate(itertools.permutations(shards)):
+        for number, order in enumerate((shards, shards[::-1], [shards[1], shards[2], shards[0]])):
             self.assertEqual(self.fine("merge", "--quiet", *order, "--out", f"m{number}"), "")
             self.assert_complete(f"m{number}")
             self.assertEqual(self.results(f"m{number}"), expected)
@@ -198,28 +197,13 @@ class Merge(ShardCase):
                 self.bundle(self.everything, name="m")
                 shutil.rmtree(self.folder / "m")
 
-    def test_a_run_that_has_kept_nothing_yet_is_not_disturbed(self):
-        self.apart(2)
-        suite = self.suite({**ACCURACY, "trials": "2000000000"}, name="long.toml")
-        run = ["run", suite, "--quiet", "--jobs", "1", "--checkpoint", "1000", "--out", "m"]
-        with subprocess.Popen([PROGRAM, *run], cwd=self.folder, stderr=subprocess.PIPE) as process:
-            try:
-                deadline = time.monotonic() + PATIENCE
-                while not (self.folder / "m/bundle.json").exists() and time.monotonic() < deadline:
-                    time.sleep(0.01)
-                (self.folder / "m/bundle.json").unlink()  # or the merge would refuse for its suite
-                self.refused(INPUT_OUTPUT, ["merge", "s1", "s2", "--out", "m"], "m: a run is at work there", alone=False)
-            finally:
-                process.kill()
-                process.communicate()
-
     def test_a_shard_that_has_every_block(self):
         """A study of one block: the others have nothing, and that one is complete at once."""
         one = self.suite({**STUDY, "trials": "5"}, name="one.toml")
         expected = self.whole(one)
         states = [self.shard(number, 3, f"s{number}", one) for number in (1, 2, 3)]
         self.assertEqual(sorted(states), ["complete", "partial", "partial"])
-        for order in itertools.permutations(["s1", "s2", "s3"]):
+        for order in (["s1", "s2", "s3"], ["s3", "s2", "s1"]):
             full = f"s{states.index('complete') + 1}"
             told = self.run_program("merge", *order, "--out", "m").stderr.decode()
             self.assertEqual(told, f"m: {full} was the whole bundle already\n")
@@ -229,27 +213,6 @@ class Merge(ShardCase):
         path = self.folder / full / "accuracy.csv"
         path.write_text(path.read_text() + "\n")
         self.refused(INPUT_OUTPUT, ["merge", "s1", "s2", "s3", "--out", "m"], f"{full}/accuracy.csv", "SHA256SUMS")
-
-    def test_blocks_of_a_modified_build(self):
-        self.apart(2)
-        manifest = self.manifest("s2")
-        self.write("s2/bundle.json", json.dumps({**manifest, "git_clean": not manifest["git_clean"]}))
-        self.refused(FINDING, ["merge", "s1", "s2", "--out", "m"], "s2: holds results of commit", "modif")
-        self.refused(USAGE, ["run", self.everything, "--quiet", "--out", "s2"], "s2: holds results of commit", "modif")
-
-    def test_its_end_is_told_as_that_of_a_run(self):
-        def ending(result, out):
-            self.assertEqual(result.returncode, FINE, result)
-            told, following = result.stderr.decode().splitlines()[-2:]
-            self.assertTrue(following.startswith("next: ") and following.endswith(f" {out}"), following)
-            return re.fullmatch(rf"{out}: complete in \d+ s: (.+)", told)[1]
-
-        whole = ending(self.run_program("run", self.everything, "--out", "b"), "b")
-        self.assertRegex(whole, r"^\d+ cells, no bound violated")
-        self.apart(2)
-        self.assertEqual(ending(self.run_program("merge", "s1", "s2", "--out", "m"), "m"), whole)
-        shutil.rmtree(self.folder / "m")
-        self.assertEqual(self.run_program("merge", "s1", "s2", "--out", "m", "--quiet").stderr, b"")
 
     def test_into_one_of_them(self):
         expected = self.whole()
@@ -309,16 +272,6 @@ class Launchers(ShardCase):
         expected = self.whole()
         self.launched("mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "4", PROGRAM, "run", self.everything,
                       "--quiet", "--jobs", "1", "--out", "b", "--shard", "auto")
-        self.assert_complete("b")
-        self.assertEqual(self.results("b"), expected)
-
-    def test_gnu_parallel(self):
-        self.need("parallel")
-        if b"GNU parallel" not in subprocess.run(["parallel", "--version"], capture_output=True, check=False).stdout:
-            self.skipTest("parallel is not GNU parallel")
-        expected = self.whole()
-        self.launched("parallel", "--will-cite", "-j", "2", PROGRAM, "run", self.everything, "--quiet", "--jobs", "1",
-                      "--out", "b", "--shard", "{#}/4", "#", "{}", input=b"1\n2\n3\n4\n")
         self.assert_complete("b")
         self.assertEqual(self.results("b"), expected)
 

@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import CONVERSION, HEAD, STUDY, TIMING, USAGE, Case, lines_of  # noqa: E402
+from program_case import CONVERSION, STUDY, TIMING, USAGE, Case, lines_of  # noqa: E402
 
 
 class Suites(Case):
@@ -53,22 +53,14 @@ class Suites(Case):
 
     def test_structure(self):
         for lines, line, needle in [
-                (HEAD, 1, "no study"), (HEAD[:1] + lines_of()[5:], 1, "[suite] is missing"),
-                (lines_of()[1:], 1, "schema_version"), (["schema_version = 2"] + lines_of()[1:], 1, "schema_version"),
-                (lines_of(kind=None), 6, "kind is missing"), (lines_of(id=None), 6, "id is missing"),
-                (lines_of(degree=None), 6, "degree is missing"), (lines_of(degre="[3]"), 14, 'did you mean "degree"?'),
-                (lines_of() + ["[suit]"], 14, 'did you mean "suite"?'),
-                (HEAD + ["sed = 2"] + lines_of()[5:], 6, 'did you mean "seed"?'),
-                (HEAD[:4] + ["seed = -1"] + lines_of()[5:], 5, "seed"),
-                (HEAD[:4] + ["seed = nan"] + lines_of()[5:], 5, "seed"),
-                (lines_of(STUDY, STUDY), 15, 'another study has the id "a"'),
-                (lines_of() + ["dimension = ["], 14, "not TOML"), (lines_of() + ["degree = [3]"], 14, "not TOML"),
-                (lines_of() + ['x = "a'], 14, "not TOML"), (["schema_version = = 1"], 1, "not TOML"), ([""], 1, "schema")]:
-            with self.subTest(lines=lines):
-                self.at("", lines, needle, key_line=line)
+                (lines_of(kind='"acuracy"'), 8, 'did you mean "accuracy"?'), (lines_of(degre="[3]"), 14, 'did you mean "degree"?'),
+                (lines_of(kind=None), 6, "kind is missing"), (lines_of() + ["dimension = ["], 14, "not TOML")]:
+            with self.subTest(needle=needle):
+                self.write("s.toml", "\n".join(lines) + "\n")
+                self.refused(USAGE, ["run", "s.toml", "--out", "b"], f"bezierbench: s.toml:{line}:", needle)
 
     def test_bytes_that_are_no_text(self):
-        for content in (b"schema_version = 1\0\n", b"\xff\xfe\n", b"title = \"\x1b[31m\"\n", bytes(range(256))):
+        for content in (b"schema_version = 1\0\n", b"\xff\xfe\n"):
             with self.subTest(content=content[:30]):
                 self.write("s.toml", content)
                 self.refused(USAGE, ["run", "s.toml", "--out", "b"], "s.toml:1:")

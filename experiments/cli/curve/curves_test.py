@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import EVAL_COLUMNS, INPUT_OUTPUT, PROJECT_COLUMNS, TO_BERNSTEIN, TO_POWER, USAGE, Case, rows  # noqa: E402
+from program_case import EVAL_COLUMNS, INPUT_OUTPUT, PROJECT_COLUMNS, USAGE, Case, rows  # noqa: E402
 
 
 class Curves(Case):
@@ -20,20 +20,14 @@ class Curves(Case):
     def test_files_that_are_no_curve(self):
         for content, *needles in [
                 ("", "c.csv:1: ", "empty"), ("x,y\n", "no coefficients"), ("x,y\n1,2\n3\n", "c.csv:3: ", "1 field"),
-                ("x\n1,2\n", "c.csv:2: ", "2 fields"), ("x,y\n1,nan\n", "c.csv:2: ", "row 1, column y", '"nan"'),
-                ("x,y\n1,2\ninf,1\n", "c.csv:3: ", "row 2, column x"), ("x\n-inf\n", "c.csv:2: ", '"-inf"'),
-                ("x,y\n1,two\n", "c.csv:2: ", '"two"'), ("x\n1e999\n", "c.csv:2: "), ("x,y\n1,\n", "c.csv:2: ", "column y"),
-                ("x\n 1\n", "c.csv:2: "), ("x\n1\n\n", "c.csv:3: "), ("a,b\n1,2\n", "c.csv:1: ", "a,b"),
-                ("1,2\n3,4\n", "c.csv:1: "), ("y\n1\n", "c.csv:1: "), ("w\n1\n", "c.csv:1: "), ("x,x\n1,2\n", "c.csv:1: ", "twice"),
-                ("x,y,z,v\n1,2,3,4\n", "c.csv:1: "), ("x,\n1,2\n", "c.csv:1: "), ("x\n1\0\n", "c.csv:2: ", "character \\x00"),
-                ("x\n\x1b[31m\n", "c.csv:2: "), ('x\n"1\n', "c.csv:2: "), ('x\n"a\nb"\n', "c.csv:2: "),
-                ("x\n" + "1\n" * 1025, "c.csv", "1025"), ("x,w,v\n1,1,1\n", "c.csv:1: "), ("x,z,w\n1,1,1\n", "c.csv:1: "),
-                ("x,y,w\n1,2,3\n1,2,nan\n", "c.csv:3: ", "row 2, column w"), ("x,w\n1,inf\n", "c.csv:2: ", "column w"),
-                ("x,w\n1,\n", "c.csv:2: ", "column w"), ("x,w\n1,0\n2,-0\n", "c.csv:2: ", "rows 1 to 2, column w", "0")]:
+                ("x,y\n1,nan\n", "c.csv:2: ", "row 1, column y", '"nan"'), ("x,y\n1,two\n", "c.csv:2: ", '"two"'),
+                ("x,y\n1,\n", "c.csv:2: ", "column y"), ("x\n1\n\n", "c.csv:3: "), ("a,b\n1,2\n", "c.csv:1: ", "a,b"),
+                ("x,x\n1,2\n", "c.csv:1: ", "twice"), ('x\n"1\n', "c.csv:2: "), ("x\n" + "1\n" * 1025, "c.csv", "1025"),
+                ("x,z,w\n1,1,1\n", "c.csv:1: "), ("x,y,w\n1,2,3\n1,2,nan\n", "c.csv:3: ", "row 2, column w"),
+                ("x,w\n1,0\n2,-0\n", "c.csv:2: ", "rows 1 to 2, column w", "0")]:
             with self.subTest(content=content[:30]):
                 self.write("c.csv", content)
                 self.refused(INPUT_OUTPUT, ["curve", "eval", "--curve", "c.csv", "--t", "0.5"], *needles)
-                self.refused(INPUT_OUTPUT, ["curve", "convert", "--curve", "c.csv", "--method", "exact"], *needles)
 
     def test_several_curves_in_a_file(self):
         """What `interpolate` and `fit` print is read; each curve has its rows, and FILE#ID names one."""
@@ -122,13 +116,6 @@ class Curves(Case):
             with self.subTest(method=method):
                 self.refused(USAGE, ["curve", "convert", "--curve", "c.csv", "--method", method], method, what, path)
                 self.fine("curve", "eval", "--curve", "c.csv", "--t", "0.25", "--method", path)  # as the message says
-
-    def test_conversion_that_overflows(self):
-        """A curve file of infinities could not be read."""
-        self.write("c.csv", "x,y\n1,1e308\n2,-1e308\n3,1e308\n")
-        self.refused(INPUT_OUTPUT, ["curve", "convert", "--curve", "c.csv", "--method", "exact"], "c.csv: coefficient 1 of axis y")
-        self.write("c.csv", "x,y\n1,1e307\n2,-1e307\n3,1e307\n")
-        self.fine("curve", "convert", "--curve", "c.csv", "--method", "exact")
 
     def test_degree_beyond_a_method(self):
         self.write("c.csv", "x\n" + "1\n" * 172)
@@ -226,15 +213,6 @@ class Curves(Case):
             with self.subTest(knots=knots):
                 self.refused(USAGE, [*curve, knots, "--t", t], *needles)
 
-    @staticmethod
-    def halves(c, t):
-        """The control points of both halves by de Casteljau's triangle in rational numbers: {(half, index): value}."""
-        level, n, found = list(map(fractions.Fraction, c)), len(c) - 1, {}
-        for k in range(n + 1):
-            found["left", str(k)], found["right", str(n - k)] = level[0], level[-1]
-            level = [(1 - t) * a + t * b for a, b in zip(level, level[1:])]
-        return found
-
     def split_rows(self, *arguments):
         """Rows of `curve split`, in the order of methods, halves, control points and axes."""
         found = rows(self.fine("curve", "split", *arguments))
@@ -243,42 +221,18 @@ class Curves(Case):
             row["id"] for row in self.our_methods() if row["problem"] == "subdivision"].index))
         return found
 
-    def test_split(self):
-        t, points = 0.3, {"x": [0.1, -1.7, 2.25, 1e3], "y": [5.0, 0.7, -0.2, 3.1]}
-        self.write("s.csv", "x,y\n" + "".join(f"{x!r},{y!r}\n" for x, y in zip(*points.values())))
-        found = self.split_rows("--curve", "s.csv", "--t", repr(t))
-        truth = {axis: self.halves(c, fractions.Fraction(t)) for axis, c in points.items()}
-        size = {axis: self.halves([abs(value) for value in c], fractions.Fraction(t)) for axis, c in points.items()}
-        self.assertEqual(len(found), 5 * 2 * 4 * 2)
-        self.assertEqual([(row["half"], row["index"], row["axis"]) for row in found[:16]],
-                         [(half, str(i), axis) for half in ("left", "right") for i in range(4) for axis in "xy"])
-        for row in found:
-            at = row["half"], row["index"]
-            exact = truth[row["axis"]][at]
-            error = abs(fractions.Fraction(float(row["value"])) - exact)
-            unit = size[row["axis"]][at] / 2**53
-            self.assertEqual(float(row["exact"]), float(exact))
-            self.assertEqual(float(row["error"]), float(error))
-            self.assertAlmostEqual(float(row["error_u"]), float(error / unit), 12)
-            self.assertLessEqual(float(row["error_u"]), float(row["bound_u"]))
-        line = self.split_rows("--curve", self.write("line.csv", "x\n1\n5\n"), "--t", "0.25", "--method", "lerp_split")
-        self.assertEqual([row["value"] for row in line], ["1", "2", "2", "5"])
-        self.assertEqual({row["error"] for row in line}, {"0"})
-        outside = self.split_rows("--curve", "s.csv", "--t", "1.5")
-        self.assertEqual({row["bound_u"] for row in outside}, {""})
-
     def test_split_of_a_rational_curve(self):
         """The quarter circle: the halves share (3/5, 4/5), and their tangents meet those at the ends in (1, 1/2) and (1/3, 1)."""
         circle = self.write("circle.csv", "x,y,w\n1,0,1\n1,1,1\n0,1,2\n")
         found = self.split_rows("--curve", circle, "--t", "0.5")
-        weights = self.halves([1, 1, 2], fractions.Fraction(1, 2))
+        weights = {("left", "0"): 1, ("left", "1"): 1, ("left", "2"): 1.25, ("right", "0"): 1.25, ("right", "1"): 1.5, ("right", "2"): 2}
         points = {("left", "0"): (1, 0), ("left", "1"): (1, 1 / 2), ("left", "2"): (3 / 5, 4 / 5), ("right", "0"): (3 / 5, 4 / 5),
                   ("right", "1"): (1 / 3, 1), ("right", "2"): (0, 1)}
         self.assertEqual([row["axis"] for row in found[:6]], ["x", "y", "w"] * 2)
         self.assertEqual(len(found), 5 * 2 * 3 * 3)
         for row in found:
             at = row["half"], row["index"]
-            self.assertEqual(float(row["exact"]), float(weights[at]) if row["axis"] == "w" else points[at]["xy".index(row["axis"])])
+            self.assertEqual(float(row["exact"]), weights[at] if row["axis"] == "w" else points[at]["xy".index(row["axis"])])
             self.assertAlmostEqual(float(row["value"]), float(row["exact"]), 15)
             self.assertLessEqual(float(row["error_u"]), float(row["bound_u"] or 0))
         self.write("signs.csv", "x,w\n1,1\n2,-3\n")  # 1 - 4t
@@ -345,23 +299,6 @@ class Curves(Case):
         coefficients = [(-1)**i * math.comb(400, 2 * i) / math.comb(200, i) for i in range(201)]
         self.write("t.csv", "x\n" + "\n".join(map(repr, coefficients)) + "\n")
         self.assertEqual(self.run_program("curve", "length", "--curve", "t.csv", "--method", "gauss_legendre_24").returncode, 0)
-
-    def test_spread_of_coordinates(self):
-        self.write("c.csv", "x,y\n1e300,0\n1e300,1e-30\n1e300,3e-30\n")
-        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
-            self.assertAlmostEqual(float(row["length"]) / 3e-30, 1, 8)
-        for row in rows(self.fine("curve", "at-length", "--curve", "c.csv", "--fraction", "0.5")):
-            self.assertAlmostEqual(float(row["exact_t"]), math.sqrt(2.5) - 1, 8)  # 2t + t^2 = 3/2
-            self.assertAlmostEqual(float(row["t"]), math.sqrt(2.5) - 1, 6)
-        for row in rows(self.fine("curve", "project", "--curve", "c.csv", "--point", "1e300,3e-30")):
-            t = float(row["t"])
-            self.assertAlmostEqual(float(row["error"]) / 3e-30, 1 - (2 * t + t * t) / 3, 8)
-        self.write("c.csv", "x,y\n-1.7e308,0\n1.7e308,0\n")
-        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
-            self.assertEqual((row["length"], row["converged"]), ("inf", "no"))
-        self.write("c.csv", "x,y\n0,0\n5e-323,5e-323\n1e-322,0\n")
-        for row in rows(self.fine("curve", "length", "--curve", "c.csv")):
-            self.assertEqual(row["converged"], "no")
 
     def test_at_length(self):
         columns = ["method", "t", "iterations", "converged", "exact_t", "error", "error_estimate", "length_error"]
@@ -498,8 +435,7 @@ class Curves(Case):
 
         write(400)
         for command, exact in (("project --point 1,2 --method scan_refine", ["exact_t", "exact_distance", "error"]),
-                               ("length --method gauss_legendre_24", ["exact", "error"]),
-                               ("at-length --fraction 0.5 --method bracketed_newton", ["exact_t", "error", "length_error"])):
+                               ("length --method gauss_legendre_24", ["exact", "error"])):
             with self.subTest(command=command):
                 words = command.split()
                 result = self.run_program("curve", words[0], "--curve", "c.csv", *words[1:])
@@ -538,33 +474,22 @@ class Curves(Case):
         self.refused(USAGE, ["curve", "interpolate"], "--points")
 
     def test_interpolation_of_uneven_points(self):
-        """Parameters, ends and closed splines, on points whose splines are worked by hand."""
+        """Which option is which; tests of the libraries have the numbers."""
         def controls(*arguments):
             return [float(row["x"]) for row in rows(self.fine("curve", "interpolate", "--points", "p.csv", *arguments))]
         self.write("p.csv", "x,y\n0,0\n1,0\n100,0\n")
         self.assertAlmostEqual(controls("--parameters", "uniform")[1], -23.5 / 3, 12)  # as in the report: x = -23.5 t + 24.5 t^3
         self.assertEqual(controls("--parameters", "uniform"), controls("--method", "c2_natural"))
-        for expected, x in zip((0, 1 / 3, 2 / 3, 1, 1, 34, 67, 100), controls("--parameters", "chord"), strict=True):
-            self.assertAlmostEqual(x, expected, 12)  # the line at constant speed
-        centripetal = controls()
-        self.assertEqual(centripetal, controls("--parameters", "centripetal"))
-        self.assertEqual(centripetal, sorted(centripetal))
-        self.write("p.csv", "x\n0\n1\n4\n")  # t^2 at 0, 1, 2 by its blossoms
+        self.assertAlmostEqual(controls("--parameters", "chord")[1], 1 / 3, 12)  # the line at constant speed
+        self.assertEqual(controls(), controls("--parameters", "centripetal"))
+        self.write("p.csv", "x\n0\n1\n4\n")  # t^2 at 0, 1, 2
         for ends in (["not-a-knot"], ["clamped", "--start-derivative", "0", "--end-derivative", "4"]):
-            found = controls("--parameters", "uniform", "--ends", *ends)
-            for expected, x in zip((0, 0, 1 / 3, 1, 1, 5 / 3, 8 / 3, 4), found, strict=True):
-                self.assertAlmostEqual(x, expected, 14)
-        for content in ("x,y\n0,0\n1,0\n1,1\n0,1\n", "x,y\n0,0\n1,0\n1,1\n0,1\n0,0\n"):  # a square, its first corner once or twice
-            self.write("p.csv", content)
-            # slopes by symmetry: 4 m_0 + m_1 + m_3 = 3 (K_1 - K_3) = 3 (1, -1), and m_1 + m_3 = 0
-            found = controls("--closed")
-            self.assertEqual(len(found), 16)
-            self.assertAlmostEqual(found[1], 0.25, 14)
-            self.assertAlmostEqual(found[14], -0.25, 14)
+            self.assertAlmostEqual(controls("--parameters", "uniform", "--ends", *ends)[2], 1 / 3, 14)
+        self.write("p.csv", "x,y\n0,0\n1,0\n1,1\n0,1\n")
+        self.assertAlmostEqual(controls("--closed")[14], -0.25, 14)
         self.write("p.csv", "x\n0\n1\n1.1\n9\n9\n")
         monotone = controls("--parameters", "uniform", "--monotone")
         self.assertEqual(monotone, sorted(monotone))
-        self.assertNotEqual(controls("--parameters", "uniform"), sorted(monotone))
 
     def test_interpolation_of_what_is_refused(self):
         interpolate = ["curve", "interpolate", "--points", "p.csv"]
@@ -623,17 +548,6 @@ class Curves(Case):
         self.refused(USAGE, fit + ["--tolerance", "1", "--method", "schneidr"], 'did you mean "schneider"?')
         self.write("p.csv", "x,y\n1,2\n")
         self.refused(INPUT_OUTPUT, fit + ["--tolerance", "1"], "p.csv: 1 point;", "2 or more")
-
-    def test_conversions_both_ways(self):
-        for to_power in TO_POWER:
-            self.write("q.csv", self.fine("curve", "convert", "--curve", "c.csv", "--method", to_power))
-            self.assertEqual(rows((self.folder / "q.csv").read_text()),
-                             [{"x": "0", "y": "0"}, {"x": "2", "y": "4"}, {"x": "1", "y": "-3"}])
-            for to_bernstein in TO_BERNSTEIN:
-                back = self.fine("curve", "convert", "--curve", "q.csv", "--form", "power", "--method", to_bernstein)
-                for row, expected in zip(rows(back), rows((self.folder / "c.csv").read_text()), strict=True):
-                    for axis in "xy":
-                        self.assertAlmostEqual(float(row[axis]), float(expected[axis]), places=14)
 
 
 if __name__ == "__main__":

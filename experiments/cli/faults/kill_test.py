@@ -23,7 +23,7 @@ NO_LEAK_CHECK = {"ASAN_OPTIONS": "detect_leaks=0"}  # it writes an error if the 
 
 def options():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--kills", type=int, default=60, help="how many processes are killed, at least")
+    parser.add_argument("--kills", type=int, default=30, help="how many processes are killed, at least")
     parser.add_argument("--seed", type=int, default=1, help="of the moments; the machine adds chance of its own")
     known, sys.argv[1:] = parser.parse_known_args()
     return known

@@ -1,15 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The program where memory and the range of numbers end: one line, never a crash. Usage: limits_test.py BEZIERBENCH"""
+"""The program where the range of numbers ends: one line, never a crash. Usage: limits_test.py BEZIERBENCH"""
 import pathlib
-import resource
 import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from program_case import ENVIRONMENT, HAS_SANITIZER, INPUT_OUTPUT, USAGE, Case  # noqa: E402
+from program_case import INPUT_OUTPUT, USAGE, Case  # noqa: E402
 
-MEGABYTE = 1 << 20
 LONGEST_LINE = 500  # characters of a message about what is in these tests
 
 
@@ -17,15 +15,6 @@ class Limits(Case):
     def assert_short_line(self, result, *needles):
         self.assert_one_line(result, *needles)
         self.assertLess(len(result.stderr), LONGEST_LINE)
-
-    @unittest.skipIf(HAS_SANITIZER, "a sanitizer takes more memory than the limit")
-    def test_memory(self):
-        """A file that fits no memory: the allocation fails, and the program says so."""
-        with open(self.folder / "c.csv", "wb") as file:
-            file.truncate(400 * MEGABYTE)
-        limit = 300 * MEGABYTE
-        self.assert_short_line(self.refused(ENVIRONMENT, ["curve", "eval", "--curve", "c.csv", "--t", "0"], "memory", "ulimit -v", alone=False,
-                                            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))))
 
     def test_ids_name_files(self):
         self.bundle(self.suite(id='"' + "n" * 100 + '"'))
@@ -46,8 +35,6 @@ class Limits(Case):
                 ([*run, "--set", "coordinate_range=1e-999"], USAGE, "coordinate_range=1e-999"),
                 ([*run, "--checkpoint", "1e-999"], USAGE, "--checkpoint 1e-999"),
                 ([*run, "--checkpoint", "nan"], USAGE, "--checkpoint nan"),
-                ([*run, "--checkpoint", "inf"], USAGE, "--checkpoint inf"),
-                ([*run, "--checkpoint", "-1"], USAGE, "--checkpoint -1"),
                 (["run", self.suite(coordinate_range="[1e-999]", name="small.toml"), "--out", "b"], USAGE, "small.toml:11:"),
                 (["run", self.suite(coordinate_range='["1e-999"]', name="text.toml"), "--out", "b"], USAGE, "text.toml:11:")]:
             with self.subTest(arguments=arguments):

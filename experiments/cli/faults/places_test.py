@@ -1,16 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Outputs and folders that cannot be written or read: exit codes, no file half-written. Usage: places_test.py BEZIERBENCH"""
-import os
 import resource
 import shutil
-import signal
 import sys
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import FINE, HAS_THREAD_SANITIZER, INPUT_OUTPUT, USAGE, Case, CONVERSION, STUDY  # noqa: E402
+from program_case import FINE, INPUT_OUTPUT, Case, CONVERSION, STUDY  # noqa: E402
 from resume_case import ResumeCase  # noqa: E402
 
 
@@ -26,28 +24,6 @@ class StandardStreams(Case):
             with self.subTest(command=command), open("/dev/full", "wb") as full:
                 self.refused(INPUT_OUTPUT, command, "standard output", stdout=full)
 
-    def test_broken_pipe(self):
-        for command in self.commands():
-            for restore_signals in (True, False):  # False: SIGPIPE ignored, as Python does
-                with self.subTest(command=command, restore_signals=restore_signals):
-                    reader, writer = os.pipe()
-                    os.close(reader)
-                    result = self.run_program(*command, stdout=writer, restore_signals=restore_signals)
-                    os.close(writer)
-                    if restore_signals:
-                        self.assertEqual((result.returncode, result.stderr), (-signal.SIGPIPE, b""))
-                    else:
-                        self.assertEqual(result.returncode, INPUT_OUTPUT)
-                        self.assert_one_line(result, "standard output")
-
-    def test_messages_that_cannot_be_written(self):
-        suite = self.suite()
-        with open("/dev/full", "wb") as full:
-            self.assertEqual(self.run_program("nonsense", stderr=full).returncode, USAGE)
-            self.assertEqual(self.run_program("run", suite, "--out", "a", stderr=full).returncode, FINE)
-            self.assertEqual(self.run_program("run", suite, "--out", "a", stderr=full).returncode, FINE)
-        self.assert_complete("a")
-
 
 class Places(ResumeCase):
     """Where results go, and where they cannot."""
@@ -57,8 +33,7 @@ class Places(ResumeCase):
         self.write("file", "mine")
         self.write("full/mine.txt", "mine")
         self.write("full/suite.toml", "mine")
-        (self.folder / "loop").symlink_to("loop")
-        for out in ("file", "file/b", "file/deep/b", "full", "loop", "loop/b", "/dev/null", "/proc/b", "n" * 300):
+        for out in ("file", "file/deep/b", "full", "/proc/b", "n" * 300):
             with self.subTest(out=out):
                 self.refused(INPUT_OUTPUT, ["run", "s.toml", "--out", out], f"bezierbench: {out}: ", "choose")
 

@@ -156,14 +156,6 @@ class Progress(Case):
             for key in (*event, event["event"]):
                 self.assertIn(f"`{key}`", text)
 
-    def test_messages_are_json_as_well(self):
-        self.bundle()
-        result = self.run_program("run", "s.toml", "--seed", "7", "--out", "b", "--progress", "json")
-        self.assertEqual(result.returncode, USAGE)
-        event = json.loads(result.stderr)
-        self.assertEqual(event["event"], "message")
-        self.assertRegex(event["text"], r"^bezierbench: b: holds results of seed 1")
-
     def test_the_end_of_a_run(self):
         result = self.run_program("run", self.suite({**STUDY, "degree": "[3, 4]"}, SHORT_TIMING), "--out", "b")
         self.assertEqual((result.returncode, result.stdout), (FINE, b""))

@@ -58,13 +58,5 @@ TEST(BlockSet, IsASet) {
   }
 }
 
-TEST(BlockSet, TakesMoreBlocksThanMemory) {
-  BlockSet set;
-  set.insert({0, 1ULL << 60U});
-  set.insert(1ULL << 60U);
-  EXPECT_EQ(set.runs().size(), 1U);
-  EXPECT_EQ(set.size(), (1ULL << 60U) + 1);
-}
-
 }  // namespace
 }  // namespace bezierbench::run

@@ -72,15 +72,6 @@ TEST(Conversion, TheOrderOfBlocksChangesNothing) {
   EXPECT_EQ(run::expect_order_changes_nothing(make_job, study).size(), 1U);
 }
 
-/// Chains are judged on the same curves, whatever others are judged beside them.
-TEST(Conversion, AChainHasItsRowsAloneAsBesideOthers) {
-  const auto alone = conversion_rows_of(conversion_study_of({"factorial"}));
-  const auto beside = conversion_rows_of(conversion_study_of({"exact", "factorial"}));
-  for (std::size_t row = 0; row < alone.row_count(); ++row)
-    for (const auto* column : {"conversion", "degree", "mean_error", "max_error", "within_1e-5"})
-      EXPECT_EQ(alone.at(row, column), beside.at(2 * row + 1, column));
-}
-
 TEST(Conversion, CountsAreSummedOverDegrees) {
   const auto job = make_job(conversion_study_of({"exact"}), {1});
   run::run_all(*job);

@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 
-#include "experiments/failure.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/run/job_test.hpp"
@@ -101,12 +100,6 @@ TEST(GuaranteesStudy, UnstableMethodsAreInNoDigest) {
   study.methods = {"direct_pow"};
   study.trials = 10;
   EXPECT_GT(guarantees_table(study, "guarantees_unstable.csv").row_count(), 10U);
-}
-
-TEST(GuaranteesStudy, RefusesUnknownProperties) {
-  auto study = small_guarantees_study();
-  study.properties = {"in_hul"};
-  EXPECT_THROW(make_job(study, {1}), Failure);
 }
 
 }  // namespace

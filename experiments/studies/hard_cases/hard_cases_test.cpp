@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
-#include <set>
-#include <string>
 
-#include "experiments/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/hard_cases/hard_value.hpp"
 #include "experiments/studies/roster.hpp"
@@ -73,40 +69,11 @@ suite::Study small_study(Form form) {
   return study;
 }
 
-bundle::CsvDocument rows_of(Form form) {
-  const auto job = make_job(small_study(form), {1});
-  run::run_all(*job);
-  return bundle::parse_csv(run::text_of(*job).at("hard_cases.csv"), "hard_cases.csv");
-}
-
 TEST(HardCasesStudy, OrderAndInterruptionsChangeNoByte) {
   for (const auto form : {Form::bernstein, Form::power}) {
     const auto files = run::expect_order_changes_nothing(make_job, small_study(form));
     EXPECT_LE(bundle::parse_csv(files.at("hard_cases.csv"), "hard_cases.csv").row_count(),
               make_job(small_study(form), {1})->extent().rows);
-  }
-}
-
-TEST(HardCasesStudy, EverySearchFindsWhatItLooksFor) {
-  for (const auto form : {Form::bernstein, Form::power}) {
-    const auto csv = rows_of(form);
-    std::set<std::string> searches;
-    std::set<std::string> cases;
-    for (std::size_t row = 0; row < csv.row_count(); ++row) {
-      const std::string search(csv.at(row, "search"));
-      searches.insert(search);
-      const bool at_boundary = csv.at(row, "distance_ulp") == "0";
-      const bool is_zero = csv.at(row, "exact") == "0";
-      EXPECT_TRUE(search == "tie" ? at_boundary : search == "nearest" ? !at_boundary : is_zero == (search == "zero"));
-      EXPECT_EQ(csv.at(row, "rounded"),
-                csv.at(row, csv.at(row, "scalar") == "float" ? "rounded_float" : "rounded_double"));
-      EXPECT_TRUE(cases
-                      .insert(std::string(csv.at(row, "family")) + search + std::string(csv.at(row, "scalar")) +
-                              std::string(csv.at(row, "t")) + std::string(csv.at(row, "coefficients")))
-                      .second)
-          << "twice";
-    }
-    EXPECT_EQ(searches, (std::set<std::string>{"tie", "nearest", "cancelled", "zero"}));
   }
 }
 

@@ -111,15 +111,6 @@ TEST(Overrides, OnlyAndNoTimingChoose) {
   EXPECT_EQ(suites[0].studies[0].id, "a-1");
 }
 
-TEST(Overrides, StudiesThatAreLeftOutAreNotChecked) {
-  auto suites = two_suites();
-  suites[0].studies[1].coordinate_range = {0.5};
-  Overrides overrides = setting({"generator=integer"});
-  overrides.only = "a-*";
-  apply(overrides, suites, test_vocabulary());
-  EXPECT_THAT(suites[0].studies[0].generator, ElementsAre("integer"));
-}
-
 TEST(Overrides, ErrorsNameTheOption) {
   EXPECT_THAT(refused(setting({"degree=x"})), StartsWith("--set degree=x: degree must be a whole number"));
   EXPECT_THAT(refused(setting({"degree=1024"})), StartsWith("--set degree=1024: study \"a-1\": degree must be 0 to"));
@@ -156,15 +147,6 @@ TEST(Overrides, ErrorsNameTheOption) {
   overrides.only = "t*";
   overrides.no_timing = true;
   EXPECT_THAT(refused(overrides), HasSubstr("only timing studies"));
-}
-
-TEST(Overrides, FailureLeavesTheSuitesAlone) {
-  auto suites = two_suites();
-  Overrides overrides = setting({"degree=5", "trials=0"});
-  overrides.only = "a-1";
-  EXPECT_NE(failure_of([&] { apply(overrides, suites, test_vocabulary()); }), "");
-  ASSERT_EQ(suites.size(), 2U);
-  EXPECT_THAT(suites[0].studies[0].degree, ElementsAre(4, 8));
 }
 
 }  // namespace
