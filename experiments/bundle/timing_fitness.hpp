@@ -8,9 +8,6 @@
 
 namespace bezierbench::bundle {
 
-/// The aspect of a Concern about the clock.
-inline constexpr std::string_view clock_aspect = "clock";
-
 /// One aspect of a machine to know before times are relied on.
 struct Concern {
   std::string aspect;  ///< clock, governor, boost, load, virtualised, counters

@@ -4,6 +4,7 @@
 
 #include "experiments/metric/tally.hpp"
 #include "reference/certified_points.hpp"
+#include "reference/error/trial_scale.hpp"
 
 namespace bezierbench::metric {
 
@@ -12,7 +13,8 @@ using ErrorLanes = reference::CertifiedLanes;
 /// in_units() of every trial of a group, rounded to 24 bits.
 inline ErrorLanes in_units(const ErrorLanes& errors, const ErrorLanes& divisors, double unit = 1) {
   ErrorLanes units;
-  for (std::size_t k = 0; k < units.size(); ++k) units[k] = to_24_bits(in_units(errors[k], divisors[k], unit));
+  for (std::size_t k = 0; k < units.size(); ++k)
+    units[k] = to_24_bits(reference::in_units(errors[k], divisors[k], unit));
   return units;
 }
 

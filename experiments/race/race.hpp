@@ -128,7 +128,6 @@ struct JudgedRivals {
 /// A problem that a timing study can time: evaluation, or a companion problem, whose methods the study then names in
 /// place of evaluators. The kind of study that judges the problem states it (timed_companion.hpp).
 struct TimedProblem {
-  Problem problem;
   Size size;
   /// The races of a study, before any repetition. Throws Failure(usage) for studies that cannot be timed.
   std::vector<Race> (*races)(const suite::Study& study);

@@ -247,7 +247,7 @@ bundle::Expected expected_of(const RunRequest& request, const Plan& plan) {
   for (const auto& [file, table] : tables.all()) expected.plan.rows.emplace(file, table.document());
   expected.plan.methods_csv = request.methods_csv;
   expected.plan.git_commit = request.git_commit;
-  for (const auto& method : request.external) expected.plan.outside.insert(method.id);
+  for (const auto& method : request.external) expected.plan.external.insert(method.id);
   return expected;
 }
 

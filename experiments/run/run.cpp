@@ -67,12 +67,6 @@ void describe(const RunRequest& request, const Plan& plan, RunFolder& folder) {
              folder.is_complete() ? " (already complete)" : "");
 }
 
-/// Checks before the first block, not after hours, whether the machine is fit for timings.
-void require_machine(const Jobs& jobs, const Share& share) {
-  for (std::size_t number = 0; number < jobs.size(); ++number)
-    if (const auto [first, end] = share.blocks(number); first < end) jobs[number]->require_machine();
-}
-
 /// The work of this process that is left, study by study.
 std::vector<StudyWork> work_left(const Plan& plan, const Share& share) {
   std::vector<StudyWork> all;
@@ -86,7 +80,6 @@ std::vector<StudyWork> work_left(const Plan& plan, const Share& share) {
 double work(const RunRequest& request, const Plan& plan, Checkpoints& checkpoints) {
   const Jobs& jobs = plan.jobs;
   const Share share(jobs, checkpoints, request.shard.value_or(Shard()));
-  require_machine(jobs, share);
   if (request.telling == Telling::json)
     note_event(beginning_json(jobs.size(), cells_of(jobs), share.count(), share.count_done()));
   Progress progress(work_left(plan, share), request.telling);

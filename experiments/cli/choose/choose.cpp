@@ -134,14 +134,14 @@ Evidence read_evidence(const Wish& wish) {
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
     if (auto found = table(file)) accuracies.push_back(std::move(*found));
-  Evidence evidence{std::move(*timing), tables::JudgedTables(std::move(accuracies)), table("methods.csv")};
-  wish.damaged = reader.told();
+  Evidence evidence{std::move(*timing), tables::JudgedTables(std::move(accuracies)), table("methods.csv"),
+                    reader.told()};
   return evidence;
 }
 
 /// The races of the wish. Where there is none, throws Failure with the values that are available.
 std::vector<ChoiceGroup> races_of(const Evidence& evidence, const Wish& wish) {
-  auto groups = tables::timed_groups(evidence.timing);
+  auto groups = tables::timed_groups(tables::rows_of(evidence.timing));
   std::erase_if(groups, [&](const ChoiceGroup& group) {
     return judged_ranges(group, evidence.judged, wish.accuracy_study).empty();
   });
@@ -315,13 +315,10 @@ void read_numbers(Wish& wish) {
 Exit choose(Wish wish) {
   read_numbers(wish);
   const auto evidence = read_evidence(wish);
-  auto groups = tables::timed_groups(tables::rows_of(evidence.timing));
-  std::erase_if(groups, [&](const tables::ChoiceGroup& group) {
-    return judged_ranges(group, evidence.judged, wish.accuracy_study).empty();
-  });
-  auto race = one_of(judged_races(matching(std::move(groups), wish), evidence, wish));
-  std::ranges::stable_sort(race.group.choices, is_quick_to_slow);
-  print_damage(wish.damaged);
+  const auto races = judged_races(evidence, wish);
+  const auto& race = races.front();
+  const auto candidates = candidates_of(race, wish);
+  print_damage(evidence.damaged);
   if (wish.format == "csv") {
     for (std::size_t k = 1; k < races.size(); ++k)
       say(fmt::format("times of another study are left out: {}; see --study", timed_curves(races[k])));

@@ -136,8 +136,8 @@ std::vector<std::string> judge_class(tables::ChoiceGroup& group, const DrawnClas
 }
 
 double least_p_tilde(const tables::ChoiceGroup& group, const DrawnClass& of) {
-  return is_float(group) ? metric::least_p_tilde(curve_class<float>(group, of), reference::float_arithmetic)
-                         : metric::least_p_tilde(curve_class<double>(group, of), reference::double_arithmetic);
+  return is_float(group) ? metric::min_p_tilde(curve_class<float>(group, of), reference::float_arithmetic)
+                         : metric::min_p_tilde(curve_class<double>(group, of), reference::double_arithmetic);
 }
 
 }  // namespace bezierbench::cli

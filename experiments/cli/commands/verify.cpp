@@ -3,35 +3,47 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "experiments/bundle/bundle.hpp"
-#include "experiments/bundle/check/kernel_share.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/echo.hpp"
+#include "experiments/number/number.hpp"
 #include "experiments/run/plan.hpp"
 #include "experiments/suite/text/reader.hpp"
 
 namespace bezierbench::cli {
 namespace {
 
+/// The sum of a column of counts, in a bundle that was verified.
+std::int64_t sum(const bundle::CsvDocument& table, std::string_view column) {
+  std::int64_t all = 0;
+  for (std::size_t row = 0; row < table.row_count(); ++row)
+    all += number::parse_integer(table.at(row, column)).value_or(0);
+  return all;
+}
+
 void print_fine(const std::string& path) {
-  const auto share = bundle::kernel_share(path);
   fmt::print("{}: fine\n", printable(path));
-  if (share)
+  const auto bundle = bundle::BundleDirectory::open(path);
+  const auto table = [&](const char* name) { return bundle::parse_csv(bundle.read(name), name); };
+  constexpr const char* reference_name = "reference.csv";
+  if (bundle.has(reference_name))
     fmt::print(
         "of {} evaluations that accuracy studies judged, {} went through the kernels that are timed, the others "
         "through kernels for many curves at once\n",
-        share->judged, share->own);
-  if (const auto bundle = bundle::BundleDirectory::open(path); bundle.has(bundle::digests_name))
+        sum(table(reference_name), "trials"), sum(table(reference_name), "own_kernel"));
+  if (bundle.has(bundle::digests_name))
     fmt::print("{} digests by table, study and method, each that of its rows\n",
-               bundle::parse_csv(bundle.read(bundle::digests_name), bundle::digests_name).row_count());
+               table(bundle::digests_name).row_count());
 }
 
 /// What a bundle must contain. Its build may have had other libraries than this one, so all known methods are allowed.

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "experiments/number/fault.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/suite/nearest.hpp"

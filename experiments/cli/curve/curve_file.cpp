@@ -15,7 +15,6 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/fault.hpp"
 #include "experiments/number/number.hpp"
 
 namespace bezierbench::cli {

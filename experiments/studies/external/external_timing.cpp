@@ -63,7 +63,7 @@ class ExternalTimingJob final : private JudgedExternal, public RacingJob<Externa
                     std::uint64_t seed)
       : JudgedExternal(record, study.form, given), RacingJob(study, seed, races_of(study, info())), late_(parts()) {}
 
-  [[nodiscard]] run::Extent extent() const override { return {0, parts(), parts() * race::timed_inputs_per_cell, 0}; }
+  [[nodiscard]] run::Extent extent() const override { return {0, parts(), parts() * race::timed_inputs_per_cell}; }
   void write(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
